@@ -9,15 +9,13 @@ from site_builder.book import Book
 from site_builder.browser_python import pack_for_browser
 from site_builder.diagnostics import Diagnostic
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
-from site_builder.editor.npm import NodeError
 from site_builder.editor.sources import scene_sources
 from site_builder.output.assets import hashed_folder
-from site_builder.output.joined_scripts import join_scripts
 from site_builder.pages.render import render_template
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import Versions
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
-from site_builder.site_assets import SCRIPT, Files
+from site_builder.site_assets import Files
 
 RUNTIME_NOW = "runtime/now/"
 """Folder of the browser's Python while the book is written: a changed scene changes only the pages
@@ -77,17 +75,6 @@ def _search_library(book: Book, warn: Warn) -> SearchLibrary:
         message = f"the book cannot be searched, for want of the library: {error}"
         warn(Diagnostic("site_builder/search/package-lock.json", 1, message, fails=False))
         return SearchLibrary({})
-
-
-def joined(files: Files, warn: Warn) -> Files:
-    """With the page's scripts in few files; where what joins them cannot be had, a warning, and
-    pages load them one by one."""
-    try:
-        return join_scripts(files, SCRIPT)
-    except NodeError as error:
-        message = f"pages load somewhat later, since their scripts could not be joined: {error}"
-        warn(Diagnostic("site_builder/editor/package-lock.json", 1, message, fails=False))
-        return files
 
 
 def scene_files(book: Book, editor: EditorBundle) -> Files:

@@ -16,7 +16,7 @@ from simulations.registry import load_ladder, load_scene
 from site_builder.benchmarks.measurements import read_measurements
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
-from site_builder.browser_parts import BrowserParts, browser_parts, joined, scene_files
+from site_builder.browser_parts import BrowserParts, browser_parts, scene_files
 from site_builder.cache import cached_reading, cached_result
 from site_builder.checks.declared import check_declarations
 from site_builder.checks.frames import check_frames
@@ -182,16 +182,12 @@ def render(checked: CheckedBook, options: Options) -> RenderedSite:
         **make_icons(root),
     }
 
-    def join(files: Files) -> Files:
-        # While the book is written, a changed script is sent by itself.
-        return files if reload else joined(files, options.warn)
-
-    assets, asset_files = gather_assets(book, root, pictures, made, NOW if reload else "", join)
+    assets = gather_assets(book, root, pictures, made, NOW if reload else "")
     site = Site(
         root,
         book,
         initial_frames,
-        assets,
+        assets.folder,
         parts.runtime,
         # A changed scene would change all pages that say what it was.
         sources="" if reload else parts.bundle.sources,
@@ -199,11 +195,11 @@ def render(checked: CheckedBook, options: Options) -> RenderedSite:
         code_editor=bool(parts.editor.script),
         search=bool(parts.search.scripts),
         reload=reload,
-        **in_page(asset_files, assets, reload=reload),
+        **in_page(assets, reload=reload),
     )
     pages = render_pages(site, _licences(root, parts, book))
     return RenderedSite(
-        checked, options, parts, assets, pages, {**asset_files, **parts.runtime_files}
+        checked, options, parts, assets.folder, pages, {**assets.files, **parts.runtime_files}
     )
 
 

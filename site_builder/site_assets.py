@@ -1,6 +1,7 @@
 """Style sheets, scripts, fonts and pictures: what pages have beside them, in one folder."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -9,13 +10,12 @@ from site_builder.book_root import own_or_engine
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_files
 from site_builder.markdown.directives.figure import SUFFIXES
-from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
 from site_builder.offline.release import integrity
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.fonts import subset_fonts
-from site_builder.output.scripts import imported_scripts, reachable
+from site_builder.output.scripts import Bundle, bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
 from site_builder.pages.render import back_matter
@@ -23,10 +23,8 @@ from site_builder.pages.render import back_matter
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
 SCRIPT = "js/main.js"
-IN_HEAD = (SCRIPT,)
-"""Scripts that the head of a page runs."""
-ENTRIES = (SCRIPT, RELEASE_SCRIPT)
-"""Scripts that something else than a script asks for."""
+SOURCES = ("js/main.ts", "js/offline/service_worker.ts")
+"""Scripts that pages, or a service worker, load by address."""
 
 NOW = "assets/now/"
 """Folder of the assets while the book is written: a changed style sheet changes no page."""
@@ -34,51 +32,62 @@ NOW = "assets/now/"
 type Files = Mapping[str, Content]
 
 
+@dataclass(frozen=True, slots=True)
+class Assets:
+    """What pages load, in one folder."""
+
+    folder: str
+    """Below the site's root."""
+    files: Files
+    scripts: tuple[str, ...]
+    """What pages run at once besides `SCRIPT`, below the folder."""
+
+
 def gather_assets(
-    book: Book,
-    root: Path,
-    pictures: Mapping[str, bytes],
-    made: Files,
-    folder: str = "",
-    join: Callable[[Files], Files] = dict,
-) -> tuple[str, Files]:
+    book: Book, root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
+) -> Assets:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
-    and what searches, in one folder: ``folder``, or one that is named by what is in it. The
-    engine's own are handed through ``join``."""
+    and what searches, in one folder: ``folder``, or one that is named by what is in it. Raises
+    `BuildError`."""
     content = folder_files(root / "content")
     static = folder_files(own_or_engine(root, "static"))
+    shown = shown_in(book, dict(back_matter(book)))
+    scripts = _scripts(book, static, shown)
     files: Files = {
-        **join(_engine_files(book, static)),
+        **scripts.files,
+        **_style_sheets(book, static, shown, scripts.beside),
+        **{name: file for name, file in static.items() if not name.startswith(("css/", "js/"))},
         **{f"fonts/{name}": data for name, data in subset_fonts().items()},
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
         **made,
     }
     if folder:
-        return folder, {folder + name: content for name, content in files.items()}
-    return hashed_folder("assets", files)
+        files = {folder + name: content for name, content in files.items()}
+    else:
+        folder, files = hashed_folder("assets", files)
+    return Assets(folder, files, scripts.at_once)
 
 
-def _engine_files(book: Book, static: Files) -> Files:
-    """Of the engine's style sheets and scripts those that the book uses."""
-    shown = shown_in(book, dict(back_matter(book)))
-    own = book_css(book.settings, book.words) + "".join(map(face_rule, MATHS_FACES))
-    files = {
-        **join_style_sheets(static, STYLE_SHEET, own, without=sheets_not_for(shown)),
+def _scripts(book: Book, static: Files, shown: Collection[str]) -> Bundle:
+    """Those that the book uses."""
+    sources = {name: file for name, file in static.items() if name.startswith("js/")}
+    written = {
         "js/book.js": book_script(book.settings, book.words),
         "js/book_parts.js": parts_script(shown),
         "js/question/book_kinds.js": kinds_script(shown),
     }
-    used = reachable(files, ENTRIES) | {STYLE_SHEET}
-    loaded = ("css/", "js/")
-    return {
-        name: file for name, file in files.items() if name in used or not name.startswith(loaded)
-    }
+    return bundle_scripts({**sources, **written}, *(name for name in SOURCES if name in sources))
 
 
-def _scripts(files: Files, assets: str) -> tuple[str, ...]:
-    """What pages run at once, below the folder ``assets``."""
-    return imported_scripts({name.removeprefix(assets): files[name] for name in files}, SCRIPT)
+def _style_sheets(
+    book: Book, static: Files, shown: Collection[str], beside: Collection[str]
+) -> Files:
+    """The sheet of all pages, and those that scripts load."""
+    own = book_css(book.settings, book.words) + "".join(map(face_rule, MATHS_FACES))
+    sheets = {name: file for name, file in static.items() if name.startswith("css/")}
+    joined = join_style_sheets(sheets, STYLE_SHEET, own, without=sheets_not_for(shown))
+    return {name: file for name, file in joined.items() if name in {STYLE_SHEET, *beside}}
 
 
 def prerendered_files(initial_frames: InitialFrames) -> Files:
@@ -93,13 +102,15 @@ def handed_out(book: Book, root: Path) -> Files:
     return {f"content/{name}": root / "content" / name for name in sorted(names)}
 
 
-def in_page(files: Files, assets: str, *, reload: bool) -> dict[str, Any]:
+def in_page(assets: Assets, *, reload: bool) -> dict[str, Any]:
     """What a page holds of its assets, besides their addresses. While the book is written no more
     than the scripts' names, so that a changed style sheet changes no page."""
-    scripts = _scripts(files, assets)
     if reload:
-        return {"scripts": scripts}
-    sheet = content_bytes(files[assets + STYLE_SHEET]).decode("utf-8")
-    named = {name: files[assets + name] for name in (*IN_HEAD, *scripts) if assets + name in files}
-    hashes = {name: integrity(content_bytes(file)) for name, file in named.items()}
-    return {"scripts": scripts, "styles": without_comments(sheet), "hashes": hashes}
+        return {"scripts": assets.scripts}
+    contents = {
+        name: content_bytes(assets.files[assets.folder + name])
+        for name in (STYLE_SHEET, SCRIPT, *assets.scripts)
+    }
+    sheet = contents.pop(STYLE_SHEET).decode("utf-8")
+    hashes = {name: integrity(content) for name, content in contents.items()}
+    return {"scripts": assets.scripts, "styles": without_comments(sheet), "hashes": hashes}

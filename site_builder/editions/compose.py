@@ -56,8 +56,8 @@ def compose(options: Options) -> Composed:
     """Read, check and render the book. Raises `BuildError` with all mistakes found."""
     book, initial_frames, pictures = check_site(options)
     rows, row_pictures = render_rows(book, initial_frames)
-    assets, files = gather_assets(book, options.root, {**pictures, **row_pictures}, {})
-    site = Site(options.root, book, initial_frames, assets, "")
+    assets = gather_assets(book, options.root, {**pictures, **row_pictures}, {})
+    site = Site(options.root, book, initial_frames, assets.folder, "")
     licences = gather_licences(options.root, Versions(), settings=book.settings, words=book.words)
     sections = [
         *(_chapter(site, chapter, rows) for chapter in book.chapters),
@@ -67,8 +67,8 @@ def compose(options: Options) -> Composed:
     cover = ""
     if book.hero:
         shown = initial_frames[book.hero.path, book.hero.line].pictures.values()
-        cover = next((f"{assets}stills/{picture.file}" for picture in shown), "")
-    return Composed(book, tuple(sections), cover, assets, files, licences)
+        cover = next((f"{assets.folder}stills/{picture.file}" for picture in shown), "")
+    return Composed(book, tuple(sections), cover, assets.folder, assets.files, licences)
 
 
 def _chapter(site: Site, chapter: Chapter, rows: Mapping[tuple[str, str], Row]) -> Section:

@@ -1,7 +1,7 @@
 /**
  * Joins the code editor and the packages that it imports into one file, cut down to what is used.
  *
- * Runs in a folder with `code_editor.js` and `node_modules`; writes `out/code_editor.js`, and
+ * Runs in a folder with `code_editor.ts` and `node_modules`; writes `out/code_editor.js`, and
  * `out/packages.json`, which tells whose work is in it and under which terms.
  */
 
@@ -9,7 +9,7 @@ import { readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
 const { metafile } = await build({
-  entryPoints: ["code_editor.js"],
+  entryPoints: ["code_editor.ts"],
   outdir: "out",
   bundle: true,
   format: "esm",

@@ -12,7 +12,7 @@ from platformdirs import user_cache_path
 from site_builder.editor.npm import HERE, NodeError, installed_packages, run_node
 from site_builder.runtime.store import made_once, sha256
 
-INGREDIENTS = ("package.json", "package-lock.json", "bundle.mjs", "code_editor.js")
+INGREDIENTS = ("package.json", "package-lock.json", "bundle.mjs", "code_editor.ts")
 PRODUCTS = ("code_editor.js", "packages.json")
 
 
@@ -64,7 +64,7 @@ def _make() -> Mapping[str, bytes]:
         except NodeError as error:
             raise EditorBundleError(f"its packages could not be had from npm: {error}") from None
         (folder / "node_modules").symlink_to(packages, target_is_directory=True)
-        for name in ("bundle.mjs", "code_editor.js"):
+        for name in ("bundle.mjs", "code_editor.ts"):
             shutil.copyfile(HERE / name, folder / name)
         try:
             run_node(["bundle.mjs"], folder)

@@ -47,7 +47,7 @@ class Words:
 
     def numeral(self, text: str) -> str:
         """A number as the language writes it: its decimal sign, and words for what is none. As
-        ``numeral`` of ``static/js/page/words.js``."""
+        ``numeral`` of ``static/js/page/words.ts``."""
         if text == "undefined":
             return self("script.number.undefined")
         if text.startswith("under "):

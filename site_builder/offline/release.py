@@ -1,4 +1,4 @@
-"""What ``static/js/offline/service_worker.js`` keeps: the files of a release, and its name."""
+"""What ``static/js/offline/service_worker.ts`` keeps: the files of a release, and its name."""
 
 import base64
 import hashlib

@@ -1,59 +1,73 @@
-"""ES modules: which files a page runs at once, and which it may ask for afterwards."""
+"""The scripts of pages: TypeScript, bundled by esbuild into few files."""
 
-import re
-from collections.abc import Collection, Iterator, Mapping
-from posixpath import dirname, normpath
+import json
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
 
-from site_builder.output.assets import Content, content_bytes
+from site_builder.cache import cached_result
+from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.editor.npm import HERE as PACKAGES
+from site_builder.editor.npm import NodeError, installed_packages, run_node
+from site_builder.files import file_hash
+from site_builder.output.assets import Content, content_bytes, content_hash
 
-COMMENT = re.compile(r"/\*.*?\*/|^\s*//.*?$", re.DOTALL | re.MULTILINE)
-AT_ONCE = re.compile(r"""(?:\bfrom|(?:^|;)\s*import)\s*"(\.[^"]+)\"""", re.MULTILINE)
-"""``import … from`` and ``export … from`` a relative address; joined, several on a line."""
-LATER = re.compile(
-    r"""\bimport\(\s*"(\.[^"]+)"\s*\)                 # when it is needed
-      | \bnew\ URL\(\s*"(\.[^"]+)",\s*import\.meta\.url  # workers, style sheets
-    """,
-    re.VERBOSE | re.MULTILINE,
-)
+DRIVER = Path(__file__).with_name("bundle_scripts.mjs")
 
 
-def imported_scripts(files: Mapping[str, Content], entry: str) -> tuple[str, ...]:
-    """What the module ``entry`` of these ``files`` imports, itself or through others: nearest
-    first. Named in the head of a page, they are fetched side by side and not in a chain.
+@dataclass(frozen=True, slots=True)
+class Bundle:
+    """What the scripts of a page have become."""
 
-    >>> pages = {"js/main.js": b'import "./dom.js";', "js/dom.js": b"", "js/other.js": b""}
-    >>> imported_scripts(pages, "js/main.js")
-    ('js/dom.js',)
+    files: Mapping[str, bytes]
+    at_once: tuple[str, ...]
+    """Of the files those that the entry imports, itself or through others: nearest first. Named in
+    the head of a page, they are fetched side by side and not in a chain."""
+    beside: frozenset[str]
+    """Files that scripts name by ``new URL("…", import.meta.url)``."""
 
-    Raises `KeyError` where a module is not among the files.
+
+def bundle_scripts(sources: Mapping[str, Content], entry: str, *others: str) -> Bundle:
+    """The module ``entry`` of these ``sources`` with what it imports; what it imports later, the
+    workers that it starts, and the ``others`` are files of their own.
+
+    Each file is named as its source, with ``.js`` in place of ``.ts``; what several share has a
+    hash in its name.
+
+    Raises
+    ------
+    BuildError
+        For what does not fit together, by file and line; or where esbuild cannot be had.
     """
-    found = [entry]
-    for name in found:
-        named = dict.fromkeys(_named_in(name, files[name], AT_ONCE))
-        found += [one for one in named if one not in found]
-    return tuple(found[1:])
+    given = [(name, content_hash(sources[name])) for name in sorted(sources)]
+    tool = [file_hash(path) for path in (DRIVER, PACKAGES / "package-lock.json")]
+    return cached_result(
+        "scripts", (entry, others, given, tool), lambda: _bundle(sources, entry, others)
+    )
 
 
-def reachable(files: Mapping[str, Content], entries: Collection[str]) -> frozenset[str]:
-    """Of ``files``, the ``entries`` and what they name by a relative address, and so on.
-
-    >>> pages = {"js/main.js": b'import("./dom.js");', "js/dom.js": b"", "js/other.js": b""}
-    >>> sorted(reachable(pages, ["js/main.js"]))
-    ['js/dom.js', 'js/main.js']
-    """
-    found: set[str] = set()
-    waiting = [entry for entry in entries if entry in files]
-    while waiting:
-        name = waiting.pop()
-        if name not in found:
-            found.add(name)
-            named = _named_in(name, files[name], AT_ONCE, LATER)
-            waiting += (one for one in named if one in files)
-    return frozenset(found)
-
-
-def _named_in(name: str, content: Content, *kinds: re.Pattern[str]) -> Iterator[str]:
-    if name.endswith((".js", ".mjs")):
-        text = COMMENT.sub("", content_bytes(content).decode("utf-8"))
-        for match in (match for kind in kinds for match in kind.finditer(text)):
-            yield normpath(f"{dirname(name)}/{match[match.lastindex or 1]}")
+def _bundle(sources: Mapping[str, Content], entry: str, others: tuple[str, ...]) -> Bundle:
+    with tempfile.TemporaryDirectory() as scratch:
+        given, out = Path(scratch).resolve() / "given", Path(scratch).resolve() / "out"
+        out.mkdir()
+        for name, content in sources.items():
+            (given / name).parent.mkdir(parents=True, exist_ok=True)
+            (given / name).write_bytes(content_bytes(content))
+        try:
+            places = [str(place) for place in (installed_packages(PACKAGES), given, out)]
+            run_node([str(DRIVER), *places, entry, *others], given)
+        except NodeError as error:
+            message = f"cannot bundle the scripts of pages: {error}"
+            raise BuildError([Diagnostic(f"static/{entry}", 1, message)]) from None
+        result = json.loads((out / "bundle.json").read_text(encoding="utf-8"))
+        if result["errors"]:
+            raise BuildError(
+                Diagnostic(f"static/{error['path']}", error["line"], error["text"])
+                for error in result["errors"]
+            )
+        files = {
+            file.relative_to(out).as_posix(): file.read_bytes()
+            for file in sorted(out.rglob("*.js"))
+        }
+    return Bundle(files, tuple(result["at_once"]), frozenset(result["beside"]))

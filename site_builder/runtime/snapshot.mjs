@@ -44,7 +44,7 @@ const pyodide = await loadPyodide({
   _makeSnapshot: true,
   createPyodideModule(settings) {
     settings.preRun.unshift(async () => {
-      settings.addRunDependency("libraries"); // in the same order as static/js/runtime/machine_code.js
+      settings.addRunDependency("libraries"); // in the same order as static/js/runtime/machine_code.ts
       const options = { loadAsync: true, nodelete: true };
       for (const [path, module] of libraries) {
         const loaded = await settings.loadWebAssemblyModule(module, options, path, {});

@@ -17,7 +17,7 @@ ADDRESS = "search/index.json"
 """Where pages look for it. It is made of the pages, so they cannot carry a hash of it."""
 NAMES = tuple(each.name for each in fields(Record))
 LIBRARY = ("minisearch.js", "stemmer.js")
-RANKING = "js/search/ranking.js"
+RANKING = "js/search/ranking.ts"
 """What index and page share, below ``static/``."""
 PROGRAM = HERE / "index.mjs"
 

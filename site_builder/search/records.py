@@ -10,7 +10,7 @@ from site_builder.render.sections import Describe, Section, chapter_sections, gl
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A section as the index keeps it; the names are those of ``static/js/search/ranking.js``."""
+    """A section as the index keeps it; the names are those of ``static/js/search/ranking.ts``."""
 
     id: int
     address: str

@@ -123,7 +123,7 @@ async function swapText() {
   const anchor = now[start - 1];
   if (!anchor) return false;
   anchor.after(...come.map((block) => document.importNode(block, true)));
-  gone.forEach((block) => block.remove());
+  for (const block of gone) block.remove();
   return true;
 }
 
@@ -139,7 +139,7 @@ function blocks(page) {
  */
 function rest(page) {
   const copy = /** @type {Document} */ (page.cloneNode(true));
-  blocks(copy).forEach((block) => block.remove());
+  for (const block of blocks(copy)) block.remove();
   return copy.documentElement.outerHTML;
 }
 

@@ -13,15 +13,11 @@ from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
+from support.scripts import write_scripts
 from support.static_server import serving
 
 from simulations.engine.ladder import TierResult
-from site_builder.book_root import own_or_engine
-from site_builder.diagnostics import Diagnostics
-from site_builder.languages.words import load_words
-from site_builder.output.book_files import book_script
 from site_builder.runtime.pack import pack_runtime
-from site_builder.settings.reading import read_settings
 
 PAGE = '<!DOCTYPE html><meta charset="utf-8"><title>Bench</title><link rel="icon" href="data:,">'
 MEASURE = """async (payload) => {
@@ -69,8 +65,6 @@ def _lay_out(root: Path, site: Path) -> str:
     (site / "runtime").mkdir()
     for name, file in bundle.files.items():
         shutil.copyfile(file, site / "runtime" / name)
-    shutil.copytree(own_or_engine(root, "static") / "js", site / "js")
-    settings, _ = read_settings(root, Diagnostics())
-    (site / "js" / "book.js").write_bytes(book_script(settings, load_words(settings.language)))
+    write_scripts(root, site, ["runtime/runtime"])
     (site / "index.html").write_text(PAGE, encoding="utf-8")
     return bundle.versions.pyodide

@@ -1,6 +1,6 @@
 """A small book in a temporary folder, with one small scene, so that no test needs the real one."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,9 +13,12 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider, toggle
 from simulations.engine.stages import Outputs, Stage
 from simulations.registry import UnknownIdError
+from site_builder import site_assets
 from site_builder.build import Options
+from site_builder.output.assets import Content, content_bytes
+from site_builder.output.scripts import Bundle
 
-RANKING = Path(__file__).parents[2] / "static" / "js" / "search" / "ranking.js"
+RANKING = Path(__file__).parents[2] / "static" / "js" / "search" / "ranking.ts"
 FRONT_MATTER = "---\ntitle: First\nsummary: The first chapter.\n---\n"
 ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>\n'
 OUTLINE = """\
@@ -93,6 +96,17 @@ def load_demo(scene_id: str) -> Scene[Settings]:
 type MakeBook = Callable[..., Options]
 
 
+@pytest.fixture(autouse=True)
+def bundled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Scripts are bundled as they are, which takes no time."""
+
+    def as_written(sources: Mapping[str, Content], *entries: str) -> Bundle:
+        scripts = {name: content_bytes(sources[name]) for name in entries}
+        return Bundle({f"{name[:-3]}.js": text for name, text in scripts.items()}, (), frozenset())
+
+    monkeypatch.setattr(site_assets, "bundle_scripts", as_written)
+
+
 @pytest.fixture
 def make_book(tmp_path: Path) -> MakeBook:
     """Writes a book whose first chapter is ``body``; other files by path override the defaults."""
@@ -104,8 +118,8 @@ def make_book(tmp_path: Path) -> MakeBook:
             "content/01-second.md": SECOND,
             "simulations/models/thing.py": THING,
             "static/css/book.css": "body {}\n",
-            "static/js/main.js": "export {};\n",
-            "static/js/search/ranking.js": RANKING.read_text(encoding="utf-8"),
+            "static/js/main.ts": "export {};\n",
+            "static/js/search/ranking.ts": RANKING.read_text(encoding="utf-8"),
             "static/images/favicon.svg": ICON,
             "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg"/>\n',
             **(files or {}),

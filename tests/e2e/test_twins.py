@@ -2,7 +2,6 @@
 says the same."""
 
 import json
-import shutil
 from collections.abc import Iterator
 from dataclasses import asdict
 from math import inf
@@ -11,6 +10,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Page
+from support.scripts import write_scripts
 from support.static_server import serving
 
 from simulations.engine.controls import Slider, describe
@@ -19,16 +19,21 @@ from simulations.engine.said import Said
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.benchmarks.quantities import milliseconds, with_unit
 from site_builder.charts.axes import linear_axis, log_axis
-from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import ENGLISH
-from site_builder.output.book_files import book_script
 from site_builder.pages.views.control import value_text
 from site_builder.pages.views.simulation import count_stages, reason_text
-from site_builder.settings.reading import read_settings
 
 pytestmark = pytest.mark.browser
 
 ROOT = Path(__file__).parents[2]
+MODULES = (
+    "figure/control_kinds",
+    "figure/stage_report",
+    "ladder/bench",
+    "ladder/chart",
+    "page/text",
+    "page/words",
+)
 CALL = """async ([module, name, calls]) => {
   const url = new URL(`js/${module}.js`, location.href);
   const twin = (await import(url))[name];
@@ -38,12 +43,9 @@ CALL = """async ([module, name, calls]) => {
 
 @pytest.fixture(scope="module")
 def page(brisk_chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
-    """An empty page beside the scripts as they are written: in the book they are joined, and no
-    address leads to one."""
+    """An empty page beside the scripts."""
     folder = tmp_path_factory.mktemp("scripts")
-    shutil.copytree(ROOT / "static" / "js", folder / "js")
-    settings, _ = read_settings(ROOT, Diagnostics())
-    (folder / "js" / "book.js").write_bytes(book_script(settings, ENGLISH))
+    write_scripts(ROOT, folder, MODULES)
     (folder / "index.html").write_text("<!DOCTYPE html><title>Scripts</title>", encoding="utf-8")
     with serving(folder) as server, brisk_chromium.new_page() as page:
         page.goto(server.url)

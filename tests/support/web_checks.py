@@ -1,6 +1,6 @@
 """Form, lint and types of the scripts and style sheets: a part of ``make check``.
 
-Prettier, ESLint and TypeScript come from npm, each package pinned by its hash in
+Biome and TypeScript come from npm, each package pinned by its hash in
 ``.ci/web/package-lock.json``, and run on the Node that the builder brings along. The book itself
 ships none of it.
 """
@@ -22,11 +22,9 @@ RULES = ROOT / ".ci" / "web"
 TOOLS = ROOT / ".venv" / "node"
 PACKAGES = ((RULES, TOOLS), (EDITOR, TOOLS / "editor"))
 """Folders with a lock file, and where its packages go; the code editor's are there for types."""
-FOLDERS = ("static", "site_builder")
-FORMATTED = ("static/**/*.{js,css}", "site_builder/**/*.{js,mjs}")
+BIOME = ("@biomejs/biome/bin/biome", "check", "--config-path=.ci/web", "--error-on-warnings")
 CHECKS = (
-    ("prettier/bin/prettier.cjs", "--config", ".ci/web/prettier.json", "--check", *FORMATTED),
-    ("eslint/bin/eslint.js", "--config", ".venv/node/eslint.config.mjs", *FOLDERS),
+    (*BIOME, "static", "site_builder"),
     ("typescript/bin/tsc", "--project", ".ci/web/tsconfig.page.json"),
     ("typescript/bin/tsc", "--project", ".ci/web/tsconfig.worker.json"),
 )
@@ -45,7 +43,6 @@ def install() -> int:
             print(f"{lock.relative_to(ROOT)}: {error}", file=sys.stderr)
             return 1
         shutil.copy(lock, mark)
-    shutil.copy(RULES / "eslint.config.mjs", TOOLS)  # it imports packages from beside it
     return 0
 
 

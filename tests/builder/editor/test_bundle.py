@@ -13,7 +13,6 @@ from site_builder.diagnostics import Diagnostic
 from site_builder.editor import bundle, npm
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, Package, bundle_editor
 from site_builder.editor.npm import HERE, NodeError, installed_packages, run_node
-from site_builder.output import joined_scripts
 from site_builder.pages.licences import gather_licences
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import VERSIONS
@@ -79,29 +78,6 @@ def test_without_the_editor_the_book_is_built_and_says_so(
     assert any(name.endswith("python/demo.json") for name in files)
     (told,) = [str(item) for item in warnings if "editor" in item.path]
     assert "warning: the figures' Python can be read but not edited" in told
-    assert "no network" in told
-
-
-def test_without_what_joins_scripts_pages_load_them_one_by_one_and_the_author_is_told(
-    make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def refuse(_folder: Path) -> Path:
-        raise NodeError("no network")
-
-    monkeypatch.setattr(joined_scripts, "installed_packages", refuse)
-    monkeypatch.setattr(joined_scripts, "made_once", lambda _folder, _recipe, make: make())
-    scripts = {
-        "static/js/main.js": 'import "./page/lamp.js";\n',
-        "static/js/page/lamp.js": "export {};\n",
-    }
-    warnings: list[Diagnostic] = []
-    files = render_site(replace(make_book(files=scripts), warn=warnings.append))
-    assert any(name.endswith("js/page/lamp.js") for name in files)
-    page = files["first/index.html"]
-    assert isinstance(page, bytes)
-    assert b"js/page/lamp.js" in page
-    (told,) = (str(item) for item in warnings)
-    assert "warning: pages load somewhat later" in told
     assert "no network" in told
 
 

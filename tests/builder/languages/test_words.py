@@ -31,7 +31,7 @@ MADE = (
 def sources() -> Iterator[tuple[Path, str]]:
     for folder, kinds in (
         ("site_builder", (".py", ".html", ".xml")),
-        ("static/js", (".js",)),
+        ("static/js", (".ts",)),
         *((f"simulations/{part}", (".py",)) for part in ("engine", "editing")),
     ):
         for file in sorted((ROOT / folder).rglob("*")):
@@ -42,7 +42,7 @@ def sources() -> Iterator[tuple[Path, str]]:
 def asked() -> Iterator[tuple[str, bool]]:
     """Keys that something asks for, and whether each is whole or only its beginning."""
     for file, text in sources():
-        if file.suffix == ".js":
+        if file.suffix == ".ts":
             yield from ((SCRIPT + key, mark == '"') for mark, key in OF_SCRIPTS.findall(text))
         elif file.suffix == ".py":
             yield from ((key, not made) for made, key in OF_PYTHON.findall(text))
@@ -68,7 +68,7 @@ def test_every_word_is_asked_for() -> None:
     whole = {key for key, _ in asked()}
     for file, text in sources():
         named = QUOTED.findall(text)
-        whole |= {SCRIPT + key if file.suffix == ".js" else key for key in named} | set(named)
+        whole |= {SCRIPT + key if file.suffix == ".ts" else key for key in named} | set(named)
     unused = [
         key
         for key in ENGLISH.texts
@@ -140,7 +140,7 @@ def test_templates_say_nothing_of_their_own() -> None:
 
 def test_scripts_say_nothing_of_their_own() -> None:
     sentence = re.compile(r"""["`]([A-Z][a-z]+ [a-z][^"`]*)["`]""")
-    texts = (BLOCK_COMMENT.sub("", text) for file, text in sources() if file.suffix == ".js")
+    texts = (BLOCK_COMMENT.sub("", text) for file, text in sources() if file.suffix == ".ts")
     assert [found for text in texts for found in sentence.findall(text)] == []
 
 

@@ -1,13 +1,11 @@
 """Readers get the scripts and style sheets that their book shows something for, and no others."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
 
-from site_builder import browser_parts
 from site_builder.build import Options, render_site
-from site_builder.files import folder_files
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.directives.quiz import KINDS as QUESTION_KINDS
 from site_builder.output.assets import content_bytes
@@ -17,7 +15,7 @@ from site_builder.pages.features import KINDS, PARTS, SHEETS
 type MakeBook = Callable[..., Options]
 
 STATIC = Path(__file__).parents[3] / "static"
-OWN_STATIC = ("css/book.css", "js/main.js", "js/search/ranking.js", "images/favicon.svg")
+OWN_STATIC = ("css/book.css", "js/main.ts", "js/search/ranking.ts", "images/favicon.svg")
 PLAIN = {
     "content/book.toml": 'title = "Plain"\nsubtitle = "Text."\nprerequisites = "None."\n'
     'chapters = ["00-first"]\n',
@@ -28,9 +26,8 @@ QUESTION = ":::{quiz} sum\nOne and one?\n- [x] Two\n  : Yes.\n- [ ] One\n  : No.
 
 
 @pytest.fixture(autouse=True)
-def one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Scripts are not joined, so that it can be seen which there are."""
-    monkeypatch.setattr(browser_parts, "join_scripts", lambda files, _entry: files)
+def bundled() -> None:
+    """In place of the fixture of other tests: scripts are bundled as for readers."""
 
 
 def shipped(options: Options) -> dict[str, str]:
@@ -43,29 +40,29 @@ def shipped(options: Options) -> dict[str, str]:
     }
 
 
+def holds(files: Mapping[str, str], text: str) -> bool:
+    return any(text in script for name, script in files.items() if name.endswith(".js"))
+
+
 def test_a_book_of_plain_text_ships_what_turns_its_pages(make_book: MakeBook) -> None:
     files = shipped(make_book("Text.\n", PLAIN))
-    rooms = {name.split("/")[1] for name in files if name.count("/") > 1}
-    assert rooms == {"page", "offline", "search"}
-    assert not {"js/page/tabs.js", "js/page/terms.js", "css/workshop.css"} & set(files)
+    assert holds(files, "installNavigation")
+    assert not any(holds(files, name) for name in ("LiveFigure", "form.quiz", ".tabs"))
     css = files["css/book.css"]
     assert [rule for rule in (".verdict", ".ladder-key", ".handle ") if f"\n{rule}" in css] == []
 
 
 def test_a_question_brings_its_own_kind_and_no_other(make_book: MakeBook) -> None:
     files = shipped(make_book(QUESTION, PLAIN))
-    kinds = {"choice", "number", "order", "figure"}
-    assert {kind for kind in kinds if f"js/question/{kind}.js" in files} == {"choice"}
-    assert not any(name.startswith(("js/figure/", "js/runtime/")) for name in files)
+    assert holds(files, "shuffleOptions")
+    assert not any(holds(files, name) for name in (".grip", "LiveFigure"))
     assert "\n.verdict" in files["css/book.css"]
 
 
-def test_what_a_script_imports_is_shipped_with_it(make_book: MakeBook) -> None:
-    whole = make_book(QUESTION + "\n:::{simulation} demo\n:::\n", PLAIN)
-    files = shipped(whole)
-    scripts = {name for name in folder_files(STATIC) if name.startswith("js/")}
-    for room in ("figure", "runtime", "editor"):
-        assert {name for name in scripts if name.startswith(f"js/{room}/")} <= set(files)
+def test_what_a_script_starts_or_loads_is_shipped_with_it(make_book: MakeBook) -> None:
+    files = shipped(make_book(QUESTION + "\n:::{simulation} demo\n:::\n", PLAIN))
+    assert holds(files, "LiveFigure")
+    assert {"js/runtime/worker.js", "css/workshop.css"} <= set(files)
 
 
 def test_the_table_names_what_there_is() -> None:

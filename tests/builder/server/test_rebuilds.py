@@ -121,7 +121,7 @@ def test_the_next_build_has_its_code_already_unless_that_has_changed(
         ("simulations/scenes/camera/scene.py", True),
         ("site_builder/languages/de.toml", True),
         ("content/book.toml", False),
-        ("static/js/main.js", False),
+        ("static/js/main.ts", False),
     ],
 )
 def test_what_an_imported_builder_may_have_read_already_is_code(path: str, code: bool) -> None:

@@ -1,0 +1,77 @@
+/** What a reader has changed in the Python of one figure; kept in the browser. */
+
+import { recall, remember } from "../page/storage.js";
+import type { Sources } from "./sources.js";
+
+/**
+ * A text in place of a definition, and the hash of the text that was there when it was written.
+ * `runs`: whether the figure was drawn by these texts, as they are, when the reader left.
+ */
+type Edit = { text: string; original: string };
+
+type Kept = { runs: boolean; edits: Record<string, Edit> };
+
+export class Edits {
+  /** Whether the figure is drawn by these texts, as they are. */
+  runs = false;
+
+  readonly all: Map<string, Edit>;
+
+  /** @param name Under which they are kept. */
+  constructor(
+    readonly name: string,
+    readonly sources: Sources,
+  ) {
+    const kept: Kept | null = recall(name);
+    this.all = new Map(Object.entries(kept?.edits ?? {}));
+  }
+
+  /**
+   * The reader's text of a definition, or null where it is the book's, or fits the book no more.
+   */
+  text(key: string) {
+    return this.fits(key) ? (this.all.get(key)?.text ?? null) : null;
+  }
+
+  /** Whether an edit was made of the text that the book has now. */
+  fits(key: string) {
+    const edit = this.all.get(key);
+    return typeof edit?.text === "string" && edit.original === this.sources.definitions[key]?.hash;
+  }
+
+  /** Keys of the edits that fit. */
+  get keys() {
+    return [...this.all.keys()].filter((key) => this.fits(key));
+  }
+
+  /** What the interpreter takes: definitions and texts. */
+  get json() {
+    return JSON.stringify(Object.fromEntries(this.keys.map((key) => [key, this.text(key)])));
+  }
+
+  /** The reader has written; the book's own words are no edit. */
+  write(key: string, text: string) {
+    const { text: book, hash } = this.sources.definitions[key];
+    if (text === book) this.all.delete(key);
+    else this.all.set(key, { text, original: hash });
+    this.runs = false;
+    this.save();
+  }
+
+  /** @param key Of the edit to forget; all where it is left out. */
+  drop(key?: string) {
+    if (key === undefined) this.all.clear();
+    else this.all.delete(key);
+    this.save();
+  }
+
+  setRuns(runs: boolean) {
+    this.runs = runs;
+    this.save();
+  }
+
+  save() {
+    const kept = { runs: this.runs, edits: Object.fromEntries(this.all) };
+    remember(this.name, this.all.size > 0 ? kept : null);
+  }
+}

@@ -1,0 +1,76 @@
+/** Opens the Python of figures: what does it is fetched when it is first needed. */
+
+import { message } from "../errors.js";
+import { SimulationFigure } from "../figure/element.js";
+import * as figures from "../figure/feature.js";
+import { say } from "../figure/status.js";
+import { within } from "../page/dom.js";
+import { offerRelease } from "../page/release.js";
+import { recall } from "../page/storage.js";
+import { words } from "../page/words.js";
+import { sharedRuntime } from "../runtime/runtime.js";
+import type { Workshop } from "./workshop.js";
+
+/** Where the reader opened the figure's Python, now or before. */
+const workshops: WeakMap<SimulationFigure, Promise<Workshop>> = new WeakMap();
+
+/** Called once. */
+export function install() {
+  document.addEventListener("click", (event) => {
+    const button = within(event, ".open-python", HTMLButtonElement);
+    const figure = button?.closest("simulation-figure");
+    if (figure instanceof SimulationFigure) open(figure);
+  });
+  document.addEventListener("figure-start", ({ target }) => {
+    if (target instanceof SimulationFigure && recall(keyOf(target))?.runs) resume(target);
+  });
+  figures.install();
+}
+
+export const { arrive, returned } = figures;
+
+async function open(figure: SimulationFigure) {
+  try {
+    await (await workshopOf(figure)).toggle();
+  } catch (error) {
+    workshops.delete(figure);
+    say(figure, words("figure.no_python", { reason: message(error) }));
+    offerRelease();
+  }
+}
+
+/** Have the reader's own version of the figure's Python draw, as it did when the page was left. */
+async function resume(figure: SimulationFigure) {
+  try {
+    await (await workshopOf(figure)).resume();
+  } catch {
+    workshops.delete(figure); // the figure shows what the book's code draws
+  }
+}
+
+function workshopOf(figure: SimulationFigure): Promise<Workshop> {
+  const found = workshops.get(figure);
+  if (found) return found;
+  const made = create(figure);
+  workshops.set(figure, made);
+  const leave = () => {
+    workshops.delete(figure);
+    made.then((workshop) => workshop.leave()).catch(() => {}); // it was never there
+  };
+  figure.addEventListener("figure-leave", leave, { once: true });
+  return made;
+}
+
+async function create(figure: SimulationFigure): Promise<Workshop> {
+  const { Workshop } = await import("./workshop.js");
+  const runtime = sharedRuntime();
+  if (!runtime) throw new Error(words("figure.does_not_run"));
+  return new Workshop(figure, figure.live, runtime, keyOf(figure));
+}
+
+/** Key of a reader's version of a figure's Python in the browser's storage. */
+function keyOf(figure: SimulationFigure) {
+  const root = new URL(document.body.dataset.root || "./", location.href).pathname;
+  const page = location.pathname.slice(root.length).replace(/index\.html$/, "");
+  return `python:${page}#${figure.closest("figure")?.id ?? ""}`;
+}

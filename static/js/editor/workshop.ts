@@ -1,0 +1,252 @@
+/**
+ * The Python of one figure, open to its reader: read, change, run, put back. Edited code runs in an
+ * interpreter of its own and becomes the figure's only once it has drawn a frame.
+ */
+
+import { message } from "../errors.js";
+import type { LiveFigure } from "../figure/live.js";
+import { one } from "../page/dom.js";
+import { download } from "../page/download.js";
+import { setText } from "../page/text.js";
+import { words } from "../page/words.js";
+import { RuntimeFailure, type Runtime } from "../runtime/runtime.js";
+import { EditFailure, EditedRuntime, type Problem } from "./edited_runtime.js";
+import { Edits } from "./edits.js";
+import { loadEditor, loadPanel } from "./load.js";
+import { Panel } from "./panel.js";
+import { fetchSources, firstPart, nameOf } from "./sources.js";
+
+export class Workshop {
+  #panel: Panel | null = null;
+  #edits: Promise<Edits> | null = null;
+  #opening = false;
+  #running = false;
+  #showStages = () => this.#panel?.showStages(this.live?.stages ?? []);
+
+  readonly scene: string;
+  readonly button: HTMLButtonElement;
+  readonly state: HTMLElement;
+  readonly edited: EditedRuntime;
+
+  /**
+   * @param live Null where this browser runs no Python.
+   * @param book What draws the figure by the book's code.
+   * @param name Under which edits are kept.
+   */
+  constructor(
+    readonly figure: HTMLElement,
+    readonly live: LiveFigure | null,
+    readonly book: Runtime,
+    readonly name: string,
+  ) {
+    this.scene = figure.dataset.simulation ?? "";
+    this.button = one(figure, ".open-python", HTMLButtonElement);
+    this.state = one(figure, ".python-state", HTMLElement);
+    this.edited = new EditedRuntime(book, {
+      drawn: (printed) => this.#drew(printed),
+      failed: (failure) => this.#failed(failure),
+      stopped: (reason) => this.#stopped(reason),
+    });
+  }
+
+  /** Open what is closed, close what is open. */
+  async toggle() {
+    if (this.#panel) {
+      this.#close();
+      return;
+    }
+    if (this.#opening) return;
+    this.#opening = true;
+    try {
+      await this.#open();
+    } catch (error) {
+      setText(this.state, words("workshop.not_fetched", { reason: message(error) }));
+    } finally {
+      this.#opening = false;
+    }
+  }
+
+  /** Run what ran when the reader left, once the figure has its first frame. */
+  async resume() {
+    if (this.figure.dataset.state !== "live") {
+      await new Promise((resolve) => {
+        this.figure.addEventListener("painted", resolve, { once: true });
+      });
+    }
+    const edits = await this.#kept();
+    if (edits.keys.length > 0) await this.#run();
+    else this.#mark(edits);
+  }
+
+  leave() {
+    this.figure.removeEventListener("painted", this.#showStages);
+    this.#panel?.leave();
+    this.#panel = null;
+    this.edited.close();
+  }
+
+  /** The reader's edits, and the sources that they were made of. */
+  #kept() {
+    this.#edits ??= fetchSources(this.scene).then(
+      (sources) => new Edits(this.name, sources),
+      (error) => {
+        this.#edits = null;
+        throw error;
+      },
+    );
+    return this.#edits;
+  }
+
+  async #open() {
+    const [edits, element, Editor] = await Promise.all([
+      this.#kept(),
+      loadPanel(),
+      this.live ? loadEditor(this.button.dataset.editor) : null,
+    ]);
+    const panel = new Panel(element, this.button.id, edits.sources, edits, {
+      changed: () => this.#changed(edits),
+      run: () => this.#run(),
+      putBack: () => this.#putBack(edits),
+      putAllBack: () => this.#putAllBack(edits),
+      download: () => this.#download(edits),
+      close: () => this.#close(),
+    });
+    if (Editor) panel.edit(Editor);
+    else panel.readOnly(words(this.live ? "workshop.no_editor" : "workshop.no_python"));
+    element.id = this.button.getAttribute("aria-controls") ?? "";
+    one(this.figure, ".python", HTMLElement).append(element);
+    this.#panel = panel;
+    panel.open(firstPart(edits.sources, this.live?.stages ?? []));
+    this.#showStages();
+    this.figure.addEventListener("painted", this.#showStages);
+    this.button.setAttribute("aria-expanded", "true");
+    panel.focus();
+  }
+
+  #close() {
+    this.figure.removeEventListener("painted", this.#showStages);
+    this.#panel?.leave();
+    this.#panel = null;
+    this.button.setAttribute("aria-expanded", "false");
+    this.button.focus();
+  }
+
+  #changed(edits: Edits) {
+    if (!this.#panel || !this.live) return;
+    edits.write(this.#panel.key, this.#panel.text);
+    this.#panel.refresh();
+    this.#mark(edits);
+    this.edited.warm(this.live.request()).catch(() => {}); // reported when it is run
+  }
+
+  async #run() {
+    if (this.#running || !this.live) return;
+    const edits = await this.#kept();
+    const { json } = edits;
+    if (edits.keys.length === 0) {
+      this.#toBook(edits);
+      return;
+    }
+    this.#setRunning(true);
+    this.#report(words("workshop.running"));
+    edits.setRuns(false); // until it is known to end
+    try {
+      const request = this.live.request();
+      this.edited.adopt(json, request, await this.edited.draw(request, json));
+      edits.setRuns(edits.json === json);
+      this.live.drawnBy(this.edited);
+    } catch (error) {
+      this.#failed(error);
+    } finally {
+      this.#mark(edits);
+      this.#setRunning(false);
+    }
+  }
+
+  #putBack(edits: Edits) {
+    if (this.#running || !this.#panel) return;
+    edits.drop(this.#panel.key);
+    this.#panel.putBack();
+    if (this.#drawn) this.#run();
+    else this.#report("");
+  }
+
+  #putAllBack(edits: Edits) {
+    if (this.#running) return;
+    edits.drop();
+    this.#panel?.putBack();
+    this.#toBook(edits);
+  }
+
+  #toBook(edits: Edits) {
+    edits.setRuns(false);
+    this.edited.close();
+    this.live?.drawnBy(this.book);
+    this.#panel?.print("");
+    this.#panel?.refresh();
+    this.#report(words("workshop.book"));
+    this.#mark(edits);
+  }
+
+  #download(edits: Edits) {
+    const texts = [...edits.all].map(([key, { text }]) => {
+      const module = key.slice(0, key.indexOf(":"));
+      return `# ${nameOf(key)} in ${module.replaceAll(".", "/")}.py\n\n${text}\n`;
+    });
+    download(`${this.scene}-edited.py`, texts.join("\n\n"), "text/x-python");
+  }
+
+  /** Whether the figure is drawn by the reader's code. */
+  get #drawn() {
+    return this.live?.runtime === this.edited;
+  }
+
+  async #drew(printed: string) {
+    this.#panel?.print(printed);
+    this.#report(words("workshop.runs"));
+    this.#mark(await this.#kept());
+  }
+
+  /** Edited code did not end while the reader used the figure: the book's draws it again. */
+  async #stopped(reason: string) {
+    this.live?.drawnBy(this.book);
+    const edits = await this.#kept();
+    edits.setRuns(false);
+    this.#mark(edits);
+    this.#report(words("workshop.stopped", { reason }), unplaced(reason));
+  }
+
+  #failed(error: unknown) {
+    if (error instanceof EditFailure) {
+      this.#panel?.print(error.printed);
+      this.#report(error.message, error.problem);
+      return;
+    }
+    const lost = error instanceof RuntimeFailure && error.kind === "lost";
+    const reason = message(error);
+    const text = words(lost ? "workshop.stopped_first" : "workshop.did_not_run", { reason });
+    this.#report(text, unplaced(reason));
+  }
+
+  #report(text: string, problem?: Problem) {
+    this.#panel?.report(text, problem);
+    if (!this.#panel && problem) setText(this.state, text);
+  }
+
+  #setRunning(running: boolean) {
+    this.#running = running;
+    if (this.#panel) this.#panel.busy = running;
+  }
+
+  /** What the figure says of itself, also where the panel is closed. */
+  #mark(edits: Edits) {
+    this.figure.toggleAttribute("data-edited", this.#drawn);
+    const kept = edits.all.size > 0 ? words("workshop.kept") : "";
+    setText(this.state, this.#drawn ? words("workshop.mark") : kept);
+  }
+}
+
+/** A problem that no line is known for. */
+function unplaced(text: string): Problem {
+  return { message: text, definition: "", line: 0 };
+}

@@ -1,0 +1,154 @@
+/**
+ * Words in the text that set a figure. Its sliders glide there, so that the eye can follow; a hand
+ * on the figure, or Escape, stops them where they are.
+ */
+
+import { all, one } from "../page/dom.js";
+import type { Value } from "./control_kinds.js";
+import { moveControls, readValues, uncover } from "./controls.js";
+import { record, settingsOf } from "./permalink.js";
+
+/** Milliseconds that sliders take to where they are sent. */
+const GLIDE = 700;
+/** Longest wait for the page to be scrolled to a figure, in milliseconds. */
+const SCROLL = 1000;
+/** Share of the panels that must be in view for a move to be seen. */
+const IN_VIEW = 0.6;
+
+/** The link that a figure follows: a later one supersedes it. */
+const followed: WeakMap<HTMLElement, Element> = new WeakMap();
+/** What ends the motion of a figure. */
+const moving: WeakMap<HTMLElement, () => void> = new WeakMap();
+
+/** Whether the reader asked for less motion. */
+export function isCalm() {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
+/** Do what a link of the text says. */
+export async function follow(link: HTMLAnchorElement) {
+  const place = document.getElementById(link.dataset.figure ?? "");
+  const figure = place && one(place, "simulation-figure", HTMLElement);
+  if (!figure) return;
+  const values = destination(link, figure);
+  const { form, controls } = settingsOf(figure);
+  const shown = readValues(form, controls);
+  const changed = Object.keys(values).filter((name) => values[name] !== shown[name]);
+  followed.set(figure, link);
+  uncover(form, changed);
+  jump(figure, values);
+  await bringIntoView(one(figure, ".panels", HTMLElement));
+  if (followed.get(figure) === link) glide(figure, values);
+}
+
+/**
+ * The values that a link sets. A link of a prediction or of its answer sets every control: to the
+ * page's start, to what earlier links of the same prediction say, and to what it says itself. So
+ * the claim holds whatever was tried before.
+ */
+function destination(link: HTMLAnchorElement, figure: HTMLElement): Record<string, Value> {
+  const valuesOf = ({ dataset }: HTMLElement) => JSON.parse(dataset.values ?? "{}");
+  const prediction = predictionOf(link);
+  if (!prediction) return valuesOf(link);
+  const links = all(document, "a.set", HTMLAnchorElement).filter(
+    (other) => other.dataset.figure === link.dataset.figure && predictionOf(other) === prediction,
+  );
+  const upToHere = links.slice(0, links.indexOf(link) + 1);
+  return Object.assign({ ...settingsOf(figure).start }, ...upToHere.map(valuesOf));
+}
+
+/** Id of the prediction whose question or answer holds a link, if one does. */
+function predictionOf(link: HTMLElement) {
+  const place = link.closest("[data-predict], [data-answers]");
+  return place?.getAttribute("data-predict") ?? place?.getAttribute("data-answers");
+}
+
+/** Keep in the history what the figure shows, and after it where it is going. */
+export function jump(figure: HTMLElement, values: Record<string, Value>) {
+  moving.get(figure)?.();
+  record(figure, "replace");
+  record(figure, "push", values);
+  figure.dataset.moving = "";
+}
+
+/**
+ * Move the controls of a figure to `values`.
+ *
+ * @param values What is left out stays.
+ */
+export function glide(figure: HTMLElement, values: Record<string, Value>) {
+  const { form, controls } = settingsOf(figure);
+  const sliders = controls.filter(({ kind, name }) => kind === "slider" && name in values);
+  const others = controls.filter((control) => !sliders.includes(control));
+  moveControls(form, others, values, "change");
+  const from = readValues(form, sliders);
+  const there = sliders.every(({ name }) => from[name] === values[name]);
+  if (there || isCalm() || figure.dataset.state !== "live") {
+    moveControls(form, sliders, values, "change");
+    delete figure.dataset.moving;
+    return;
+  }
+  const hands = new AbortController();
+  const { signal } = hands;
+  const quit = () => {
+    stop();
+    hands.abort();
+    moving.delete(figure);
+    delete figure.dataset.moving;
+  };
+  const end = () => {
+    quit();
+    moveControls(form, sliders, readValues(form, sliders), "change");
+    record(figure, "replace");
+  };
+  const stop = everyFrame(GLIDE, (share) => {
+    if (!figure.isConnected) {
+      quit();
+      return;
+    }
+    const eased = share * share * (3 - 2 * share);
+    const now = sliders.map(({ name }) => {
+      const [start, last] = [Number(from[name]), Number(values[name])];
+      return [name, share < 1 ? start + eased * (last - start) : last];
+    });
+    moveControls(form, sliders, Object.fromEntries(now), "input");
+    if (share === 1) end();
+  });
+  for (const type of ["pointerdown", "keydown"]) figure.addEventListener(type, end, { signal });
+  document.addEventListener("keydown", ({ key }) => key === "Escape" && end(), { signal });
+  // Another state of the page is asked for: what the move would leave behind is not to be kept.
+  addEventListener("popstate", quit, { signal });
+  moving.set(figure, end);
+}
+
+/**
+ * Call `draw` with the share of the time that has gone by, the last time with 1.
+ *
+ * @returns Ends it.
+ */
+export function everyFrame(ms: number, draw: (share: number, now: number) => void): () => void {
+  let begun = 0;
+  const tick = (now: number) => {
+    begun ||= now;
+    const share = Math.min((now - begun) / ms, 1);
+    if (share < 1) request = requestAnimationFrame(tick);
+    draw(share, now);
+  };
+  let request = requestAnimationFrame(tick);
+  return () => cancelAnimationFrame(request);
+}
+
+/** @returns Once they stand still. */
+function bringIntoView(panels: HTMLElement): Promise<unknown> {
+  const { top, bottom, height } = panels.getBoundingClientRect();
+  const seen = Math.min(bottom, innerHeight) - Math.max(top, 0);
+  if (seen >= IN_VIEW * Math.min(height, innerHeight)) return Promise.resolve();
+  const calm = isCalm();
+  const arrived = new Promise((resolve) => {
+    document.addEventListener("scrollend", resolve, { once: true });
+    setTimeout(resolve, calm ? 0 : SCROLL);
+  });
+  const block = height < innerHeight ? "nearest" : "start";
+  panels.scrollIntoView({ behavior: calm ? "instant" : "smooth", block });
+  return arrived;
+}

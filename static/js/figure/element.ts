@@ -1,0 +1,94 @@
+/** `<simulation-figure>`: a still that comes alive in place, where the browser can run Python. */
+
+import { isSparing } from "../page/data_saver.js";
+import { one } from "../page/dom.js";
+import { words } from "../page/words.js";
+import { EDITED, TIMEOUTS } from "../runtime/messages.js";
+import { Runtime, sharedRuntime } from "../runtime/runtime.js";
+import { moveControls } from "./controls.js";
+import { LiveFigure } from "./live.js";
+import { Overlay } from "./overlay.js";
+import { say } from "./status.js";
+
+export class SimulationFigure extends HTMLElement {
+  /**
+   * What figures run on, for programs that drive a page from outside, as tests do: scripts are
+   * bundled, and no address leads to one of them.
+   */
+  static inside = { EDITED, Overlay, Runtime, TIMEOUTS, moveControls, sharedRuntime };
+  /** Null where the figure does not run. */
+  live: LiveFigure | null = null;
+
+  connectedCallback() {
+    const runtime = sharedRuntime();
+    if (!runtime) return;
+    if (!Runtime.supported) this.#refuse();
+    else if (this.#isAddressed) this.#startAtAddress(runtime);
+    else this.#start(runtime);
+  }
+
+  disconnectedCallback() {
+    this.dispatchEvent(new Event("figure-leave"));
+    this.live?.leave();
+    this.live = null;
+  }
+
+  /** Whether the frame that was requested last is shown, or has failed. */
+  get rests() {
+    return this.live?.rests ?? true;
+  }
+
+  /** Start what waited for the reader to ask. */
+  begin() {
+    this.live?.retry();
+    this.#announce();
+  }
+
+  /** Try again what failed; the figure keeps its values. */
+  retry() {
+    this.live?.retry();
+  }
+
+  /**
+   * Which of the conditions is the first to hold of the figure's state.
+   *
+   * @throws {Error} Where the figure does not run.
+   */
+  async judge(conditions: string[]): Promise<number | null> {
+    if (!this.live) throw new Error(words("figure.does_not_run"));
+    return this.live.judge(conditions);
+  }
+
+  /** Whether the address of the page sets some of the figure's controls. */
+  get #isAddressed() {
+    const id = this.closest("figure")?.id;
+    return [...new URLSearchParams(location.search).keys()].some((key) => key.startsWith(`${id}.`));
+  }
+
+  #start(runtime: Runtime) {
+    this.live = new LiveFigure(this, runtime);
+    if (!isSparing()) this.#announce();
+  }
+
+  /** Python may run now. */
+  #announce() {
+    this.dispatchEvent(new Event("figure-start", { bubbles: true }));
+  }
+
+  /** Put the controls to where the address says before the first frame is requested. */
+  async #startAtAddress(runtime: Runtime) {
+    try {
+      const { arrive } = await import("./permalink.js");
+      arrive(this);
+    } finally {
+      if (this.isConnected) this.#start(runtime);
+    }
+  }
+
+  /** This browser cannot run the figure: say so once, and offer no dead controls. */
+  #refuse() {
+    one(this, "form.controls", HTMLFormElement).hidden = true;
+    this.dataset.state = "failed";
+    say(this, words("figure.no_assembly"));
+  }
+}

@@ -1,0 +1,100 @@
+/**
+ * Gestures on figures as wholes, and on words that speak of them. What answers them is fetched
+ * when it is first needed. Listeners sit on the document, so that they outlive a change of chapter.
+ */
+
+import { isPlain, within } from "../page/dom.js";
+
+/** What may have the colour of an idea: words, parts of formulae, readouts, handles, controls. */
+const COLOURED = '[class*="role-"], .control';
+const SYMBOL = 'math [class^="role-"]';
+
+/** Figures that the reader has changed since the page was opened. */
+const touched = new WeakSet();
+
+/** Listen; to be called before links to other pages are listened for, since some are answered here. */
+export function installGestures() {
+  document.addEventListener("click", clicked);
+  document.addEventListener("input", touch);
+  document.addEventListener("figure-rest", rested);
+  // What a press copies must be at hand when it comes: browsers forbid it a moment later.
+  document.addEventListener("toggle", fetchTools, true);
+  document.addEventListener("keydown", walkFormula);
+  document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
+  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, highlight);
+}
+
+/**
+ * What stands for an idea can be focused, as it can be pointed at: each word, and of each formula
+ * the first symbol, from which arrow keys lead to the others.
+ */
+export function offerWords() {
+  for (const word of document.querySelectorAll('main span[class^="role-"]')) {
+    word.setAttribute("tabindex", "0");
+  }
+  for (const formula of document.querySelectorAll("main math")) {
+    for (const [index, symbol] of formula.querySelectorAll('[class^="role-"]').entries()) {
+      symbol.setAttribute("tabindex", index === 0 ? "0" : "-1");
+    }
+  }
+}
+
+function walkFormula(event: KeyboardEvent) {
+  const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+  const symbol = within(event, SYMBOL, MathMLElement);
+  if (!step || !symbol) return;
+  const symbols = [...(symbol.closest("math")?.querySelectorAll('[class^="role-"]') ?? [])];
+  const next = symbols[symbols.indexOf(symbol) + step];
+  if (!(next instanceof MathMLElement)) return;
+  event.preventDefault();
+  symbol.setAttribute("tabindex", "-1");
+  next.setAttribute("tabindex", "0");
+  next.focus();
+}
+
+/** The address has become another one of the same page: its figures follow. */
+export async function returned() {
+  if (!document.querySelector("simulation-figure")) return;
+  const { showAddress } = await import("./permalink.js");
+  showAddress();
+}
+
+async function clicked(event: MouseEvent) {
+  touch(event);
+  const link = within(event, "a.set[data-figure]", HTMLAnchorElement);
+  const tool = within(event, ".tools button", HTMLButtonElement);
+  if (link && isPlain(event)) {
+    event.preventDefault();
+    (await import("./animate.js")).follow(link);
+  }
+  if (tool) (await import("./tools.js")).use(tool);
+}
+
+function touch(event: Event) {
+  const form = within(event, "form.controls", HTMLFormElement);
+  if (form) touched.add(form);
+}
+
+/** Keep what the reader has done in the address, once the figure rests. */
+async function rested(event: Event) {
+  const figure = within(event, "simulation-figure", HTMLElement);
+  const form = figure?.querySelector("form.controls");
+  for (const readout of figure?.querySelectorAll("[data-moved]") ?? []) {
+    readout.removeAttribute("data-moved");
+  }
+  if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
+  const permalink = await import("./permalink.js").catch(ignore); // else the address stays
+  permalink?.record(figure, "replace");
+}
+
+function fetchTools(event: Event) {
+  if (within(event, ".tools .share", HTMLElement)) import("./tools.js").catch(ignore);
+}
+
+async function highlight(event: Event) {
+  const pointed = within(event, COLOURED, Element);
+  if (pointed) (await import("./highlight.js").catch(ignore))?.point(pointed);
+}
+
+/** Nobody has asked for it: nobody is told that it does not arrive. */
+function ignore() {}

@@ -1,0 +1,83 @@
+/**
+ * Handles as elements of the page: what they drive, where they are, and which one a press means.
+ */
+
+import { all, maybe, one, within } from "../page/dom.js";
+
+/**
+ * Handles as elements of the page: what they drive, where they are, and which one a press means.
+ * In view box units of a panel.
+ */
+export type Point = [number, number];
+
+/** Handles that are nearer to the pointer than this, in CSS pixels, compete for it. */
+const REACH = 22;
+
+/** The handle that a press means: the nearest mark within reach, else what lies under it. */
+export function grabbed(layer: HTMLElement, event: PointerEvent): HTMLElement | null {
+  const near = all(layer, "[data-handle]:not(.drag, .aim, [hidden])", HTMLElement)
+    .map((element) => ({ element, distance: distanceTo(element, event) }))
+    .filter(({ distance }) => distance <= REACH)
+    .sort((a, b) => a.distance - b.distance);
+  if (near.length > 0) return near[0].element;
+  const ground = within(event, ".handle-ground", HTMLElement)?.dataset.groundOf;
+  const target = ground
+    ? maybe(layer, `[data-handle="${CSS.escape(ground)}"]`, HTMLElement)
+    : within(event, "[data-handle]", HTMLElement);
+  return target && !target.hidden ? target : null;
+}
+
+export function name(element: HTMLElement) {
+  return element.dataset.handle ?? "";
+}
+
+export function driven(element: HTMLElement) {
+  return (element.dataset.drives ?? "").split(" ");
+}
+
+export function reversed(element: HTMLElement) {
+  return (element.dataset.reversed ?? "").split(" ");
+}
+
+/** The view box of the panel that a handle lies in. */
+function viewBox(element: HTMLElement) {
+  const view = element.closest(".panel-view") ?? element;
+  return one(view, "svg.overlay", SVGSVGElement).viewBox.baseVal;
+}
+
+/** Where a pointer is, in view box units of the handle's panel. */
+export function inPanel(element: HTMLElement, event: PointerEvent): Point {
+  const { width, height } = viewBox(element);
+  const box = (element.closest(".handles") ?? element).getBoundingClientRect();
+  return [
+    ((event.clientX - box.left) / box.width) * width,
+    ((event.clientY - box.top) / box.height) * height,
+  ];
+}
+
+/** Where a handle is, in view box units of its panel. */
+export function center(element: HTMLElement): Point {
+  const { width, height } = viewBox(element);
+  return [
+    (Number.parseFloat(element.style.getPropertyValue("--x")) / 100) * width,
+    (Number.parseFloat(element.style.getPropertyValue("--y")) / 100) * height,
+  ];
+}
+
+/** Move a handle to a place of its panel. */
+export function put(element: HTMLElement, place: { x: number; y: number }) {
+  const { width, height } = viewBox(element);
+  setProperty(element, "--x", `${((100 * place.x) / width).toFixed(3)}%`);
+  setProperty(element, "--y", `${((100 * place.y) / height).toFixed(3)}%`);
+}
+
+function setProperty({ style }: HTMLElement, property: string, value: string) {
+  if (style.getPropertyValue(property) !== value) style.setProperty(property, value);
+}
+
+/** CSS pixels from a handle's mark to the pointer. */
+function distanceTo(element: HTMLElement, event: PointerEvent) {
+  const box = element.getBoundingClientRect();
+  const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
+  return Math.hypot(event.clientX - x, event.clientY - y);
+}

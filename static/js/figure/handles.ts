@@ -1,0 +1,190 @@
+/**
+ * Handles: what of a picture can be grabbed. The page knows where a handle is and where the
+ * pointer; what a pull means, Python says. It answers with values for controls, and these then
+ * move as if the reader had moved them.
+ */
+
+import { message } from "../errors.js";
+import { all, within } from "../page/dom.js";
+import { setAttribute } from "../page/text.js";
+import { words } from "../page/words.js";
+import { formatValue, type Control, type Value } from "./control_kinds.js";
+import { moveControls, named, readValues, uncover, type Schema } from "./controls.js";
+import { center, driven, grabbed, inPanel, name, put, type Point } from "./handle_elements.js";
+import { keyed } from "./handle_keys.js";
+import { holdGround, mayScroll } from "./pointer_capture.js";
+import { LatestWins } from "./scheduler.js";
+import { say } from "./status.js";
+
+/** In view box units of the handle's panel. */
+export type Place = { name: string; x: number; y: number };
+
+export type Pull = { handle: string; x: number; y: number; values: string };
+
+type Job = { handle: string; place: Point; done: boolean };
+
+/** What is in the reader's hand. */
+interface Held {
+  element: HTMLElement;
+  /** How far from the pointer it was taken. */
+  offset: Point;
+  /** Where it was led. */
+  last: Point | null;
+  /** Where a finger came down that may be about to scroll. */
+  down: PointerEvent | null;
+}
+
+export class Handles {
+  #held: Held | null = null;
+  #pulls: LatestWins<Job> = new LatestWins((job) => this.#pull(job));
+
+  /** @param signal Ends all listening. */
+  constructor(
+    readonly figure: HTMLElement,
+    readonly form: HTMLFormElement,
+    readonly schema: Schema,
+    readonly ask: (pull: Pull) => Promise<{ values: Record<string, Value> }>,
+    signal: AbortSignal,
+  ) {
+    for (const layer of all(figure, ".handles", HTMLElement)) {
+      layer.addEventListener("pointerdown", (event) => this.#press(event, layer), { signal });
+      layer.addEventListener("pointermove", (event) => this.#move(event), { signal });
+      layer.addEventListener("pointerup", (event) => this.#release(event), { signal });
+      layer.addEventListener("pointercancel", () => this.#letGo(), { signal });
+      layer.addEventListener("keydown", (event) => this.#key(event), { signal });
+      for (const kind of ["pointerover", "pointerout", "focusin", "focusout"]) {
+        layer.addEventListener(kind, (event) => this.#point(event), { signal });
+      }
+      holdGround(layer, signal);
+    }
+    form.addEventListener("input", () => this.#describe(), { signal });
+  }
+
+  /** A frame was painted: put the handles where it has them. */
+  show(places: Place[]) {
+    for (const element of this.#elements) {
+      const place = places.find((place) => place.name === name(element));
+      element.hidden = !place;
+      if (place) put(element, place);
+    }
+    this.#describe();
+  }
+
+  get #elements() {
+    return all(this.figure, "[data-handle]", HTMLElement);
+  }
+
+  #press(event: PointerEvent, layer: HTMLElement) {
+    if (event.button !== 0 || !event.isPrimary || this.#held) return;
+    const element = grabbed(layer, event);
+    if (!element) return;
+    const free = !!within(event, ".handle-ground, .handle.aim", HTMLElement);
+    const place = center(element);
+    const pointer = inPanel(element, event);
+    const offset: Point = free ? [0, 0] : [place[0] - pointer[0], place[1] - pointer[1]];
+    const ground = free || element.matches(".drag");
+    const down = event.pointerType === "touch" && ground ? event : null;
+    this.#held = { element, offset, last: null, down };
+    element.classList.add("held");
+    layer.setPointerCapture(event.pointerId);
+    element.focus({ preventScroll: true });
+    if (down && free) return;
+    event.preventDefault();
+    if (free) this.#reach(event);
+  }
+
+  #move(event: PointerEvent) {
+    if (!this.#held || (this.#held.down && mayScroll(this.#held.down, event))) return;
+    this.#held.down = null;
+    this.#reach(event);
+  }
+
+  /** Bring what is held to the pointer. */
+  #reach(event: PointerEvent) {
+    if (!this.#held) return;
+    const { element, offset } = this.#held;
+    const pointer = inPanel(element, event);
+    this.#held.last = [pointer[0] + offset[0], pointer[1] + offset[1]];
+    this.#pulls.submit({ handle: name(element), place: this.#held.last, done: false });
+  }
+
+  #release(event: PointerEvent) {
+    if (this.#held?.last || event.pointerType === "touch") this.#reach(event);
+    this.#letGo();
+  }
+
+  #letGo() {
+    if (!this.#held) return;
+    const { element, last } = this.#held;
+    element.classList.remove("held");
+    this.#held = null;
+    if (last) this.#pulls.submit({ handle: name(element), place: last, done: true });
+  }
+
+  async #pull({ handle, place: [x, y], done }: Job) {
+    const { figure, form } = this;
+    const { controls } = this.schema;
+    try {
+      const sent = readValues(form, controls);
+      const { values } = await this.ask({ handle, x, y, values: JSON.stringify(sent) });
+      if (!figure.isConnected) return;
+      const changed = Object.entries(values).filter(([key, value]) => value !== sent[key]);
+      moveControls(form, controls, Object.fromEntries(changed), "input");
+      if (done) moveControls(form, controls, values, "change");
+    } catch (error) {
+      if (figure.isConnected) say(figure, words("figure.stays", { reason: message(error) }));
+    }
+  }
+
+  #key(event: KeyboardEvent) {
+    const element = within(event, "[data-handle]", HTMLElement);
+    const { controls } = this.schema;
+    const values = element && keyed(event, element, this.form, controls);
+    if (!values) return;
+    event.preventDefault();
+    moveControls(this.form, controls, values, "input");
+    moveControls(this.form, controls, values, "change");
+  }
+
+  /** Have each handle say what it is set to. */
+  #describe() {
+    const values = readValues(this.form, this.schema.controls);
+    for (const element of this.#elements) {
+      const controls = this.schema.controls.filter(({ name }) => driven(element).includes(name));
+      const text = controls.map((control) => this.#valueText(control, values[control.name]));
+      const slider = element.role === "slider";
+      if (slider) setAttribute(element, "aria-valuenow", this.#number(controls[0]));
+      // Only a slider may carry a value at rest; the other kind has one while it is used.
+      if (slider || element === document.activeElement) {
+        setAttribute(element, "aria-valuetext", text.join(", "));
+      } else {
+        element.removeAttribute("aria-valuetext");
+      }
+    }
+  }
+
+  #valueText(control: Control, value: Value) {
+    if (control.kind === "slider") return `${control.label} ${formatValue(control, Number(value))}`;
+    const field = this.form.querySelector(named(control.name));
+    const chosen = field instanceof HTMLSelectElement ? field.selectedOptions[0]?.text.trim() : "";
+    return `${control.label} ${chosen}`;
+  }
+
+  #number(control: Control) {
+    const field = this.form.querySelector(named(control.name));
+    if (field instanceof HTMLSelectElement) return String(field.selectedIndex);
+    return field instanceof HTMLInputElement ? field.value : "0";
+  }
+
+  /** Mark the controls that a handle drives while it is pointed at or focused. */
+  #point(event: Event) {
+    const element = within(event, "[data-handle]", HTMLElement);
+    const begun = event.type === "pointerover" || event.type === "focusin";
+    for (const setting of element ? driven(element) : []) {
+      const box = this.form.querySelector(named(setting))?.closest(".control");
+      box?.classList.toggle("driven", begun);
+    }
+    if (element && event.type === "focusin") uncover(this.form, driven(element));
+    if (event.type.startsWith("focus")) this.#describe();
+  }
+}

@@ -1,0 +1,111 @@
+/**
+ * Buttons that move a slider: play sweeps it to its end, step goes to the next whole number,
+ * reset returns it to where the page put it.
+ */
+
+import { everyFrame, isCalm } from "./animate.js";
+import type { Action, Slider } from "./control_kinds.js";
+import { readValue, uncover, writeValue, type Schema } from "./controls.js";
+
+/** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
+const CALM_PAUSE = 1;
+/** Pictures on a way that is too short for whole numbers. */
+const CALM_PICTURES = 4;
+/** On a way of more whole numbers than these, fewer pictures. */
+const MOST_WHOLE = 48;
+const CALM_MOST = 24;
+
+export class Motion {
+  #playing: { action: Action; stop: () => void } | null = null;
+
+  /** @param moved Called after each move of a slider, with its name where the move goes on. */
+  constructor(
+    readonly form: HTMLFormElement,
+    readonly schema: Schema,
+    readonly moved: (moving: string, time: number) => void,
+  ) {}
+
+  /** @param action The button that was pressed. */
+  press(action: Action, time: number) {
+    const slider = this.schema.controls.find(({ name }) => name === action.drives);
+    if (slider?.kind !== "slider") throw new Error(`${action.name} drives no slider`);
+    const wasPlaying = this.#playing?.action === action;
+    this.stop();
+    uncover(this.form, [slider.name]);
+    if (action.effect === "play") {
+      if (!wasPlaying) this.#play(action, slider);
+      return;
+    }
+    const first = Number(this.schema.values[slider.name]);
+    writeValue(this.form, slider, action.effect === "step" ? this.#next(slider, 1) : first);
+    this.moved("", time);
+  }
+
+  /** Stop playing, if it is. */
+  stop() {
+    if (!this.#playing) return;
+    const { action, stop } = this.#playing;
+    this.#playing = null;
+    stop();
+    writeValue(this.form, action, 0);
+    this.moved("", performance.now());
+  }
+
+  /** The place after the slider's value, of those a stride apart; past the end it starts over. */
+  #next(slider: Slider, stride: number) {
+    const value = this.#value(slider);
+    if (value >= slider.max) return slider.min;
+    const passed = Math.floor((value - slider.min) / stride + 1e-9);
+    return Math.min(slider.min + (passed + 1) * stride, slider.max);
+  }
+
+  #play(action: Action, slider: Slider) {
+    if (this.#value(slider) >= slider.max) writeValue(this.form, slider, slider.min);
+    writeValue(this.form, action, action.labels.length > 1 ? 1 : 0);
+    const stop = isCalm() ? this.#walk(action, slider) : this.#sweep(action, slider);
+    this.#playing = { action, stop };
+  }
+
+  /**
+   * Continuous motion, a step of the slider at a time.
+   *
+   * @returns Ends it.
+   */
+  #sweep(action: Action, slider: Slider): () => void {
+    const start = this.#value(slider);
+    const way = slider.max - slider.min;
+    return everyFrame(action.seconds * 1000, (share, now) => {
+      this.#moveTo(slider, start + share * way, now);
+    });
+  }
+
+  /**
+   * One picture after another, the first at once, with time to look.
+   *
+   * @returns Ends it.
+   */
+  #walk(action: Action, slider: Slider): () => void {
+    const way = slider.max - slider.min;
+    const coarse = Math.ceil(way / CALM_MOST / slider.step) * slider.step;
+    const stride = way > MOST_WHOLE ? coarse : Math.min(1, way / CALM_PICTURES);
+    const pause = Math.max(CALM_PAUSE, (action.seconds * stride) / way);
+    const tick = () => {
+      timer = setTimeout(tick, pause * 1000);
+      this.#moveTo(slider, this.#next(slider, stride), performance.now());
+    };
+    let timer = setTimeout(tick);
+    return () => clearTimeout(timer);
+  }
+
+  #moveTo(slider: Slider, value: number, time: number) {
+    const before = this.#value(slider);
+    writeValue(this.form, slider, Math.min(value, slider.max));
+    const now = this.#value(slider);
+    if (now >= slider.max) this.stop();
+    else if (now !== before) this.moved(slider.name, time);
+  }
+
+  #value(slider: Slider) {
+    return Number(readValue(this.form, slider));
+  }
+}

@@ -1,0 +1,78 @@
+/** The reader's own picture in a figure that takes one: chosen, sent to Python, and put back. */
+
+import { message } from "../errors.js";
+import { maybe, one, within } from "../page/dom.js";
+import type { Caller } from "../runtime/runtime.js";
+import type { Photograph } from "./photograph.js";
+import { say } from "./status.js";
+
+export class OwnPicture {
+  #picture: Photograph | null = null;
+  /** Number of the interpreter and of the picture that was last sent to it. */
+  #sent = "";
+
+  /**
+   * @param size Width and height that its scene computes with.
+   * @param changed There is another picture, or none any more.
+   * @param signal Ends all listening.
+   */
+  constructor(
+    readonly figure: HTMLElement,
+    readonly size: [number, number] | null,
+    readonly changed: () => void,
+    signal: AbortSignal,
+  ) {
+    const box = maybe(figure, ".photograph", HTMLElement);
+    box?.addEventListener("change", (event) => this.#choose(event), { signal });
+    box?.addEventListener(
+      "click",
+      (event) => {
+        if (within(event, ".photograph-choose", HTMLElement))
+          one(box, "input", HTMLElement).click();
+        else if (within(event, "button", HTMLElement)) this.#show(null);
+      },
+      { signal },
+    );
+  }
+
+  /** Which picture it is; 0: that of the book. */
+  get number() {
+    return this.#picture?.number ?? 0;
+  }
+
+  /**
+   * Send the picture to the interpreter, where that does not have it.
+   *
+   * @param key The figure's.
+   */
+  async handOver(runtime: Caller, key: string) {
+    const { number = 0, ...picture } = this.#picture ?? {};
+    const sending = () => `${runtime.generation} ${number}`;
+    if (sending() === this.#sent || (number === 0 && !this.#sent)) return;
+    await runtime.call("photograph", { figure: key, number, ...picture }, () => 2);
+    this.#sent = sending();
+  }
+
+  async #choose(event: Event) {
+    const input = within(event, "input", HTMLInputElement);
+    const file = input?.files?.[0];
+    if (!input || !file || !this.size) return;
+    try {
+      const { decode } = await import("./photograph.js");
+      const picture = await decode(file, ...this.size);
+      if (!this.figure.isConnected) return;
+      say(this.figure, "");
+      this.#show(picture);
+    } catch (error) {
+      say(this.figure, message(error));
+    } finally {
+      input.value = ""; // the same file may be chosen again
+    }
+  }
+
+  #show(picture: Photograph | null) {
+    this.#picture = picture;
+    one(this.figure, ".photograph-back", HTMLElement).hidden = !picture;
+    this.changed();
+  }
+}

@@ -1,0 +1,127 @@
+/**
+ * Frames into the page. The first live frame takes the still's place in the same box, so
+ * nothing moves. Only what differs from the frame before is written.
+ */
+
+import { all, maybe, one } from "../page/dom.js";
+import { setText } from "../page/text.js";
+import { numeral, words } from "../page/words.js";
+import { Overlay } from "./overlay.js";
+
+interface Panel {
+  name: string;
+  title: string;
+  width: number;
+  height: number;
+  overlay: string;
+  raster: { width: number; height: number } | null;
+  pixelated: boolean;
+}
+
+export type Readout = { name: string; label: string; text: string; unit: string; role: string };
+
+export interface Meta {
+  panels: Panel[];
+  readouts: Readout[];
+  description: string;
+  handles: import("./handles.js").Place[];
+}
+
+type Box = { view: HTMLElement; overlay: Overlay | null; title: Element | null };
+
+export class Painter {
+  /** By the panel's name. */
+  #boxes: Map<string, Box> = new Map();
+  /** Each readout as it was written last. */
+  #written: Map<string, string> = new Map();
+
+  constructor(readonly figure: HTMLElement) {}
+
+  /** @param rasters The pixels of the panels that have any, in their order. */
+  paint(meta: Meta, rasters: ArrayBuffer[]) {
+    const pixels = rasters.values();
+    for (const panel of meta.panels) {
+      const { view, overlay, title } = this.#box(panel.name);
+      if (panel.raster) paintRaster(view, panel, panel.raster, pixels.next().value);
+      overlay?.show(panel.overlay);
+      setText(title, panel.title);
+    }
+    for (const readout of meta.readouts) this.#write(readout);
+  }
+
+  #box(name: string) {
+    let box = this.#boxes.get(name);
+    if (!box) {
+      const panel = one(this.figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
+      const view = one(panel, ".panel-view", HTMLElement);
+      const svg = view.querySelector("svg.overlay");
+      box = { view, overlay: svg && new Overlay(svg), title: panel.querySelector(".panel-title") };
+      this.#boxes.set(name, box);
+    }
+    return box;
+  }
+
+  #write(readout: Readout) {
+    const now = `${readout.text}|${readout.unit}|${readout.role}`;
+    if (this.#written.get(readout.name) === now) return;
+    this.#written.set(readout.name, now);
+    paintReadout(this.figure, readout);
+  }
+}
+
+function paintRaster(
+  view: HTMLElement,
+  panel: Panel,
+  { width, height }: { width: number; height: number },
+  pixels: ArrayBuffer | undefined,
+) {
+  if (!pixels) throw new Error(words("figure.no_pixels", { panel: panel.name }));
+  const image = new ImageData(new Uint8ClampedArray(pixels), width, height); // a view, no copy
+  const canvas = maybe(view, "canvas.live", HTMLCanvasElement) ?? document.createElement("canvas");
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  canvas.getContext("2d")?.putImageData(image, 0, 0);
+  canvas.classList.toggle("pixelated", panel.pixelated);
+  if (!canvas.isConnected) putInPlace(view, canvas);
+}
+
+/**
+ * Have the pixels of a figure's stills on canvases, as those of live frames are: they are the first.
+ */
+export function takeStills(figure: HTMLElement) {
+  for (const still of all(figure, "img.still", HTMLImageElement)) {
+    const take = () => {
+      if (!still.parentElement || !still.naturalWidth) return;
+      const canvas = document.createElement("canvas");
+      [canvas.width, canvas.height] = [still.naturalWidth, still.naturalHeight];
+      canvas.getContext("2d")?.drawImage(still, 0, 0);
+      canvas.classList.toggle("pixelated", still.classList.contains("pixelated"));
+      putInPlace(still.parentElement, canvas);
+    };
+    if (still.complete) take();
+    else still.addEventListener("load", take, { once: true });
+  }
+}
+
+function putInPlace(view: HTMLElement, canvas: HTMLCanvasElement) {
+  canvas.classList.add("live");
+  const still = view.querySelector("img.still");
+  if (still) still.replaceWith(canvas);
+  else view.prepend(canvas);
+}
+
+function paintReadout(figure: HTMLElement, readout: Readout) {
+  const output = figure.querySelector(`output[name="${CSS.escape(readout.name)}"]`);
+  const box = output?.parentElement;
+  if (!box) return;
+  const text = numeral(readout.text);
+  if (output.textContent !== text) box.dataset.moved = "";
+  setText(output, text);
+  const unit = box.querySelector(".unit");
+  setText(unit, readout.unit);
+  unit?.classList.toggle("close", readout.unit === "°");
+  const classes = readout.role ? `readout role-${readout.role}` : "readout";
+  if (box.className !== classes) box.className = classes;
+}

@@ -1,0 +1,137 @@
+/**
+ * The state of figures in the address of their page:
+ * `?<figure id>.<setting>=<value>&…`, of settings that differ from the page's start.
+ *
+ * A hand that moves a control replaces the present entry of the history once it rests, so that no
+ * drag fills the history, and a reload or a return finds the figure as it was left. What jumps (a
+ * link in the text, a reset) makes a new entry, so that Back undoes it.
+ */
+
+import { all, data, one } from "../page/dom.js";
+import { isArrived } from "../page/navigate.js";
+import { words } from "../page/words.js";
+import { KINDS, type Control, type Value } from "./control_kinds.js";
+import { moveControls, readValues, uncover, type Schema } from "./controls.js";
+import { say } from "./status.js";
+
+/** How many settings of an address that mean nothing are named, and how much of each. */
+const MOST_NAMED = 4;
+const LONGEST_NAME = 60;
+
+/** A figure's form, and all that can be set in it, the accuracy included. */
+export function settingsOf(figure: HTMLElement) {
+  const { controls, values, tiers, default_tier: tier }: Schema = data(figure, "script.schema");
+  const accuracy: Control = {
+    kind: "choice",
+    name: "tier",
+    label: words("figure.accuracy"),
+    default: tier,
+    options: tiers,
+  };
+  return {
+    form: one(figure, "form.controls", HTMLFormElement),
+    // A button that plays has no state worth keeping.
+    controls: [...controls, ...(tiers.length ? [accuracy] : [])].filter(
+      (control) => control.kind !== "action" || !control.drives,
+    ),
+    start: { ...values, tier } as Record<string, Value>,
+  };
+}
+
+/**
+ * The address of the page with a figure at some values; those of other figures stay.
+ *
+ * @param values What is left out is as the figure shows it.
+ * @param search What the address says so far.
+ */
+function addressOf(
+  figure: HTMLElement,
+  values: Record<string, Value> = {},
+  search: string = location.search,
+) {
+  const { form, controls, start } = settingsOf(figure);
+  const shown = { ...readValues(form, controls), ...values };
+  const id = idOf(figure);
+  const query = new URLSearchParams(search);
+  for (const key of [...query.keys()]) if (key.startsWith(`${id}.`)) query.delete(key);
+  for (const { name } of controls) {
+    if (shown[name] !== start[name]) query.set(`${id}.${name}`, String(shown[name]));
+  }
+  const url = new URL(location.href);
+  url.search = query.toString();
+  return url;
+}
+
+/** The address that shows another reader what this figure shows now, and nothing else. */
+export function permalink(figure: HTMLElement) {
+  const url = addressOf(figure, {}, "");
+  url.hash = idOf(figure);
+  return url.href;
+}
+
+/**
+ * Put a figure's state into the address.
+ *
+ * @param values Where it is on its way to, if it is.
+ */
+export function record(
+  figure: HTMLElement,
+  entry: "replace" | "push",
+  values?: Record<string, Value>,
+) {
+  const url = addressOf(figure, values);
+  const id = idOf(figure);
+  if (url.search.includes(`${id}.`)) url.hash = id; // so that the address is the figure's link
+  // A figure that has left with its page has nothing to say in the address of the next.
+  if (!figure.isConnected || !isArrived() || url.href === location.href) return;
+  if (entry === "replace") history.replaceState(history.state, "", url);
+  else history.pushState({ scroll: Math.round(scrollY) }, "", url);
+}
+
+/** Bring every figure of the page to where the address says, or back to the page's start. */
+export function showAddress() {
+  for (const figure of all(document, "simulation-figure", HTMLElement)) arrive(figure);
+}
+
+/** Put the controls of a figure to where the address says, and the others to the page's start. */
+export function arrive(figure: HTMLElement) {
+  const { form, controls, start } = settingsOf(figure);
+  const { values, ignored } = addressed(figure, controls);
+  const wanted = { ...start, ...values };
+  const shown = readValues(form, controls);
+  const moved = controls.filter(({ name }) => shown[name] !== wanted[name]);
+  uncover(form, [...Object.keys(values), ...moved.map(({ name }) => name)]);
+  moveControls(form, moved, wanted, "change");
+  reportIgnored(figure, ignored);
+}
+
+/** What the address says of a figure, and what of it cannot be meant. */
+function addressed(figure: HTMLElement, controls: Control[]) {
+  const prefix = `${idOf(figure)}.`;
+  const values: Record<string, Value> = {};
+  const ignored = [];
+  for (const [key, text] of new URLSearchParams(location.search)) {
+    if (!key.startsWith(prefix)) continue;
+    const name = key.slice(prefix.length);
+    const control = controls.find((one) => one.name === name);
+    const value = control && KINDS[control.kind].parse(control, text);
+    if (value === undefined) ignored.push(`${name}=${text}`);
+    else values[name] = value;
+  }
+  return { values, ignored };
+}
+
+/** Say what of the address was ignored, until the reader does something else. */
+function reportIgnored(figure: HTMLElement, ignored: string[]) {
+  if (ignored.length === 0) return;
+  const named = ignored.slice(0, MOST_NAMED).map((text) => {
+    return text.length > LONGEST_NAME ? `${text.slice(0, LONGEST_NAME)}…` : text;
+  });
+  if (ignored.length > MOST_NAMED) named.push("…");
+  say(figure, words("figure.ignored", { settings: named.join(", ") }), { lasting: true });
+  figure.addEventListener("input", () => say(figure, ""), { once: true });
+}
+
+function idOf(figure: HTMLElement) {
+  return figure.closest("figure")?.id ?? "";
+}

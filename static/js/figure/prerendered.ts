@@ -1,0 +1,123 @@
+/**
+ * What a figure shows until Python has started: of frames drawn when the book was built, along its
+ * main control, the one nearest to where the control stands. They are fetched when the reader points
+ * at the figure; on a slow link as soon as it is near.
+ */
+
+import { maybe, one } from "../page/dom.js";
+import { words } from "../page/words.js";
+import { formatValue, type Value } from "./control_kinds.js";
+import { readValues, type Schema } from "./controls.js";
+import type { Place } from "./handles.js";
+import type { Meta, Painter } from "./painter.js";
+
+type Frame = Meta & { value: Value; pictures: Record<string, string> };
+
+type Frames = { control: string; frames: Frame[] };
+
+const HINTS = ["pointerenter", "focusin", "touchstart"];
+const SLOW = ["slow-2g", "2g", "3g"];
+
+export class Prerendered {
+  #frames: Promise<Frames | null> | null = null;
+  #listeners = new AbortController();
+
+  readonly figure: HTMLElement;
+
+  /**
+   * @param painter The figure's.
+   * @param place Called with the handles of a frame that is shown.
+   */
+  constructor(
+    readonly painter: Painter,
+    readonly form: HTMLFormElement,
+    readonly schema: Schema,
+    readonly place: (handles: Place[]) => void,
+  ) {
+    const { figure } = painter;
+    this.figure = figure;
+    const { signal } = this.#listeners;
+    if (!figure.dataset.prerendered) return;
+    const options = { signal, once: true, passive: true };
+    for (const kind of HINTS) figure.addEventListener(kind, () => this.#fetch(), options);
+    form.addEventListener("input", () => this.#follow(), { signal });
+    form.addEventListener("change", () => this.#follow(), { signal });
+  }
+
+  /** The figure is near the window. */
+  near() {
+    if (this.figure.dataset.prerendered && isSlow()) this.#fetch();
+  }
+
+  /** A live frame is there, or the figure has left the page. */
+  end() {
+    this.#listeners.abort();
+    delete this.figure.dataset.early;
+    maybe(this.figure, ".early-mark", HTMLElement)?.remove();
+  }
+
+  /** Show the frame nearest to the form's values, where no other control has been moved. */
+  async #follow() {
+    const found = await this.#fetch();
+    if (!found || this.#listeners.signal.aborted) return;
+    const values = readValues(this.form, this.schema.controls);
+    const others = Object.entries(this.schema.values).filter(([name]) => name !== found.control);
+    const frame = nearest(found.frames, values[found.control]);
+    if (frame && others.every(([name, value]) => values[name] === value)) {
+      this.#show(found.control, frame);
+    }
+  }
+
+  #show(control: string, frame: Frame) {
+    const { figure } = this;
+    const drawings = frame.panels.map((panel) => ({ ...panel, raster: null }));
+    this.painter.paint({ ...frame, panels: drawings }, []);
+    for (const [name, address] of Object.entries(frame.pictures)) {
+      const panel = one(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
+      const still = maybe(panel, "img.still", HTMLImageElement);
+      if (still) still.src = address;
+    }
+    this.place(frame.handles);
+    one(figure, ".description", HTMLElement).textContent = frame.description;
+    this.#mark(words("figure.early", { setting: this.#setting(control, frame.value) }));
+    figure.dataset.early = String(frame.value);
+  }
+
+  #setting(name: string, value: Value) {
+    const control = this.schema.controls.find((one) => one.name === name);
+    const text = control?.kind === "slider" ? formatValue(control, Number(value)) : String(value);
+    return `${control?.label} ${text}`;
+  }
+
+  #mark(text: string) {
+    let mark = maybe(this.figure, ".early-mark", HTMLElement);
+    if (!mark) {
+      mark = document.createElement("p");
+      mark.className = "early-mark";
+      one(this.figure, ".panels", HTMLElement).append(mark);
+    }
+    mark.textContent = text;
+  }
+
+  /** @returns Null where they do not arrive: Python is starting. */
+  #fetch(): Promise<Frames | null> {
+    const address = this.figure.dataset.prerendered ?? "";
+    this.#frames ??= fetch(address, { signal: this.#listeners.signal })
+      .then((reply) => (reply.ok ? reply.json() : null))
+      .catch(() => null);
+    return this.#frames;
+  }
+}
+
+/** The frame of the nearest number, or of exactly this option. */
+function nearest(frames: Frame[], value: Value): Frame | undefined {
+  if (typeof value !== "number") return frames.find((frame) => frame.value === value);
+  const distance = (frame: Frame) => Math.abs(Number(frame.value) - value);
+  return frames.toSorted((first, second) => distance(first) - distance(second))[0];
+}
+
+/** Whether the browser says that the link is slow; some say nothing of it. */
+function isSlow() {
+  const { connection } = navigator as { connection?: any };
+  return !connection?.saveData && SLOW.includes(connection?.effectiveType);
+}

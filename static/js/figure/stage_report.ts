@@ -1,0 +1,145 @@
+/**
+ * What a figure reports of its own computation: what became of each stage, how long the frame took,
+ * and how far it is from the truth. The last is asked for only while the figure rests and the report
+ * is open.
+ */
+
+import { message } from "../errors.js";
+import { all, maybe } from "../page/dom.js";
+import { setText, withUnit } from "../page/text.js";
+import { numeral, told, words, type Said } from "../page/words.js";
+import type { Readout } from "./painter.js";
+
+export type Stage = { name: string; status: "computed" | "reused" | "skipped"; reason: Reason };
+
+/** A scene's own words, or the engine's. */
+type Reason = string | Said[];
+
+type Estimate = Pick<Readout, "label" | "text" | "unit">;
+type Shown = { values: string; tier: string };
+
+/** Milliseconds without a new frame after which the error is measured. */
+const REST = 400;
+/** After anything that the reader waits for. */
+const URGENCY = () => -1;
+
+export function showStages(figure: HTMLElement, stages: Stage[]) {
+  const list = maybe(figure, ".stages > ol", HTMLOListElement);
+  const first = list?.firstElementChild;
+  if (!list || !first) return;
+  while (list.children.length < stages.length) list.append(first.cloneNode(true));
+  // A frame that refuses its values has no stages: its items wait for the next one.
+  for (const [index, item] of all(list, ":scope > li", HTMLLIElement).entries()) {
+    item.hidden = index >= stages.length;
+    if (item.hidden) continue;
+    const { name, status, reason } = stages[index];
+    item.dataset.status = status;
+    setText(item.querySelector(".stage-name"), name);
+    setText(item.querySelector(".stage-status"), words(`workings.${status}`));
+    setText(item.querySelector(".stage-reason"), reasonText(reason));
+  }
+  setText(figure.querySelector(".stages-count"), countStages(stages));
+}
+
+/** Why a stage was computed or not, as the builder writes it. */
+export function reasonText(reason: Reason) {
+  return [reason].flat().map(told).join("; ");
+}
+
+/** `4 computed, 8 reused, 1 skipped`, as the builder writes it. */
+export function countStages(stages: Stage[]) {
+  const count = (status: string) => stages.filter((stage) => stage.status === status).length;
+  const [computed, reused, skipped] = ["computed", "reused", "skipped"].map(count);
+  return words("workings.count", { computed, reused, skipped });
+}
+
+/** The line with error and time under a figure that has a reference. */
+export class Accuracy {
+  /** What is shown and not yet measured. */
+  #waiting: Shown | null = null;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #near = false;
+  /** A figure's first frame also waits for its code to be loaded, and says so. */
+  #frames = 0;
+
+  readonly line: HTMLElement | null;
+  readonly report: HTMLDetailsElement | null;
+
+  /** @param ask The next estimate for a frame; null where there is no better one. */
+  constructor(
+    figure: HTMLElement,
+    readonly ask: (shown: Shown, urgency: () => number) => Promise<Estimate | null>,
+  ) {
+    this.line = maybe(figure, ".accuracy", HTMLElement);
+    this.report = maybe(figure, "details.workings", HTMLDetailsElement);
+    this.report?.addEventListener("toggle", () => this.#rest());
+  }
+
+  /**
+   * A frame was painted.
+   *
+   * @param settled False for drafts: those are not measured.
+   */
+  shown({ values, tier }: Shown, ms: number, settled: boolean) {
+    if (!this.line) return;
+    this.stop();
+    this.#frames += 1;
+    this.#set("frame", words(this.#frames > 1 ? "workings.frame" : "workings.first_frame"));
+    this.#set("ms", withUnit(numeral(ms.toFixed(ms < 10 ? 1 : 0)), "ms"));
+    this.#set("value", "…");
+    delete this.line.dataset.judged;
+    if (!settled) return;
+    this.#waiting = { values, tier };
+    this.#rest();
+  }
+
+  /** Figures far from view are not measured until the reader comes near. */
+  set near(near: boolean) {
+    this.#near = near;
+    if (near) this.#rest();
+  }
+
+  get #isSeen() {
+    return this.#near && this.report?.open;
+  }
+
+  stop() {
+    clearTimeout(this.#timer);
+    this.#waiting = null;
+  }
+
+  #rest() {
+    clearTimeout(this.#timer);
+    const shown = this.#waiting;
+    if (shown && this.#isSeen) this.#timer = setTimeout(() => this.#measure(shown), REST);
+  }
+
+  /** One estimate after another, each a call of its own, so that a drag never waits for all. */
+  async #measure(shown: Shown) {
+    try {
+      while (this.#waiting === shown && this.#isSeen) {
+        const estimate = await this.ask(shown, URGENCY);
+        if (this.#waiting !== shown) return;
+        if (estimate) this.#write(estimate);
+        else {
+          this.#waiting = null;
+          if (this.line) this.line.dataset.judged = "true";
+        }
+      }
+    } catch (error) {
+      if (this.#waiting !== shown) return;
+      this.#waiting = null;
+      const text = words("workings.not_measured", { reason: message(error) });
+      this.#write({ label: words("workings.error"), text, unit: "" });
+    }
+  }
+
+  #write({ label, text, unit }: Estimate) {
+    this.#set("label", label);
+    this.#set("value", withUnit(numeral(text), unit));
+  }
+
+  #set(part: string, text: string) {
+    setText(this.line?.querySelector(`.accuracy-${part}`), text);
+  }
+}

@@ -1,0 +1,122 @@
+/** What can be done with a figure as a whole: the row of buttons below it. */
+
+import { message } from "../errors.js";
+import { data, maybe, one } from "../page/dom.js";
+import { download } from "../page/download.js";
+import { words } from "../page/words.js";
+import { sharedRuntime } from "../runtime/runtime.js";
+import { glide, jump } from "./animate.js";
+import { readValues } from "./controls.js";
+import { numbersOf } from "./numbers.js";
+import { permalink, settingsOf } from "./permalink.js";
+import { pictureOf } from "./picture.js";
+
+type Tool = (figure: HTMLElement, button: HTMLButtonElement) => unknown;
+
+/** By the attribute of their button, as in `dataset`. */
+const TOOLS: Record<string, Tool> = {
+  reset,
+  fullScreen,
+  copyLink: (figure) => copy(figure, permalink(figure), words("tools.link_copied")),
+  copyPython,
+  saveNumbers: (figure) => save(figure, "numbers.csv", numbersOf(figure), "text/csv"),
+  savePanel,
+};
+
+/** Do what a button of the row says. */
+export async function use(button: HTMLButtonElement) {
+  const figure = button.closest("simulation-figure");
+  const name = Object.keys(TOOLS).find((tool) => tool in button.dataset);
+  if (!(figure instanceof HTMLElement) || !name) return;
+  report(figure, "");
+  one(figure, ".copied", HTMLTextAreaElement).hidden = true;
+  try {
+    await TOOLS[name](figure, button);
+  } catch (error) {
+    report(figure, words("tools.failed", { reason: message(error) }));
+  }
+}
+
+/** Back to where the page put it. */
+function reset(figure: HTMLElement) {
+  const { start } = settingsOf(figure);
+  jump(figure, start);
+  glide(figure, start);
+}
+
+async function fullScreen(figure: HTMLElement, button: HTMLButtonElement) {
+  if (document.fullscreenElement) {
+    await document.exitFullscreen();
+    return;
+  }
+  const whole = figure.closest("figure");
+  await whole?.requestFullscreen();
+  button.ariaPressed = "true";
+  const changed = () => {
+    if (document.fullscreenElement) return;
+    document.removeEventListener("fullscreenchange", changed);
+    button.ariaPressed = "false";
+  };
+  document.addEventListener("fullscreenchange", changed);
+}
+
+/** Copy the script that prints what the figure shows. */
+async function copyPython(figure: HTMLElement) {
+  const runtime = sharedRuntime();
+  if (!runtime) return;
+  const { form, controls } = settingsOf(figure);
+  const { tier = "", ...values } = readValues(form, controls);
+  const edited = "edited" in figure.dataset;
+  const own = figure.querySelector(".photograph-back:not([hidden])") !== null;
+  const { title } = data(figure, "script.schema");
+  const notes = [
+    words("script.title", { title }),
+    ...(edited ? [words("script.edited")] : []),
+    ...(own ? [words("script.own_picture")] : []),
+    words("script.needs"),
+  ];
+  const { script } = await runtime.call("script", {
+    scene: figure.dataset.simulation ?? "",
+    values: JSON.stringify(values),
+    tier: String(tier),
+    notes: JSON.stringify(notes),
+  });
+  const unlike = edited && own ? "_both" : edited ? "_code" : own ? "_picture" : "";
+  await copy(figure, script, words(`tools.python_copied${unlike}`));
+}
+
+async function savePanel(figure: HTMLElement, button: HTMLButtonElement) {
+  const name = button.dataset.savePanel ?? "";
+  const panel = one(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
+  const { blob, suffix } = await pictureOf(panel);
+  save(figure, `${name}.${suffix}`, blob);
+}
+
+/**
+ * Copy a text; where the browser forbids it, show it, ready to be copied by hand.
+ *
+ * @param done What is said once it is copied.
+ */
+async function copy(figure: HTMLElement, text: string, done: string) {
+  try {
+    await navigator.clipboard.writeText(text);
+    report(figure, done);
+  } catch {
+    const field = one(figure, ".copied", HTMLTextAreaElement);
+    field.value = text;
+    field.hidden = false;
+    field.select();
+    report(figure, words("tools.copy_yourself"));
+  }
+}
+
+function save(figure: HTMLElement, name: string, content: BlobPart, type?: string) {
+  const file = `${figure.closest("figure")?.id ?? "figure"}-${name}`;
+  download(file, content, type);
+  report(figure, words("tools.saved", { file }));
+}
+
+function report(figure: HTMLElement, text: string) {
+  const line = maybe(figure, ".tools-said", HTMLElement);
+  if (line) line.textContent = text;
+}

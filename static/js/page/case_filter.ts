@@ -1,0 +1,50 @@
+/**
+ * A field above the tables of hard cases that shows only the cases with the words typed into it.
+ * The tables are complete, and closed, without it.
+ */
+
+import { all, one } from "./dom.js";
+import { words } from "./words.js";
+
+/** Called once: a listener on the document outlives a change of chapter. */
+export function install() {
+  document.addEventListener("input", ({ target }) => {
+    if (target instanceof HTMLInputElement && target.closest(".case-filter")) filter(target);
+  });
+}
+
+/** Put the field above the first table of a page that has such tables. */
+export function arrive() {
+  const [first] = tables();
+  if (!first || document.querySelector(".case-filter")) return;
+  const field = document.createElement("form");
+  field.className = "case-filter";
+  field.role = "search";
+  field.innerHTML =
+    '<label><span></span> <input type="search"></label> <span role="status"></span>';
+  field.addEventListener("submit", (event) => event.preventDefault());
+  one(field, "label > span", HTMLElement).textContent = words("extremes.filter");
+  first.before(field);
+}
+
+function filter(input: HTMLInputElement) {
+  const wanted = input.value.toLowerCase().split(/\s+/).filter(Boolean);
+  let found = 0;
+  for (const table of tables()) {
+    const rows = all(table, "tbody tr", HTMLElement);
+    for (const row of rows) {
+      const text = row.textContent.toLowerCase();
+      row.hidden = !wanted.every((word) => text.includes(word));
+    }
+    const left = rows.filter((row) => !row.hidden).length;
+    table.hidden = !left;
+    table.open = wanted.length > 0 && left > 0;
+    found += left;
+  }
+  const count = one(input.closest("form") ?? document, "[role=status]", HTMLElement);
+  count.textContent = wanted.length ? words("extremes.found", { count: found }) : "";
+}
+
+function tables() {
+  return all(document, "details.extremes", HTMLDetailsElement);
+}

@@ -1,0 +1,55 @@
+/** Elements that must be there, with the type that they must have. */
+
+/**
+ * The first descendant of `root` that fits.
+ *
+ * @throws {Error} Where there is none, or it is of another type.
+ */
+export function one<T extends Element>(root: ParentNode, selector: string, type: new () => T): T {
+  const found = maybe(root, selector, type);
+  if (!found) throw new Error(`the page has no ${selector}`);
+  return found;
+}
+
+/**
+ * The first descendant of `root` that fits, or null.
+ *
+ * @throws {Error} Where it is of another type.
+ */
+export function maybe<T extends Element>(
+  root: ParentNode,
+  selector: string,
+  type: new () => T,
+): T | null {
+  const found = root.querySelector(selector);
+  if (!found) return null;
+  if (!(found instanceof type)) throw new Error(`${selector} is no ${type.name}`);
+  return found;
+}
+
+/** All descendants of `root` that fit and are of the type. */
+export function all<T extends Element>(root: ParentNode, selector: string, type: new () => T): T[] {
+  const found = [...root.querySelectorAll(selector)];
+  return found.flatMap((element) => (element instanceof type ? [element] : []));
+}
+
+/** The element in which an event happened that fits, or null. */
+export function within<T extends Element>(
+  event: Event,
+  selector: string,
+  type: new () => T,
+): T | null {
+  const found = event.target instanceof Element ? event.target.closest(selector) : null;
+  return found instanceof type ? found : null;
+}
+
+/** Whether a click on a link asks for no more than to follow it: not for a new window, say. */
+export function isPlain(event: MouseEvent) {
+  const { button, metaKey, ctrlKey, shiftKey, altKey } = event;
+  return button === 0 && !(metaKey || ctrlKey || shiftKey || altKey);
+}
+
+/** What a `<script type="application/json">` of the page says. */
+export function data(root: ParentNode, selector: string): any {
+  return JSON.parse(one(root, selector, HTMLScriptElement).text);
+}

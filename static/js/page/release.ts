@@ -1,0 +1,45 @@
+/** A new release of the book, as an open page notices it. */
+
+import { notice } from "./notice.js";
+import { words } from "./words.js";
+
+/** What browsers say of a script that is requested late and does not arrive. */
+const MISSING = /dynamically imported module|[Ii]mporting a module script/;
+
+/** Whatever a press asks for may have gone with its release, or its host: called once. */
+export function watchScripts() {
+  addEventListener("unhandledrejection", async (event) => {
+    if (!MISSING.test(event.reason?.message)) return;
+    event.preventDefault();
+    if (!(await offerRelease())) notice(words("page.missing"));
+  });
+}
+
+/**
+ * Where the host has another release than this page came from, offer to load the page anew.
+ *
+ * @returns Whether it has.
+ */
+export async function offerRelease(): Promise<boolean> {
+  try {
+    const reply = await fetch(location.href, { cache: "no-cache" });
+    const page = new DOMParser().parseFromString(await reply.text(), "text/html");
+    if (!page.body.dataset.assets || isOfRelease(page)) return false;
+  } catch {
+    return false;
+  }
+  notice(words("page.renewed"), { label: words("page.reload"), act: () => location.reload() });
+  return true;
+}
+
+/**
+ * Whether a page loads what this one does: scripts, and the Python that runs as long as pages are
+ * turned.
+ *
+ * @param address The page's own.
+ */
+export function isOfRelease(page: Document, address: string = location.href) {
+  const folders = ({ dataset }: HTMLElement, base: string) =>
+    [dataset.assets, dataset.runtime].map((folder) => folder && new URL(folder, base).href).join();
+  return folders(page.body, address) === folders(document.body, location.href);
+}

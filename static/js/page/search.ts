@@ -1,0 +1,106 @@
+/**
+ * The search of the book: its button, its key, its dialog. What finds and shows is fetched when the
+ * reader is about to search, and stays for the visit.
+ */
+
+import { message } from "../errors.js";
+import { all, maybe, one, within } from "./dom.js";
+import { setText } from "./text.js";
+import { words } from "./words.js";
+
+type Results = typeof import("../search/results.js");
+
+/** Listen for the search button and the search dialog of any page. */
+export function installSearch() {
+  for (const type of ["pointerover", "focusin"]) {
+    document.addEventListener(type, (event) => {
+      if (within(event, "[data-search]", Element)) fetchResults().catch(() => {});
+    });
+  }
+  document.addEventListener("click", clicked);
+  document.addEventListener("input", (event) => {
+    const dialog = within(event, "dialog.search", HTMLDialogElement);
+    if (dialog) refresh(dialog);
+  });
+  document.addEventListener("keydown", pressed);
+}
+
+/** Open the dialog of this page; it may be opened before there is anything to search with. */
+export function openSearch() {
+  const dialog = maybe(document, "dialog.search", HTMLDialogElement);
+  if (!dialog || dialog.open) return;
+  dialog.showModal();
+  field(dialog).select();
+  refresh(dialog);
+}
+
+function clicked(event: MouseEvent) {
+  if (within(event, "[data-search]", Element)) openSearch();
+  const dialog = within(event, "dialog.search", HTMLDialogElement);
+  if (!dialog) return;
+  if (within(event, ".search-retry", Element)) refresh(dialog);
+  else if (event.target === dialog || within(event, "a, [data-close]", Element)) dialog.close();
+}
+
+/** Show what is found for the words as they are when all is at hand. */
+async function refresh(dialog: HTMLDialogElement) {
+  const failed = one(dialog, ".search-failed", HTMLElement);
+  const status = one(dialog, ".search-status", HTMLElement);
+  const waits = setTimeout(() => setText(status, words("search.fetching")), 300);
+  try {
+    const { show, index } = await fetchResults();
+    show(dialog, index);
+    failed.hidden = true;
+  } catch (error) {
+    setText(status, words("search.failed", { reason: message(error) }));
+    failed.hidden = false;
+  } finally {
+    clearTimeout(waits);
+  }
+}
+
+let fetching: Promise<{
+  show: Results["show"];
+  index: import("../search/results.js").Index;
+}> | null = null;
+
+function fetchResults() {
+  fetching ??= import("../search/results.js")
+    .then(async ({ show, fetchIndex }) => ({ show, index: await fetchIndex() }))
+    .catch((error) => {
+      fetching = null;
+      throw error;
+    });
+  return fetching;
+}
+
+function pressed(event: KeyboardEvent) {
+  const dialog = within(event, "dialog.search", HTMLDialogElement);
+  if (!dialog || event.isComposing) return;
+  const stops = [field(dialog), ...all(dialog, "a[data-result]", HTMLAnchorElement)];
+  const place = stops.findIndex((stop) => stop === document.activeElement);
+  const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+  if (event.key === "Escape") {
+    event.preventDefault(); // a search field would only be emptied
+    dialog.close();
+  } else if (step && place >= 0) {
+    event.preventDefault();
+    stops[Math.min(Math.max(place + step, 0), stops.length - 1)].focus();
+  } else if (event.key === "Enter" && place === 0) {
+    event.preventDefault();
+    stops[1]?.click();
+  } else if (place > 0 && (event.key === "Home" || event.key === "End")) {
+    event.preventDefault();
+    stops[event.key === "Home" ? 1 : stops.length - 1].focus();
+  } else if (place > 0 && isTyped(event)) {
+    stops[0].focus(); // which takes what was typed
+  }
+}
+
+function isTyped({ key, ctrlKey, metaKey, altKey }: KeyboardEvent) {
+  return (key.length === 1 || key === "Backspace") && !ctrlKey && !metaKey && !altKey;
+}
+
+function field(dialog: HTMLDialogElement) {
+  return one(dialog, "input", HTMLInputElement);
+}

@@ -1,0 +1,62 @@
+/** How far the reader has come: of a chapter by the answers on its page, of the book by memory. */
+
+import { all, data, maybe, one } from "../page/dom.js";
+import { recall } from "../page/storage.js";
+import { setText } from "../page/text.js";
+import { words } from "../page/words.js";
+
+type Tally = { right: number; wrong: number; count: number };
+
+/** Tell it where the page has a place for it. */
+export function showProgress() {
+  const section = maybe(document, "section.progress", HTMLElement);
+  if (!section) return;
+  const ofBook = section.dataset.progress === "book";
+  const tally = ofBook ? tallyOfBook(section) : tallyOfPage();
+  setText(one(section, ".progress-count", HTMLElement), inWords(tally));
+  if (!ofBook) listMissed(section);
+}
+
+function inWords({ right, wrong, count }: Tally) {
+  const open = count - right - wrong;
+  const parts = [words("progress.answered", { right, count })];
+  if (wrong > 0) parts.push(words("progress.missed", { count: wrong }));
+  if (open > 0 && open < count) parts.push(words("progress.open", { count: open }));
+  return `${parts.join(", ")}.`;
+}
+
+function tallyOfPage(): Tally {
+  const state = forms().map((form) => form.dataset.answered);
+  const count = (kind: string) => state.filter((each) => each === kind).length;
+  return { right: count("correct"), wrong: count("wrong"), count: state.length };
+}
+
+function tallyOfBook(section: HTMLElement): Tally {
+  const chapters: Record<string, Record<string, string>> = data(section, "script.progress-data");
+  const questions = Object.values(chapters).flatMap(Object.entries);
+  const kept = questions.flatMap(([id, edition]) => {
+    const answer = recall(`quiz:${id}`);
+    return answer?.edition === edition ? [answer] : [];
+  });
+  const right = kept.filter((answer) => answer.right === true).length;
+  return { right, wrong: kept.length - right, count: questions.length };
+}
+
+function listMissed(section: HTMLElement) {
+  const list = one(section, ".missed", HTMLElement);
+  const missed = forms().filter((form) => form.dataset.answered === "wrong");
+  list.hidden = missed.length === 0;
+  list.replaceChildren(
+    ...missed.map((form) => {
+      const [item, link] = [document.createElement("li"), document.createElement("a")];
+      link.href = `#${form.id}`;
+      link.textContent = form.querySelector("legend")?.textContent?.trim() ?? "";
+      item.append(link);
+      return item;
+    }),
+  );
+}
+
+function forms() {
+  return all(document, "form.quiz", HTMLFormElement);
+}

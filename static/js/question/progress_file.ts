@@ -1,0 +1,65 @@
+/**
+ * Answers and guesses as a file: to keep them, or to take them to another device. What is read is
+ * checked as a whole before any of it is kept.
+ */
+
+import { STORAGE } from "../book.js";
+import { download } from "../page/download.js";
+import { kept, remember } from "../page/storage.js";
+import { words } from "../page/words.js";
+
+const FORMAT = `${STORAGE.replace(":", "")}-progress`;
+const VERSION = 1;
+const NAMES = /^(quiz|predict):[a-z0-9]+(-[a-z0-9]+)*$/;
+const LARGEST = 1_000_000;
+
+/** Offer the file; how many answers it has. */
+export function saveProgress(): number {
+  const answers = kept(NAMES);
+  const text = JSON.stringify({ format: FORMAT, version: VERSION, answers }, null, 1);
+  download(`${FORMAT}.json`, text, "application/json");
+  return Object.keys(answers).length;
+}
+
+/**
+ * Keep what the file has; how many answers that are.
+ *
+ * @throws {Error} Where it is no file of answers; nothing of it is kept then.
+ */
+export async function readProgress(file: File): Promise<number> {
+  if (file.size > LARGEST) throw new Error(words("progress.too_large"));
+  const text = await file.text();
+  let content: any;
+  try {
+    content = JSON.parse(text);
+  } catch {
+    throw new Error(words("progress.no_json"));
+  }
+  const answers = Object.entries(checked(content));
+  for (const [name, entry] of answers) remember(name, entry);
+  return answers.length;
+}
+
+function checked(content: any): Record<string, unknown> {
+  if (content?.format !== FORMAT) throw new Error(words("progress.no_answers_file"));
+  if (content.version !== VERSION) {
+    throw new Error(words("progress.version", { version: content.version, legal: VERSION }));
+  }
+  const { answers } = content;
+  if (typeof answers !== "object" || answers === null || Array.isArray(answers)) {
+    throw new Error(words("progress.no_answers"));
+  }
+  for (const [name, entry] of Object.entries<any>(answers)) {
+    const isQuiz = name.startsWith("quiz:");
+    const given = isQuiz ? entry?.answer : entry?.guess;
+    const judged = !isQuiz || typeof entry?.right === "boolean";
+    if (!NAMES.test(name) || typeof entry?.edition !== "string" || !judged || !isGiven(given)) {
+      throw new Error(words("progress.broken", { name: JSON.stringify(name) }));
+    }
+  }
+  return answers;
+}
+
+function isGiven(given: unknown) {
+  return given !== undefined && [given ?? 0].flat().every(Number.isFinite);
+}

@@ -1,0 +1,32 @@
+/** An order that is the reader's own: by chance once, then the same on every visit. */
+
+import { recall, remember } from "../page/storage.js";
+
+/** What this reader's orders come from; where nothing is remembered, as long as the page lasts. */
+let seed = "";
+
+/**
+ * The numbers from 0 to `count` − 1 in the reader's order.
+ *
+ * @param name What is to be put in order.
+ */
+export function shuffled(name: string, count: number) {
+  if (!seed) {
+    const kept = recall("order");
+    seed = typeof kept === "string" ? kept : crypto.getRandomValues(new Uint32Array(2)).join("-");
+    remember("order", seed);
+  }
+  const hashes = Array.from({ length: count }, (_, index) => hash(`${seed}${name} ${index}`));
+  return [...hashes.keys()].sort((one, other) => hashes[one] - hashes[other]);
+}
+
+/**
+ * FNV-1a, which spreads short texts over 32 bits, with the last step of MurmurHash3, which mixes them.
+ */
+function hash(text: string) {
+  let value = 0x811c9dc5;
+  for (const letter of text) value = Math.imul(value ^ letter.charCodeAt(0), 0x01000193);
+  value = Math.imul(value ^ (value >>> 16), 0x85ebca6b);
+  value = Math.imul(value ^ (value >>> 13), 0xc2b2ae35);
+  return (value ^ (value >>> 16)) >>> 0;
+}

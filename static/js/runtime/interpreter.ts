@@ -1,0 +1,96 @@
+/** Starts the Python interpreter, with the simulations imported. */
+
+import { Chunks } from "./chunks.js";
+import { compileFile, preload } from "./machine_code.js";
+import type { StartRequest } from "./messages.js";
+import { SnapshotError, fetchSnapshot, restore } from "./snapshot.js";
+
+const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
+const MACHINE_CODE = "pyodide.asm.wasm";
+const LIBRARY = "python.zip";
+
+/**
+ * Have Python continue from the snapshot that the book ships, or start plainly where that fails.
+ *
+ * @returns `python`: the module `simulations.browser`.
+ * @throws {import("./load_error.js").LoadError}
+ */
+export async function startInterpreter(
+  request: StartRequest,
+): Promise<{ chunks: Chunks; python: any }> {
+  try {
+    return await start(request, !request.fresh);
+  } catch (error) {
+    if (!(error instanceof SnapshotError)) throw error;
+    console.warn(error.cause);
+    return start(request, false);
+  }
+}
+
+/**
+ * All files are fetched at once, each being checked as it arrives.
+ *
+ * @param fromSnapshot Whether to continue from the snapshot, where the book ships one.
+ */
+async function start(request: StartRequest, fromSnapshot: boolean) {
+  const { url, table: hash, scenes, cached = false, fresh = false } = request;
+  const listing = Chunks.listed(url, hash, fresh);
+  const compile = (name: string) => {
+    const integrity = async () => (await listing).table.integrity[name];
+    return compileFile(url + name, integrity, cached, fresh);
+  };
+  const compiling = compile(MACHINE_CODE);
+  compiling.catch(() => {}); // reported below
+  const chunks = await listing;
+  const { table } = chunks;
+  const libraries = Object.entries(table.libraries).map(
+    async ([name, path]) =>
+      [`${table.folder}/${path}`, await compile(name)] as [string, WebAssembly.Module],
+  );
+  const scripts = SCRIPTS.map(async (name) => (await chunks.reply(name)) && import(url + name));
+  const files = Promise.all([Promise.all(scripts), compiling, Promise.all(libraries)]);
+  files.catch(() => {}); // likewise
+  const snapshot = fromSnapshot ? fetchSnapshot(chunks) : null;
+  chunks.hasSnapshot = snapshot !== null;
+  if (!snapshot) chunks.prefetch(chunks.toRun([]));
+  chunks.prefetch(scenes.flatMap((scene) => chunks.toImport(scene)));
+  const library = snapshot ? new Response() : await chunks.reply(LIBRARY);
+  const [[{ loadPyodide }, { default: createPyodideModule }], machineCode, loaded] = await files;
+  answerPyodide({ [url + MACHINE_CODE]: new Response(), [url + LIBRARY]: library }, machineCode);
+  const pyodide = await loadPyodide({
+    indexURL: url,
+    stdLibURL: url + LIBRARY,
+    lockFileContents: JSON.stringify(table.lock),
+    async createPyodideModule(settings: any) {
+      const failed = preload(settings, loaded);
+      const module = await Promise.race([createPyodideModule(settings), failed]);
+      if (snapshot) await restore(module, snapshot);
+      return module;
+    },
+    ...(snapshot ? { _loadSnapshot: new Uint8Array() } : {}),
+  });
+  chunks.pyodide = pyodide;
+  if (snapshot) pyodide.runPython("import random; random.seed()");
+  else await chunks.provide(chunks.toRun([]));
+  const python = pyodide.pyimport("simulations.browser");
+  const fetchNow = (name: string) => chunks.fetchNow(name);
+  python.fetch_missing(JSON.stringify(table.modules), fetchNow, table.folder);
+  return { chunks, python };
+}
+
+/**
+ * Have Pyodide's own requests answered by what has been fetched and compiled.
+ *
+ * @param replies By address.
+ * @param machineCode Of the interpreter.
+ */
+function answerPyodide(replies: Record<string, Response>, machineCode: WebAssembly.Module) {
+  const fetchOther = self.fetch;
+  self.fetch = async (address, options) => {
+    return replies[String(address)] ?? fetchOther(address, options);
+  };
+  WebAssembly.instantiateStreaming = async (_, imports) => {
+    const instance = await WebAssembly.instantiate(machineCode, imports);
+    return { module: machineCode, instance };
+  };
+}

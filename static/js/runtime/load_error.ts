@@ -1,0 +1,74 @@
+/** Files of the runtime that do not arrive, or arrive wrong: which one, and in what way. */
+
+/**
+ * `network`: no answer, or half of one. `status`: an answer that refuses. `page`: a web page in
+ * place of the file, as networks send that ask for a login. `other`: not the file of this book.
+ * `type`: a script under a media type that browsers refuse.
+ */
+export type LoadErrorKind = "network" | "status" | "page" | "other" | "type";
+
+export type LoadErrorData = { kind: LoadErrorKind; file: string; detail: string };
+
+export class LoadError extends Error {
+  /** What the worker sends to the page. */
+  readonly data: LoadErrorData;
+
+  /** @param detail The status, or the type. */
+  constructor(kind: LoadErrorKind, url: string, detail: string = "") {
+    const file = url.slice(url.lastIndexOf("/") + 1);
+    super([file, kind, detail].filter(Boolean).join(" "));
+    this.data = { kind, file, detail };
+  }
+}
+
+/** The browser's own, since the worker answers what Pyodide asks for. */
+const fetchFile = globalThis.fetch;
+
+/**
+ * The reply with a whole file. A damaged copy in the browser's cache is replaced.
+ *
+ * @param integrity Its hash; without one, only evident errors are noticed.
+ * @param caches Cache modes to try in turn.
+ * @throws {LoadError}
+ */
+export async function fetchWhole(
+  url: string,
+  integrity?: string,
+  caches: RequestCache[] = ["default", "reload"],
+): Promise<Response> {
+  for (const cache of caches) {
+    try {
+      return checked(await fetchFile(url, { cache, integrity }));
+    } catch (error) {
+      if (error instanceof LoadError) throw error;
+    }
+  }
+  throw await findLoadError(url);
+}
+
+/**
+ * What is wrong with a file, by what the host sends now.
+ *
+ * @returns Of kind `other` where nothing else is found.
+ */
+export async function findLoadError(url: string): Promise<LoadError> {
+  try {
+    const reply = await fetchFile(url, { cache: "reload" });
+    const start = (await reply.clone().text()).slice(0, 256);
+    if (reply.ok && /^\s*</.test(start)) return new LoadError("page", url);
+    checked(reply);
+    return new LoadError("other", url);
+  } catch (error) {
+    return error instanceof LoadError ? error : new LoadError("network", url);
+  }
+}
+
+/** @throws {LoadError} Where it refuses, or is a script with a media type that browsers refuse. */
+function checked(reply: Response) {
+  if (!reply.ok) throw new LoadError("status", reply.url, String(reply.status));
+  const type = reply.headers.get("content-type") ?? "";
+  if (/\.m?js$/.test(reply.url) && !/javascript|ecmascript/.test(type)) {
+    throw new LoadError(type.startsWith("text/html") ? "page" : "type", reply.url, type);
+  }
+  return reply;
+}

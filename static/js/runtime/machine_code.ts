@@ -1,0 +1,57 @@
+/** Machine code (WebAssembly) of the interpreter and its libraries. */
+
+import { fetchWhole } from "./load_error.js";
+
+/**
+ * Compile a file while it arrives. The browser caches the compiled code with its own copy of the file,
+ * not with the service worker's, which passes on requests for only that copy.
+ *
+ * @param integrity Its hash: asked where the file does not compile.
+ * @param cached Whether the browser may have a copy of its own.
+ * @param fresh Whether that may be damaged.
+ * @throws {import("./load_error.js").LoadError}
+ */
+export async function compileFile(
+  url: string,
+  integrity: () => Promise<string>,
+  cached: boolean,
+  fresh: boolean,
+): Promise<WebAssembly.Module> {
+  const caches: RequestCache[] = fresh ? [] : cached ? ["only-if-cached", "default"] : ["default"];
+  for (const cache of caches) {
+    try {
+      return await WebAssembly.compileStreaming(fetch(url, { cache, mode: "same-origin" }));
+    } catch {
+      // The next way: there is no copy, or it is damaged, or of another media type.
+    }
+  }
+  const file = await fetchWhole(url, await integrity(), ["reload"]);
+  return WebAssembly.compile(await file.arrayBuffer());
+}
+
+/**
+ * Load libraries before Python runs, always in the same order: so each has the same place in the
+ * memory of every interpreter, and a snapshot that refers to it is valid in all of them.
+ *
+ * @param settings Emscripten's, of the interpreter to be created.
+ * @returns Rejects where one cannot be loaded.
+ */
+export function preload(
+  settings: any,
+  libraries: [path: string, module: WebAssembly.Module][],
+): Promise<never> {
+  return new Promise((_, reject) => {
+    const load = async () => {
+      for (const [path, module] of libraries) {
+        const options = { loadAsync: true, nodelete: true };
+        const loaded = await settings.loadWebAssemblyModule(module, options, path, {});
+        settings.preloadedWasm[path] = loaded;
+      }
+      settings.removeRunDependency("libraries");
+    };
+    settings.preRun.unshift(() => {
+      settings.addRunDependency("libraries");
+      load().catch(reject);
+    });
+  });
+}

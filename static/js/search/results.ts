@@ -1,0 +1,96 @@
+/** What is found for the words in the search dialog, as a list of links. */
+
+import { one } from "../page/dom.js";
+import { setText } from "../page/text.js";
+import { words } from "../page/words.js";
+import { excerpt } from "./excerpt.js";
+import { find, language, settings, type Hit, type Language } from "./ranking.js";
+
+/** The sections of the book, and how their words are compared. */
+export interface Index {
+  /** A MiniSearch. */
+  sections: any;
+  language: Language;
+}
+
+/** Links that are shown at once. */
+const MOST = 20;
+
+/** A module that could not be fetched is not asked for again at the same address. */
+let attempts = 0;
+
+/**
+ * The index, opened.
+ *
+ * @throws {Error} Where it, or what opens it, cannot be fetched.
+ */
+export async function fetchIndex(): Promise<Index> {
+  const again = attempts > 0 ? `?again=${attempts}` : "";
+  attempts += 1;
+  const library = (name: string) => import(address("assets", `search/${name}`) + again);
+  const [{ default: MiniSearch }, { stemmer }, reply] = await Promise.all([
+    library("minisearch.js"),
+    library("stemmer.js"),
+    fetch(address("root", "search/index.json"), { cache: "no-cache" }),
+  ]);
+  if (!reply.ok) throw new Error(words("search.index_answered", { status: reply.status }));
+  const compared = language(stemmer, words("search.stop_words"));
+  return {
+    sections: MiniSearch.loadJS(await reply.json(), settings(compared)),
+    language: compared,
+  };
+}
+
+function address(folder: "assets" | "root", path: string) {
+  return new URL((document.body.dataset[folder] ?? "") + path, location.href).href;
+}
+
+/** The words whose results a list shows. */
+const shown: WeakMap<Element, string> = new WeakMap();
+
+/** Show what is found for the words that stand in the dialog now. */
+export function show(dialog: HTMLDialogElement, { sections, language: compared }: Index) {
+  const query = one(dialog, "input", HTMLInputElement).value.trim();
+  const list = one(dialog, ".search-results", HTMLElement);
+  if (shown.get(list) === query) return;
+  shown.set(list, query);
+  const { hits, exact } = find(sections, compared, query);
+  const template = one(dialog, "template", HTMLTemplateElement);
+  list.replaceChildren(...hits.slice(0, MOST).map((hit) => item(template, hit, compared.stem)));
+  list.scrollTop = 0;
+  setText(one(dialog, ".search-status", HTMLElement), summary(query, hits.length, exact));
+  one(dialog, ".search-hint", HTMLElement).hidden = query !== "";
+  one(dialog, ".search-nothing", HTMLElement).hidden = query === "" || hits.length > 0;
+}
+
+function summary(query: string, count: number, exact: boolean) {
+  if (query === "") return "";
+  if (count === 0) return words("search.none", { words: query });
+  const key = exact ? "search.found" : "search.near";
+  return words(count > MOST ? `${key}_best` : key, { count, most: MOST });
+}
+
+function item(template: HTMLTemplateElement, hit: Hit, stem: (word: string) => string) {
+  const copy = template.content.cloneNode(true) as DocumentFragment;
+  one(copy, "a", HTMLAnchorElement).href = address("root", hit.address);
+  setText(one(copy, ".result-chapter", Element), hit.chapter);
+  const title = excerpt(hit.title, hit.matched, stem, Infinity);
+  one(copy, ".result-title", Element).append(...title.map(element));
+  one(copy, ".result-excerpt", Element).append(...said(hit, stem));
+  return copy;
+}
+
+/** An excerpt of that part of the section in which the words were found. */
+function said(hit: Hit, stem: (word: string) => string) {
+  const pieces = excerpt(hit.text, hit.matched, stem);
+  if (pieces.some((piece) => piece.hit)) return pieces.map(element);
+  const other = [hit.figures, hit.questions].map((text) => excerpt(text, hit.matched, stem));
+  const found = other.find((excerpt) => excerpt.some((piece) => piece.hit));
+  return (found ?? pieces).map(element);
+}
+
+function element({ text, hit }: { text: string; hit: boolean }) {
+  const element = document.createElement(hit ? "mark" : "span");
+  element.textContent = text;
+  return element;
+}
