@@ -17,7 +17,7 @@ from site_builder.markdown.chapter import Draft, Survey, parse_chapter, read_cha
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.targets import Targets
-from site_builder.markdown.text.macros import Macros
+from site_builder.markdown.text.math import Macros
 from site_builder.page_model.places import Position, Target, chapter_id
 from site_builder.references.bibliography import Bibliography
 from site_builder.references.glossary import Glossary

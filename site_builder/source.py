@@ -23,7 +23,7 @@ from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.scenes import find_scene
-from site_builder.markdown.text.macros import Macros, faults_of
+from site_builder.markdown.text.math import Macros
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Definition, Meaning, Position, chapter_id
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
@@ -55,7 +55,7 @@ class Outline:
     """File names without ``.md``, each with its line in this file and its place in the book."""
     hero_line: int
     macros: Macros
-    """Those that can be written out."""
+    """Those whose names are legal."""
 
 
 def read_book(
@@ -173,11 +173,12 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
 
 
 def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
-    """Those without a fault; the others are reported."""
-    faults = dict(faults_of(macros))
-    for name, fault in faults.items():
-        problems.add(OUTLINE, toml.line("macros", name), f"macro {name!r} {fault}")
-    return {name: body for name, body in macros.items() if name not in faults}
+    """Those that TeX can name; the others are reported."""
+    sound = {name: body for name, body in macros.items() if re.fullmatch(r"[A-Za-z]+", name)}
+    for name in macros.keys() - sound.keys():
+        message = f"macro {name!r} is no name; legal: letters, without a backslash"
+        problems.add(OUTLINE, toml.line("macros", name), message)
+    return sound
 
 
 def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:

@@ -2,7 +2,7 @@
  * Answers each line of its input, a request as JSON, with a line of its own, until the input ends.
  * Called with the folder of the packages.
  *
- *   {"tex": "…", "display": true}   {"mathml": "…"} or {"error": "…"}
+ *   {"tex": "…", "display": true, "macros": {"\\R": "…"}}   {"mathml": "…"} or {"error": "…"}
  */
 
 import { createRequire } from "node:module";
@@ -27,10 +27,10 @@ const OURS = [
   [/ style=""/g, ""],
 ];
 
-/** @param {{tex: string, display: boolean}} request */
-function answer({ tex, display }) {
+/** @param {{tex: string, display: boolean, macros: Record<string, string>}} request */
+function answer({ tex, display, macros }) {
   try {
-    const mathml = temml.renderToString(tex, { ...OPTIONS, displayMode: display });
+    const mathml = temml.renderToString(tex, { ...OPTIONS, displayMode: display, macros });
     return { mathml: OURS.reduce((text, [found, other]) => text.replaceAll(found, other), mathml) };
   } catch (error) {
     if (error.name !== "ParseError") return { error: "a part of it is missing" };

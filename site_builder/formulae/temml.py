@@ -7,6 +7,7 @@ import atexit
 import json
 import os
 import subprocess
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
@@ -25,13 +26,15 @@ class TexError(ValueError):
     """Temml refuses the formula; the message is its own."""
 
 
-def set_tex(tex: str, *, display: bool) -> str:
-    """A ``<math>`` element. Raises `TexError` and `TemmlError`."""
+def set_tex(tex: str, *, display: bool, macros: Mapping[str, str]) -> str:
+    """A ``<math>`` element; the names of ``macros`` have their backslashes. Raises `TexError` and
+    `TemmlError`."""
     process = _process(os.getpid())
     assert process.stdin
     assert process.stdout
     try:
-        process.stdin.write(f"{json.dumps({'tex': tex, 'display': display})}\n")
+        request = {"tex": tex, "display": display, "macros": dict(macros)}
+        process.stdin.write(f"{json.dumps(request)}\n")
         process.stdin.flush()
         line = process.stdout.readline()
     except OSError:

@@ -14,8 +14,7 @@ from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import UnknownLanguageError, check_language
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
-from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
-from site_builder.markdown.text.shorthand import written_out
+from site_builder.markdown.text.math import Macros, UnsupportedTexError, to_mathml
 from site_builder.markdown.text.tokens import located, plain_text
 from site_builder.page_model.passage import Passage, passage
 from site_builder.page_model.places import Link, chapter_id
@@ -53,15 +52,15 @@ def _set_formula(token: Token, line: int, context: ParseContext) -> None:
         return
     context.formulae.append((line, tex, token.type != "math_inline"))
     try:
-        written = written_out(tex, context.macros)
-        token.meta["mathml"] = _mathml(written.strip(), display=token.type != "math_inline")
+        token.meta["mathml"] = _mathml(token, context.macros)
     except UnsupportedTexError as error:
         context.problem(line, str(error))
 
 
-def _mathml(tex: str, *, display: bool) -> str:
+def _mathml(formula: Token, macros: Macros) -> str:
+    tex, display = formula.content.strip(), formula.type != "math_inline"
     parts = displayed_parts(tex) if display else [tex]
-    return "".join(to_mathml(part, display=display) for part in parts or [tex])
+    return "".join(to_mathml(part, display=display, macros=macros) for part in parts or [tex])
 
 
 def _set_code(token: Token, line: int, context: ParseContext) -> None:

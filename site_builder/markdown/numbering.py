@@ -21,8 +21,6 @@ from site_builder.markdown.parse_context import ParseContext, Place
 from site_builder.markdown.text.tokens import plain_text
 from site_builder.page_model.places import Target
 
-TAG = re.compile(r"\\tag\*?\{([^{}]*)\}")
-TAG_FORM = re.compile(r"[^\s\\$&#^_~%]{1,12}")
 LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
@@ -54,8 +52,6 @@ class _Numbering:
     context: ParseContext
     targets: list[Target] = field(default_factory=list)
     counts: Counter[str] = field(default_factory=Counter)
-    tags: dict[str, int] = field(default_factory=dict)
-    """Those of equations, with their lines."""
 
     def directive(self, directive: Directive[Any] | None, token: Token) -> None:
         if directive is None or directive.numbered is None:
@@ -78,37 +74,18 @@ class _Numbering:
     def equation(self, token: Token, *, inside: bool) -> None:
         """``inside`` of a question or caption it carries no number: it belongs to that."""
         line, label = (token.map or [0])[0] + 1, str(token.info or "")
-        tag = self._tag(token, line)
         if inside:
-            if label or tag:
+            if label:
                 expected = "on a formula of the running text"
                 where = "in a question or caption"
-                what = f"label {label!r}" if label else f"tag {tag!r}"
-                self.context.problem(line, f"{what} {where}; legal: {expected}")
+                self.context.problem(line, f"label {label!r} {where}; legal: {expected}")
             return
         if label:
             name = self._labelled(label, line, "equation")
         else:
             digest = hashlib.sha256("".join(token.content.split()).encode()).hexdigest()
             name = self.context.free_id(f"equation-{digest[:6]}", line)
-        token.meta["target"] = self._count("Equation", name, line, labelled=bool(label), tag=tag)
-
-    def _tag(self, token: Token, line: int) -> str:
-        r"""What stands in ``\tag{…}`` in place of a number; it is taken out of the formula."""
-        found = TAG.search(token.content)
-        if not found:
-            return ""
-        token.content = token.content[: found.start()] + token.content[found.end() :]
-        tag = found[1].strip()
-        if not TAG_FORM.fullmatch(tag) or TAG.search(token.content):
-            expected = "one \\tag, up to 12 letters, digits and marks"
-            self.context.problem(line, f"\\tag{{{found[1]}}}; legal: {expected}")
-            return ""
-        if tag in self.tags:
-            first = self.context.where(self.tags[tag])
-            self.context.problem(line, f"duplicate tag {tag!r}; first used {first}")
-        self.tags.setdefault(tag, line)
-        return tag
+        token.meta["target"] = self._count("Equation", name, line, labelled=bool(label))
 
     def heading(self, tokens: Sequence[Token]) -> None:
         opening, inline, closing = tokens
@@ -126,10 +103,9 @@ class _Numbering:
             self.context.problem(line, f"label {label!r}; legal: {expected}")
         return self.context.take_id(label, line, kind)
 
-    def _count(self, kind: str, name: str, line: int, *, labelled: bool, tag: str = "") -> Target:
-        """``tag`` in place of the next number."""
-        self.counts[kind] += not tag
-        number = tag or f"{self.context.position.mark}.{self.counts[kind]}"
+    def _count(self, kind: str, name: str, line: int, *, labelled: bool) -> Target:
+        self.counts[kind] += 1
+        number = f"{self.context.position.mark}.{self.counts[kind]}"
         label = self.context.words.label(kind)
         said = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
         target = Target(kind, self.chapter, name, number, "", line, labelled, said)

@@ -13,7 +13,7 @@ from site_builder.benchmarks.readouts import Readouts
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.targets import Targets
-from site_builder.markdown.text.macros import Macros
+from site_builder.markdown.text.math import Macros
 from site_builder.page_model.places import (
     Citation,
     Heading,

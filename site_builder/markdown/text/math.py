@@ -1,6 +1,7 @@
 """TeX to MathML, at build time. What Temml cannot set is an error, never garbled output."""
 
 import re
+from collections.abc import Mapping
 
 from simulations.engine import frame
 from site_builder.cache import cached
@@ -10,29 +11,36 @@ from site_builder.formulae.temml import LOCK, PROGRAM, TexError, set_tex
 
 COLOURS = (*frame.ROLES[1:], "muted")
 """Colours of ideas, and of what steps back; frames also know the empty role."""
+INSTEAD = {"tag": "a label behind the formula", "qty": r"'\pu{1.5 m}'"}
+"""Commands of Temml with no meaning, or another than is likely meant; what is legal instead."""
 EMPTY = r"a formula that shows nothing; legal: '$…$' around one, or '\$' for the sign itself"
 UNKNOWN = re.compile(r"(?:Unsupported function name|Undefined control sequence): (\\\w+|\S+)")
+
+
+type Macros = Mapping[str, str]
+"""TeX commands of the book's own, without their backslashes, and what each stands for."""
+NO_MACROS: Macros = {}
 
 
 class UnsupportedTexError(ValueError):
     """The formula cannot be set; the message says which part of it."""
 
 
-def to_mathml(tex: str, *, display: bool) -> str:
+def to_mathml(tex: str, *, display: bool, macros: Macros = NO_MACROS) -> str:
     """A ``<math>`` element. Raises `UnsupportedTexError`."""
-    return _to_mathml(tex, display, (file_hash(LOCK), file_hash(PROGRAM)))
+    return _to_mathml(tex, display, macros, (file_hash(LOCK), file_hash(PROGRAM)))
 
 
 @cached
-def _to_mathml(tex: str, display: bool, _temml: object) -> str:
+def _to_mathml(tex: str, display: bool, macros: Macros, _temml: object) -> str:
     if not tex.strip():
         raise UnsupportedTexError(EMPTY)
-    written = re.sub(r"\\role\{([\w-]*)\}", _role, tex)
-    written = re.sub(r"\\bm\b", r"\\boldsymbol", written)
-    # To TeX the rest of the line would be a comment.
-    written = re.sub(r"\\.|%", lambda sign: r"\%" if sign[0] == "%" else sign[0], written)
+    for name, legal in INSTEAD.items():
+        if re.search(rf"\\{name}(?![A-Za-z])", tex):
+            raise UnsupportedTexError(rf"\{name} in {quoted(tex)}; legal: {legal}")
+    bodies = {f"\\{name}": _for_temml(body) for name, body in macros.items()}
     try:
-        mathml = set_tex(written, display=display)
+        mathml = set_tex(_for_temml(tex), display=display, macros=bodies)
     except TexError as error:
         raise UnsupportedTexError(_in_words(str(error), tex)) from error
     if not re.search(r">[^<\s]", mathml):
@@ -43,6 +51,13 @@ def _to_mathml(tex: str, display: bool, _temml: object) -> str:
 def quoted(tex: str) -> str:
     r"""TeX as its author wrote it, on one line: ``'\frac{a}{b}'``, its backslashes single."""
     return f"'{' '.join(tex.split())}'"
+
+
+def _for_temml(tex: str) -> str:
+    """With its colours as classes; ``%``, which begins a comment in TeX, is a percent sign."""
+    written = re.sub(r"\\role\{([\w-]*)\}", _role, tex)
+    written = re.sub(r"\\bm\b", r"\\boldsymbol", written)
+    return re.sub(r"\\.|%", lambda sign: r"\%" if sign[0] == "%" else sign[0], written)
 
 
 def _role(match: re.Match[str]) -> str:
