@@ -1,7 +1,6 @@
 """The two shapes that spectra are made of, against SciPy."""
 
 import numpy as np
-import pytest
 from scipy.interpolate import CubicSpline
 
 from simulations.models.color import spectra
@@ -15,14 +14,6 @@ def test_a_bell_is_half_as_high_at_the_root_of_2_ln_2_deviations() -> None:
     np.testing.assert_allclose(heights, [0.5, 1.0, 0.5])
 
 
-def test_bells_add_up() -> None:
-    one, other = (2.0, 450.0, 10.0, 20.0), (-0.5, 600.0, 30.0, 5.0)
-    together = spectra.bells(GRID, (one, other))
-    np.testing.assert_allclose(
-        together, spectra.bells(GRID, (one,)) + spectra.bells(GRID, (other,))
-    )
-
-
 def test_the_curve_through_knots_is_scipys_natural_spline() -> None:
     values = np.random.default_rng(1).random((3, 17))
     knots = np.linspace(380, 780, 17)
@@ -32,10 +23,3 @@ def test_the_curve_through_knots_is_scipys_natural_spline() -> None:
 
 def test_a_straight_line_of_three_knots_stays_straight() -> None:
     np.testing.assert_allclose(spectra.through_knots([0.0, 0.5, 1.0]), np.linspace(0, 1, 81))
-
-
-@pytest.mark.parametrize("widths", [(0.0, 5.0), (5.0, -1.0), (np.inf, np.inf), (np.nan, 5.0)])
-def test_a_bell_without_a_width_is_refused(widths: tuple[float, float]) -> None:
-    with pytest.raises(ValueError, match=r"width_nm .*; legal: above 0, finite"):
-        spectra.bell(GRID, 500.0, *widths)
-    assert spectra.bell(500.0, 500.0, 0.5, 0.5) == 1.0

@@ -2,19 +2,8 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from simulations.models.color import srgb
-
-
-def test_linear_0_693_is_code_217() -> None:
-    assert round(255 * float(srgb.encode_srgb(0.693))) == 217
-
-
-@given(st.floats(-2, 2))
-def test_decoding_undoes_encoding(linear: float) -> None:
-    assert srgb.decode_srgb(srgb.encode_srgb(linear)) == pytest.approx(linear, abs=1e-12)
 
 
 def test_the_table_is_within_half_an_entry_of_the_steepest_part() -> None:
@@ -38,20 +27,6 @@ def test_the_table_takes_nan_as_black_and_clips() -> None:
 def test_the_curve_has_the_values_of_the_standard(linear: float, encoded: float) -> None:
     assert srgb.encode_srgb([linear, -linear]) == pytest.approx([encoded, -encoded], abs=1e-6)
     assert srgb.decode_srgb([encoded, -encoded]) == pytest.approx([linear, -linear], abs=1e-6)
-
-
-def test_the_curve_does_not_break_where_its_pieces_meet() -> None:
-    """The line ends at 0.0031308; the standard's two pieces differ there by 3e-8 at most."""
-    around = np.array([0.0031308 * (1 - 1e-9), 0.0031308 * (1 + 1e-9)])
-    assert np.diff(srgb.encode_srgb(around))[0] == pytest.approx(0, abs=3e-8)
-    assert np.diff(srgb.decode_srgb(np.array([0.04045, 0.04045 + 1e-9]))) == pytest.approx(
-        0, abs=1e-8
-    )
-
-
-def test_single_precision_stays_and_whole_numbers_become_double() -> None:
-    assert srgb.decode_srgb(np.array([0.1], np.float32)).dtype == np.float32
-    assert srgb.encode_srgb([1]).dtype == np.float64
 
 
 def test_the_ends_of_the_straight_piece_belong_to_it_and_what_is_beyond_to_the_curve() -> None:

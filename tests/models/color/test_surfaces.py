@@ -13,10 +13,6 @@ from simulations.models.color.spectra import WAVELENGTHS_NM as GRID
 D65 = illuminants.daylight(illuminants.D65_K)
 
 
-def fitted_xy(light: Floats) -> Floats:
-    return xyz_to_xyy(observer.tristimulus(light, light))[:2]
-
-
 def test_the_chart_is_within_a_third_delta_e_of_its_measurements() -> None:
     names = {"sky": "blue sky", "white": "white 9.5 (.05 D)"}
     measured = oracle.SDS_COLOURCHECKERS["ColorChecker N Ohta"]
@@ -62,7 +58,7 @@ def test_twins_are_surfaces_and_go_as_far_as_they_can(patches: Floats) -> None:
 
 def test_twins_part_in_another_light(patches: Floats) -> None:
     tube = illuminants.fluorescent()
-    white = fitted_xy(tube)
+    white = xyz_to_xyy(observer.tristimulus(tube, tube))[:2]
     twins = surfaces.metameric_twins(patches, D65)
     ours, theirs = (
         xyz_to_lab(observer.tristimulus(each * tube, tube), white) for each in (patches, twins)
