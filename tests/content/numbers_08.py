@@ -17,15 +17,16 @@ from simulations.models.lens.thin_lens import (
     principal_distance_mm,
 )
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
-from simulations.scenes.camera import scene as camera
-from simulations.scenes.camera.lens import (
+from simulations.scenes._still_life_camera.picture import SHARP_PX
+from simulations.scenes._still_life_camera.rays import (
     COLUMNS,
     ROWS,
-    bend_rays,
     largest_blur_px,
     sensor_rays,
 )
-from simulations.scenes.camera.stages import SHARP_PX, TIERS
+from simulations.scenes.camera import scene as camera
+from simulations.scenes.camera.lens import bend_rays
+from simulations.scenes.camera.stages import TIERS
 from simulations.scenes.depth_of_field.sharpness import sharpness
 
 CHAPTER = "08-full-camera-model"

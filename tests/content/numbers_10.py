@@ -19,8 +19,8 @@ from simulations.models.distortion.lens_model import (
 )
 from simulations.models.light.raycasting import Sphere
 from simulations.pictures.still_life.things import THINGS, thing_depth
+from simulations.scenes._still_life_camera.rays import PITCH_MM
 from simulations.scenes.camera import scene as camera
-from simulations.scenes.camera.lens import PITCH_MM
 
 CHAPTER = "10-speed-and-accuracy"
 

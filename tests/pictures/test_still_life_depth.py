@@ -6,7 +6,7 @@ import pytest
 from simulations.pictures.still_life.depth import depth_met
 from simulations.pictures.still_life.surfaces import surfaces
 from simulations.pictures.still_life.things import view
-from simulations.scenes.camera.lens import COLUMNS, ROWS, sensor_rays
+from simulations.scenes._still_life_camera.rays import COLUMNS, ROWS, sensor_rays
 
 
 @pytest.mark.parametrize("focal_mm", [24.0, 85.0])

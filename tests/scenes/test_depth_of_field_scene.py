@@ -15,8 +15,8 @@ from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.depth_of_field import Layer
 from simulations.pictures.still_life.light import LitScene
-from simulations.scenes.camera.lens import PITCH_MM
-from simulations.scenes.camera.stages import through_lens
+from simulations.scenes._still_life_camera.picture import through_lens
+from simulations.scenes._still_life_camera.rays import PITCH_MM
 from simulations.scenes.depth_of_field.scene import (
     LARGEST_DRAWN_PX,
     SCENE,

@@ -6,7 +6,7 @@ The focus stays on what it was on. The sliders say where lens and focus were bef
 from dataclasses import replace
 
 from simulations.pictures.still_life.things import THINGS, thing_depth
-from simulations.scenes.camera.lens import principal_mm
+from simulations.scenes._still_life_camera.rays import principal_mm
 from simulations.scenes.camera.settings import Settings
 
 KEPT_M = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))

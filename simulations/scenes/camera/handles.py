@@ -16,13 +16,13 @@ from simulations.models.distortion.lens_model import (
     undistort_clamped,
 )
 from simulations.pictures.still_life.depth import depth_met
-from simulations.scenes.camera.dolly import after_step, focal_before_step
-from simulations.scenes.camera.lens import (
+from simulations.scenes._still_life_camera.rays import (
     SENSOR_HEIGHT_MM,
     SENSOR_WIDTH_MM,
-    half_view_tangent,
     principal_mm,
 )
+from simulations.scenes.camera.dolly import after_step, focal_before_step
+from simulations.scenes.camera.lens import half_view_tangent
 from simulations.scenes.camera.plan import (
     PLAN_HEIGHT,
     PLAN_WIDTH,

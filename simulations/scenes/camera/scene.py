@@ -13,31 +13,22 @@ from simulations.engine.stages import Outputs
 from simulations.models.error_measures import decibels
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
-from simulations.scenes.camera.dolly import after_step
-from simulations.scenes.camera.handles import HANDLES
-from simulations.scenes.camera.lens import (
+from simulations.scenes._still_life_camera.picture import SCALED, drawing_of, through_lens
+from simulations.scenes._still_life_camera.rays import (
     COLUMNS,
     PITCH_MM,
     ROWS,
-    bend_rays,
-    half_view_tangent,
     largest_blur_px,
-    margin_px,
     principal_mm,
     sensor_rays,
-    widest_barrel,
 )
+from simulations.scenes.camera.dolly import after_step
+from simulations.scenes.camera.handles import HANDLES
+from simulations.scenes.camera.lens import bend_rays, half_view_tangent, margin_px, widest_barrel
 from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, Standing, draw_plan
 from simulations.scenes.camera.sensor import develop_ideal, expose, shutter_s, vignette
 from simulations.scenes.camera.settings import STRONGEST_BARREL, Settings
-from simulations.scenes.camera.stages import (
-    BOWED,
-    SCALED,
-    STAGES,
-    TIERS,
-    drawing_of,
-    through_lens,
-)
+from simulations.scenes.camera.stages import BOWED, STAGES, TIERS
 
 REFERENCE_GRID = 7
 """Points across the lens of the picture that errors are measured against: 37 in all."""

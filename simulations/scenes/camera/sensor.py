@@ -14,7 +14,7 @@ from simulations.models.lens import thin_lens
 from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.models.pixel_grid import centred
 from simulations.models.sensor import photon_counting
-from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, principal_mm
+from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS, principal_mm
 
 FULL_WELL_E = 10_000.0
 BLACK_DN = 512.0

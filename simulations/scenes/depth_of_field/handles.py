@@ -7,7 +7,11 @@ from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.pictures.still_life.depth import depth_met
-from simulations.scenes.camera.lens import SENSOR_HEIGHT_MM, SENSOR_WIDTH_MM, principal_mm
+from simulations.scenes._still_life_camera.rays import (
+    SENSOR_HEIGHT_MM,
+    SENSOR_WIDTH_MM,
+    principal_mm,
+)
 from simulations.scenes.depth_of_field.drawing import (
     AXIS_Y,
     HEIGHT,

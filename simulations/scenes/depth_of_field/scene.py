@@ -17,8 +17,8 @@ from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
-from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS
-from simulations.scenes.camera.stages import SCALED, drawing_of
+from simulations.scenes._still_life_camera.picture import SCALED, drawing_of
+from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS
 from simulations.scenes.depth_of_field import drawing
 from simulations.scenes.depth_of_field.handles import HANDLES
 from simulations.scenes.depth_of_field.settings import Settings, has_image

@@ -6,7 +6,7 @@ import numpy as np
 
 from simulations.models.lens import thin_lens
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
-from simulations.scenes.camera.lens import PITCH_MM
+from simulations.scenes._still_life_camera.rays import PITCH_MM
 
 NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
 """The red ball in front and the wall behind: the two ends of the still life."""

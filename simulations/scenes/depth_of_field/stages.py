@@ -1,12 +1,11 @@
-"""The blur of the depth-of-field figure: one picture, and as many ways as there are tiers to it.
+"""The stages of the depth-of-field figure: one picture, blurred in the way of each tier.
 
-The still life and its light are the camera simulator's; its sensor is left out, so that nothing
-but the lens can soften the picture.
+The still life and its light are those of the camera simulator. There is no sensor, so that only
+the lens softens the picture.
 """
 
 import math
 from collections.abc import Callable, Container, Iterator, Mapping
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -23,24 +22,39 @@ from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.depth_of_field import blur_by_depth
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life.light import LitScene
-from simulations.scenes.camera import stages as camera_stages
-from simulations.scenes.camera.lens import Rays, blur_px, largest_blur_px
-from simulations.scenes.camera.stages import SCALED, enlarge, in_focus, overlay, through_lens
+from simulations.scenes._still_life_camera.picture import (
+    SCALED,
+    defocus,
+    enlarge,
+    find_surfaces,
+    in_focus,
+    light_surfaces,
+    mean_through_lens,
+    overlay,
+    through_lens,
+)
+from simulations.scenes._still_life_camera.rays import (
+    Rays,
+    blur_px,
+    largest_blur_px,
+    pinhole_rays,
+)
 
 TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
-"""Rungs of the ladder `depth-of-field`; its random rays are left out, and 64 would take seconds."""
+"""Rungs of the ladder `depth-of-field`, without its random rays and without 64 rays, which would
+take seconds."""
 COARSE = "coarse"
 """The draft of a moving focal length: a ray for four pixels."""
 LAYERED = ("layered", COARSE, SCALED)
-"""Those that blur each layer by itself."""
+"""Tiers that blur each layer by itself."""
 FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
     "discs": lambda sharp, radius, _depth: blur_by_depth(sharp, radius),
     "binned": lambda sharp, radius, _depth: binned_gaussian(sharp, radius),
     "gather": gather_discs,
 }
-"""Those that blur a finished picture (3, H, W), by the radius (H, W) of its discs and its depth."""
+"""Tiers that blur a finished picture (3, H, W), by its radii of discs and its depths (H, W)."""
 SPIRALS: Mapping[str, Floats] = {"fibonacci-16": fibonacci_disc(16)}
-"""Those that look through points (n, 2) spread over the lens."""
+"""Tiers that send rays through points (n, 2) spread over the lens."""
 LIGHT_ANGLE_DEG = 40.0
 FIXED: Mapping[str, Value] = {
     "light_angle": LIGHT_ANGLE_DEG,
@@ -54,7 +68,7 @@ FEWEST_ACROSS, MOST_ACROSS = 7, 15
 
 
 def widest_px(focal_length: float, aperture: float, focus: float) -> float:
-    """The widest disc in the picture of this lens, which keeps straight lines straight."""
+    """The widest disc in the picture of this lens, which has no distortion."""
     return largest_blur_px(focal_length, aperture, focus, k1=0.0)
 
 
@@ -79,7 +93,7 @@ def _overlay(lit: LitScene, enlarged: float, reduction: int) -> Planes:
 def _filter(
     sharp: Planes, lit: LitScene, focal_length: float, aperture: float, focus: float, tier: str
 ) -> Planes:
-    """The finished picture, blurred by what the depth of each pixel deserves."""
+    """The finished picture, each pixel blurred according to its depth."""
     depth = depth_of(lit)
     return FILTERS[tier](sharp, blur_px(focal_length, aperture, focus, depth) / 2, depth)
 
@@ -88,12 +102,7 @@ def _rays(
     rays: Rays, light_angle: float, focal_length: float, aperture: float, focus: float, tier: str
 ) -> Planes:
     """The mean of pictures through points spread over the lens."""
-    points = SPIRALS[tier]
-    setting = (light_angle, focal_length, aperture, focus)
-    total = np.zeros((3, *rays.valid.shape), np.float32)
-    for right, down in points.tolist():
-        total += through_lens(rays, (right, down), *setting)
-    return np.asarray(total / np.float32(len(points)), np.float32)
+    return mean_through_lens(rays, SPIRALS[tier], light_angle, focal_length, aperture, focus)
 
 
 def encode(light: Planes) -> Raster:
@@ -107,19 +116,21 @@ def _unless(tiers: Container[str], otherwise: str, tier: str) -> str:
 
 
 def _unless_sharp(tiers: Container[str], otherwise: str, largest_blur: float, tier: str) -> str:
-    """Why a blur of ``tiers`` would change nothing; rays do without it, however narrow the lens."""
+    """Why a blur of ``tiers`` would change nothing. Rays through the lens are sent at any blur."""
     return in_focus(largest_blur) or _unless(tiers, otherwise, tier)
 
 
-CAMERA = {stage.name: stage for stage in camera_stages.STAGES}
 STAGES = (
-    CAMERA["pinhole rays"],
-    replace(CAMERA["surfaces"], after=("pinhole rays",)),
-    CAMERA["light"],
-    replace(
-        CAMERA["defocus"], neutral=partial(_unless_sharp, LAYERED, "no layer is blurred by itself")
+    Stage("pinhole rays", pinhole_rays),
+    Stage("surfaces", find_surfaces, ("pinhole rays",)),
+    Stage("light", light_surfaces, ("surfaces",)),
+    Stage(
+        "defocus",
+        defocus,
+        ("light",),
+        partial(_unless_sharp, LAYERED, "no layer is blurred by itself"),
     ),
-    replace(CAMERA["overlay"], compute=_overlay),
+    Stage("overlay", _overlay, ("defocus",)),
     Stage(
         "filter",
         _filter,
@@ -140,9 +151,9 @@ STAGES = (
 def judge(
     picture: Raster, rays: Rays, focal_length: float, aperture: float, focus: float
 ) -> Iterator[Readout]:
-    """RMS against a picture whose every pixel looks through the whole lens, one ray more each step.
+    """RMS error against rays through the whole lens, after each ray per pixel.
 
-    The rays stand on a grid that no tier uses, the finer the wider the widest disc.
+    The rays form a grid that no tier uses; the wider the widest disc, the finer the grid.
     """
     shown = picture[..., :3].astype(np.float32)
     across = math.ceil(1.5 * widest_px(focal_length, aperture, focus))

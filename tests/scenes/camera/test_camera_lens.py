@@ -12,8 +12,10 @@ from simulations.engine.stages import Outputs, Run, StageCache
 from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
 from simulations.models.sampling.cubic_warp import warp
 from simulations.pictures.still_life import things as still_life
+from simulations.scenes._still_life_camera import rays as camera_rays
+from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS, Rays
 from simulations.scenes.camera import lens as camera_lens
-from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, LensMap, Rays
+from simulations.scenes.camera.lens import LensMap
 from simulations.scenes.camera.scene import SCENE
 
 FOCAL_MM = st.integers(24, 135)
@@ -25,7 +27,7 @@ FOLDS = [(24.0, -0.4), (24.0, -0.2), (30.0, -0.3), (33.0, -0.4)]
 
 
 def rays_of(focal_length: float, k1: float, focus: float = FOCUS_M) -> Rays:
-    return camera_lens.bend_rays(camera_lens.sensor_rays(focal_length, focus), k1)
+    return camera_lens.bend_rays(camera_rays.sensor_rays(focal_length, focus), k1)
 
 
 def sensor_mm(focal_length: float, focus: float = FOCUS_M) -> float:
@@ -36,7 +38,7 @@ def lens_map_of(
     focal_length: float, k1: float, focus: float = FOCUS_M
 ) -> tuple[LensMap, tuple[int, ...]]:
     margin = camera_lens.margin_px(focal_length, focus, k1)
-    straight = camera_lens.pinhole_rays(focal_length, focus, 1, *margin)
+    straight = camera_rays.pinhole_rays(focal_length, focus, 1, *margin)
     return camera_lens.lens_map(straight, focal_length, focus, k1, 1), straight.valid.shape
 
 
@@ -66,7 +68,7 @@ def test_the_margin_is_no_wider_than_its_next_step(
 ) -> None:
     """A straight picture is as wide as its farthest ray, to a step."""
     principal = sensor_mm(focal_length, focus)
-    reach = camera_lens.ideal_reach(principal, k1)
+    reach = camera_rays.ideal_reach(principal, k1)
     margins = camera_lens.margin_px(focal_length, focus, k1)
     for margin, far, size in zip(margins, reach, (COLUMNS, ROWS), strict=True):
         needed = far * principal / PITCH_MM - size / 2 + camera_lens.WARP_REACH_PX
@@ -88,7 +90,7 @@ def test_a_thin_lens_sends_each_ray_that_is_looked_along_to_its_pixel(
     """Rays as `through_lens` casts them, traced on through the lens to a sensor in focus."""
     radius = focal_length / aperture / 2000
     place = np.array(at) * radius
-    straight = camera_lens.sensor_rays(focal_length, focus)
+    straight = camera_rays.sensor_rays(focal_length, focus)
     seen = still_life.view_through(straight.directions, straight.valid, (place[0], place[1]), focus)
     into_camera = still_life.WORLD_TO_CAMERA[:3, :3]
     start = into_camera @ (np.array(seen.eye) - still_life.EYE)
@@ -111,7 +113,7 @@ def test_the_reach_is_that_of_the_farthest_ray(focal_length: float, k1: float) -
     """Against all rays of the sensor, which stop half a pixel short of its edge."""
     rays = rays_of(focal_length, k1)
     seen = np.abs(rays.directions[rays.valid][:, :2]).max(axis=0)
-    reach = np.array(camera_lens.ideal_reach(sensor_mm(focal_length), k1))
+    reach = np.array(camera_rays.ideal_reach(sensor_mm(focal_length), k1))
     assert (seen <= reach).all()
     corner = math.hypot(18, 12) / sensor_mm(focal_length)
     folded = largest_distorted_radius(Distortion(k1=k1)) < corner
@@ -125,7 +127,7 @@ def test_no_ray_meets_the_floor_before_the_nearest_depth(focal_length: float, k1
     floor = falling < 0
     nearest = (-still_life.EYE[2] / falling[floor & rays.valid]).min()
     things = min(still_life.thing_depth(thing) for thing in still_life.THINGS)
-    depth = camera_lens.nearest_depth(sensor_mm(focal_length), k1)
+    depth = camera_rays.nearest_depth(sensor_mm(focal_length), k1)
     assert depth <= min(nearest, things)
     assert depth == pytest.approx(min(nearest, things), rel=0.06)
 

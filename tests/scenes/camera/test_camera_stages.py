@@ -8,8 +8,8 @@ from support.frames import computed_in, frame_of, outputs_of
 
 from simulations.engine.controls import Value
 from simulations.engine.stages import Outputs, StageCache
+from simulations.scenes._still_life_camera.picture import SHARP_PX
 from simulations.scenes.camera.scene import SCENE, blur_of, references, rms_codes
-from simulations.scenes.camera.stages import SHARP_PX
 
 type Setting = dict[str, Value]
 LAST = ("quantisation", "sRGB", "noiseless picture")

@@ -12,8 +12,8 @@ from simulations.engine.controls import Value
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
 from simulations.pictures.still_life import things as still_life
+from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS, principal_mm
 from simulations.scenes.camera.dolly import KEPT_M, after_step, focal_before_step
-from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, principal_mm
 from simulations.scenes.camera.scene import SCENE, view_of
 
 outputs = partial(outputs_of, SCENE, "layers")
