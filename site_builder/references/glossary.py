@@ -8,18 +8,19 @@ counts as a use in the text; left out, all its names do, and their plurals.
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import groupby
 from pathlib import Path
 
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.languages.words import ENGLISH, Words
+from site_builder.settings.declared import Reader, key
+from site_builder.settings.kinds import TEXT, texts
 from site_builder.source_text import read_toml
 
 FILE = "content/glossary.toml"
-TEXTS = ("says", "explained")
-LISTS = ("also", "related", "words")
+NAMES = texts('["one", "another"]')
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,13 +28,13 @@ class Term:
     """One entry."""
 
     name: str
-    says: str
+    says: str = key(TEXT)
     """Its definition, as Markdown."""
-    explained: str
+    explained: str = key(TEXT)
     """The section that explains it, as its author names it."""
-    also: tuple[str, ...] = ()
-    related: tuple[str, ...] = ()
-    words: tuple[str, ...] = ()
+    also: tuple[str, ...] = key(NAMES, default=())
+    related: tuple[str, ...] = key(NAMES, default=())
+    words: tuple[str, ...] = key(NAMES, default=())
     line: int = 1
     endings: tuple[str, ...] = ("s", "es")
     """Of plurals, in the language of the book."""
@@ -110,40 +111,19 @@ def _first(form: str) -> str:
 
 def read_glossary(root: Path, problems: Diagnostics, words: Words = ENGLISH) -> Glossary:
     """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
-    if not (root / FILE).is_file():
+    toml = read_toml(root, FILE, problems) if (root / FILE).is_file() else None
+    if toml is None:
         return EMPTY
-    read = read_toml(root, FILE, problems)
-    if read is None:
-        return EMPTY
+    reader = Reader(FILE, toml, problems)
     endings = tuple(words("language.plural_endings").split())
     terms = [
-        replace(_term(name, entry, read.line(name), problems), endings=endings)
-        for name, entry in read.table.items()
+        reader.table(Term, entry, (name,), name=name, line=toml.line(name), endings=endings)
+        for name, entry in toml.table.items()
     ]
     terms.sort(key=lambda term: term.name.casefold())
     glossary = Glossary({term.name: term for term in terms})
     _check_names(glossary, problems)
     return glossary
-
-
-def _term(name: str, table: object, line: int, problems: Diagnostics) -> Term:
-    given = table if isinstance(table, dict) else {}
-    for key in given:
-        if key not in (*TEXTS, *LISTS):
-            problems.add(FILE, line, unknown(f"key of {name!r}", key, (*TEXTS, *LISTS)))
-    texts, lists = {}, {}
-    for key in TEXTS:
-        texts[key] = value = given.get(key, "")
-        if not (isinstance(value, str) and value.strip()):
-            problems.add(FILE, line, f'{name!r} has no {key!r}; legal: {key} = "some text"')
-            texts[key] = ""
-    for key in LISTS:
-        value = given.get(key, [])
-        if not (isinstance(value, list) and all(isinstance(item, str) and item for item in value)):
-            problems.add(FILE, line, f'{key!r} of {name!r}; legal: ["one", "another"]')
-            value = []
-        lists[key] = tuple(value)
-    return Term(name, texts["says"].strip(), texts["explained"], **lists, line=line)
 
 
 def _check_names(glossary: Glossary, problems: Diagnostics) -> None:

@@ -1,4 +1,4 @@
-"""Keys of a TOML table, declared as the fields of a frozen dataclass; tables read by them."""
+"""Keys of a TOML table, declared as fields of a frozen dataclass; tables read by them."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, dataclass, field, fields
@@ -6,7 +6,7 @@ from typing import Any
 
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.settings.kinds import Kind
-from site_builder.source_text import Toml
+from site_builder.source_text import Keys, Toml
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class Key:
         return self.default is MISSING
 
 
-def key(kind: Kind, doc: str, default: Any = MISSING, *, without: str = "") -> Any:
+def key(kind: Kind, doc: str = "", default: Any = MISSING, *, without: str = "") -> Any:
     """A field of a table's class; required where it has no default."""
     return field(default=default, metadata={"kind": kind, "doc": doc, "without": without})
 
@@ -35,7 +35,8 @@ def key(kind: Kind, doc: str, default: Any = MISSING, *, without: str = "") -> A
 def keys_of(table: type[Any]) -> Iterator[Key]:
     """The keys of a table, in their order."""
     for item in fields(table):
-        yield Key(name=item.name, default=item.default, **item.metadata)
+        if item.metadata:
+            yield Key(name=item.name, default=item.default, **item.metadata)
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,20 +47,21 @@ class Reader:
     toml: Toml
     problems: Diagnostics
 
-    def table[T](self, of: type[T], values: Mapping[str, object], at: tuple[str, ...] = ()) -> T:
-        """The table at the keys ``at``, with defaults for what is left out or wrong."""
+    def table[T](self, of: type[T], values: object, at: Keys = (), **others: object) -> T:
+        """The table at the keys ``at``, with defaults for what is left out or wrong. ``others`` are
+        the fields of the class that are no keys."""
+        given = values if isinstance(values, dict) else {}
         declared = {item.name: item for item in keys_of(of)}
-        for name in values:
+        for name in given:
             if name not in declared:
-                where = f" of [{'.'.join(at)}]" if at else ""
-                self.report((*at, name), unknown(f"key{where}", name, declared))
-        read = {name: self._value(item, values, at) for name, item in declared.items()}
-        return of(**{name: value for name, value in read.items() if value is not MISSING})
+                self.report((*at, name), unknown(f"key{_inside(at)}", name, declared))
+        read = {name: self._value(item, given, at) for name, item in declared.items()}
+        return of(**others, **{name: each for name, each in read.items() if each is not MISSING})
 
-    def report(self, at: tuple[str, ...], message: str) -> None:
+    def report(self, at: Keys, message: str) -> None:
         self.problems.add(self.path, self.toml.line(*at), message)
 
-    def _value(self, item: Key, values: Mapping[str, object], at: tuple[str, ...]) -> Any:
+    def _value(self, item: Key, values: Mapping[str, object], at: Keys) -> Any:
         given, place = values.get(item.name, MISSING), (*at, item.name)
         if given is MISSING and not item.required:
             return MISSING
@@ -68,11 +70,21 @@ class Reader:
         except ValueError:
             expected = item.kind.expected
             if item.required and (given is MISSING or not given):
-                self.report(place, f"no {item.name!r}; legal: {item.name} = {expected}")
+                self.report(
+                    place, f"no {item.name!r}{_inside(at)}; legal: {item.name} = {expected}"
+                )
             else:
-                self.report(place, f"{'.'.join(place)} is {_toml(given)}; legal: {expected}")
+                self.report(place, f"{_dotted(place)} is {_toml(given)}; legal: {expected}")
             return MISSING if not item.required else () if isinstance(given, list) else ""
         return self.table(item.kind.table, value, place) if item.kind.table else value
+
+
+def _dotted(keys: Keys) -> str:
+    return ".".join(name for name in keys if isinstance(name, str))
+
+
+def _inside(at: Keys) -> str:
+    return f" of [{_dotted(at)}]" if at else ""
 
 
 def _toml(value: object) -> str:

@@ -1,8 +1,9 @@
-"""Kinds of values in ``book.toml``: what is legal, how it is read, and its JSON schema."""
+"""Kinds of values in the author's TOML files: what is legal, as JSON schema, and how it is read."""
 
 import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
+from datetime import date, datetime
 from typing import Any
 
 from site_builder.addresses import PATH, site_address, source_address
@@ -14,95 +15,84 @@ class Kind:
 
     expected: str
     """What is legal, as error messages name it."""
-    read: Callable[[Any], Any]
-    """The value as the builder has it. Raises `ValueError` where it is not legal."""
-    schema: Mapping[str, object]
+    schema: Mapping[str, Any]
     """The same as JSON schema."""
+    convert: Callable[[Any], Any] = lambda value: value
+    """The value as the builder has it. Raises `ValueError` where it is not legal after all."""
     table: type[Any] | None = None
     """Of a table, the class that declares its keys."""
 
-
-def text(expected: str = '"some text"', pattern: str = "") -> Kind:
-    """Text that is not blank, of a certain form where there is a pattern."""
-    form = {"pattern": f"^(?:{pattern})$"} if pattern else {}
-    full = pattern or r"[\s\S]*\S[\s\S]*"
-    return Kind(
-        expected,
-        _checked(lambda value: isinstance(value, str) and re.fullmatch(full, value) is not None),
-        {"type": "string", "minLength": 1, **form},
-    )
+    def read(self, value: object) -> Any:
+        """Raises `ValueError` where the value is not legal."""
+        if not fits(value, self.schema):
+            raise ValueError(self.expected)
+        return self.convert(value)
 
 
-def address(expected: str, check: Callable[[object], str]) -> Kind:
-    """An address that a function of `site_builder.addresses` accepts."""
+def fits(value: object, schema: Mapping[str, Any]) -> bool:
+    """Whether a value is legal by the part of JSON schema that is used here."""
+    if "enum" in schema:
+        return value in schema["enum"]
+    match schema.get("type"), value:
+        case "string", str():
+            return re.search(schema["pattern"], value) is not None
+        case "boolean", bool():
+            return True
+        case "integer", int():
+            return not isinstance(value, bool) and value >= schema["minimum"]
+        case "array", list():
+            items = schema["items"]
+            return len(value) >= schema["minItems"] and all(fits(item, items) for item in value)
+        case "object", dict():
+            items = schema.get("additionalProperties", {})
+            return all(fits(item, items) for item in value.values())
+        case None, _:
+            return True
+        case _:
+            return False
 
-    def read(value: object) -> str:
-        if value == "":
-            raise ValueError
-        return check(value)
 
-    schema = {"type": "string", "minLength": 1, "pattern": "^https?://[^/?#\\s]+"}
-    return Kind(expected, read, schema)
+def text(expected: str = '"some text"', pattern: str = r"\S") -> Kind:
+    """Text in which the pattern is found."""
+    return Kind(expected, {"type": "string", "pattern": pattern})
 
 
 def whole_number(least: int) -> Kind:
-    def legal(value: object) -> bool:
-        return isinstance(value, int) and not isinstance(value, bool) and value >= least
-
-    schema = {"type": "integer", "minimum": least}
-    return Kind(f"a whole number from {least}", _checked(legal), schema)
+    return Kind(f"a whole number from {least}", {"type": "integer", "minimum": least})
 
 
 def one_of(names: Collection[str]) -> Kind:
-    expected = ", ".join(f'"{name}"' for name in names)
-    return Kind(expected, _checked(lambda value: value in names), {"enum": [*names]})
+    return Kind(", ".join(f'"{name}"' for name in names), {"enum": [*names]})
 
 
 def texts(expected: str, least: int = 0, among: Collection[str] = ()) -> Kind:
     """A list of at least so many texts, all of them ``among`` those where any are named."""
-
-    def legal(value: object) -> bool:
-        return isinstance(value, list) and len(value) >= least and all(map(_text, value))
-
-    def _text(item: object) -> bool:
-        return item in among if among else isinstance(item, str)
-
-    items = {"enum": [*among]} if among else {"type": "string"}
-    schema = {"type": "array", "items": items, "minItems": least}
-    return Kind(expected, _checked(legal, tuple), schema)
+    items = {"enum": [*among]} if among else TEXT.schema
+    return Kind(expected, {"type": "array", "items": items, "minItems": least}, tuple)
 
 
 def entries(expected: str) -> Kind:
     """A table of texts whose keys the author names."""
-
-    def legal(value: object) -> bool:
-        return isinstance(value, dict) and all(isinstance(item, str) for item in value.values())
-
-    schema = {"type": "object", "additionalProperties": {"type": "string"}}
-    return Kind(expected, _checked(legal), schema)
+    items = {"type": "string", "pattern": ""}
+    return Kind(expected, {"type": "object", "additionalProperties": items})
 
 
 def table(of: type[Any]) -> Kind:
     """A table whose keys the class ``of`` declares."""
-    return Kind("a table", _checked(lambda value: isinstance(value, dict)), {}, of)
+    return Kind("a table", {"type": "object"}, table=of)
 
 
-def _checked(
-    legal: Callable[[Any], bool], convert: Callable[[Any], Any] = lambda value: value
-) -> Callable[[Any], Any]:
-    def read(value: Any) -> Any:
-        if not legal(value):
-            raise ValueError
-        return convert(value)
-
-    return read
+def _day(value: object) -> str:
+    if not isinstance(value, date) or isinstance(value, datetime):
+        raise ValueError
+    return value.isoformat()
 
 
+ADDRESS = {"type": "string", "pattern": r"^https?://[^/?#\s]+"}
 TEXT = text()
-COLOUR = text('"#rrggbb"', "#[0-9a-fA-F]{6}")
-PREFIX = text("small letters, digits and hyphens", "[a-z0-9]+(?:-[a-z0-9]+)*")
-SITE = address('"https://host/path/"', site_address)
-SOURCE = address(f'"https://host/…/{PATH}"', source_address)
-BOOLEAN = Kind(
-    "true or false", _checked(lambda value: isinstance(value, bool)), {"type": "boolean"}
-)
+COLOUR = text('"#rrggbb"', "^#[0-9a-fA-F]{6}$")
+PREFIX = text("small letters, digits and hyphens", "^[a-z0-9]+(?:-[a-z0-9]+)*$")
+SITE = Kind('"https://host/path/"', ADDRESS, site_address)
+SOURCE = Kind(f'"https://host/…/{PATH}"', ADDRESS, source_address)
+BOOLEAN = Kind("true or false", {"type": "boolean"})
+DAY = Kind("2026-11-22", {}, _day)

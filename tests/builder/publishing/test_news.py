@@ -12,10 +12,13 @@ GOOD = '[[entry]]\ndate = 2026-11-22\ntitle = "T"\nsays = "S."\n'
     ("text", "message"),
     [
         ("entry = 3\n", "1: no entries; legal: each below '[[entry]]'"),
-        (f"{GOOD}chapter = 'frist'\n", "1: unknown chapter 'frist'; did you mean 'first'?"),
-        (f"{GOOD}link = 'x'\n", "1: unknown key 'link'; legal: date, title, says, chapter"),
-        (GOOD.replace("2026-11-22", "'today'"), "1: no 'date'; legal: date = 2026-11-22"),
-        (GOOD.replace("S.", " "), "1: no 'says'; legal: says = \"some text\""),
+        (f"{GOOD}chapter = 'frist'\n", "5: unknown chapter 'frist'; did you mean 'first'?"),
+        (
+            f"{GOOD}link = 'x'\n",
+            "5: unknown key of [entry] 'link'; legal: date, title, says, chapter",
+        ),
+        (GOOD.replace("2026-11-22", "'today'"), '2: entry.date is "today"; legal: 2026-11-22'),
+        (GOOD.replace("S.", " "), '4: entry.says is " "; legal: "some text"'),
         (f"{GOOD}\n{GOOD}", "6: a second 'T' of 2026-11-22; legal: one"),
         (
             f"{GOOD}\n{GOOD.replace('22', '23')}",

@@ -118,9 +118,9 @@ def test_the_index_has_other_names_and_what_authors_mark(make_book: MakeBook) ->
 @pytest.mark.parametrize(
     ("before", "after", "report"),
     [
-        ('says = "What is seen."', "", "6: 'field of view' has no 'says'; legal: says = "),
-        ("also =", "allso =", "6: unknown key of 'field of view' 'allso'; did you mean 'also'?"),
-        ('["FOV"]', "3", "6: 'also' of 'field of view'; legal: "),
+        ('says = "What is seen."', "", "6: no 'says' of [field of view]; legal: says = "),
+        ("also =", "allso =", "9: unknown key of [field of view] 'allso'; did you mean 'also'?"),
+        ('["FOV"]', "3", "9: field of view.also is 3; legal: "),
         ('"FOV"]\nw', '"pose"]\nw', "1: 'pose' is a name of 'field of view' too"),
         ('["field of view"]\n\n', '["fields"]\n\n', "1: unknown term related to 'pose' 'fields'"),
         ("first#poses", "first#posed", "1: unknown target in first 'posed'; did you mean 'poses'?"),
