@@ -3,18 +3,20 @@ be had there is a warning, and the site does without."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from site_builder.book import Book
 from site_builder.browser_python import pack_for_browser
 from site_builder.diagnostics import Diagnostic
-from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
+from site_builder.editor.bundle import EditorBundle, bundle_editor
 from site_builder.editor.sources import scene_sources
+from site_builder.npm import NodeError
 from site_builder.output.assets import hashed_folder
 from site_builder.pages.render import render_template
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import Versions
-from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
+from site_builder.search.library import SearchLibrary, fetch_library
 from site_builder.site_assets import Files
 
 RUNTIME_NOW = "runtime/now/"
@@ -48,6 +50,16 @@ def browser_parts(
     )
 
 
+def _or_without[T](make: Callable[[], T], without: T, part: str, message: str, warn: Warn) -> T:
+    """What ``make`` returns; ``without`` it, and a warning, where its packages cannot be had."""
+    try:
+        return make()
+    except NodeError as error:
+        message = f"{message}; its packages could not be had from npm: {error}"
+        warn(Diagnostic(f"site_builder/{part}/package-lock.json", 1, message, fails=False))
+        return without
+
+
 def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple[str, Files]:
     if bundle is None:
         return "", {}
@@ -60,21 +72,14 @@ def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple
 
 
 def _editor(warn: Warn) -> EditorBundle:
-    try:
-        return bundle_editor()
-    except EditorBundleError as error:
-        message = f"the figures' Python can be read but not edited, for want of the editor: {error}"
-        warn(Diagnostic("site_builder/editor/package-lock.json", 1, message, fails=False))
-        return EditorBundle()
+    message = "the figures' Python can be read but not edited, for want of the editor"
+    return _or_without(bundle_editor, EditorBundle(), "editor", message, warn)
 
 
 def _search_library(book: Book, warn: Warn) -> SearchLibrary:
-    try:
-        return fetch_library(book.words.language)
-    except SearchLibraryError as error:
-        message = f"the book cannot be searched, for want of the library: {error}"
-        warn(Diagnostic("site_builder/search/package-lock.json", 1, message, fails=False))
-        return SearchLibrary({})
+    message = "the book cannot be searched, for want of the library"
+    fetch = partial(fetch_library, book.words.language)
+    return _or_without(fetch, SearchLibrary({}), "search", message, warn)
 
 
 def scene_files(book: Book, editor: EditorBundle) -> Files:

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from site_builder.book import UNSET
-from site_builder.editor.bundle import Package
 from site_builder.languages.words import ENGLISH, Words
+from site_builder.npm import Package
 from site_builder.runtime.pinned import Versions
 from site_builder.settings.model import Settings
 

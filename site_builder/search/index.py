@@ -7,9 +7,9 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 from site_builder.cache import cached_result
-from site_builder.editor.npm import NODE
 from site_builder.files import file_hash
 from site_builder.languages.words import Words
+from site_builder.npm import NODE
 from site_builder.search.library import HERE, SearchLibrary
 from site_builder.search.records import PageRecords, Record
 

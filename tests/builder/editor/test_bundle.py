@@ -1,50 +1,22 @@
 """The code editor: bundled from pinned packages, kept, and done without where it cannot be had."""
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from site_builder import browser_parts, browser_python
+from site_builder import browser_parts, browser_python, npm
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import Diagnostic
-from site_builder.editor import bundle, npm
-from site_builder.editor.bundle import EditorBundle, EditorBundleError, Package, bundle_editor
-from site_builder.editor.npm import HERE, NodeError, installed_packages, run_node
+from site_builder.editor.bundle import HERE, EditorBundle
+from site_builder.npm import NodeError, Package, installed_packages, run_node
 from site_builder.pages.licences import gather_licences
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import VERSIONS
 
 PAGE = "::::{simulation} demo\nText.\n::::\n"
-MADE = {"code_editor.js": b"export {}", "packages.json": b"[]"}
-
-
-@pytest.fixture
-def makes(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """Counts how often the editor is made; no package is fetched."""
-    made: list[int] = []
-
-    def make() -> Mapping[str, bytes]:
-        made.append(1)
-        return MADE
-
-    monkeypatch.setattr(bundle, "_make", make)
-    return made
-
-
-def test_the_editor_is_made_once_and_kept(makes: list[int], tmp_path: Path) -> None:
-    assert bundle_editor(tmp_path) == bundle_editor(tmp_path) == EditorBundle(b"export {}")
-    assert len(makes) == 1
-
-
-def test_a_damaged_copy_is_made_anew(makes: list[int], tmp_path: Path) -> None:
-    bundle_editor(tmp_path)
-    (kept,) = tmp_path.rglob("code_editor.js")
-    kept.write_bytes(b"export {};;")
-    assert bundle_editor(tmp_path).script == b"export {}"
-    assert len(makes) == 2
 
 
 def test_every_package_is_pinned_by_a_hash_and_the_lock_names_no_address() -> None:
@@ -64,7 +36,7 @@ def test_without_the_editor_the_book_is_built_and_says_so(
     make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse() -> EditorBundle:
-        raise EditorBundleError("its packages could not be had from npm: no network")
+        raise NodeError("no network")
 
     monkeypatch.setattr(browser_parts, "bundle_editor", refuse)
     bare = RuntimeBundle({}, VERSIONS)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import pytest
 
 from site_builder.diagnostics import BuildError
-from site_builder.editor.npm import NodeError
+from site_builder.npm import NodeError
 from site_builder.output import scripts
 from site_builder.output.scripts import Bundle, bundle_scripts
 

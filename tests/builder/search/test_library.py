@@ -1,9 +1,8 @@
 """What searches: pinned, fetched once, and done without where it cannot be had."""
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
@@ -11,14 +10,10 @@ from site_builder import browser_parts, build
 from site_builder.build import render_site
 from site_builder.diagnostics import Diagnostic
 from site_builder.languages.words import languages
+from site_builder.npm import NodeError
 from site_builder.output.assets import content_bytes
 from site_builder.search import library
-from site_builder.search.library import (
-    HERE,
-    SearchLibrary,
-    SearchLibraryError,
-    fetch_library,
-)
+from site_builder.search.library import HERE, SearchLibrary
 
 
 def test_every_package_is_pinned_by_a_hash_and_the_lock_names_no_address() -> None:
@@ -28,25 +23,11 @@ def test_every_package_is_pinned_by_a_hash_and_the_lock_names_no_address() -> No
     assert not any("resolved" in item for item in packages)
 
 
-def test_the_library_is_fetched_once_and_kept(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    fetched: list[int] = []
-
-    def fetch(shipped: Mapping[str, str]) -> Mapping[str, bytes]:
-        fetched.append(1)
-        return {**dict.fromkeys(shipped, b"export {}"), "packages.json": b"[]"}
-
-    monkeypatch.setattr(library, "_fetch", fetch)
-    assert fetch_library("en", tmp_path) == fetch_library("en", tmp_path)
-    assert len(fetched) == 1
-
-
 def test_without_the_library_the_book_is_built_without_search_and_says_so(
     make_book: Callable[..., build.Options], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(_language: str) -> SearchLibrary:
-        raise SearchLibraryError("its packages could not be had from npm: no network")
+        raise NodeError("no network")
 
     monkeypatch.setattr(browser_parts, "fetch_library", refuse)
     warnings: list[Diagnostic] = []

