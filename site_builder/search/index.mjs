@@ -2,19 +2,21 @@
  * Makes the index of the search: on standard input sections as JSON, a page a line, indexed as they
  * come; on standard output the index.
  *
- * Arguments: the files of MiniSearch, of the stemmer, and of the book's own ranking; stop words.
+ * Arguments: the files of MiniSearch, of the stemmer, and of the book's own ranking and words; stop
+ * words and synonyms.
  */
 
 import { createInterface } from "node:readline";
 import { pathToFileURL } from "node:url";
 
-const [paths, [stopWords]] = [process.argv.slice(2, 5), process.argv.slice(5)];
-const [library, stemmer, ranking] = paths.map((path) => pathToFileURL(path).href);
+const [paths, compared] = [process.argv.slice(2, 6), process.argv.slice(6)];
+const [library, stemmer, ranking, words] = paths.map((path) => pathToFileURL(path).href);
 const { default: MiniSearch } = await import(library);
 const { stemmer: stem } = await import(stemmer);
-const { language, settings } = await import(ranking);
+const { settings } = await import(ranking);
+const { language } = await import(words);
 
-const ours = settings(language(stem, stopWords));
+const ours = settings(language(stem, ...compared));
 /** Of words seen before: a book says most of them again and again. */
 const known = new Map();
 /** @param {string} word */

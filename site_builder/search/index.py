@@ -17,7 +17,7 @@ ADDRESS = "search/index.json"
 """Where pages look for it. It is made of the pages, so they cannot carry a hash of it."""
 NAMES = tuple(each.name for each in fields(Record))
 LIBRARY = ("minisearch.js", "stemmer.js")
-RANKING = "js/search/ranking.ts"
+SHARED = ("js/search/ranking.ts", "js/search/words.ts")
 """What index and page share, below ``static/``."""
 PROGRAM = HERE / "index.mjs"
 
@@ -27,14 +27,15 @@ class Means:
     """What an index is made with."""
 
     scripts: tuple[Path, ...]
-    stop_words: str
+    compared: tuple[str, str]
+    """Stop words and synonyms."""
 
 
 def indexing(library: SearchLibrary, static: Path, words: Words) -> Means:
     """For pages in the language of ``words``."""
     return Means(
-        (*(library.scripts[name] for name in LIBRARY), static / RANKING),
-        words("script.search.stop_words"),
+        (*(library.scripts[name] for name in LIBRARY), *(static / name for name in SHARED)),
+        (words("script.search.stop_words"), words("script.search.synonyms")),
     )
 
 
@@ -42,13 +43,13 @@ def index_of(records: PageRecords, means: Means) -> bytes:
     """The index as JSON. Raises `RuntimeError` with Node's words where it cannot be made."""
     lines = "\n".join(map(_line, records))
     scripts = [file_hash(file) for file in (*means.scripts, PROGRAM)]
-    given = (lines, scripts, means.stop_words)
+    given = (lines, scripts, means.compared)
     return cached_result("index", given, lambda: _index(lines, means))
 
 
 def _index(lines: str, means: Means) -> bytes:
     scripts = map(str, (PROGRAM, *means.scripts))
-    command = [str(NODE), "--no-warnings", *scripts, means.stop_words]
+    command = [str(NODE), "--no-warnings", *scripts, *means.compared]
     done = subprocess.run(command, input=lines, capture_output=True, encoding="utf-8", check=False)
     if done.returncode:
         raise RuntimeError(f"the search index could not be made: {done.stderr}")

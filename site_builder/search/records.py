@@ -1,11 +1,14 @@
 """What of the book can be found: a record for each section of each page that is searched."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 
 from site_builder.book import Book
+from site_builder.pages.views.symbols import introductions
 from site_builder.render.sections import Describe, Section, chapter_sections, glossary_sections
+from site_builder.render.words import plain_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,8 +25,8 @@ class Record:
     introduced: tuple[str, ...]
     """Terms that the book emphasises here first."""
     explains: tuple[str, ...]
-    """Names of the glossary's terms that are explained here, and entries of the index that lead
-    here."""
+    """Names of the glossary's terms that are explained here, entries of the index that lead here,
+    and symbols that are introduced here."""
     text: str
     figures: str
     questions: str
@@ -78,8 +81,8 @@ def make_records(book: Book, describe: Describe) -> PageRecords:
 
 
 def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
-    """The names of the glossary's terms by the address of the section that explains them, and the
-    entries that authors have marked for the index by that of the section of the mark."""
+    """By the address of a section: the names of the glossary's terms that it explains, the entries
+    that authors have marked in it for the index, and the symbols that it introduces."""
     explained: dict[str, list[str]] = {}
     for definition in book.glossary:
         if target := definition.explained:
@@ -88,8 +91,21 @@ def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
     for chapter in book.chapters:
         for mark in chapter.index_marks:
             address = _address(f"{chapter.url}index.html", mark.section)
-            explained.setdefault(address, []).append(mark.entry)
+            explained.setdefault(address, []).extend(_names(mark.entry))
+        for meaning, section in introductions(book, chapter):
+            address = _address(f"{chapter.url}index.html", section)
+            explained.setdefault(address, []).append(plain_words(meaning.formula))
     return explained
+
+
+def _names(entry: str) -> Iterator[str]:
+    """
+    >>> list(_names("DoF (depth of field)"))
+    ['DoF (depth of field)', 'DoF', 'depth of field']
+    """
+    yield entry
+    if parts := re.fullmatch(r"(.+) \((.+)\)", entry):
+        yield from parts.groups()
 
 
 def _address(path: str, anchor: str) -> str:

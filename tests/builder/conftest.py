@@ -17,8 +17,9 @@ from site_builder import site_assets
 from site_builder.build import Options
 from site_builder.output.assets import Content, content_bytes
 from site_builder.output.scripts import Bundle
+from site_builder.search.index import SHARED
 
-RANKING = Path(__file__).parents[2] / "static" / "js" / "search" / "ranking.ts"
+STATIC = Path(__file__).parents[2] / "static"
 FRONT_MATTER = "---\ntitle: First\nsummary: The first chapter.\n---\n"
 ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>\n'
 OUTLINE = """\
@@ -119,7 +120,7 @@ def make_book(tmp_path: Path) -> MakeBook:
             "simulations/models/thing.py": THING,
             "static/css/book.css": "body {}\n",
             "static/js/main.ts": "export {};\n",
-            "static/js/search/ranking.ts": RANKING.read_text(encoding="utf-8"),
+            **{f"static/{name}": (STATIC / name).read_text(encoding="utf-8") for name in SHARED},
             "static/images/favicon.svg": ICON,
             "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg"/>\n',
             **(files or {}),

@@ -84,7 +84,7 @@ def test_a_misspelt_word_finds_what_is_near_and_says_so(visitor: Reader) -> None
     dialog = opened(visitor)
     assert first_hit(visitor, dialog, "vingetting") == first_hit(visitor, dialog, "vignetting")
     dialog.locator("input").fill("vingetting")
-    expect(dialog.get_by_role("status")).to_contain_text("Near")
+    expect(dialog.get_by_role("status")).to_contain_text("Similar")
     visitor.page.keyboard.press("Escape")
 
 

@@ -19,7 +19,7 @@ class Row:
 
 def view_symbols(book: Book) -> list[tuple[Card, list[Row]]]:
     """What each chapter's formulae say, in the order in which they say it."""
-    chapters = ((atlas(chapter), _rows(book, chapter)) for chapter in book.chapters)
+    chapters = ((atlas(chapter), introductions(book, chapter)) for chapter in book.chapters)
     return [
         (places.card, [_row(item, section, places) for item, section in rows])
         for places, rows in chapters
@@ -31,7 +31,7 @@ def _row(meaning: Meaning, section: str, places: Atlas) -> Row:
     return Row(meaning, places.place(section, section))
 
 
-def _rows(book: Book, chapter: Chapter) -> list[tuple[Meaning, str]]:
+def introductions(book: Book, chapter: Chapter) -> list[tuple[Meaning, str]]:
     """Each meaning, and the section in which its symbol first stands."""
     rows: dict[str, tuple[Meaning, str]] = {}
     seen: set[str] = set()

@@ -1,6 +1,6 @@
 /** The words of a section around what was found in it. */
 
-import { fold } from "./ranking.js";
+import { formsOf, wordsIn, type Language } from "./words.js";
 
 /** Words of an excerpt, and of these how many before what was found. */
 const LENGTH = 34;
@@ -16,14 +16,13 @@ const BEFORE = 8;
 export function excerpt(
   text: string,
   matched: string[],
-  stem: (word: string) => string,
+  language: Language,
   length: number = LENGTH,
 ): { text: string; hit: boolean }[] {
   const wanted = new Set(matched);
-  const words = [...text.matchAll(/[\p{L}\p{N}]+/gu)].map(({ 0: word, index }) => {
-    const plain = fold(word);
-    const found = [plain, stem(plain)].find((spelling) => wanted.has(spelling));
-    return { start: index, end: index + word.length, found };
+  const words = wordsIn(text).map(({ start, end, whole, parts }) => {
+    const forms = [whole, ...parts].flatMap((word) => formsOf(word, language));
+    return { start, end, found: forms.find((form) => wanted.has(form)) };
   });
   if (words.length === 0) return [];
   const first = words.length > length ? bestStart(words, length) : 0;

@@ -1,7 +1,9 @@
 /**
- * How words are compared, and which section comes first. Used twice: under Node, where the index
- * is made, and in the page, where it is asked.
+ * Which section comes first. Used twice: under Node, where the index is made, and in the page, where
+ * it is searched.
  */
+
+import { fold, formsOf, wordsIn, type Language, type Word } from "./words.ts";
 
 /** A section of the book, as the builder's `search/records.py` writes it. */
 interface Section {
@@ -11,7 +13,7 @@ interface Section {
   title: string;
   /** Terms that it introduces. */
   introduced: string[];
-  /** Terms of the glossary that it explains. */
+  /** Terms of the glossary and symbols that it explains. */
   explains: string[];
   text: string;
   figures: string;
@@ -35,8 +37,8 @@ const BOOST = {
 const WEIGHTS = { prefix: 0.3, fuzzy: 0.2 };
 /** Long sections are not held against a term that they repeat: they explain it. */
 const BM25 = { k: 2, b: 0.3, d: 0.5 };
-/** Factors for a whole query found in one piece. */
-const WHOLE = { explained: 10, term: 2, title: 1.8, text: 1.25 };
+/** Factors for a whole query found in one piece; `part`: in a longer term that is explained. */
+const WHOLE = { explained: 10, part: 3, term: 2, title: 1.8, text: 1.25 };
 /** For what stands before a chapter's first heading: there things are named, to be explained later. */
 const OPENING = 0.6;
 /** For an entry of the glossary: it says in a line what a section explains. */
@@ -44,38 +46,26 @@ const ENTRY = 0.4;
 /** For the last section of the book; the first has 1. What comes again was explained before. */
 const LAST = 0.9;
 
-/** How words of a language are compared. */
-export type Language = { stem: (word: string) => string; stopWords: Set<string> };
-
-/** @param stopWords Words that say nothing of what is looked for, parted by blanks. */
-export function language(stem: (word: string) => string, stopWords: string): Language {
-  return { stem, stopWords: new Set(stopWords.split(" ").map(fold)) };
-}
-
 /** What the index is made with; it must be opened with the same. */
-export function settings({ stem, stopWords }: Language) {
+export function settings(language: Language) {
   return {
     fields: FIELDS,
     storeFields: ["address", ...FIELDS],
     stringifyField: (value: string | number | string[]) =>
       Array.isArray(value) ? value.join("\n") : String(value),
+    tokenize: (text: string) =>
+      wordsIn(text).flatMap(({ whole, parts }) => (whole ? [whole, ...parts] : parts)),
     processTerm: (word: string) => {
-      const plain = fold(word);
-      if (stopWords.has(plain)) return null;
-      const root = stem(plain);
-      return root === plain ? plain : [plain, root];
+      const forms = formsOf(word, language);
+      return forms.length > 0 ? forms : null;
     },
   };
 }
 
-/** Without case, accents and small figures: `k₁` is `k1`. */
-export function fold(text: string) {
-  return text.normalize("NFKD").replace(/\p{M}/gu, "").replaceAll("\u2019", "'").toLowerCase();
-}
-
 /**
  * The sections that have all words; where there is none, those with words that are similar; where
- * there is none of these, those with some of the words. Best first.
+ * there is none of these, those with some of the words, or with words that are less similar. Best
+ * first.
  *
  * @param index A MiniSearch.
  */
@@ -84,53 +74,72 @@ export function find(
   language: Language,
   query: string,
 ): { hits: Hit[]; exact: boolean } {
-  const { stem } = language;
-  const words = wordsOf(query, language);
+  const words = asked(query, language);
   if (words.length === 0) return { hits: [], exact: true };
   const attempts = [
     { combineWith: "AND", fuzzy: false },
     { combineWith: "AND", fuzzy: 0.25 },
     { combineWith: "OR", fuzzy: 0.25 },
+    { combineWith: "OR", fuzzy: 0.4 },
   ];
   for (const { combineWith, fuzzy } of attempts) {
-    const queries = words.map((word) => ({
-      combineWith: "OR",
-      queries: [...new Set([word, stem(word)])],
-      prefix: word.length > 1,
-      fuzzy,
-    }));
+    const queries = words.map((word) => queryFor(word, language, fuzzy));
     const found = index.search(
       { combineWith, queries },
       {
         boost: BOOST,
         weights: WEIGHTS,
         bm25: BM25,
-        processTerm: (word: string) => word,
+        tokenize: (form: string) => [form],
+        processTerm: (form: string) => form,
       },
     );
-    if (found.length > 0) return { hits: ranked(index, found, words, language), exact: !fuzzy };
+    if (found.length > 0)
+      return { hits: ranked(index, found, words, query, language), exact: !fuzzy };
   }
   return { hits: [], exact: true };
 }
 
-function wordsOf(query: string, { stopWords }: Language) {
-  const words = fold(query).match(/[\p{L}\p{N}]+/gu) ?? [];
-  const telling = words.filter((word) => !stopWords.has(word));
-  return telling.length > 0 ? telling : words;
+/** A word in any of its forms, or all its parts. */
+function queryFor({ whole, parts }: Word, language: Language, fuzzy: number | boolean) {
+  const one = (word: string) => ({
+    combineWith: "OR",
+    queries: formsOf(word, language),
+    prefix: word.length > 1,
+    fuzzy,
+  });
+  const queries: any[] = whole ? [one(whole)] : [];
+  const told = parts.filter((part) => !language.stopWords.has(part));
+  if (told.length > 0) queries.push({ combineWith: "AND", queries: told.map(one) });
+  return { combineWith: "OR", queries };
 }
 
-/** @param found As MiniSearch tells it. */
-function ranked(index: any, found: any[], words: string[], language: Language): Hit[] {
-  const { stem } = language;
-  const asked = words.map(stem).join(" ");
-  const roots = (text: string) => wordsOf(text, language).map(stem).join(" ");
+/** The words of a text but for stop words. */
+function asked(text: string, { stopWords }: Language): Word[] {
+  return wordsIn(text).filter(({ whole, parts }) => parts.length > 0 || !stopWords.has(whole));
+}
+
+/** @param found As MiniSearch returns it. */
+function ranked(index: any, found: any[], words: Word[], query: string, language: Language): Hit[] {
+  const rootsOf = (words: Word[]) =>
+    words
+      .flatMap(({ whole, parts }) => (parts.length > 0 ? parts : [whole]))
+      .flatMap((word) => formsOf(word, language).at(-1) ?? []);
+  const roots = rootsOf(words);
+  /** In any order, and in one word or several: `f-number`, `f number`. */
+  const isSame = (term: string) => {
+    const others = rootsOf(asked(term, language));
+    return others.join("") === roots.join("") || `${others.sort()}` === `${[...roots].sort()}`;
+  };
+  const isIn = (text: string) =>
+    ` ${rootsOf(asked(text, language)).join(" ")} `.includes(` ${roots.join(" ")} `);
   const hits = found.map(({ terms: matched, ...section }) => {
     let { score } = section;
-    const isAsked = (term: string) => roots(term) === asked;
-    if (section.explains.some(isAsked)) score *= WHOLE.explained;
-    if (section.introduced.some(isAsked)) score *= WHOLE.term;
-    if (` ${roots(section.title)} `.includes(` ${asked} `)) score *= WHOLE.title;
-    if (words.length > 1 && fold(section.text).includes(words.join(" "))) score *= WHOLE.text;
+    if (section.explains.some(isSame)) score *= WHOLE.explained;
+    else if (section.explains.some(isIn)) score *= WHOLE.part;
+    if (section.introduced.some(isSame)) score *= WHOLE.term;
+    if (isIn(section.title)) score *= WHOLE.title;
+    if (words.length > 1 && fold(section.text).includes(fold(query))) score *= WHOLE.text;
     score *= 1 - (1 - LAST) * (section.id / index.documentCount);
     if (section.title === "") score *= OPENING;
     if (section.address.startsWith("glossary/")) score *= ENTRY;

@@ -4,7 +4,8 @@ import { one } from "../page/dom.js";
 import { setText } from "../page/text.js";
 import { words } from "../page/words.js";
 import { excerpt } from "./excerpt.js";
-import { find, language, settings, type Hit, type Language } from "./ranking.js";
+import { find, settings, type Hit } from "./ranking.js";
+import { language, type Language } from "./words.js";
 
 /** The sections of the book, and how their words are compared. */
 export interface Index {
@@ -34,7 +35,7 @@ export async function fetchIndex(): Promise<Index> {
     fetch(address("root", "search/index.json"), { cache: "no-cache" }),
   ]);
   if (!reply.ok) throw new Error(words("search.index_answered", { status: reply.status }));
-  const compared = language(stemmer, words("search.stop_words"));
+  const compared = language(stemmer, words("search.stop_words"), words("search.synonyms"));
   return {
     sections: MiniSearch.loadJS(await reply.json(), settings(compared)),
     language: compared,
@@ -56,7 +57,7 @@ export function show(dialog: HTMLDialogElement, { sections, language: compared }
   shown.set(list, query);
   const { hits, exact } = find(sections, compared, query);
   const template = one(dialog, "template", HTMLTemplateElement);
-  list.replaceChildren(...hits.slice(0, MOST).map((hit) => item(template, hit, compared.stem)));
+  list.replaceChildren(...hits.slice(0, MOST).map((hit) => item(template, hit, compared)));
   list.scrollTop = 0;
   setText(one(dialog, ".search-status", HTMLElement), summary(query, hits.length, exact));
   one(dialog, ".search-hint", HTMLElement).hidden = query !== "";
@@ -70,21 +71,21 @@ function summary(query: string, count: number, exact: boolean) {
   return words(count > MOST ? `${key}_best` : key, { count, most: MOST });
 }
 
-function item(template: HTMLTemplateElement, hit: Hit, stem: (word: string) => string) {
+function item(template: HTMLTemplateElement, hit: Hit, compared: Language) {
   const copy = template.content.cloneNode(true) as DocumentFragment;
   one(copy, "a", HTMLAnchorElement).href = address("root", hit.address);
   setText(one(copy, ".result-chapter", Element), hit.chapter);
-  const title = excerpt(hit.title, hit.matched, stem, Infinity);
+  const title = excerpt(hit.title || hit.chapter, hit.matched, compared, Infinity);
   one(copy, ".result-title", Element).append(...title.map(element));
-  one(copy, ".result-excerpt", Element).append(...said(hit, stem));
+  one(copy, ".result-excerpt", Element).append(...said(hit, compared));
   return copy;
 }
 
 /** An excerpt of that part of the section in which the words were found. */
-function said(hit: Hit, stem: (word: string) => string) {
-  const pieces = excerpt(hit.text, hit.matched, stem);
+function said(hit: Hit, compared: Language) {
+  const pieces = excerpt(hit.text, hit.matched, compared);
   if (pieces.some((piece) => piece.hit)) return pieces.map(element);
-  const other = [hit.figures, hit.questions].map((text) => excerpt(text, hit.matched, stem));
+  const other = [hit.figures, hit.questions].map((text) => excerpt(text, hit.matched, compared));
   const found = other.find((excerpt) => excerpt.some((piece) => piece.hit));
   return (found ?? pieces).map(element);
 }

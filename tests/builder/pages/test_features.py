@@ -15,7 +15,13 @@ from site_builder.pages.features import KINDS, PARTS, SHEETS
 type MakeBook = Callable[..., Options]
 
 STATIC = Path(__file__).parents[3] / "static"
-OWN_STATIC = ("css/book.css", "js/main.ts", "js/search/ranking.ts", "images/favicon.svg")
+OWN_STATIC = (
+    "css/book.css",
+    "js/main.ts",
+    "js/search/ranking.ts",
+    "js/search/words.ts",
+    "images/favicon.svg",
+)
 PLAIN = {
     "content/book.toml": 'title = "Plain"\nsubtitle = "Text."\nprerequisites = "None."\n'
     'chapters = ["00-first"]\n',

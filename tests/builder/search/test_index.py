@@ -30,6 +30,6 @@ def test_every_section_is_in_the_index(means: Means) -> None:
 
 
 def test_what_keeps_node_from_it_is_reported_in_its_words(means: Means, tmp_path: Path) -> None:
-    missing = Means((tmp_path / "missing.js", *means.scripts[1:]), "")
+    missing = Means((tmp_path / "missing.js", *means.scripts[1:]), ("", ""))
     with pytest.raises(RuntimeError, match="missing"):
         index_of(RECORDS, missing)
