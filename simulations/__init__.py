@@ -1,1 +1,1 @@
-"""Image formation, simulated: the same Python in the book's build and in the reader's browser."""
+"""Simulations of image formation, run by the build and in the reader's browser."""

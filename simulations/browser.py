@@ -1,4 +1,4 @@
-"""The only functions that the browser's worker calls."""
+"""The functions that the browser's worker calls."""
 
 import io
 import json
@@ -36,14 +36,14 @@ __all__ = [
 
 _caches: dict[str, StageCache] = {}
 _photographs: dict[str, Photograph] = {}
-"""Of figures that show the reader's own picture."""
+"""The reader's own picture, by figure."""
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
-"""Of each figure: what is being judged, and the estimates that are still to come."""
+"""By figure: what is being estimated, and the estimates to come."""
 
 
 @dataclass(frozen=True, slots=True)
 class Reply:
-    """A frame on its way to the page."""
+    """A frame as sent to the page."""
 
     meta: str
     """`simulations.engine.frame.to_json` of the frame."""
@@ -53,14 +53,14 @@ class Reply:
 
 @dataclass(frozen=True, slots=True)
 class EditedReply:
-    """What came of a reader's own version of a figure's Python."""
+    """The result of a reader's edits of a figure's Python."""
 
     frame: Reply | None
-    """None where it failed."""
+    """None if it failed."""
     problem: str
     """JSON of a `simulations.editing.problems.Problem`, or ``null``."""
     printed: str
-    """What the code printed meanwhile, cut after `MOST_PRINTED` letters."""
+    """Printed output of the code, at most `MOST_PRINTED` characters."""
 
 
 MOST_PRINTED = 10_000
@@ -69,18 +69,18 @@ MOST_PRINTED = 10_000
 def render(figure: str, scene_id: str, values: str, tier: str) -> Reply:
     """One frame of ``scene_id`` for the figure named ``figure``.
 
-    ``values`` is a JSON object of control values; what is left out takes its default and
-    numbers out of range are clamped. Raises `UnknownIdError` and `ControlError`.
+    ``values`` is a JSON object of control values; values left out take their defaults and numbers
+    out of range are clamped. Raises `UnknownIdError` and `ControlError`.
     """
     scene, asked = _asked(figure, scene_id, values, tier)
     return _reply(scene.render(*asked))
 
 
 def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str) -> EditedReply:
-    """As `render`, by a copy of the program with the reader's ``edits``.
+    """Like `render`, by a copy of the program with the reader's ``edits``.
 
-    ``edits`` is a JSON object of definitions, ``MODULE:NAME``, and texts. What goes wrong in them
-    is told, not raised.
+    ``edits`` is a JSON object from definitions, ``MODULE:NAME``, to texts. Errors in them are
+    returned, not raised.
     """
     from simulations.editing.copies import problem_with  # most readers never need it
 
@@ -90,19 +90,20 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
         with redirect_stdout(printed):
             scene, asked = _asked(figure, scene_id, values, tier, edits)
             reply = _reply(scene.render(*asked))
-    except BaseException as error:  # the reader may raise anything, `SystemExit` too
+    except BaseException as error:  # the reader's code may raise anything, `SystemExit` too
         problem = asdict(problem_with(error, edits))
     text = json.dumps(problem, ensure_ascii=False)
     return EditedReply(reply, text, printed.getvalue()[:MOST_PRINTED])
 
 
 def prepare(scene_id: str) -> None:
-    """Import a scene, so that its frames can be asked for. Raises `UnknownIdError`."""
+    """Import a scene in advance. Raises `UnknownIdError`."""
     load_scene(scene_id)
 
 
 def _cache_of(figure: str, scene: Scene[Any]) -> StageCache:
-    """With room for the outputs at rest, of the draft, and of each of the scene's own drafts."""
+    """An empty cache for the outputs at rest, of the draft, and of each of the scene's own
+    drafts."""
     if figure not in _caches:
         _caches[figure] = StageCache(depth=StageCache().depth + len(scene.own_drafts))
     return _caches[figure]
@@ -114,10 +115,10 @@ def _reply(frame: Frame) -> Reply:
 
 
 def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -> str:
-    """The next, better estimate of how far the frame of these values is from the truth.
+    """The next, better estimate of the error of the frame at these values.
 
-    JSON of a `Readout`, or ``null`` where there is no better one. Asking for other values
-    drops what was begun. Raises `UnknownIdError` and `ControlError`.
+    JSON of a `Readout`, or ``null`` if there is no better one. A call with other values starts
+    anew. Raises `UnknownIdError` and `ControlError`.
     """
     wanted = (scene_id, values, tier, edits, _photographs.get(figure))
     begun, estimates = _judgements.get(figure, (None, iter(())))
@@ -130,7 +131,7 @@ def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -
 
 
 def judge(figure: str, scene_id: str, values: str, tier: str, conditions: str) -> int | None:
-    """Which of the ``conditions``, a JSON list, is the first to hold of a figure's present state.
+    """The index of the first of the ``conditions``, a JSON list, that holds for a figure's state.
 
     Raises `UnknownIdError`, `ControlError` and `ExpressionError`.
     """
@@ -141,19 +142,19 @@ def judge(figure: str, scene_id: str, values: str, tier: str, conditions: str) -
 
 
 def pull(scene_id: str, values: str, tier: str, handle: str, x: float, y: float) -> str:
-    """The control values that bring a handle as near to a place of its panel as can be, as JSON.
+    """JSON of the control values that bring a handle as near to a place of its panel as possible.
 
     ``x`` and ``y`` are in view box units. Raises `UnknownIdError`, `ControlError`, `KeyError` for
-    a handle that the scene lacks and `ValueError` for a place that is none.
+    an unknown handle and `ValueError` for a place that is not finite.
     """
     scene = load_scene(scene_id)
     return json.dumps(scene.pull(scene.clamp(json.loads(values)), handle, (x, y), tier))
 
 
 def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -> None:
-    """Take the reader's picture, the bytes of a canvas, for the frames of ``figure`` from now on.
+    """Use the reader's picture, the bytes of a canvas, for the frames of ``figure`` from now on.
 
-    Nothing for ``pixels`` takes it away again. Raises `ValueError` for a wrong count of bytes.
+    Empty ``pixels`` remove it. Raises `ValueError` for a wrong count of bytes.
     """
     if pixels is None:
         _photographs.pop(figure, None)
@@ -165,7 +166,7 @@ def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -
 def _asked(
     figure: str, scene_id: str, values: str, tier: str, edits: str = ""
 ) -> tuple[Scene[Any], tuple[Any, str, StageCache, Photograph | None]]:
-    """The scene that draws a figure, the book's or the reader's, and what it is called with."""
+    """The scene that draws a figure, the book's or the reader's, and its settings and cache."""
     if edits:
         from simulations.editing.copies import copy_of
 
@@ -177,17 +178,17 @@ def _asked(
 
 
 def forget(figure: str) -> None:
-    """Drop what is kept for a figure that left the page."""
+    """Free the memory of a figure that left the page."""
     _caches.pop(figure, None)
     _photographs.pop(figure, None)
     _judgements.pop(figure, None)
 
 
 def measure(ladder_id: str, tier_id: str, budget_s: float) -> str:
-    """Time and judge one tier of a ladder on this machine, as JSON of its `TierResult`.
+    """Measure a tier of a ladder on this machine; JSON of its `TierResult`.
 
-    Infinities become null: no error that the metric could see. Raises `UnknownIdError`,
-    and `ValueError` for a tier that the ladder lacks.
+    Infinite values, of errors too small for the metric, become null. Raises `UnknownIdError`, and
+    `ValueError` for an unknown tier.
     """
     ladder = load_ladder(ladder_id)
     workload, reference = _prepared(ladder_id)
@@ -200,7 +201,7 @@ def measure(ladder_id: str, tier_id: str, budget_s: float) -> str:
 
 @lru_cache(maxsize=1)
 def _prepared(ladder_id: str) -> tuple[Any, Any]:
-    """Workload and reference, kept while the tiers of one ladder are measured in turn."""
+    """Workload and reference, cached while the tiers of one ladder are measured."""
     ladder = load_ladder(ladder_id)
     workload = ladder.prepare()
     return workload, ladder.reference(workload)

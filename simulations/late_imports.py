@@ -1,4 +1,4 @@
-"""Python's library and numpy come to the browser in parts; what is asked for first comes last."""
+"""Imports modules of the standard library and numpy that the browser has not fetched yet."""
 
 import json
 import sys
@@ -24,10 +24,10 @@ LOADERS = (
 
 
 class PartFinder:
-    """Finds modules in parts that have not been fetched yet: the last finder that is asked.
+    """Finds modules in parts that have not been fetched yet; the last finder in `sys.meta_path`.
 
-    The page fetches ahead what its scenes are known to import. This is for all the rest: a
-    module that a library imports in the midst of a function, say.
+    The page prefetches the modules that its scenes are known to import. This finder is for all
+    others, such as a module that a library imports within a function.
     """
 
     def __init__(self, part_of: Mapping[str, str], fetch: Callable[[str], None], folder: str):
@@ -39,36 +39,38 @@ class PartFinder:
     def find_spec(
         self, name: str, _path: Sequence[str] | None, target: ModuleType | None = None, /
     ) -> ModuleSpec | None:
-        """Where the module is, once its part has been fetched; None if it is in no part.
+        """The module's spec, after fetching its part; None if it is in no part.
 
-        Raises `ImportError` where the part cannot be had.
+        Raises `ImportError` if the part cannot be fetched.
         """
         part = self._part_of.get(name)
         if part is None or part in self._fetching:
             return None
-        self._fetching.add(part)  # what unpacking imports cannot come out of the same archive
+        self._fetching.add(
+            part
+        )  # unpacking imports modules itself; those cannot be in the same archive
         try:
             self._fetch(part)
-        except Exception as error:  # whatever keeps the page from having it
+        except Exception as error:  # the fetch may fail in any way
             raise ImportError(f"{part}: {error}", name=name) from error
         finally:
             self._fetching.remove(part)
         parent = name.rpartition(".")[0].replace(".", "/")
-        # A new finder, for those in use may not have noticed yet that there are new files.
+        # A new finder, as the existing ones may have cached the listing of the folder.
         return FileFinder(str(Path(self._folder) / parent), *LOADERS).find_spec(name, target)
 
 
 def fetch_missing(modules: str, fetch: Callable[[str], None], folder: str) -> None:
-    """From now on, importing a module of a part has the part fetched.
+    """Fetch a part from now on when one of its modules is imported.
 
     Parameters
     ----------
     modules
         JSON object of each part to the names of its modules.
     fetch
-        Has the part of that name unpacked in ``folder`` when it returns.
+        Fetches the part of that name and unpacks it in ``folder``.
     folder
-        A folder in which modules are looked for.
+        A folder on the import path.
     """
     part_of = {name: part for part, names in json.loads(modules).items() for name in names}
     sys.meta_path.append(PartFinder(part_of, fetch, folder))

@@ -1,4 +1,4 @@
-"""What a book is made of is found by the names of its files, and imported only when asked for.
+"""Scenes, ladders, illustrations and hard cases, found by file name and imported on demand.
 
     scenes/lens_distortion/scene.py      the scene lens-distortion: its ``SCENE``
     ladders/precision.py                 the ladder precision: its ``LADDER``
@@ -6,8 +6,8 @@
     illustrations/f_numbers.py           the illustration f-numbers: its ``draw``
     hard_cases/optics.py                 the hard cases of optics: its ``TABLE``
 
-The id is the name, with hyphens. A name that begins with an underscore is none of these: there
-lies what several of them share.
+The id is the name, with hyphens. Names that begin with an underscore are skipped: these packages
+hold code that several share.
 """
 
 from collections.abc import Mapping
@@ -23,17 +23,17 @@ from simulations.engine.scene import Scene
 
 
 class UnknownIdError(KeyError):
-    """No scene or no ladder of that id; the message names the nearest legal one, or all."""
+    """An unknown id; the message names the nearest legal one, or all."""
 
     def __str__(self) -> str:
         return str(self.args[0])
 
 
 def found(room: str, *, inside: str = "") -> dict[str, str]:
-    """Id to module of all that lies in a room of ``simulations``, by the alphabet.
+    """Id to module of all entries in a package of ``simulations``, sorted.
 
-    ``inside`` is the module that a package is asked for. A book may lack the room. In the
-    browser nothing is listed, for there all lies in one archive.
+    ``inside`` is the module to use of an entry that is a package. Empty if the book has no such
+    package, and in the browser, which has all modules in one archive.
     """
     spec = find_spec(f"simulations.{room}")
     folders = map(Path, (spec and spec.submodule_search_locations) or ())
@@ -63,12 +63,12 @@ def load_ladder(ladder_id: str) -> Ladder:
 
 
 def scene_module(scene_id: str) -> str:
-    """The full name of the module that has the scene. Raises `UnknownIdError`."""
+    """The full name of the scene's module. Raises `UnknownIdError`."""
     return _module("simulation", scene_id, "scenes", "scene", SCENE_MODULES)
 
 
 def _module(kind: str, wanted: str, room: str, inside: str, listed: Mapping[str, str]) -> str:
-    """Found by the name alone, as nothing is listed in the browser."""
+    """The module by its name alone, for the browser, where modules cannot be listed."""
     name = f"simulations.{room}.{wanted.replace('-', '_')}"
     spec = _spec(name) if not {"_", "."} & {*wanted} and not wanted.startswith("-") else None
     if spec is None:
@@ -79,7 +79,7 @@ def _module(kind: str, wanted: str, room: str, inside: str, listed: Mapping[str,
 
 
 def _value[T](module: str, name: str, kind: type[T]) -> T:
-    """What the module defines under that name. Raises `UnknownIdError` where it is of no use."""
+    """The attribute of the module. Raises `UnknownIdError` if there is none."""
     found = getattr(import_module(module), name, None)
     if not isinstance(found, kind):
         given = "no" if found is None else f"{type(found).__name__} as"
@@ -90,5 +90,5 @@ def _value[T](module: str, name: str, kind: type[T]) -> T:
 def _spec(name: str) -> ModuleSpec | None:
     try:
         return find_spec(name)
-    except ModuleNotFoundError:  # the book has no such room
+    except ModuleNotFoundError:  # the book has no such package
         return None

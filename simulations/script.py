@@ -1,4 +1,4 @@
-"""A figure as a script of its own, for whoever wants to go on from its numbers."""
+"""Exports a figure as a Python script that prints its readouts."""
 
 import json
 from textwrap import fill
@@ -9,7 +9,7 @@ from simulations.engine.scene import Scene
 from simulations.registry import load_scene, scene_module
 
 WIDTH = 96
-"""Of a line of text."""
+"""Width of a line of text."""
 SCRIPT = '''\
 """{told}
 """
@@ -30,10 +30,10 @@ for item in frame.readouts:
 
 
 def script(scene_id: str, values: str, tier: str, told: str) -> str:
-    """Python that prints the readouts of a scene as a figure does.
+    """A Python script that prints the readouts of a scene.
 
-    ``values`` is a JSON object of control values, as `simulations.browser.render` takes it, and
-    ``told`` a JSON list of the paragraphs that the script begins with. Raises `UnknownIdError` and
+    ``values`` is a JSON object of control values, as for `simulations.browser.render`, and ``told``
+    a JSON list of paragraphs for the beginning of the script. Raises `UnknownIdError` and
     `ControlError`.
     """
     scene = load_scene(scene_id)
@@ -47,5 +47,5 @@ def script(scene_id: str, values: str, tier: str, told: str) -> str:
 
 
 def _lasting(scene: Scene[Any]) -> list[str]:
-    """The settings that say something about a frame: not the buttons that move others."""
+    """The settings that affect a frame: all but the buttons that move others."""
     return [c.name for c in scene.controls if not (isinstance(c, Action) and c.drives)]

@@ -1,1 +1,1 @@
-"""A figure's own copy of the program, with definitions that its reader has rewritten."""
+"""Runs a figure with definitions that its reader has edited."""

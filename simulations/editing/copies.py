@@ -1,4 +1,4 @@
-"""The copy that is in use, and what went wrong in it."""
+"""The copy of the program that is in use, and the errors in it."""
 
 import json
 from functools import lru_cache
@@ -14,17 +14,18 @@ from simulations.engine.stages import StageCache
 def copy_of(_figure: str, module: str, edits: str) -> tuple[Scene[Any], StageCache]:
     """The ``SCENE`` of ``module`` with ``edits``, for one figure, and the outputs of its stages.
 
-    ``edits`` is a JSON object of definitions and texts. Raises what `edition_of` and the edited
+    ``edits`` is a JSON object from definitions to texts. Raises what `edition_of` and the edited
     modules raise.
     """
     return load_copy(module, _edition(edits).sources).SCENE, StageCache()
 
 
 def problem_with(error: BaseException, edits: str) -> Problem:
-    """What to tell of ``error``, raised while the copy with ``edits`` was made or ran."""
+    """JSON of the problem to show for ``error``, raised while the copy with ``edits`` was made or
+    ran."""
     try:
         places = _edition(edits).places
-    except Exception:  # then nothing of them ran
+    except Exception:  # then none of the edits ran
         places = ()
     return problem_of(error, places)
 

@@ -1,4 +1,4 @@
-"""The definitions of a module, as pieces of its source: what a reader reads, and may rewrite."""
+"""The definitions of a module as pieces of its source, which readers can read and edit."""
 
 import ast
 from collections.abc import Callable, Iterator
@@ -9,26 +9,26 @@ from typing import Any
 from zipimport import zipimporter
 
 ROOMS = ("models", "pictures", "ladders", "scenes")
-"""Parts of ``simulations`` that may be rewritten; the engine below runs all figures alike."""
+"""Packages of ``simulations`` whose definitions readers can edit."""
 
 
 SOURCES = "/lib/simulations.zip"
-"""Where the browser has the sources of modules that it runs as byte code."""
+"""Folder of the sources in the browser, which runs the modules as byte code."""
 
 
 @dataclass(frozen=True, slots=True)
 class Definition:
-    """A function, class or constant of a module, with what is written above and below it."""
+    """A function, class or constant of a module, with its comments and docstring."""
 
     name: str
     first: int
-    """Its first line in the file, from 1: that of its decorators, or of comments close above."""
+    """Its first line in the file, from 1, with decorators and comments directly above."""
     last: int
-    """Its last line; a constant's docstring belongs to it."""
+    """Its last line, with the docstring of a constant."""
 
 
 def is_editable(module: str) -> bool:
-    """Whether the module of that full name lies in one of `ROOMS`."""
+    """Whether the module of that full name is in one of `ROOMS`."""
     package, _, rest = module.partition(".")
     return package == "simulations" and rest.partition(".")[0] in ROOMS
 
@@ -42,7 +42,7 @@ def module_source(module: str) -> str:
 
 
 def _kept_source(module: str) -> str | None:
-    """From `SOURCES`: an importer finds what lies in its folder, by the last part of its name."""
+    """The module's file in `SOURCES`."""
     package = module.rpartition(".")[0]
     return zipimporter(f"{SOURCES}/{package.replace('.', '/')}").get_source(module)
 
@@ -62,7 +62,7 @@ def definitions(source: str) -> dict[str, Definition]:
 
 
 def defined_name(statement: ast.stmt) -> str:
-    """The one name that a statement defines, or nothing."""
+    """The name that a statement defines; empty unless it defines exactly one."""
     match statement:
         case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
             return name
@@ -73,9 +73,9 @@ def defined_name(statement: ast.stmt) -> str:
 
 
 def home(function: Callable[..., Any]) -> tuple[str, str]:
-    """Full name of the module, and the definition in it, where ``function`` is written.
+    """Full name of the module and name of the definition that contain ``function``.
 
-    A lambda or an inner function lies in the definition around it. Nothing, twice, where the
+    A lambda or an inner function belongs to the definition around it. Two empty strings if the
     function is not written in Python.
     """
     while hasattr(function, "func"):  # partial
@@ -108,7 +108,7 @@ def _has_body(statement: ast.stmt) -> bool:
 
 
 def _is_text(statement: ast.stmt | None) -> bool:
-    """Whether it is a bare string: the docstring of the constant above it."""
+    """Whether the statement is a bare string: the docstring of the constant above it."""
     return (
         isinstance(statement, ast.Expr)
         and isinstance(statement.value, ast.Constant)

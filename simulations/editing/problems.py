@@ -1,4 +1,4 @@
-"""Where in the reader's own text something went wrong."""
+"""Locates errors in the reader's edits."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,21 +11,21 @@ from simulations.engine.said import Said
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """An exception, and the line of the reader's that it came from."""
+    """An exception, and the line of an edit that caused it."""
 
     message: str | Said
-    """What Python says, or the engine."""
+    """Message of Python or of the engine."""
     definition: str = ""
-    """``MODULE:NAME`` of the edited definition; nothing where none of them was at work."""
+    """``MODULE:NAME`` of the edited definition; empty if no edited definition was running."""
     line: int = 0
-    """Line of its text, from 1; 0 where there is none."""
+    """Line of its text, from 1; 0 for none."""
 
 
 def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
-    """What to tell of ``error``, raised while a program with edits at ``places`` ran.
+    """The problem to show for ``error``, raised while a program with edits at ``places`` ran.
 
-    The innermost edited line is named; where the book's own code raised it, called from there,
-    the message says where.
+    It has the innermost edited line. If the book's own code, called from there, raised the error,
+    the message states where.
     """
     if isinstance(error, RefusedEditError):
         return Problem(error.message, error.definition, error.line)
@@ -49,7 +49,7 @@ def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
 def _with_place(
     error: str, steps: Sequence[tuple[str, int]], places: Sequence[Place]
 ) -> str | Said:
-    """With the line in the book's file of the innermost of the steps that is the book's."""
+    """The message with the innermost line of the book's own code."""
     for module, line in reversed(steps):
         if is_editable(module):
             above = (p.added for p in places if p.module == module and p.first < line)

@@ -1,8 +1,8 @@
-"""A copy of a scene's program in which some definitions are the reader's own.
+"""A copy of a scene's program in which the reader has edited some definitions.
 
-The modules are executed anew, so that the copy shares nothing with the book's program but the
-engine and numpy: no namespace, no cached array. Functions that hold others in tables, or took
-them from other modules by name, hold those of the copy.
+The modules are executed anew, so that the copy shares only the engine and numpy with the book's
+program: no namespace and no cached array. Tables of functions, and functions imported by name, are
+those of the copy.
 """
 
 import ast
@@ -25,11 +25,11 @@ from simulations.editing.definitions import (
 from simulations.engine.said import Said
 
 type Edits = Mapping[str, str]
-"""Definition, ``MODULE:NAME``, to the text in its place."""
+"""Definition, ``MODULE:NAME``, to its new text."""
 
 
 class RefusedEditError(Exception):
-    """A text that cannot stand in the place of its definition."""
+    """A text that cannot replace its definition."""
 
     def __init__(self, definition: str, line: int, message: str | Said) -> None:
         super().__init__(message)
@@ -41,16 +41,16 @@ class RefusedEditError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where an edited text stands in its module."""
+    """The place of an edited text in its module."""
 
     definition: str
     module: str
     first: int
     """Its first line in the edited module, from 1."""
     count: int
-    """How many lines it has."""
+    """Count of its lines."""
     added: int
-    """How many more than the text that was there."""
+    """Count of lines more than the original text."""
 
     def holds(self, module: str, line: int) -> bool:
         return module == self.module and self.first <= line < self.first + self.count
@@ -58,7 +58,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Edition:
-    """The modules that hold edits."""
+    """The modules with edits."""
 
     sources: Mapping[str, str]
     """Full name of each to its source."""
@@ -66,10 +66,10 @@ class Edition:
 
 
 def edition_of(edits: Edits) -> Edition:
-    """Edits put into their modules.
+    """Put edits into their modules.
 
-    Raises `RefusedEditError` for a text that is no Python or no longer defines its name, and
-    `KeyError` and `ValueError` for a definition that there is not.
+    Raises `RefusedEditError` for a text that is not Python or no longer defines its name, and
+    `KeyError` or `ValueError` for an unknown definition.
     """
     for definition, text in edits.items():
         _check(definition, text)
@@ -83,18 +83,19 @@ def edition_of(edits: Edits) -> Edition:
 
 
 def load_copy(module: str, sources: Mapping[str, str]) -> Any:
-    """``module`` and all that it imports, executed anew; where named, from these sources.
+    """Execute ``module`` and all editable modules that it imports anew, from the given sources if
+    any.
 
-    Raises whatever the modules raise. The book's own program stays as it was.
+    Raises what the modules raise. The book's own program stays unchanged.
     """
     with _own_modules(), _instead(sources):
         return import_module(module)
 
 
 def splice(module: str, source: str, texts: Mapping[str, str]) -> tuple[str, list[Place]]:
-    """``source`` with other texts in place of some of its definitions, and where they stand.
+    """``source`` with new texts for some of its definitions, and the places of these texts.
 
-    Raises `KeyError` where the module defines no such name.
+    Raises `KeyError` for a name that the module does not define.
     """
     known = definitions(source)
     lines, places = source.splitlines(), []
@@ -112,7 +113,7 @@ def splice(module: str, source: str, texts: Mapping[str, str]) -> tuple[str, lis
 def _check(definition: str, text: str) -> None:
     name = definition.partition(":")[2]
     try:
-        compile(text, definition, "exec", dont_inherit=True)  # sees more mistakes than a parser
+        compile(text, definition, "exec", dont_inherit=True)  # finds more mistakes than parsing
         statements = ast.parse(text).body
     except SyntaxError as error:
         raise RefusedEditError(definition, error.lineno or 1, f"SyntaxError: {error.msg}") from None
@@ -121,20 +122,20 @@ def _check(definition: str, text: str) -> None:
 
 
 class _EditedLoader:
-    """Loads one module from a source of its own."""
+    """Loads one module from a given source."""
 
     def __init__(self, source: str) -> None:
         self._source = source
 
     def create_module(self, _spec: ModuleSpec) -> None:
-        """An ordinary module will do."""
+        """None: the default module is used."""
 
     def exec_module(self, module: ModuleType) -> None:
         exec(compile(self._source, module.__name__, "exec", dont_inherit=True), vars(module))
 
 
 class _EditedFinder:
-    """Finds the edited modules before anyone else."""
+    """The first finder: finds the edited modules."""
 
     def __init__(self, sources: Mapping[str, str]) -> None:
         self._sources = sources
@@ -147,7 +148,7 @@ class _EditedFinder:
 
 @contextmanager
 def _instead(sources: Mapping[str, str]) -> Iterator[None]:
-    """While it lasts, the modules named are imported from these sources."""
+    """A context in which the given modules are imported from these sources."""
     finder = _EditedFinder(sources)
     sys.meta_path.insert(0, finder)
     try:
@@ -158,7 +159,7 @@ def _instead(sources: Mapping[str, str]) -> Iterator[None]:
 
 @contextmanager
 def _own_modules() -> Iterator[None]:
-    """While it lasts, editable modules are imported anew; after it, the book's are in place."""
+    """A context in which editable modules are imported anew; the book's are restored afterwards."""
     package = vars(sys.modules["simulations"])
     rooms = {name: value for name, value in package.items() if is_editable(f"simulations.{name}")}
     books = _take_out()

@@ -1,1 +1,1 @@
-"""What every widget is made of: controls, frames, drawing, the stage pipeline."""
+"""The parts of every figure: controls, frames, drawing, the stage pipeline."""

@@ -1,4 +1,4 @@
-"""Conditions on what a figure shows: how a question judges what its reader made of the figure."""
+"""Conditions on the state of a figure, for questions whose answer is a figure."""
 
 from collections.abc import Mapping, Sequence
 
@@ -10,7 +10,7 @@ WORDS = {"∞": float("inf"), "\u2212∞": float("-inf"), "undefined": float("na
 
 
 def shown_value(text: str) -> float | str:
-    """What a readout says: its number, or its words where it says none."""
+    """The number in a readout, or its text if there is none."""
     if text in WORDS:
         return WORDS[text]
     try:
@@ -20,7 +20,8 @@ def shown_value(text: str) -> float | str:
 
 
 def names_in(settings: object, frame: Frame) -> Mapping[str, object]:
-    """What a condition may name: the settings, and the readouts whose names no setting has."""
+    """Names and values for conditions: the settings, and the readouts that share no setting's
+    name."""
     shown = {readout.name: shown_value(readout.text) for readout in frame.readouts}
     return {**shown, **values_of(settings)}
 

@@ -1,4 +1,4 @@
-"""Controls: what the reader may change, within which range, starting where."""
+"""Controls of a figure: ranges, defaults and labels."""
 
 import math
 from collections.abc import Mapping
@@ -8,7 +8,7 @@ type Value = float | int | str | bool
 
 
 class ControlError(ValueError):
-    """A value that a control cannot take. The message says what was given and what is legal."""
+    """An illegal value of a control. The message states the value and what is legal."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -18,7 +18,7 @@ class Slider:
     name: str
     """The parameter's name: an identifier, unique in the scene."""
     label: str
-    """What the reader sees."""
+    """Label shown to the reader."""
     default: float
     minimum: float
     maximum: float
@@ -44,17 +44,17 @@ class Slider:
 
     @property
     def decimals(self) -> int:
-        """Digits after the point that the step can change."""
+        """Decimals of the step."""
         text = f"{self.step:.10f}".rstrip("0")
         return len(text.partition(".")[2])
 
     def reaches(self, number: float) -> bool:
-        """Whether whole steps from the minimum lead to ``number``: browsers show nothing else."""
+        """Whether ``number`` is a whole number of steps from the minimum, as browsers require."""
         steps = (number - self.minimum) / self.step
         return abs(steps - round(steps)) < 1e-6
 
     def nearest(self, number: float) -> float:
-        """The value nearest to ``number``, also an infinite one, that whole steps lead to."""
+        """The value on a step nearest to ``number``, which may be infinite."""
         inside = min(max(number, self.minimum), self.maximum)
         steps = round((inside - self.minimum) / self.step)
         if self.minimum + steps * self.step > self.maximum + 1e-6 * self.step:
@@ -63,12 +63,12 @@ class Slider:
 
     @property
     def _fine_decimals(self) -> int:
-        """Digits after the point of the minimum and of the step, whichever has more."""
+        """The larger number of decimals of the minimum and the step."""
         texts = (f"{number:.10f}".rstrip("0") for number in (self.minimum, self.step))
         return max(len(text.partition(".")[2]) for text in texts)
 
     def parse(self, raw: object) -> float:
-        """``raw`` as a finite number, not yet held to the range."""
+        """``raw`` as a finite number, not clamped to the range."""
         if isinstance(raw, bool) or not isinstance(raw, int | float | str):
             raise ControlError(f"{self.name}: {raw!r} is not a number; legal: {self.legal}")
         try:
@@ -82,14 +82,14 @@ class Slider:
         return number + 0.0  # −0 would be written with its sign
 
     def check(self, raw: object) -> float:
-        """``raw`` as a number in range; an author's mistake raises."""
+        """``raw`` as a number in range, for authors; raises `ControlError` otherwise."""
         number = self.parse(raw)
         if not self.minimum <= number <= self.maximum:
             raise ControlError(f"{self.name}: {number:g} is out of range; legal: {self.legal}")
         return number
 
     def clamp(self, raw: object) -> float:
-        """``raw`` as a number, brought into range: what a reader's gesture gets."""
+        """``raw`` as a number, clamped to the range, for readers."""
         return min(max(self.parse(raw), self.minimum), self.maximum)
 
 
@@ -146,11 +146,11 @@ class Toggle:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Action:
-    """A button. Its value counts presses modulo the number of its labels.
+    """A button. Its value is the number of presses modulo the number of labels.
 
-    A button with one label either moves another control (``drives``) or does nothing but
-    repaint; one with two is a switch whose label tells what the next press will do. One that
-    draws noise anew repeats its label as often as there are draws: the state seeds the noise.
+    A button with one label either moves another control (``drives``) or only repaints; one with two
+    labels is a switch whose label names the effect of the next press. A button that draws new noise
+    repeats its label once per draw: its value seeds the noise.
     """
 
     name: str
@@ -161,7 +161,7 @@ class Action:
     effect: str = ""
     """``play`` (sweep that slider to its end; press again to pause), ``step`` or ``reset``."""
     seconds: float = 8.0
-    """How long ``play`` takes from the slider's minimum to its maximum."""
+    """Duration of ``play`` from the slider's minimum to its maximum."""
 
     kind = "action"
     default = 0
@@ -197,8 +197,8 @@ type Control = Slider | Choice | Toggle | Action
 
 
 def suggestion(given: object, legal: Mapping[str, object]) -> str:
-    """``; did you mean 'x'?`` where something legal is close, else nothing."""
-    import difflib  # long, and rarely needed
+    """``; did you mean 'x'?`` if a legal name is similar, else empty."""
+    import difflib  # a large module, rarely needed
 
     near = difflib.get_close_matches(str(given), list(legal), n=1)
     return f"; did you mean {near[0]!r}?" if near else ""

@@ -1,7 +1,6 @@
-"""Marks of a drawing board: labels with indices, dimensions, arcs, lenses.
-
-They build on `simulations.engine.drawing` and follow its rules: view box units, x right, y down;
-``style`` is a list of CSS classes. Angles are counter-clockwise as seen, from the right.
+"""Labels with indices, dimension lines, arcs and lenses, by the rules of
+`simulations.engine.drawing`: view box units, x right, y down; ``style`` is a list of CSS classes.
+Angles are counter-clockwise as seen, from the right.
 """
 
 import math
@@ -23,13 +22,13 @@ from simulations.engine.drawing import (
 SCRIPT = re.compile(r"([_^])(?:\{([^}]*)\}|(.))")
 """An index or an exponent: ``z_s``, ``r^2``, ``N_{min}``."""
 SCRIPT_SIZE = 0.74
-"""Of its letters, beside those of the label."""
+"""Size of a script's letters, relative to the label's."""
 HEIGHTS = {"_": ("sub", 0.22), "^": ("super", -0.37)}
-"""Class of a script and how far below the line it stands, in letters of the label."""
+"""Class of a script, and its distance below the baseline in letter heights of the label."""
 
 
 def label(position: Point, content: str, style: str = "", anchor: str = "start") -> str:
-    """A text in which ``_`` lowers and ``^`` raises the character, or ``{group}``, after it."""
+    """A text in which ``_`` lowers and ``^`` raises the next character or ``{group}``."""
     x, y = coordinate(position[0]), coordinate(position[1])
     return f'<text class="{style}" x="{x}" y="{y}" text-anchor="{anchor}">{_spans(content)}</text>'
 
@@ -47,7 +46,7 @@ def _spans(content: str) -> str:
 
 
 def _span(content: str, kind: str, down_em: float) -> str:
-    """Words, so many of their own letters below those before."""
+    """Words shifted down by so many of their own letter heights."""
     words = escaped(content)
     if not words or not (kind or down_em):
         return words
@@ -56,7 +55,7 @@ def _span(content: str, kind: str, down_em: float) -> str:
 
 
 def swatch(corner: Point, width: float, height: float, srgb: Sequence[float]) -> str:
-    """A rectangle in a colour that was computed, 0 to 1: a measurement, the same in all themes."""
+    """A rectangle in a computed colour, 0 to 1, the same in all themes."""
     x, y, w, h = (coordinate(value) for value in (corner[0], corner[1], width, height))
     red, green, blue = (round(255 * min(max(float(value), 0.0), 1.0)) for value in srgb)
     fill = f"#{red:02x}{green:02x}{blue:02x}"
@@ -64,7 +63,7 @@ def swatch(corner: Point, width: float, height: float, srgb: Sequence[float]) ->
 
 
 def polar(centre: Point, radius: float, angle_rad: float) -> tuple[float, float]:
-    """The point at that distance and angle."""
+    """The point at a distance and an angle from ``centre``."""
     return (
         float(centre[0]) + radius * math.cos(angle_rad),
         float(centre[1]) - radius * math.sin(angle_rad),
@@ -85,7 +84,7 @@ def double_arrow(start: Point, end: Point, style: str = "", head: float = 7.0) -
 
 
 def dimension(start: Point, end: Point, style: str = "", tick: float = 5.0) -> str:
-    """A dimension line: heads at both ends, each against a short stroke across."""
+    """A dimension line: arrow heads at both ends, each at a short cross stroke."""
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = math.hypot(dx, dy)
     across = (-dy / length * tick, dx / length * tick)

@@ -1,9 +1,9 @@
-"""SVG markup for overlays: plain functions from coordinates to strings.
+"""SVG markup for overlays: functions from coordinates to strings.
 
-Coordinates are view box units, x right, y down. ``style`` is a list of CSS classes: a colour
-role (world, camera, ray, image, light, error, muted) and, if wanted, a manner (dashed, thin,
-bold, fill, solid, faint). Numbers are rounded to 1/100 unit, so that two machines whose libm
-differ in the last place draw the same markup.
+Coordinates are view box units, x right, y down. ``style`` is a list of CSS classes: a colour role
+(world, camera, ray, image, light, error, muted) and, if wanted, a manner (dashed, thin, bold, fill,
+solid, faint). Numbers are rounded to 1/100 unit, so that two machines whose libm differ in the last
+place draw the same markup.
 """
 
 import math
@@ -19,11 +19,11 @@ type Points = NDArray[np.floating]
 type Point = Sequence[float] | Points
 
 SHORTER = (("-0.00", "0"), (".00", ""), *((f".{digit}0", f".{digit}") for digit in range(1, 10)))
-"""What two decimals are written as: in this order, and right only where all have two."""
+"""Replacements that shorten numbers of two decimals; the order matters."""
 
 
 def coordinate(value: float) -> str:
-    """A number for an SVG attribute; refuses what no renderer can draw."""
+    """A number for an SVG attribute. Raises `ValueError` if it is not finite."""
     if not math.isfinite(value):
         raise ValueError(f"cannot draw at {value!r}: clip or mask before drawing")
     text = f"{value:.2f}".rstrip("0").rstrip(".")
@@ -37,7 +37,7 @@ def _points(points: Iterable[Point], joint: str = " ") -> str:
 
 
 def _array_points(points: Points, joint: str) -> str:
-    """`coordinate` of every number (N, 2), written at once: a curve has hundreds, in each frame."""
+    """`coordinate` of all numbers (N, 2) at once, which is faster for the hundreds of a curve."""
     if not len(points):
         return ""
     numbers = points[:, :2].ravel().tolist()
@@ -89,8 +89,7 @@ def dot(centre: Point, style: str = "", radius: float = 4.0) -> str:
 
 
 def escaped(content: str) -> str:
-    """As text in SVG. The library's own function comes with a table of all of HTML's entities,
-    which is long in a browser's memory."""
+    """Escape text for SVG. `html.escape` would load a table of all HTML entities in the browser."""
     return content.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 
 
@@ -101,7 +100,7 @@ def text(position: Point, content: str, style: str = "", anchor: str = "start") 
 
 
 def arrow(start: Point, end: Point, style: str = "", head: float = 8.0) -> str:
-    """A line with a filled head at ``end``; only the line where it is shorter than its head."""
+    """A line with a filled head at ``end``; without the head if the line is shorter than that."""
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = math.hypot(dx, dy)
     if length <= head:

@@ -1,8 +1,8 @@
 """A small language of expressions: arithmetic, comparisons and calls, written as in Python.
 
-Chapters hold answers and conditions in it, which are worked out when the book is built and, for
-what the reader does to a figure, in the browser. It names only what it is given, so nothing that
-is written in a chapter can reach beyond that; methods and comprehensions do not exist.
+Answers and conditions in chapters are such expressions. They are evaluated when the book is built
+and, for the state of a figure, in the browser. An expression can use only the names it is given; it
+has no methods and no comprehensions.
 """
 
 import ast
@@ -50,15 +50,15 @@ MATHS: Mapping[str, object] = {
     },
     **{function.__name__: function for function in (abs, min, max, round, len, sum, np.allclose)},
 }  # fmt: skip
-"""What every expression may name."""
+"""Names that every expression can use."""
 
 
 class ExpressionError(ValueError):
-    """An expression that says nothing; the message says why."""
+    """An expression that cannot be evaluated; the message says why."""
 
 
 def evaluate(text: str, names: Mapping[str, object]) -> Any:
-    """The value of ``text``, where ``names`` stand for their values. Raises `ExpressionError`."""
+    """The value of ``text`` with the values of ``names``. Raises `ExpressionError`."""
     try:
         tree = ast.parse(text.strip(), mode="eval")
     except (SyntaxError, ValueError):
@@ -67,13 +67,13 @@ def evaluate(text: str, names: Mapping[str, object]) -> Any:
 
 
 def evaluate_node(node: ast.expr, names: Mapping[str, object], text: str = "") -> Any:
-    """The same for an expression that is parsed already; ``text`` is quoted in errors."""
+    """The value of a parsed expression; ``text`` is quoted in errors."""
     text = text or ast.unparse(node)
     try:
         return _value(node, {**MATHS, **names})
     except ExpressionError as error:
         raise ExpressionError(f"{text!r}: {error}") from None
-    except Exception as error:  # whatever the functions that it calls may raise
+    except Exception as error:  # the functions that it calls may raise anything
         raise ExpressionError(f"{text!r}: {type(error).__name__}: {error}") from error
 
 
@@ -116,7 +116,7 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
 
 
 def _data(whole: object, name: str) -> object:
-    """An attribute that is no method, which might do something."""
+    """The attribute of an object, unless it is a method."""
     value = getattr(whole, name)
     if callable(value):
         raise ExpressionError(f"method {name!r}; legal: attributes that hold data")

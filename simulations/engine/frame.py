@@ -1,4 +1,4 @@
-"""What a scene returns: pictures, drawings over them, numbers, and one sentence in words."""
+"""The frame that a scene returns: pictures, overlays, readouts and a description."""
 
 import json
 from collections.abc import Sequence
@@ -25,7 +25,7 @@ class Panel:
     name: str
     """Identifier, unique in the frame and the same in every frame of a scene."""
     title: str
-    """Caption above the panel, or nothing."""
+    """Caption above the panel; may be empty."""
     width: float
     """Width of the view box, in overlay units; near 400, so that 13-unit text always reads well."""
     height: float
@@ -85,10 +85,10 @@ class Readout:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a handle of the scene is: see `simulations.engine.handles`."""
+    """The place of a handle: see `simulations.engine.handles`."""
 
     name: str
-    """The handle's."""
+    """Name of the handle."""
     x: float
     y: float
     """In view box units of its panel."""
@@ -96,12 +96,12 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class StageReport:
-    """What became of one stage of the computation."""
+    """Report of one stage of the computation."""
 
     name: str
     status: Literal["computed", "reused", "skipped"]
     reason: str | tuple[Said, ...]
-    """Why: in the scene's own words, or what the engine says."""
+    """The reason: a text of the scene, or messages of the engine."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,10 +111,10 @@ class Frame:
     panels: tuple[Panel, ...]
     readouts: tuple[Readout, ...]
     description: str
-    """One sentence that tells a reader who cannot see it what the picture now shows."""
+    """One sentence on what the picture shows, for readers who cannot see it."""
     stages: tuple[StageReport, ...] = field(default=())
     handles: tuple[Place, ...] = ()
-    """Where the handles are that can be grabbed now; the engine sets this, no scene does."""
+    """Places of the handles that can be grabbed; set by the engine, not by the scene."""
 
     def __post_init__(self) -> None:
         for name, entries, legal in (
@@ -138,7 +138,7 @@ class Frame:
 def readout(
     name: str, label: str, value: float, unit: str = "", *, digits: int = 2, role: str = ""
 ) -> Readout:
-    """A number with a fixed count of decimals, a true minus sign, and words for the infinite."""
+    """A readout of a number with a fixed count of decimals: see `format_number`."""
     return Readout(name, label, format_number(value, digits), unit, role)
 
 

@@ -1,4 +1,4 @@
-"""Handles: what of a picture can be grabbed, and what a pull means.
+"""Handles: things in a picture that can be grabbed and dragged.
 
     def point_at(settings: Settings, _outputs: Outputs) -> Point:
         return (20 * settings.x, 30 - 20 * settings.y)
@@ -8,9 +8,9 @@
 
     Handle("point", "plane", "Point P", ("x", "y"), point_at, point_pulled, role="world")
 
-A pull says what it would take to put the thing there, as if nothing were in the way; the engine
-brings that into range and onto the steps of the controls. The page, the keyboard and the tests
-all go through the same two functions.
+``pull`` returns the settings that would bring the thing to a place, as if there were no limits; the
+engine clamps and rounds them to the steps of the controls. The page, the keyboard and the tests all
+use the same two functions.
 """
 
 import inspect
@@ -25,43 +25,43 @@ from simulations.engine.frame import ROLES, Panel, Place
 from simulations.engine.stages import Outputs
 
 type Point = tuple[float, float]
-"""In view box units of the panel: x right, y down."""
+"""A place in view box units of the panel: x right, y down."""
 
 
 @dataclass(frozen=True, slots=True)
 class Handle[S]:
-    """Something in a panel that can be grabbed. ``S`` is the dataclass of the scene's settings."""
+    """A thing in a panel that can be grabbed. ``S`` is the dataclass of the scene's settings."""
 
     name: str
     """Identifier, unique in the scene."""
     panel: str
-    """Name of the panel that it lies in."""
+    """Name of its panel."""
     label: str
-    """What it is, for a reader who cannot see it: ``Lamp``."""
+    """Its name for readers who cannot see it: ``Lamp``."""
     drives: tuple[str, ...]
-    """Names of one or two settings: those that a pull changes. Arrow keys to the right and left
-    step the first; up and down the second, or the first where it is alone."""
+    """Names of the one or two settings that a pull changes. The arrow keys right and left step the
+    first; up and down step the second, or the first if there is only one."""
     at: Callable[[S, Outputs], Point | None]
-    """Where it is; ``None`` where it cannot be grabbed at these settings."""
+    """Returns its place, or ``None`` if it cannot be grabbed at these settings."""
     pull: Callable[..., Mapping[str, Value]]
-    """What the settings would have to be for it to be at a place: of settings, place and, where it
-    has a parameter of that name, the ``tier`` that is shown. What it leaves out stays."""
+    """Takes settings, a place and, if it has a parameter of that name, the current ``tier``.
+    Returns the settings that put the handle at that place; settings left out stay as they are."""
     reach: Literal["mark", "press", "drag", "aim"] = "mark"
     """How it is grabbed: at its mark; also by pressing anywhere in the panel, which brings it
-    there; or, without a mark, by dragging from anywhere, which moves it by as much; or by pressing
-    at something, whose place alone tells what is meant."""
+    there; without a mark by dragging from anywhere, which moves it by the same distance; or by
+    pressing at a place."""
     role: str = ""
     """One of `simulations.engine.frame.ROLES`: the colour of its mark."""
     reversed: tuple[str, ...] = ()
-    """Settings of which more moves it left or down: their arrow keys go the other way."""
+    """Settings that move it left or down as they increase: their arrow keys are reversed."""
 
 
 def places(
     handles: tuple[Handle[Any], ...], settings: object, outputs: Outputs, panels: tuple[Panel, ...]
 ) -> tuple[Place, ...]:
-    """Where the handles of a frame are; marks are held inside their panels.
+    """The places of the handles of a frame; marks are clamped to their panels.
 
-    Raises `ValueError` for a handle of a panel that the frame lacks.
+    Raises `ValueError` for a handle whose panel is not in the frame.
     """
     sizes = {panel.name: (panel.width, panel.height) for panel in panels}
     found = []
@@ -91,8 +91,8 @@ def pulled(
 ) -> dict[str, Value]:
     """The values that bring ``handle`` as near to ``place`` as the controls allow.
 
-    A number that no place leads to, NaN or infinite, leaves its setting alone. Raises
-    `ValueError` for a place that is none, and for a pull that changes what it does not drive.
+    A setting stays as it is if its new value is NaN or infinite. Raises `ValueError` for a place
+    that is not finite, and for a pull that changes settings other than ``drives``.
     """
     if not all(map(math.isfinite, place)):
         raise ValueError(f"handle {handle.name!r}: place {place}; legal: finite numbers")
@@ -120,7 +120,7 @@ def _is_point(place: object) -> bool:
 
 
 def mistakes(handles: tuple[Handle[Any], ...], controls: tuple[Control, ...]) -> list[str]:
-    """What is wrong with the handles of a scene, in words."""
+    """Messages on what is wrong with the handles of a scene."""
     names = [handle.name for handle in handles]
     wide = [handle.panel for handle in handles if handle.reach != "mark"]
     found = [f"two handles named {name!r}" for name in names if names.count(name) > 1]

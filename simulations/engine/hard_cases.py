@@ -1,8 +1,7 @@
-"""A hard case for a model: what is asked, what comes back, and what others would have said.
+"""A hard case of a model: the question, the answer, and the answers of other libraries.
 
-A question is kept as the very expression that readers see, and it is evaluated from there: what
-the book prints and what the tests check cannot drift apart. Cases are for the book and for the
-tests; no scene and no page imports them.
+A question is stored as the expression that readers see and is evaluated from it, so that the book
+and the tests always agree. Only the book and the tests import the cases; scenes and pages do not.
 """
 
 from collections.abc import Callable, Mapping
@@ -12,40 +11,41 @@ from typing import Any
 import numpy as np
 
 type Check = Callable[[Any], bool]
-"""Whether an answer, or the `ValueError` raised in its stead, is what the case demands."""
+"""Whether an answer, or the `ValueError` raised instead, is the expected one."""
 
 LONGEST_SHOWN = 12
-"""Arrays of more entries are shown by their shape and range."""
+"""Arrays of more entries are printed by their shape and range."""
 
 ROUNDING = 1e-13
-"""Share of the largest entry of an array below which another one is shown as 0."""
+"""Entries below this share of an array's largest entry are printed as 0."""
 
 
 @dataclass(frozen=True, slots=True)
 class LibraryAnswer:
-    """What a widely used library says to the same question."""
+    """The answer of a widely used library to the same question."""
 
     call: str
-    """Expression in the library's own names; only the tests evaluate it."""
+    """The question in the library's names; only the tests evaluate it."""
     answer: str
-    """Its answer as `show` prints it, measured once; a test holds it true of the library today."""
+    """The library's answer as printed by `show`; a test compares it with the installed library."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HardCase:
-    """One question at the edge of what a model is made for."""
+    """A question at the edge of a model's domain."""
 
     id: str
     """Unique in its table, and the name of its test."""
     call: str
     """The question: an expression in the names of the table."""
     why: str
-    """What makes it hard."""
+    """Why the case is hard."""
     returns: str
-    """What the model returns, and why that rather than something else."""
+    """What the model returns, and why."""
     expected: Check
     naive: str = ""
-    """The textbook formula on the same numbers, an expression in numpy and the same names."""
+    """The textbook formula for the same numbers, an expression in numpy and the names of the
+    table."""
     library: LibraryAnswer | None = None
 
 
@@ -56,7 +56,7 @@ class HardCases:
     id: str
     title: str
     names: Mapping[str, Any]
-    """What the expressions may use: the functions of the model, and a few objects made for them."""
+    """Names for the expressions: the functions of the model, and a few prepared objects."""
     cases: tuple[HardCase, ...]
 
     def __post_init__(self) -> None:
@@ -66,9 +66,9 @@ class HardCases:
 
 
 def answer(table: HardCases, case: HardCase) -> Any:
-    """What the model says: a value, or the `ValueError` with which it refuses.
+    """The model's answer: a value, or the `ValueError` that it raises.
 
-    Anything else that is raised, and any warning, is left to the caller: it is a defect.
+    Other exceptions and warnings are defects of the model and are not caught.
     """
     try:
         return _evaluate(case.call, table)
@@ -77,7 +77,7 @@ def answer(table: HardCases, case: HardCase) -> Any:
 
 
 def naive_answer(table: HardCases, case: HardCase) -> Any:
-    """What the textbook formula says, its warnings silenced: a value, or the exception raised."""
+    """The answer of the textbook formula without its warnings: a value, or the exception raised."""
     try:
         with np.errstate(all="ignore"):
             return _evaluate(case.naive, table)
@@ -90,7 +90,7 @@ def _evaluate(expression: str, table: HardCases) -> Any:
 
 
 def show(value: Any) -> str:
-    """An answer as the book prints it: five digits, a refusal with its message."""
+    """An answer as the book prints it: numbers to five digits, exceptions with their message."""
     match value:
         case BaseException():
             return type(value).__name__ if not isinstance(value, ValueError) else _refusal(value)
@@ -118,7 +118,7 @@ def _refusal(error: ValueError) -> str:
 
 
 def _without_rounding(array: Any) -> Any:
-    """Entries that are rounding beside the largest one are set to 0: they differ by machine."""
+    """Set entries that are rounding errors of the largest one to 0, as they differ by machine."""
     if array.dtype.kind != "f":
         return array
     size = np.abs(array)
@@ -127,7 +127,7 @@ def _without_rounding(array: Any) -> Any:
 
 
 def refused(*words: str) -> Check:
-    """The model refuses, and its message contains all ``words``: the parameter and its value."""
+    """The model raises `ValueError` with a message that contains all ``words``."""
     return lambda got: isinstance(got, ValueError) and all(word in str(got) for word in words)
 
 
@@ -145,7 +145,7 @@ def _is_near(got: Any, value: Any, tolerance: float) -> bool:
 
 
 def exactly(value: Any) -> Check:
-    """The answer is ``value`` to the last bit, NaN included."""
+    """The answer equals ``value`` exactly, NaN included."""
     return lambda got: (
         not isinstance(got, Exception)
         and np.shape(got) == np.shape(value)
@@ -154,12 +154,12 @@ def exactly(value: Any) -> Check:
 
 
 def valid(value: Any, tolerance: float = 1e-12) -> Check:
-    """Of a pair (values, mask): the mask is all True and the values are ``value``."""
+    """The answer is a pair (values, mask); the mask is all True and the values are ``value``."""
     return lambda got: (
         isinstance(got, tuple) and bool(np.all(got[1])) and _is_near(got[0], value, tolerance)
     )
 
 
 def invalid(got: Any) -> bool:
-    """Of a pair (values, mask): the mask is all False and every value is NaN."""
+    """The answer is a pair (values, mask); the mask is all False and all values are NaN."""
     return isinstance(got, tuple) and not np.any(got[1]) and bool(np.all(np.isnan(got[0])))

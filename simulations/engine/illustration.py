@@ -1,4 +1,4 @@
-"""What an illustration is: drawings that do not move, and what they show in words."""
+"""An illustration: static drawings with a description."""
 
 from dataclasses import dataclass
 
@@ -10,9 +10,9 @@ class Illustration:
     """One or more drawings, and a description for readers who cannot see them."""
 
     panels: tuple[Panel, ...]
-    """Side by side where there is room, else one below the other; SVG alone, no raster."""
+    """SVG only, without rasters; side by side if there is space, else stacked."""
     description: str
-    """What they show, with their numbers: one to three sentences."""
+    """One to three sentences on what the drawings show, with the numbers."""
 
     def __post_init__(self) -> None:
         if not self.panels:

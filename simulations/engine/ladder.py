@@ -1,8 +1,8 @@
-"""A speed/accuracy ladder: the ways to compute one phenomenon, from cheap to dear.
+"""A speed/accuracy ladder: the ways to compute one phenomenon, from cheap to expensive.
 
-A ladder states its tiers, a workload, a reference that comes by a route of its own, and
-metrics with units. Measuring one takes a clock from outside, so that this module stays pure
-and the same code measures in CPython and in the reader's browser.
+A ladder has tiers, a workload, a reference computed independently, and metrics with units. The
+caller passes the clock for a measurement, so that the same code measures in CPython and in the
+reader's browser.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -20,14 +20,14 @@ class Tier:
     id: str
     label: str
     cost: str
-    """Work that does not depend on the machine: taps a pixel, iterations, rays."""
+    """Work, independent of the machine: taps per pixel, iterations, rays."""
     run: Callable[[Any], Any]
-    """From the prepared workload to a result that the metrics can compare."""
+    """Computes the result from the prepared workload."""
 
 
 @dataclass(frozen=True, slots=True)
 class Metric:
-    """A distance between a tier's result and the reference's."""
+    """A distance between the results of a tier and of the reference."""
 
     id: str
     label: str
@@ -39,30 +39,30 @@ class Metric:
 
 @dataclass(frozen=True, slots=True)
 class Ladder:
-    """The tiers of one phenomenon and how to judge them."""
+    """The tiers of one phenomenon, and how to measure them."""
 
     id: str
     title: str
     workload: str
-    """What is computed, with its size, in words."""
+    """Description of the workload and its size."""
     prepare: Callable[[], Any]
-    """Builds the workload; never timed."""
+    """Makes the workload; not timed."""
     tiers: tuple[Tier, ...]
-    """Cheap to dear."""
+    """The tiers, from cheap to expensive."""
     reference: Callable[[Any], Any]
     reference_label: str
-    """Where the truth comes from, in words."""
+    """Description of the reference."""
     metrics: tuple[Metric, ...]
-    """The first is the one that charts show and that decides the Pareto front."""
+    """The first metric is shown in charts and decides the Pareto front."""
     default_tier: str
-    """What scenes settle in."""
+    """The tier that scenes use by default."""
     items: int = 0
-    """How many pixels or points the workload has; 0 where that says nothing."""
+    """Count of pixels or points of the workload; 0 if that is meaningless."""
     item: str = "pixel"
-    """What they are."""
+    """What is counted."""
     sampled: tuple[str, ...] = ()
-    """Tiers whose error is the noise of a finite sample, which more work averages out. The first is
-    the unit of their efficiency."""
+    """Tiers whose error is the noise of a finite sample, which more work averages out. Their
+    efficiency is relative to the first."""
 
     def __post_init__(self) -> None:
         ids = [tier.id for tier in self.tiers]
@@ -109,10 +109,10 @@ def measure_tier(
     at_least: int = 5,
     at_most: int = 200,
 ) -> TierResult:
-    """Time and judge one tier: one warm-up run, then samples until the budget is spent.
+    """Measure the time and error of a tier: a warm-up run, then samples until the budget is spent.
 
-    A sample is at least ``sample_s`` long, several runs where one is quicker: the clock of a
-    browser ticks in tenths of a millisecond.
+    A sample lasts at least ``sample_s``, if need be over several runs: a browser's clock has a
+    resolution of tenths of a millisecond.
     """
     tier = ladder.tier(tier_id)
     result = tier.run(workload)
@@ -124,7 +124,7 @@ def measure_tier(
     begun = clock()
     while len(samples) < at_most and (len(samples) < at_least or clock() - begun < budget_s):
         samples.append(_time_runs(tier, workload, clock, runs) / runs * 1e3)
-    import statistics  # long, and rarely needed
+    import statistics  # a large module, rarely needed
 
     low, _, high = statistics.quantiles(samples, n=4, method="inclusive")
     return TierResult(tier_id, statistics.median(samples), low, high, len(samples), errors)
@@ -138,7 +138,7 @@ def _time_runs(tier: Tier, workload: Any, clock: Clock, runs: int) -> float:
 
 
 def _runs_in_a_sample(tier: Tier, workload: Any, clock: Clock, sample_s: float) -> int:
-    """The smallest power of two whose runs together last long enough; 4096 at most."""
+    """Runs per sample: the smallest power of two that lasts long enough, at most 4096."""
     runs = 1
     while runs < 4096 and _time_runs(tier, workload, clock, runs) < sample_s:
         runs *= 2
@@ -146,7 +146,8 @@ def _runs_in_a_sample(tier: Tier, workload: Any, clock: Clock, sample_s: float) 
 
 
 def pareto_front(points: Sequence[tuple[float, float]]) -> tuple[bool, ...]:
-    """Which (cost, loss) points no other point beats: none is as good in both and better in one."""
+    """The Pareto front: whether no other (cost, loss) point is as good in both and better in
+    one."""
     return tuple(
         not any(
             other[0] <= point[0] and other[1] <= point[1] and other != point for other in points

@@ -1,4 +1,4 @@
-"""The reader's own picture, in place of the book's: never kept, never sent anywhere."""
+"""The reader's own picture, shown in place of the book's; never stored or sent anywhere."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Self
@@ -13,18 +13,18 @@ type Codes = NDArray[np.uint8]
 
 @dataclass(frozen=True, slots=True)
 class Photograph:
-    """A picture as a canvas gives it."""
+    """A picture from a canvas."""
 
     number: int
-    """Which of the reader's pictures it is: what stages compare it by."""
+    """Number of the reader's picture, by which stages compare it."""
     codes: Codes = field(compare=False, repr=False)
     """(H, W, 3) sRGB."""
 
     @classmethod
     def from_canvas(cls, number: int, rgba: bytes, width: int, height: int) -> Self:
-        """From the bytes of a canvas, row by row; what is transparent shows a white ground.
+        """From the bytes of a canvas, row by row, composited on white.
 
-        Raises `ValueError` where there are not four bytes for each pixel.
+        Raises `ValueError` unless there are four bytes for each pixel.
         """
         if not rgba or len(rgba) != 4 * width * height:
             raise ValueError(

@@ -25,14 +25,14 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
     height, width = picture.shape[:2]
     rgba = np.empty((height, width, 4), np.uint8)
     codes = np.broadcast_to(_to_uint8(picture), (height, width, 3))
-    for channel in range(3):  # each in one go, where all together go pixel by pixel
+    for channel in range(3):  # faster than all channels in one assignment
         rgba[..., channel] = codes[..., channel]
     rgba[..., 3] = 255 if alpha is None else _to_uint8(np.asarray(alpha))
     return rgba
 
 
 def _to_uint8(picture: NDArray[np.floating]) -> NDArray[np.uint8]:
-    held = np.asarray(np.fmax(picture, 0.0))  # unlike maximum, takes NaN as the other
-    np.minimum(held, 1.0, out=held)
-    codes = held * 255.0
+    clipped = np.asarray(np.fmax(picture, 0.0))  # unlike maximum, ignores NaN
+    np.minimum(clipped, 1.0, out=clipped)
+    codes = clipped * 255.0
     return np.rint(codes, out=codes).astype(np.uint8)

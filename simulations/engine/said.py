@@ -1,4 +1,4 @@
-"""What the engine says to readers: not in words, which are those of the book's language."""
+"""Messages of the engine to readers, by key: the words are in the language of the book."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True, slots=True)
 class Said:
-    """One thing that is said; the page has the words for it."""
+    """A message; the page looks up its words."""
 
     key: str
-    """Among the words of the interface, below ``script``."""
+    """Key in the texts of the interface, below ``script``."""
     values: Mapping[str, str] = field(default_factory=dict)
-    """What stands in the places of the words: names, numbers, what Python itself says."""
+    """Values of the placeholders: names, numbers, messages of Python."""

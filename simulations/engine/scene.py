@@ -1,4 +1,4 @@
-"""The contract between a widget and everything that shows it."""
+"""The scene: the interface between a figure and everything that shows it."""
 
 import itertools
 from collections.abc import Callable, Iterator, Mapping
@@ -14,51 +14,52 @@ from simulations.engine.stages import Outputs, Parameter, Run, Stage, StageCache
 
 @dataclass(frozen=True, slots=True)
 class Scene[S]:
-    """A widget: what the reader may change, how it is computed, and what is drawn of it.
+    """A figure: its settings, how it is computed, and how it is drawn.
 
-    ``S`` is the dataclass of its settings. Nothing that a scene does depends on a clock, on
-    globals or on unseeded randomness.
+    ``S`` is the dataclass of its settings. The functions are pure: no clock, no globals, no
+    unseeded randomness.
     """
 
     id: str
     title: str
     settings: type[S]
-    """Frozen dataclass whose fields state the controls: see `simulations.engine.settings`."""
+    """Frozen dataclass whose fields define the controls: see `simulations.engine.settings`."""
     draw: Callable[[S, Outputs], Frame]
-    """The frame at some settings, from what the stages made of them."""
+    """Makes the frame from the settings and the outputs of the stages."""
     stages: tuple[Stage, ...] = ()
-    """In the order in which they run. They read settings, ``tier``, ``photograph`` and `parameters`
-    by name."""
+    """The stages in the order in which they run. They read settings, ``tier``, ``photograph`` and
+    `parameters` by name."""
     handles: tuple[Handle[S], ...] = ()
-    """What in the picture can be grabbed; where marks touch, the nearest is taken."""
+    """What can be grabbed in the picture; of overlapping marks, the nearest is taken."""
     photograph: tuple[int, int] | None = None
-    """Width and height in px of the reader's own picture that stages take in place of the book's,
-    as the parameter ``photograph``; ``None`` where the scene takes none."""
+    """Width and height in px of the reader's own picture, the parameter ``photograph``, which
+    stages use in place of the book's; ``None`` if the scene takes none."""
     parameters: Callable[[S, str], Mapping[str, Value] | None] | None = None
-    """What stages read besides the settings: set by the tier, or worked out, also in place of a
-    setting. ``None`` where there is nothing to compute: no stage runs then, nor is any reported."""
+    """Computes further parameters of the stages from the settings and the tier; they may replace a
+    setting. If it returns ``None``, no stage runs and none is reported."""
     tiers: tuple[str, ...] = ()
-    """Accuracy choices, cheap to dear."""
+    """The tiers, from cheap to expensive."""
     default_tier: str = ""
-    """The tier a figure settles in."""
+    """The tier of a figure at rest."""
     draft_tier: str = ""
-    """The tier a figure uses while a control is being dragged, unless a cheaper one is chosen; the
-    default where none is named."""
+    """The tier while a control is dragged, unless a cheaper one is chosen; if empty, the default
+    tier."""
     drafted: tuple[str, ...] = ()
-    """The controls whose drags need the draft; all of them where none is named."""
+    """The controls that need the draft while dragged; if empty, all."""
     drafted_in: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """Further controls by tier, where a dear one must redo what the default keeps at hand."""
+    """Further controls that need the draft, by tier: an expensive tier may recompute more than the
+    default."""
     own_drafts: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """Drafts that are no tiers, since they are of use only while one of their controls is dragged:
-    there they stand in for the default tier and for all dearer ones."""
+    """Drafts that are not tiers, each with the controls that use it while dragged. They replace the
+    default tier and all more expensive ones."""
     ladder: str = ""
-    """The ladder that the tiers are rungs of: it labels them and tells what they cost. Without
-    tiers, a control of the scene's own chooses between its rungs."""
+    """The ladder whose rungs are the tiers; it has their labels and costs. In a scene without
+    tiers, one of the controls chooses between the rungs."""
     tier_labels: Mapping[str, str] = field(default_factory=dict)
-    """What the reader sees of tiers that belong to no ladder, or that its words do not fit here."""
+    """Labels of tiers that are in no ladder, or whose label in the ladder does not fit here."""
     estimate: Callable[[S, Outputs, str], Iterator[Readout]] | None = None
-    """How far a frame in this tier is from the truth, with a unit. Asked only while nothing
-    moves, one step at a time: each step is short and yields a better estimate than the last."""
+    """Yields better and better estimates of the error of a frame in a tier, with a unit. Called
+    while nothing moves; each step must be short."""
 
     def __post_init__(self) -> None:
         if not self.draft_tier:
@@ -74,24 +75,24 @@ class Scene[S]:
 
     @property
     def controls(self) -> tuple[Control, ...]:
-        """What the reader may change, in the order shown."""
+        """The controls in the order shown."""
         return controls_of(self.settings)
 
     def check(self, given: Mapping[str, object]) -> S:
-        """The settings that an author gave; anything illegal raises `ControlError`."""
+        """The settings with an author's values; anything illegal raises `ControlError`."""
         return check_settings(self.settings, given)
 
     def clamp(self, given: Mapping[str, object]) -> S:
-        """The settings of a reader's gestures; numbers out of range are brought into it."""
+        """The settings with a reader's values; numbers out of range are clamped."""
         return clamp_settings(self.settings, given)
 
     def run(
         self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
     ) -> Run:
-        """What the stages make of these settings; a tier that the scene lacks is its default.
+        """Run the stages; an unknown tier means the default.
 
-        With the outputs comes the reader's own picture, as ``photograph``, for those who put into
-        words what is seen.
+        The outputs include the reader's own picture as ``photograph``, for descriptions of the
+        frame.
         """
         tier = self._settled(tier)
         extra = self.parameters(settings, tier) if self.parameters else {}
@@ -109,7 +110,7 @@ class Scene[S]:
     def render(
         self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
     ) -> Frame:
-        """The frame at these settings. The cache changes how long it takes, never the result."""
+        """The frame at these settings. The cache changes only how long it takes."""
         done = self.run(settings, tier, cache, photograph)
         frame = self.draw(settings, done.outputs)
         if not isinstance(frame, Frame):
@@ -119,10 +120,10 @@ class Scene[S]:
         return replace(frame, stages=done.reports, handles=where)
 
     def pull(self, settings: S, handle: str, place: Point, tier: str = "") -> dict[str, Value]:
-        """The values of what ``handle`` drives that bring it as near to ``place`` as can be, in the
-        frames of a tier.
+        """The values that bring ``handle`` as near to ``place`` as possible, in the frames of a
+        tier.
 
-        Raises `KeyError` for a handle that the scene lacks, `ValueError` for a place that is none.
+        Raises `KeyError` for an unknown handle, `ValueError` for a place that is not finite.
         """
         by_name = {entry.name: entry for entry in self.handles}
         if handle not in by_name:
@@ -132,7 +133,8 @@ class Scene[S]:
     def estimates(
         self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
     ) -> Iterator[Readout]:
-        """Better and better estimates of how far the frame is from the truth; none without one."""
+        """Better and better estimates of the error of the frame; none if the scene has no
+        `estimate`."""
         if self.estimate is not None:
             outputs = self.run(settings, tier, cache, photograph).outputs
             yield from self.estimate(settings, outputs, self._settled(tier))
@@ -141,7 +143,7 @@ class Scene[S]:
         return tier if tier in (*self.tiers, *self.own_drafts) else self.default_tier
 
     def drafts_of(self, tier: str) -> dict[str, str]:
-        """By control, the draft of its own that answers its drags in place of a tier."""
+        """For each control with a draft of its own, the name of that draft."""
         dear = tier in self.tiers[self.tiers.index(self.default_tier) :] if self.tiers else True
         drafts = self.own_drafts.items() if dear else ()
         return {control: draft for draft, controls in drafts for control in controls}

@@ -7,8 +7,7 @@
         grid: bool = toggle("Show the grid")
         take: int = action("Take it again", "Take it again")
 
-Each is said once: controls, defaults, validation, documentation and the types that a scene may
-rely on all come from its field.
+Controls, defaults, validation, documentation and types of a setting all come from its field.
 """
 
 from collections.abc import Callable, Mapping
@@ -33,13 +32,13 @@ TYPES: Mapping[str, tuple[type, ...]] = {
     "toggle": (bool,),
     "action": (int,),
 }
-"""What the field of each kind of control may be annotated with."""
+"""Legal annotations of the field of each kind of control."""
 
 
 def slider[N: (int, float)](
     label: str, default: N, minimum: N, maximum: N, step: N, *, unit: str = "", prefix: str = ""
 ) -> N:
-    """A number in a closed range; an ``int`` where the field is annotated so."""
+    """A number in a closed range; an ``int`` if the field is annotated as one."""
     return cast(
         N,
         _field(
@@ -59,7 +58,8 @@ def slider[N: (int, float)](
 
 
 def choice(label: str, options: Mapping[str, str], default: str = "") -> str:
-    """One of several named options, value to label; the first where no default is named."""
+    """One of several named options, value to label. The default is the first unless another is
+    named."""
     start = default or next(iter(options))
     made = _field(
         start, lambda name: Choice(name=name, label=label, default=start, options=options)
@@ -73,7 +73,7 @@ def toggle(label: str, default: bool = False) -> bool:
 
 
 def action(*labels: str, drives: str = "", effect: str = "", seconds: float = 8.0) -> int:
-    """A button: the number of its presses modulo that of its labels. See `Action`."""
+    """A button, whose value is the number of presses modulo the number of labels. See `Action`."""
     return cast(
         int,
         _field(
@@ -92,8 +92,8 @@ def _field(default: Value, control: Callable[[str], Control]) -> object:
 def controls_of(settings: type) -> tuple[Control, ...]:
     """The controls of a dataclass of settings, in the order of its fields.
 
-    Raises `TypeError` for a field that states no control, or is annotated with another type than
-    its control's values have, and `ControlError` for a control that contradicts itself.
+    Raises `TypeError` for a field without a control, or annotated with a type that its control's
+    values do not have, and `ControlError` for an inconsistent control.
     """
     return _controls(settings)
 
@@ -120,9 +120,9 @@ def _control(entry: Field[Any]) -> Control:
 
 
 def check_settings[S](settings: type[S], given: Mapping[str, object]) -> S:
-    """Defaults overridden by what an author gave; anything illegal raises `ControlError`.
+    """Defaults overridden by an author's values.
 
-    So does a fraction where the setting is whole: what is shown would not be what was asked for.
+    Raises `ControlError` for anything illegal, also for a fraction where the setting is whole.
     """
     whole = {entry.name for entry in fields(cast(Any, settings)) if entry.type is int}
 
@@ -138,7 +138,7 @@ def check_settings[S](settings: type[S], given: Mapping[str, object]) -> S:
 
 
 def clamp_settings[S](settings: type[S], given: Mapping[str, object]) -> S:
-    """Defaults overridden by a reader's gestures; numbers out of range are brought into it."""
+    """Defaults overridden by a reader's values; numbers out of range are clamped."""
     return _resolve(settings, given, lambda control, raw: control.clamp(raw))
 
 
@@ -162,5 +162,5 @@ def _resolve[S](
 
 
 def values_of(settings: object) -> dict[str, Value]:
-    """Each setting by its name."""
+    """The settings by name."""
     return {entry.name: getattr(settings, entry.name) for entry in fields(cast(Any, settings))}

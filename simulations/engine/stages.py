@@ -1,10 +1,9 @@
-"""Stages: computed when something they read has changed, else reused; skipped where neutral.
+"""Stages: computed if something they read has changed, reused if not, skipped if neutral.
 
-What a stage reads stands in one place, the signature of its function: first the outputs of the
-stages that it comes after, then parameters by name. A stage at its neutral parameters hands on
-*the same object* it received, and its output keeps the identity of that input, so that everything
-downstream of it is reused as well. What a neutral stage does not take, and nothing else does, is
-not computed either.
+The signature of a stage's function states what the stage reads: first the outputs of the stages
+named in ``after``, then parameters by name. A neutral stage passes on the object that it received,
+not a copy, so that the stages after it are reused as well. Outputs that only neutral stages would
+read are not computed.
 """
 
 import inspect
@@ -19,11 +18,11 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.said import Said
 
 type Parameter = Value | Photograph | None
-"""What a stage may read: settings, the tier, and the reader's own picture."""
+"""A value that a stage may read: a setting, the tier, or the reader's own picture."""
 type Key = tuple[str, tuple[tuple[str, Parameter], ...], tuple[Key, ...]]
 """A stage's name, the parameters that it read, and the keys of its inputs."""
 type Outputs = Mapping[str, Any]
-"""What each stage made, by its name; see `simulations.engine.scene.Scene.run` for what else."""
+"""Output of each stage by its name, and what `simulations.engine.scene.Scene.run` adds."""
 
 
 UNNEEDED = (Said("workings.unneeded"),)
@@ -36,16 +35,16 @@ class Stage:
 
     name: str
     compute: Callable[..., Any]
-    """Takes the outputs of ``after`` in order, then the parameters that it reads, by their names.
-    An argument with a default is its own affair."""
+    """Takes the outputs of ``after`` in order, then the parameters it reads, by name. The engine
+    does not set arguments that have a default."""
     after: tuple[str, ...] = ()
     """Names of earlier stages."""
     neutral: Callable[..., str] | None = None
-    """Why the stage would change nothing at the parameters that it names, or an empty string where
-    it would."""
+    """Takes parameters by name. Returns why the stage would change nothing, or an empty string if
+    it would change something."""
     hands_on: str = ""
-    """Earlier stage whose output a neutral stage hands on, also one that ``compute`` does not
-    take; the first of ``after`` where none is named."""
+    """The earlier stage whose output is passed on if this one is neutral; ``compute`` need not take
+    it. By default the first of ``after``."""
 
     def __post_init__(self) -> None:
         if self.neutral and not self.source:
@@ -67,15 +66,15 @@ class Stage:
 
     @property
     def source(self) -> str:
-        """The stage whose output this one hands on while it is neutral; empty for none."""
+        """The stage whose output is passed on if this one is neutral; empty for none."""
         return self.hands_on or next(iter(self.after), "")
 
     def takes(self, neutral: bool) -> tuple[str, ...]:
-        """Names of the stages whose outputs are needed now."""
+        """Names of the stages whose outputs are needed."""
         return (self.source,) if neutral else self.after
 
     def reason(self, parameters: Mapping[str, Parameter]) -> str:
-        """Why the stage would change nothing now; empty where it would."""
+        """Why the stage would change nothing; empty if it would change something."""
         if self.neutral is None:
             return ""
         given = _picked(self.neutral, parameters, f"stage {self.name!r} asks for")
@@ -104,32 +103,31 @@ def _picked(
 
 @dataclass(slots=True)
 class StageCache:
-    """Outputs of each stage, those asked for last. Belongs to one figure; dropping it loses only
-    time."""
+    """The most recent outputs of each stage, for one figure."""
 
     depth: int = 2
-    """Outputs kept per stage: the draft's and the settled one's."""
+    """Outputs cached per stage: by default one for the draft and one for the settled frame."""
     entries: dict[str, dict[Key, Any]] = field(default_factory=dict)
-    """Stage to key to output; what was asked for last comes last."""
+    """Stage to key to output, the least recently used first."""
 
     def get(self, name: str, key: Key) -> tuple[bool, Any]:
-        """Whether the output is kept, and it."""
-        kept = self.entries.get(name, {})
-        if key not in kept:
+        """Whether the output is cached, and the output."""
+        cached = self.entries.get(name, {})
+        if key not in cached:
             return False, None
-        kept[key] = kept.pop(key)
-        return True, kept[key]
+        cached[key] = cached.pop(key)
+        return True, cached[key]
 
     def put(self, name: str, key: Key, output: Any) -> None:
-        kept = self.entries.setdefault(name, {})
-        kept[key] = output
-        while len(kept) > self.depth:
-            kept.pop(next(iter(kept)))
+        cached = self.entries.setdefault(name, {})
+        cached[key] = output
+        while len(cached) > self.depth:
+            cached.pop(next(iter(cached)))
 
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """The outputs of all stages that were needed, and what was done to get them."""
+    """The outputs of all stages that were needed, and a report of each stage."""
 
     outputs: Outputs
     reports: tuple[StageReport, ...]
@@ -138,10 +136,10 @@ class Run:
 def run(stages: Sequence[Stage], parameters: Mapping[str, Parameter], cache: StageCache) -> Run:
     """Evaluate ``stages`` in order.
 
-    A stage that another one names is evaluated only where one that is not neutral takes it, or a
-    neutral one hands it on; what no other stage names is always wanted.
+    A stage that others read is evaluated only if one of them uses its output. A stage that no other
+    reads is always evaluated.
 
-    Raises `KeyError` where a stage reads a parameter, or comes after a stage, that does not exist.
+    Raises `KeyError` if a stage reads a parameter or follows a stage that does not exist.
     """
     reasons = {stage.name: stage.reason(parameters) for stage in stages}
     needed = _needed(stages, reasons)
@@ -173,7 +171,7 @@ def run(stages: Sequence[Stage], parameters: Mapping[str, Parameter], cache: Sta
 
 
 def _needed(stages: Sequence[Stage], reasons: Mapping[str, str]) -> set[str]:
-    """Names of the stages that no other one names, and backwards of all that these take."""
+    """Names of the stages that no other reads, and of all stages that those need."""
     named = {name for stage in stages for name in (*stage.after, stage.source)}
     needed = {stage.name for stage in stages if stage.name not in named}
     for stage in reversed(stages):
@@ -189,12 +187,12 @@ def _require(names: Sequence[str], known: Mapping[str, object], who: str) -> Non
 
 
 def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Said, ...]:
-    """What has changed since the most similar result that is kept.
+    """What has changed since the most similar cached result.
 
-    Where none is kept, what the stage depends on.
+    Without a cached result, what the stage depends on.
     """
-    kept = cache.entries.get(stage.name, {})
-    changes = min((_changes(stage, key, old) for old in kept), key=len, default=())
+    cached = cache.entries.get(stage.name, {})
+    changes = min((_changes(stage, key, old) for old in cached), key=len, default=())
     if changes:
         return (Said("workings.changed", _named(changes)),)
     reads = (Said("workings.reads", _named(stage.reads)),) if stage.reads else ()
@@ -202,9 +200,9 @@ def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Said, ...]:
     return (*reads, *follows) or (Said("workings.independent"),)
 
 
-def _changes(stage: Stage, key: Key, kept: Key) -> tuple[str, ...]:
+def _changes(stage: Stage, key: Key, cached: Key) -> tuple[str, ...]:
     """Names of the parameters and inputs that are not what they were."""
-    (_, reads, inputs), (_, old_reads, old_inputs) = key, kept
+    (_, reads, inputs), (_, old_reads, old_inputs) = key, cached
     named_inputs = zip(stage.after, inputs, strict=True)
     return (
         *(name for name, value in reads if (name, value) not in old_reads),

@@ -1,1 +1,1 @@
-"""Plots: axes with their ticks, curves and areas between them, legends, labels in free places."""
+"""Plots: axes with ticks, curves and areas, legends, and labels placed without overlap."""

@@ -18,8 +18,8 @@ type Coordinates = NDArray[np.floating]
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """Values from ``low`` to ``high``, drawn from ``start`` to ``end``; equal steps for equal
-    factors where ``log``."""
+    """Values from ``low`` to ``high``, drawn from ``start`` to ``end``; on a logarithmic scale if
+    ``log``."""
 
     low: float
     high: float
@@ -34,7 +34,7 @@ class Axis:
             raise ValueError(f"logarithmic axis from {self.low:g} to {self.high:g}: not above 0")
 
     def position(self, values: Values) -> Coordinates:
-        """View box coordinates of values (...); NaN for those that a logarithm does not have."""
+        """View box coordinates of values (...); NaN if the logarithm is undefined."""
         scaled, low, high = np.asarray(values, float), self.low, self.high
         if self.log:
             with np.errstate(divide="ignore", invalid="ignore"):
@@ -43,7 +43,7 @@ class Axis:
         return np.asarray(self.start + (scaled - low) / (high - low) * (self.end - self.start))
 
     def place(self, value: float) -> float:
-        """The view box coordinate of one value, also beyond the ends."""
+        """The view box coordinate of a value, also beyond the ends."""
         low, high = self.low, self.high
         if self.log:
             if value <= 0:
@@ -52,7 +52,7 @@ class Axis:
         return self.start + (value - low) / (high - low) * (self.end - self.start)
 
     def held(self, value: float) -> float:
-        """Likewise, but of the nearest end for what lies beyond it."""
+        """The view box coordinate of a value, clamped to the ends."""
         low, high = sorted((self.low, self.high))
         return self.place(min(max(value, low), high))
 
@@ -64,6 +64,6 @@ class Axis:
         return self.low + share * (self.high - self.low)
 
     def ticks(self, most: int = 6) -> Iterable[tuple[float, str]]:
-        """At most so many round values between the ends, each with its words."""
+        """At most ``most`` round values between the ends, each with its text."""
         low, high = sorted((self.low, self.high))
         return log_ticks(low, high, most) if self.log else round_ticks(low, high, most)

@@ -8,11 +8,11 @@ type Span = tuple[float, float]
 """Lower and upper bound of a coordinate."""
 
 EDGE = 1e-6
-"""What rounding may put outside and is inside nevertheless."""
+"""Tolerance for rounding at the edges."""
 
 
 def runs_inside(across: np.ndarray, down: np.ndarray, x: Span, y: Span) -> list[Run]:
-    """The runs of a curve (n,), (n,) within a rectangle; it is broken where it is not finite."""
+    """The runs of a curve (n,), (n,) within a rectangle, interrupted where it is not finite."""
     known = np.isfinite(across) & np.isfinite(down)
     inside = known & _within(across, x) & _within(down, y)
     places = list(zip(across.tolist(), down.tolist(), strict=True))
@@ -41,7 +41,7 @@ def _within(values: np.ndarray, span: Span) -> np.ndarray:
 
 
 def clipped(start: Place, end: Place, x: Span, y: Span) -> tuple[Place, Place] | None:
-    """The part of a segment within a rectangle (Liang and Barsky), or nothing."""
+    """The part of a segment within a rectangle (Liang and Barsky), or None."""
     first, last = 0.0, 1.0
     dx, dy = end[0] - start[0], end[1] - start[1]
     for origin, step, (low, high) in ((start[0], dx, x), (start[1], dy, y)):

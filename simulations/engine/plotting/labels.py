@@ -1,9 +1,9 @@
-"""Labels beside their points: within the panel, not on each other, off the curves where they can.
+"""Labels next to their points: within the panel, without overlap, off the curves if possible.
 
     place_labels([Label(peak, "peak", "ray"), Label(foot, "Nyquist")], Room(0, 0, 400, 300))
 
-Each takes the best place left by those before it, so the most important comes first. Costs are
-rounded, so that CPython and Pyodide choose alike.
+Labels are placed in order, each in the best place that is left: the most important comes first.
+Costs are rounded, so that CPython and Pyodide choose alike.
 """
 
 import math
@@ -27,15 +27,15 @@ SIDES = {
     "below": (0, 1),
     "below left": (-1, 1),
 }
-"""Where a label may stand, the places liked best first, and in which directions that is."""
+"""The sides of a point for its label, the preferred ones first, as directions."""
 FARTHER, WITH_LEADER = (1.0, 2.0, 3.5), (5.0, 7.0)
-"""Multiples of the label's own distance, and more of them for what may have a leader."""
+"""Distances to try, in multiples of the label's own; more for labels with a leader line."""
 APART = 1.5
-"""Likewise, from which on a label needs its leader."""
+"""The multiple from which on a label needs its leader line."""
 OUTSIDE, ON_LABEL, ON_CURVE, LATER = 1e3, 1e2, 20.0, 2.0
-"""Costs: of a unit outside, of a unit of area in common, of a point hidden, of each place later."""
+"""Costs: per unit outside, per unit of overlapping area, per hidden point, per later place."""
 SPACING = 5.0
-"""Of the points at which a curve is asked whether it is hidden."""
+"""Distance of the points at which a curve is tested."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,13 +48,13 @@ class Room:
     bottom: float
 
     def shared(self, other: "Room") -> float:
-        """Area in common."""
+        """Area of the overlap."""
         width = min(self.right, other.right) - max(self.left, other.left)
         height = min(self.bottom, other.bottom) - max(self.top, other.top)
         return max(width, 0.0) * max(height, 0.0)
 
     def sticks_out_of(self, other: "Room") -> float:
-        """Units, over all sides."""
+        """Units by which it exceeds a rectangle, summed over the sides."""
         beyond = (
             (other.left - self.left, self.right - other.right),
             (other.top - self.top, self.bottom - other.bottom),
@@ -62,19 +62,19 @@ class Room:
         return sum(max(units, 0.0) for pair in beyond for units in pair)
 
     def nearest(self, point: Point) -> tuple[float, float]:
-        """The place in it that is nearest to a point."""
+        """The nearest place of the rectangle to a point."""
         x, y = float(point[0]), float(point[1])
         return min(max(x, self.left), self.right), min(max(y, self.top), self.bottom)
 
     def holds(self, points: np.ndarray) -> int:
-        """How many of the points (n, 2) lie in it."""
+        """Count of the points (n, 2) in the rectangle."""
         across = (points[:, 0] > self.left) & (points[:, 0] < self.right)
         return int((across & (points[:, 1] > self.top) & (points[:, 1] < self.bottom)).sum())
 
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """Words that belong to a point."""
+    """A label of a point."""
 
     point: Point
     words: str
@@ -83,11 +83,12 @@ class Label:
     """The side that is tried first; a key of `SIDES`."""
     distance: float = 9.0
     leader: str = ""
-    """Style of a line to the point, drawn where the label does not stand next to it."""
+    """Style of the leader line to the point, drawn if the label is not next to it; empty for
+    none."""
     others: Sequence[Point] = ()
-    """Points that it may stand beside instead."""
+    """Alternative points for the label."""
     scale: float = 1.0
-    """Of its letters, beside those of a figure."""
+    """Size of its letters, relative to those of a figure."""
 
     def __post_init__(self) -> None:
         if self.prefer not in SIDES:
@@ -96,7 +97,7 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """Where a label may stand."""
+    """A place for a label."""
 
     baseline: tuple[float, float]
     anchor: str
@@ -110,7 +111,7 @@ def place_labels(
     curves: Iterable[Sequence[Point]] = (),
     taken: Sequence[Room] = (),
 ) -> str:
-    """SVG of the labels; ``curves`` are not hidden if that can be, and ``taken`` is kept free."""
+    """SVG of the labels, which avoid ``curves`` if possible and the rectangles ``taken``."""
     hidden = _along(curves)
     rooms, marks = list(taken), []
     for wanted in labels:
@@ -134,7 +135,7 @@ def _places(wanted: Label, inside: Room) -> Iterator[Placed]:
             x = float(point[0]) + right * away * slant
             middle = float(point[1]) + down * (away * slant + 0.5 * height)
             left = x - width * (0.5 - 0.5 * right)
-            if not right:  # above and below, a label may be pushed along to stay inside
+            if not right:  # above and below the point, a label may be shifted to stay inside
                 left = min(max(left, inside.left), inside.right - width)
                 x = left + 0.5 * width
             top = middle - 0.5 * height
@@ -150,7 +151,7 @@ def _best(
     least = _cost(chosen.room, inside, rooms, hidden)
     for later, place in enumerate(places, start=1):
         if least <= LATER * later:
-            break  # no place after this one can cost less
+            break  # no later place can cost less
         cost = LATER * later + _cost(place.room, inside, rooms, hidden)
         if cost < least:
             chosen, least = place, cost

@@ -1,4 +1,4 @@
-"""The signs of a plot's series in one row."""
+"""A legend: the signs of a plot's series in one row."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,25 +11,25 @@ from simulations.engine.plotting.letters import width_of
 type Sign = Literal["line", "dot", "area"]
 
 LENGTH, GAP, BETWEEN = 20.0, 6.0, 12.0
-"""Of a line as a sign; between a sign and its words; between two entries at the least."""
+"""Length of a line as a sign; gap between a sign and its words; least gap between two entries."""
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One series."""
+    """The legend's entry for a series."""
 
     words: str
     style: str
-    """Of the sign; its first class, the role, is that of the words too."""
+    """CSS classes of the sign; the first, the role, is also that of the words."""
     sign: Sign = "line"
     shown: bool = True
-    """Where not, its place stays empty, so that the others do not move."""
+    """If not shown, its place stays empty, so that the others do not move."""
 
 
 def legend(start: Point, entries: Sequence[Entry], style: str = "", room: float = 0.0) -> str:
-    """Entries from ``start``, the left end of the baseline, and evenly over ``room`` if given.
+    """Entries from ``start``, the left end of the baseline, evenly spaced over ``room`` if given.
 
-    ``style`` is that of the words, beside the role.
+    ``style`` is the CSS classes of the words, in addition to the role.
     """
     x, y = float(start[0]), float(start[1])
     widths = [_sign_width(entry) + GAP + width_of(entry.words, style) for entry in entries]

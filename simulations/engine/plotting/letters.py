@@ -1,7 +1,7 @@
-"""How much room words take, before any page has set them: for labels that must not collide.
+"""Widths of words in view box units, for placing labels without overlap.
 
-In the book's sans-serif face at the size that labels have where a panel is shown smallest
-(`static/css/overlay.css`). The widths err to the large side.
+They are estimates, rather too large, for the book's sans-serif face at the size of labels where a
+panel is smallest (`static/css/overlay.css`).
 """
 
 import re
@@ -11,9 +11,9 @@ from simulations.engine.drafting import SCRIPT, SCRIPT_SIZE
 LARGE, SMALL = 16.0, 15.5
 """Sizes of labels in view box units, plain and ``small``."""
 ASCENT, DESCENT = 0.72, 0.22
-"""Of the size."""
+"""Width of a letter, as a share of the size."""
 STRONG = 1.05
-"""Of bold letters, beside plain ones."""
+"""Width of bold letters relative to plain ones."""
 NARROW, WIDE, WIDEST = "fijlrt.,:;'!|()[]·-/ ’‘\u00a0\u2009", "mwABDGHKNOQRUVXYΔΩμ%+−=×<>→", "MW—…"
 PLAIN_EM, NARROW_EM, WIDE_EM, WIDEST_EM = 0.56, 0.36, 0.7, 1.0
 
@@ -30,7 +30,7 @@ def size_of(style: str) -> float:
 
 
 def width_of(words: str, style: str = "") -> float:
-    """View box units that a label takes at the most; indices as in `drafting.label`."""
+    """Largest width of a label in view box units; indices as in `drafting.label`."""
     size = size_of(style) * (STRONG if "strong" in style.split() else 1.0)
     scripts = [found[2] or found[3] for found in SCRIPT.finditer(words)]
     plain = re.sub(SCRIPT, "", words)

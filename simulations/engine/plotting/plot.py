@@ -1,4 +1,4 @@
-"""Two axes, and what is drawn between them.
+"""A plot: two axes, and curves, areas and marks between them.
 
     PLOT = Plot(Axis(0, 90, 46, 384), Axis(0, 1, 240, 30))
 
@@ -7,8 +7,9 @@
     PLOT.curve(angles, brightness, "ray bold")
     PLOT.mark(30, 0.87, "image")
 
-All of it is SVG in view box units, with classes and without colours: `simulations.engine.drawing`.
-Values that no axis has, NaN or 0 on a logarithmic one, break a curve and are refused elsewhere.
+The result is SVG in view box units, with classes and without colours, as in
+`simulations.engine.drawing`. Undefined values, NaN or 0 on a logarithmic axis, interrupt a curve
+and raise an error elsewhere.
 """
 
 from dataclasses import dataclass
@@ -27,47 +28,49 @@ type Values = tuple[float, float]
 STROKE = 4.0
 """Length of a tick's stroke."""
 BELOW, BESIDE, UNDER = 19.0, 8.0, 4.5
-"""From the edges to the baseline of the ticks of x, to those of y, and their half height."""
+"""Distances from the edges to the baseline of x ticks and to y ticks, and half a tick's height."""
 TITLE_BELOW, TITLE_ABOVE, TITLE_LEFT = 41.0, 12.0, 26.0
-"""From the foot to the name of x; from the upper end of the y axis to its name."""
+"""Distances from the lower edge to the name of x, and from the upper end of the y axis to its
+name."""
 
 
 @dataclass(frozen=True, slots=True)
 class Plot:
-    """Two axes: ``x`` drawn from left to right, ``y`` from the foot upwards."""
+    """Two axes: ``x`` is drawn from left to right, ``y`` upwards."""
 
     x: Axis
     y: Axis
 
     def at(self, x: float, y: float) -> tuple[float, float]:
-        """The place of two values, also outside."""
+        """The place of two values, also outside the plot."""
         return self.x.place(x), self.y.place(y)
 
     def held(self, x: float, y: float) -> tuple[float, float]:
-        """The place of two values; on the border for what lies outside."""
+        """The place of two values, clamped to the plot."""
         return self.x.held(x), self.y.held(y)
 
     def values(self, place: Point) -> Values:
-        """The values of a place, also outside: what a handle asks."""
+        """The values at a place, also outside the plot; for handles."""
         return self.x.value(float(place[0])), self.y.value(float(place[1]))
 
     def curve(self, xs: ArrayLike, ys: ArrayLike, style: str = "") -> str:
-        """A curve through points (n,), cut at the edges and broken where it is undefined."""
+        """A curve through points (n,), clipped at the edges and interrupted where it is
+        undefined."""
         runs = self.pieces(xs, ys)
         return path(runs, style) if runs else ""
 
     def pieces(self, xs: ArrayLike, ys: ArrayLike) -> list[Run]:
-        """What of a curve lies within the plot, as runs of places."""
+        """The runs of a curve within the plot."""
         across, down = self.x.position(xs), self.y.position(ys)
         return runs_inside(across, down, _span(self.x), _span(self.y))
 
     def area(self, xs: ArrayLike, ys: ArrayLike, style: str = "") -> str:
-        """The area between a curve (n,) and the foot of the plot, held to the plot."""
+        """The area between a curve (n,) and the lower edge, clamped to the plot."""
         top = self._edge(xs, ys)
         return polygon([(top[0][0], self.y.start), *top, (top[-1][0], self.y.start)], style)
 
     def between(self, xs: ArrayLike, upper: ArrayLike, lower: ArrayLike, style: str = "") -> str:
-        """The area between two curves (n,), held to the plot."""
+        """The area between two curves (n,), clamped to the plot."""
         return polygon([*self._edge(xs, upper), *reversed(self._edge(xs, lower))], style)
 
     def _edge(self, xs: ArrayLike, ys: ArrayLike) -> Run:
@@ -78,25 +81,25 @@ class Plot:
     def region(
         self, x: Values | None = None, y: Values | None = None, style: str = "muted fill faint"
     ) -> str:
-        """The rectangle between two values of one axis, or of each; held to the plot."""
+        """The rectangle between two values of one axis, or of each, clamped to the plot."""
         left, right = (self.x.held(value) for value in x or (self.x.low, self.x.high))
         foot, top = (self.y.held(value) for value in y or (self.y.low, self.y.high))
         return polygon([(left, foot), (right, foot), (right, top), (left, top)], style)
 
     def upright(self, x: float, style: str = "muted thin dashed") -> str:
-        """A line through the plot at a value of x; nothing where that lies outside."""
+        """A line through the plot at a value of x; empty if that is outside."""
         if not _holds(self.x, x):
             return ""
         return line((self.x.place(x), self.y.start), (self.x.place(x), self.y.end), style)
 
     def level(self, y: float, style: str = "muted thin dashed") -> str:
-        """A line through the plot at a value of y; nothing where that lies outside."""
+        """A line through the plot at a value of y; empty if that is outside."""
         if not _holds(self.y, y):
             return ""
         return line((self.x.start, self.y.place(y)), (self.x.end, self.y.place(y)), style)
 
     def drop(self, x: float, y: float, style: str = "muted thin dashed", to: str = "x") -> str:
-        """From a point to the axes that ``to`` names: ``x``, ``y`` or ``xy``."""
+        """Lines from a point to the axes in ``to``: ``x``, ``y`` or ``xy``."""
         here = self.held(x, y)
         ends = {"x": (here[0], self.y.start), "y": (self.x.start, here[1])}
         if to not in ("x", "y", "xy"):
@@ -104,7 +107,7 @@ class Plot:
         return polyline([ends["x"], here, ends["y"]] if to == "xy" else [ends[to], here], style)
 
     def mark(self, x: float, y: float, style: str = "", radius: float = 5.0) -> str:
-        """A point that is set off from the curves under it; on the border where it is outside."""
+        """A point with an outline against the curves under it, clamped to the plot."""
         here = self.held(x, y)
         return circle(here, radius + 0.5, "casing") + dot(here, style, radius)
 
@@ -120,7 +123,7 @@ class Plot:
         )
 
     def grid(self, across: Scale, up: Scale, style: str = "muted thin faint") -> str:
-        """The lines through the plot that two scales ask for."""
+        """The grid lines of two scales."""
         foot, top, left, right = self.y.start, self.y.end, self.x.start, self.x.end
         lines = [[(x, foot), (x, top)] for x in map(self.x.place, across.grid)]
         lines += [[(left, y), (right, y)] for y in map(self.y.place, up.grid)]
@@ -141,7 +144,7 @@ class Plot:
         return "".join((strokes if ticks else "", *words))
 
     def beside(self, scale: Scale) -> str:
-        """The ticks of y, with strokes where no grid leads to them, and its name."""
+        """The ticks of y, with strokes if there is no grid line, and its name."""
         edge, ticks = self.x.start - scale.gap, tuple(scale.ticks_on(self.y))
         strokes = path([[(edge - STROKE, y), (edge, y)] for y, _ in ticks], "muted thin")
         words = [

@@ -1,4 +1,4 @@
-"""What is written along an axis: its name, its unit, its ticks."""
+"""The labels of an axis: its name, unit and ticks."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -9,28 +9,29 @@ from simulations.engine.plotting.ticks import Tick, number_words
 
 @dataclass(frozen=True, slots=True)
 class Scale:
-    """The words of one axis."""
+    """The labels of one axis."""
 
     name: str = ""
     unit: str = ""
     ticks: int | Sequence[float] | Sequence[Tick] = 6
-    """At most so many round numbers; or these; or these, each with its words, which may be none."""
+    """The largest count of round ticks; or the ticks; or the ticks, each with its text, which may
+    be empty."""
     grid: Sequence[float] = ()
-    """Values with a faint line through the plot."""
+    """Values with a grid line."""
     style: str = ""
-    """Of the name."""
+    """CSS classes of the name."""
     tick_style: str = "muted"
     centred: bool = False
-    """The name of the x axis stands below its middle, not below its end."""
+    """Whether the name of the x axis is below its middle, not below its end."""
     gap: float = 0.0
-    """Between the edge of the plot and the ticks, for what else stands there."""
+    """Extra space between the edge of the plot and the ticks."""
 
     @property
     def title(self) -> str:
         return f"{self.name}, {self.unit}" if self.unit else self.name
 
     def ticks_on(self, axis: Axis) -> Iterable[tuple[float, str]]:
-        """View box coordinates of the ticks, and their words."""
+        """View box coordinates of the ticks, and their texts."""
         ticks = axis.ticks(self.ticks) if isinstance(self.ticks, int) else self.ticks
         for tick in ticks:
             value, words = tick if isinstance(tick, tuple) else (tick, number_words(tick))

@@ -6,7 +6,7 @@ from simulations.engine.frame import power_of_ten
 
 STEPS = (1, 2, 5, 10)
 NEAR = 1e-9
-"""Of a step: ends that are round but for rounding have their tick."""
+"""Tolerance as a share of a step, so that ends get their tick despite rounding."""
 
 type Tick = tuple[float, str]
 
@@ -15,7 +15,7 @@ def round_ticks(low: float, high: float, most: int = 6) -> tuple[Tick, ...]:
     """Multiples of 1, 2 or 5 times a power of ten from ``low`` to ``high``, at most ``most``."""
     if most < 2:
         raise ValueError(f"at most {most} ticks; two or more are legal")
-    # One step less than there are ticks; a range that starts between two of them has no more.
+    # There is one step fewer than there are ticks.
     rough = (high - low) / (most - 1)
     power = math.floor(math.log10(rough) + NEAR)
     step = next(s * 10.0**power for s in STEPS if s * 10.0**power >= rough * (1 - NEAR))
@@ -26,7 +26,7 @@ def round_ticks(low: float, high: float, most: int = 6) -> tuple[Tick, ...]:
 
 
 def log_ticks(low: float, high: float, most: int = 6) -> tuple[Tick, ...]:
-    """Powers of ten from ``low`` to ``high``; 2 and 5 times them as well where there is room."""
+    """Powers of ten from ``low`` to ``high``, with 2 and 5 times them if there is space."""
     first, last = math.ceil(math.log10(low) - NEAR), math.floor(math.log10(high) + NEAR)
     decades = last - first + 1
     for factors in ((1, 2, 5), (1, 3)):

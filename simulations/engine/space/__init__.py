@@ -1,1 +1,1 @@
-"""Space on a flat panel: a view of it, and wires, faces and arrows drawn back to front."""
+"""Three-dimensional drawings: a view, and wires, faces and arrows drawn back to front."""

@@ -2,9 +2,9 @@
 
     drawn([*box_faces, Wire(track, "ray bold"), Arrow(origin, tip, "camera")], VIEW)
 
-What lies farther is drawn first, each face by the mean depth of its corners, wires segment by
-segment. That is right for what does not pass through one another and is of like size; cut long
-faces where it is not. Depths are rounded, so that CPython and Pyodide draw in one order.
+The farthest is drawn first: faces by the mean depth of their corners, wires segment by segment.
+This is right for solids that do not intersect and are of similar size; cut long faces if they are
+not. Depths are rounded, so that CPython and Pyodide draw in the same order.
 """
 
 import math
@@ -19,20 +19,20 @@ from simulations.engine import drawing
 from simulations.engine.space.view import Points, View
 
 DIGITS = 9
-"""Of depths that are compared."""
+"""Decimals of the depths that are compared."""
 DARKEST = 3
-"""Washes more on a face that looks away from the light than on one that looks at it."""
+"""Extra layers of colour on a face that is turned away from the light."""
 
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """A flat polygon, whose back is as its front."""
+    """A flat polygon, seen from both sides."""
 
     corners: ArrayLike
-    """(n, 3), in order round it."""
+    """(n, 3) in order around the face."""
     role: str
     washes: int = 1
-    """Layers of the role's colour: how dark it is. `shaded` counts them."""
+    """Layers of the role's colour, for shading: see `shaded`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class Wire:
 
 @dataclass(frozen=True, slots=True)
 class Arrow:
-    """A straight line with a head at its end."""
+    """A straight line with an arrow head at its end."""
 
     start: ArrayLike
     end: ArrayLike
@@ -64,7 +64,7 @@ class Dot:
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """A label beside a point; it hides what lies behind it and is hidden by what lies before."""
+    """A label next to a point, drawn in order of depth like the other solids."""
 
     point: ArrayLike
     words: str
@@ -78,18 +78,18 @@ type Solid = Face | Wire | Arrow | Dot | Words
 
 @dataclass(frozen=True, slots=True)
 class _Piece:
-    """Something of one depth."""
+    """A part of a solid, with one depth."""
 
     depth: float
     thing: int
-    """Which of the solids it is of."""
+    """Index of its solid."""
     markup: str = ""
     segment: tuple[list[float], list[float]] | None = None
-    """Of a wire, instead of markup."""
+    """The segment of a wire, instead of markup."""
 
 
 def drawn(solids: Sequence[Solid], view: View) -> str:
-    """SVG of all of them; what the eye has too near is left out."""
+    """SVG of the solids, without the parts that are too near to the eye."""
     pieces = [
         piece
         for n, (solid, places) in enumerate(zip(solids, _placed(solids, view), strict=True))
@@ -108,7 +108,7 @@ def drawn(solids: Sequence[Solid], view: View) -> str:
 
 
 def _placed(solids: Sequence[Solid], view: View) -> list[list[list[float]]]:
-    """The places of each one's points: view box x, y, and depth. All at once, which is quicker."""
+    """View box x, y and depth of the points of each solid, projected in one call for speed."""
     points = [_points(solid) for solid in solids]
     if not points:
         return []
@@ -152,13 +152,13 @@ def _pieces(n: int, solid: Solid, places: list[list[float]]) -> Iterator[_Piece]
 
 
 def _face(places: list[list[float]], role: str, washes: int) -> str:
-    """Paper, then as many washes of the role's colour as the face is dark."""
+    """The face in the colour of paper, then in ``washes`` layers of the role's colour."""
     wash = drawing.polygon(places, f"{role} thin fill")
     return drawing.polygon(places, "casing solid") + wash * washes
 
 
 def _joined(segments: Iterable[tuple[list[float], list[float]]]) -> list[list[list[float]]]:
-    """Segments as runs, where one ends at the beginning of another, in any order."""
+    """Join segments, in any order, to runs in which each begins at the end of the last."""
     runs: list[list[list[float]]] = []
     for start, end in segments:
         for run in runs:
@@ -174,7 +174,7 @@ def _joined(segments: Iterable[tuple[list[float], list[float]]]) -> list[list[li
 
 
 def shaded(corners: ArrayLike, view: View, towards_light: ArrayLike) -> int:
-    """Washes of a face (n, 3): 1 where it looks at a distant light, to 4 where it looks away.
+    """Layers of colour of a face (n, 3): from 1 facing a distant light to 4 facing away.
 
     The side that faces the viewer counts.
     """

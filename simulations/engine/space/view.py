@@ -1,7 +1,7 @@
-"""A view of space: where points of three dimensions lie in the panel, and how far away.
+"""A view: projects three-dimensional points to the panel, with their depth.
 
-VIEW = orbit(30, 20, centre=(200, 150), unit=90)           # parallels stay parallel
-NEAR = orbit(30, 20, centre=(200, 150), unit=90, distance=5)  # what is near is larger
+VIEW = orbit(30, 20, centre=(200, 150), unit=90) # parallels stay parallel NEAR = orbit(30, 20,
+centre=(200, 150), unit=90, distance=5) # what is near is larger
 
 arrow(VIEW.at(0, 0, 0), VIEW.at(1, 0, 0), "world")
 """
@@ -16,29 +16,29 @@ from numpy.typing import ArrayLike, NDArray
 type Points = NDArray[np.floating]
 
 NEAREST = 0.05
-"""Of the eye's distance: what lies closer to the eye, or behind it, is not seen."""
+"""Share of the eye's distance. Points closer to the eye than this, or behind it, are not seen."""
 UP = (0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """An eye that looks at a point of the world from a direction."""
+    """A view of a point of the world from a direction."""
 
     axes: Points
     """(3, 3) rows: right, down and away, unit vectors of the world."""
     centre: tuple[float, float] = (0.0, 0.0)
-    """Where the point that is looked at lies in the view box."""
+    """The place of the target in the view box."""
     unit: float = 1.0
-    """View box units for a length of 1 there."""
+    """View box units for a length of 1 at the target."""
     target: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """The point that is looked at."""
+    """The point that the eye looks at."""
     distance: float = math.inf
-    """Of the eye from it; at infinity parallels stay parallel."""
+    """Distance from the eye to the target; at infinity the projection is parallel."""
 
     def place(self, points: ArrayLike) -> Points:
         """Points (..., 3) in the panel: view box x, y, and the depth behind the target.
 
-        NaN for x and y of what the eye has too near, or behind it.
+        x and y are NaN for points too near to the eye, or behind it.
         """
         seen = (np.asarray(points, float) - self.target) @ self.axes.T
         depth = seen[..., 2:]
@@ -60,7 +60,8 @@ class View:
 
 
 def axes_towards(direction: ArrayLike, up: ArrayLike = UP) -> Points:
-    """Axes (3, 3) of an eye in that direction, upright as ``up`` says; the two not parallel."""
+    """Axes (3, 3) of a view along a direction, with ``up`` upright; the two must not be
+    parallel."""
     away = -_unit(np.asarray(direction, float))
     right = np.cross(away, np.asarray(up, float))
     if not np.linalg.norm(right) > 1e-12:
@@ -85,8 +86,10 @@ def orbit(
     distance: float = math.inf,
     target: Sequence[float] = (0.0, 0.0, 0.0),
 ) -> View:
-    """From a direction in degrees, with z upwards: round from x towards y, and up. Straight from
-    above and below, x is down or up in the panel."""
+    """A view from a direction in degrees, z up: the azimuth from x towards y, and the elevation.
+
+    Seen straight from above or below, x points down or up in the panel.
+    """
     return View(
         orbit_axes(azimuth_deg, elevation_deg),
         centre,
@@ -97,8 +100,8 @@ def orbit(
 
 
 def orbit_axes(azimuth_deg: float, elevation_deg: float, *, z_down: bool = False) -> Points:
-    """The axes (3, 3) of that eye, also where it looks straight down; with ``z_down`` of a world
-    whose z points to the ground, as pilots have it."""
+    """The axes (3, 3) of `orbit`'s view, also straight down. ``z_down`` is for a world whose z
+    points to the ground, as in aviation."""
     turn, rise = math.radians(azimuth_deg), math.radians(elevation_deg)
     sign = -1.0 if z_down else 1.0
     ahead, aside = math.cos(turn), math.sin(turn)
@@ -109,7 +112,7 @@ def orbit_axes(azimuth_deg: float, elevation_deg: float, *, z_down: bool = False
 
 
 def runs(places: Points, *, front: bool) -> list[list[list[float]]]:
-    """Connected runs of a curve's segments whose middle lies before the target, or behind it.
+    """Connected runs of the segments of a curve whose middle is in front of the target, or behind.
 
     ``places`` (n, 3) hold view box x, y and depth, as `View.place` gives them.
     """
