@@ -2,7 +2,6 @@
 
 import hashlib
 import os
-from collections.abc import Iterator
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -32,38 +31,19 @@ def file_hash(file: Path | str) -> bytes | None:
 
 def folder_hash(folder: Path, pattern: str = "*") -> bytes:
     """Of the names and bytes of all files below it that fit, but for compiled code."""
-    digest, start = hashlib.blake2b(digest_size=SIZE), len(os.fspath(folder))
-    for name in sorted(_files(os.fspath(folder), pattern)):
-        if found := file_hash(name):
-            relative = name[start:].encode()
-            digest.update(len(relative).to_bytes(4, "little") + relative + found)
+    digest = hashlib.blake2b(digest_size=SIZE)
+    for name, file in folder_files(folder).items():
+        if fnmatch(name, pattern) and (found := file_hash(file)):
+            digest.update(len(name).to_bytes(4, "little") + name.encode() + found)
     return digest.digest()
 
 
 def folder_files(folder: Path) -> dict[str, Path]:
-    """All files below ``folder``, by their path in it; what is hidden is left out."""
-    return {name: folder / name for name in sorted(_shown(folder, ""))}
-
-
-def _shown(folder: Path | str, inside: str) -> Iterator[str]:
-    with os.scandir(folder) as entries:
-        for entry in entries:
-            if entry.name.startswith("."):
-                continue
-            if entry.is_dir(follow_symlinks=False):
-                yield from _shown(entry.path, f"{inside}{entry.name}/")
-            elif _is_file(entry):
-                yield inside + entry.name
-
-
-def _is_file(entry: os.DirEntry[str]) -> bool:
-    try:
-        return entry.is_file()
-    except OSError:  # a link that leads to itself
-        return False
-
-
-def _files(folder: str, pattern: str) -> Iterator[str]:
-    for place, folders, files in os.walk(folder):
-        folders[:] = [name for name in folders if name != "__pycache__"]
-        yield from (f"{place}{os.sep}{name}" for name in files if fnmatch(name, pattern))
+    """All files below ``folder``, by their path in it; what is hidden or compiled is left out."""
+    found = {}
+    for place, folders, files in folder.walk():
+        folders[:] = [name for name in folders if not name.startswith((".", "__pycache__"))]
+        for name in files:
+            if not name.startswith(".") and (place / name).is_file():
+                found[(place / name).relative_to(folder).as_posix()] = place / name
+    return dict(sorted(found.items()))

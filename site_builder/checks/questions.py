@@ -6,9 +6,6 @@ the best known of the cues by which people answer who know nothing (Haladyna, Do
 here: each reader gets an order of their own. Questions with several keys are left alone.
 """
 
-import math
-from collections.abc import Sequence
-
 from site_builder.book import Book, Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.page_model.questions import Option, Quiz
@@ -19,20 +16,14 @@ STANDS_OUT = 1.4
 the key: lines of one paragraph differ as much, so up to there nobody sees it at a glance."""
 FEW_LETTERS = 12
 """Two words: among short answers a smaller difference has no meaning, whatever its ratio."""
-SEEN = 1.1
-"""How many times as long as the next an answer must be to be seen as the longest."""
-CHANCE = 0.01
-"""Probability below which it is no coincidence how often keys are longest."""
 
 
 def check_questions(book: Book, problems: Diagnostics) -> None:
-    """Warn of each key that stands out, and of a habit that shows only in the whole book."""
-    quizzes = [quiz for chapter in book.chapters for quiz in single_choice(chapter)]
-    for quiz in quizzes:
-        if message := fault_of_length(quiz):
-            problems.warn(quiz.path, quiz.line, message)
-    if message := habit_of_length(quizzes):
-        problems.warn("content/book.toml", 1, message)
+    """Warn of each key that stands out."""
+    for chapter in book.chapters:
+        for quiz in single_choice(chapter):
+            if message := fault_of_length(quiz):
+                problems.warn(quiz.path, quiz.line, message)
 
 
 def single_choice(chapter: Chapter) -> list[Quiz]:
@@ -52,7 +43,7 @@ def letters(option: Option) -> int:
 
 def fault_of_length(quiz: Quiz) -> str:
     """What the key's length gives away, or nothing."""
-    key, *wrong = _lengths(quiz)
+    key, *wrong = [letters(option) for option in sorted(quiz.options, key=lambda o: not o.correct)]
     for what, other, short, long in (
         ("longest", max(wrong), max(wrong), key),
         ("shortest", min(wrong), key, min(wrong)),
@@ -63,37 +54,3 @@ def fault_of_length(quiz: Quiz) -> str:
                 f"wrong answer {other}; better: within a factor of {STANDS_OUT:g}"
             )
     return ""
-
-
-def habit_of_length(quizzes: Sequence[Quiz]) -> str:
-    """What is said where keys are the longest answers more often than by chance, or nothing."""
-    count = sum(map(_is_longest, quizzes))
-    chances = [1.0 / len(quiz.options) for quiz in quizzes]
-    if chance_of(count, chances) >= CHANCE:
-        return ""
-    return (
-        f"the key is the longest answer in {count} of the {len(quizzes)} questions of the book; "
-        f"better: about {sum(chances):.0f}, as by chance"
-    )
-
-
-def chance_of(hits: int, chances: Sequence[float]) -> float:
-    """Probability of at least ``hits`` of independent events that have these probabilities."""
-    exactly = [1.0]
-    for chance in chances:
-        one_less = [0.0, *exactly]
-        exactly = [
-            (1.0 - chance) * same + chance * less
-            for same, less in zip([*exactly, 0.0], one_less, strict=True)
-        ]
-    return math.fsum(exactly[hits:])
-
-
-def _lengths(quiz: Quiz) -> list[int]:
-    """Of the key, then of the wrong answers."""
-    return [letters(option) for option in sorted(quiz.options, key=lambda o: not o.correct)]
-
-
-def _is_longest(quiz: Quiz) -> bool:
-    key, *wrong = _lengths(quiz)
-    return key > SEEN * max(wrong)

@@ -1,20 +1,18 @@
 """Small multiples: on paper, what a figure's main control does is shown by a few stills."""
 
-import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
 from simulations.engine.controls import Choice, Control, Slider, Value
-from simulations.engine.frame import Frame, Panel
-from simulations.engine.stages import StageCache
+from simulations.engine.frame import Panel
 from site_builder.book import Book
-from site_builder.figures.frames import png
+from site_builder.figures.frames import StaticFrame, pixels, static_frame
 from site_builder.figures.initial_frames import InitialFrame, InitialFrames
 from site_builder.figures.main_control import main_control
 from site_builder.languages.words import Words
-from site_builder.page_model.blocks import Simulation
 from site_builder.pages.views.control import value_text
 
 MOST = 4
@@ -31,7 +29,7 @@ class Multiple:
     """The control's value, as the figure writes it."""
     panel: Panel
     picture: str
-    """File name of its PNG; nothing for a pure diagram."""
+    """File name of it; nothing for a pure diagram."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,35 +44,37 @@ class Row:
 def render_rows(
     book: Book, initial_frames: InitialFrames
 ) -> tuple[dict[tuple[str, str], Row], dict[str, bytes]]:
-    """The row of each figure that has one, by chapter and element id; and the PNG files."""
+    """The row of each figure that has one, by chapter and element id; and the pictures' files."""
     rows: dict[tuple[str, str], Row] = {}
     files: dict[str, bytes] = {}
     for chapter in book.chapters:
         for figure in chapter.simulations:
-            row = _row(chapter.id, initial_frames[figure.path, figure.line], files, book.words)
+            name = f"{chapter.id}--{figure.id}"
+            row = _row(name, initial_frames[figure.path, figure.line], files, book.words)
             if row:
                 rows[chapter.id, figure.id] = row
     return rows, files
 
 
-def _row(page: str, still: InitialFrame, files: dict[str, bytes], words: Words) -> Row | None:
-    figure = still.figure
+def _row(name: str, still: InitialFrame, files: dict[str, bytes], words: Words) -> Row | None:
+    figure, scene = still.figure, still.figure.scene
     control = main_control(figure)
     if control is None:
         return None
     values = shown_values(control, still.values[control.name])
-    frames = dict(_frames(figure, control, values))
-    shown = _most_changed(list(frames.values()))
+    settings = [scene.check({**figure.values, control.name: value}) for value in values]
+    frames = [static_frame(scene, one, figure.tier) for one in settings]
+    shown = _most_changed(frames)
     if shown is None:
         return None
     multiples: list[Multiple] = []
-    for value, frame in frames.items():
-        panel = next(panel for panel in frame.panels if panel.name == shown)
-        name = ""
-        if panel.raster is not None:
-            name = f"{page}--{figure.id}--{shown}--{len(multiples)}.png"
-            files[name] = png(panel.raster)
-        multiples.append(Multiple(value_text(control, value, words), panel, name))
+    for value, drawn in zip(values, frames, strict=True):
+        panel = next(panel for panel in drawn.frame.panels if panel.name == shown)
+        file = ""
+        if picture := drawn.pictures.get(shown):
+            file = f"{name}--{shown}--{len(multiples)}.webp"
+            files[file] = picture.webp
+        multiples.append(Multiple(value_text(control, value, words), panel, file))
     return Row(control.label, tuple(multiples))
 
 
@@ -107,41 +107,19 @@ def _near(options: list[str], now: str) -> list[Value]:
     return list(options[start : start + MOST])
 
 
-def _frames(
-    figure: Simulation, control: Control, values: list[Value]
-) -> Iterator[tuple[Value, Frame]]:
-    cache = StageCache()
-    given: Mapping[str, object] = figure.values
-    for value in values:
-        settings = figure.scene.check({**given, control.name: value})
-        yield value, figure.scene.render(settings, figure.tier, cache)
+def _most_changed(frames: Sequence[StaticFrame]) -> str | None:
+    """Name of the panel whose pictures differ most or, where none has any, whose drawings do; None
+    where nothing changes."""
 
+    def change(name: str) -> tuple[float, int]:
+        panels = [panel for each in frames for panel in each.frame.panels if panel.name == name]
+        if len(panels) < len(frames):
+            return 0.0, 0
+        rasters = [pixels(each.pictures[name].webp) for each in frames if name in each.pictures]
+        pairs = ((a, b) for a, b in pairwise(rasters) if a.shape == b.shape)
+        difference = sum(float(np.abs(a.astype(float) - b).mean()) for a, b in pairs)
+        return difference, len({panel.overlay for panel in panels}) - 1
 
-def _most_changed(frames: list[Frame]) -> str | None:
-    """Name of the panel that tells most; pictures before diagrams. None if nothing changes."""
-    changes = {
-        panel.name: (_picture_change(frames, panel.name), _drawing_change(frames, panel.name))
-        for panel in frames[0].panels
-        if all(panel.name in [other.name for other in frame.panels] for frame in frames)
-    }
-    name = max(changes, key=lambda name: changes[name], default=None)
+    changes = {panel.name: change(panel.name) for panel in frames[0].frame.panels}
+    name = max(changes, key=changes.__getitem__, default=None)
     return name if name and any(changes[name]) else None
-
-
-def _pick(frame: Frame, name: str) -> Panel:
-    return next(panel for panel in frame.panels if panel.name == name)
-
-
-def _picture_change(frames: list[Frame], name: str) -> float:
-    rasters = [_pick(frame, name).raster for frame in frames]
-    pairs = [
-        (a, b)
-        for a, b in itertools.pairwise(rasters)
-        if a is not None and b is not None and a.shape == b.shape
-    ]
-    return sum(float(np.abs(a.astype(float) - b.astype(float)).mean()) for a, b in pairs)
-
-
-def _drawing_change(frames: list[Frame], name: str) -> int:
-    """How many of the drawings differ."""
-    return len({_pick(frame, name).overlay for frame in frames}) - 1

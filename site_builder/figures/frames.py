@@ -156,9 +156,14 @@ def png(raster: Raster) -> bytes:
     return buffer.getvalue()
 
 
-def as_png(picture: bytes) -> bytes:
-    """A picture as a PNG, for what knows no other kind."""
+def pixels(picture: bytes) -> Raster:
+    """Those of a picture's file."""
     from PIL import Image
 
     with Image.open(io.BytesIO(picture)) as image:
-        return png(np.asarray(image.convert("RGBA")))
+        return np.asarray(image.convert("RGBA"))
+
+
+def as_png(picture: bytes) -> bytes:
+    """A picture as a PNG, for what knows no other kind."""
+    return png(pixels(picture))

@@ -3,7 +3,6 @@
 import errno
 import fcntl
 import os
-import re
 import shutil
 import tempfile
 from collections.abc import Collection, Iterator, Mapping
@@ -25,8 +24,10 @@ def write_site(files: Mapping[str, Content], out: Path) -> tuple[str, ...]:
     if filled and not (out / "book.json").is_file():
         raise ValueError(f"{out} is not empty and holds no site; legal: an empty folder or a site")
     out.parent.mkdir(parents=True, exist_ok=True)
-    _clear_away(out)
     with _alone(out.parent):
+        fresh, old = (out.with_name(f".{out.name}-{age}") for age in ("new", "old"))
+        if old.exists() and not out.exists():  # a build was killed while it put the new one there
+            old.rename(out)
         there = {file.relative_to(out).as_posix() for file in out.rglob("*") if file.is_file()}
         changed = [
             name
@@ -34,34 +35,41 @@ def write_site(files: Mapping[str, Content], out: Path) -> tuple[str, ...]:
             if name not in there or file_hash(out / name) != content_hash(content)
         ]
         gone = sorted(there.difference(files))
-        if changed or gone:
-            _replace(files, out, set(changed))
+        try:
+            if changed or gone:
+                _remove(fresh, old)
+                _fill(fresh, files, out, set(changed))
+                _swap(fresh, out, old)
+        finally:
+            _remove(fresh, old)
     return (*changed, *gone)
 
 
-def _replace(files: Mapping[str, Content], out: Path, changed: Collection[str]) -> None:
-    """The new site beside the old one, then in its place; what has not changed is the same file."""
-    fresh = out.with_name(f".{out.name}-{os.getpid()}-new")
-    old = out.with_name(f".{out.name}-{os.getpid()}-old")
+def _remove(*folders: Path) -> None:
+    for folder in folders:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _fill(fresh: Path, files: Mapping[str, Content], out: Path, changed: Collection[str]) -> None:
+    """The new site beside the old one; what has not changed is the same file."""
+    for folder in {(fresh / name).parent for name in files}:
+        folder.mkdir(parents=True, exist_ok=True)
+    for name, content in files.items():
+        if name in changed:
+            (fresh / name).write_bytes(content_bytes(content))
+        else:
+            _link(out / name, fresh / name)
+
+
+def _swap(fresh: Path, out: Path, old: Path) -> None:
+    if out.exists():
+        out.rename(old)
     try:
-        for folder in {(fresh / name).parent for name in files}:
-            folder.mkdir(parents=True, exist_ok=True)
-        for name, content in files.items():
-            if name in changed:
-                (fresh / name).write_bytes(content_bytes(content))
-            else:
-                _link(out / name, fresh / name)
-        if out.exists():
-            out.rename(old)
-        try:
-            fresh.rename(out)
-        except OSError:
-            if old.exists():
-                old.rename(out)
-            raise
-    finally:
-        shutil.rmtree(fresh, ignore_errors=True)
-        shutil.rmtree(old, ignore_errors=True)
+        fresh.rename(out)
+    except OSError:
+        if old.exists():
+            old.rename(out)
+        raise
 
 
 def way_out(error: OSError) -> str:
@@ -84,29 +92,6 @@ def replace_file(file: Path, data: bytes) -> None:
         Path(name).replace(file)
     finally:
         Path(name).unlink(missing_ok=True)
-
-
-def _clear_away(out: Path) -> None:
-    """What builds left behind that were killed; where one had moved the site away, put it back."""
-    left = re.compile(rf"\.{re.escape(out.name)}-(\d+)-(?:new|old)")
-    for place in out.parent.iterdir():
-        match = left.fullmatch(place.name)
-        if not match or _is_running(int(match[1])):
-            continue
-        if place.name.endswith("-old") and not out.exists():
-            place.rename(out)
-        else:
-            shutil.rmtree(place, ignore_errors=True)
-
-
-def _is_running(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except PermissionError:  # another user's
-        return True
-    return True
 
 
 @contextmanager

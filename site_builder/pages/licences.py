@@ -1,8 +1,9 @@
 """The licences of everything that reaches the reader, gathered from the installed packages."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 from site_builder.book import UNSET
@@ -10,6 +11,14 @@ from site_builder.languages.words import ENGLISH, Words
 from site_builder.npm import Package
 from site_builder.runtime.pinned import Versions
 from site_builder.settings.model import Settings
+
+OPEN_FONT = "SIL Open Font License 1.1"
+SEARCH = {
+    "minisearch": ("MiniSearch", "licences.search", "lucaong/minisearch"),
+    "stemmer": ("stemmer", "licences.stemmer", "words/stemmer"),
+    "@orama/stemmers": ("Orama stemmers", "licences.stemmer", "oramasearch/orama"),
+}
+"""Name, use and repository of each package that searches."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,117 +49,60 @@ def gather_licences(
     The versions are the browser runtime's; ``editor`` are the packages in the code editor,
     ``search`` those that search the pages; ``settings`` are the book's, ``words`` its language's.
     """
-    book = Licence(
-        settings.title,
-        "",
-        words("licences.book", code=settings.licence.code, text=settings.licence.text),
-        words("licences.this_book"),
-        "",
-        _text_of(root / "LICENSE"),
-    )
+    terms = words("licences.book", code=settings.licence.code, text=settings.licence.text)
+    text = _text_of(root / "LICENSE")
     return (
-        book,
+        Licence(settings.title, "", terms, words("licences.this_book"), "", text),
         *(_of_the_runtime(versions, words) if versions.pyodide else ()),
         *_of_the_editor(editor, words),
-        *_of_the_search(search, words),
+        *(_of_the_search(package, words) for package in search),
         *_of_the_fonts(words),
     )
 
 
-def _of_the_runtime(versions: Versions, words: Words) -> tuple[Licence, ...]:
-    return (
-        Licence(
-            "Pyodide",
-            versions.pyodide,
-            "MPL 2.0",
-            words("licences.pyodide"),
-            "https://github.com/pyodide/pyodide",
-            _packaged_text("pathspec", "licenses/LICENSE"),
-        ),
-        Licence(
-            words("licences.cpython_name"),
-            versions.python,
-            "PSF License 2.0",
-            words("licences.cpython"),
-            "https://www.python.org/",
-            _text_of(Path(os.__file__).parent / "LICENSE.txt")
-            or _packaged_text("typing_extensions", "LICENSE"),
-        ),
-        Licence(
-            "NumPy",
-            versions.numpy,
-            words("licences.numpy_licence"),
-            words("licences.numpy"),
-            "https://numpy.org/",
-            _packaged_text("numpy", "licenses/LICENSE.txt"),
-        ),
-    )
+def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
+    mpl = _packaged_text("pathspec", "licenses/LICENSE")
+    psf = _text_of(Path(os.__file__).parent / "LICENSE.txt")
+    psf = psf or _packaged_text("typing_extensions", "LICENSE")
+    bsd = _packaged_text("numpy", "licenses/LICENSE.txt")
+    use, home = words("licences.pyodide"), "https://github.com/pyodide/pyodide"
+    yield Licence("Pyodide", versions.pyodide, "MPL 2.0", use, home, mpl)
+    name, use = words("licences.cpython_name"), words("licences.cpython")
+    yield Licence(name, versions.python, "PSF License 2.0", use, "https://www.python.org/", psf)
+    terms, use = words("licences.numpy_licence"), words("licences.numpy")
+    yield Licence("NumPy", versions.numpy, terms, use, "https://numpy.org/", bsd)
 
 
-def _of_the_editor(packages: Sequence[Package], words: Words) -> tuple[Licence, ...]:
+def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licence]:
     """One entry for all packages, each text once below the names of those that it covers."""
     if not packages:
-        return ()
+        return
     texts: dict[str, list[str]] = {}
     for package in packages:
         texts.setdefault(package.text.strip(), []).append(f"{package.name} {package.version}")
-    return (
-        Licence(
-            words("licences.editor_name"),
-            "",
-            f" {words('licences.and')} ".join(sorted({package.license for package in packages})),
-            words("licences.editor"),
-            "https://codemirror.net/",
-            "\n\n\n".join(f"{', '.join(names)}\n\n{text}" for text, names in texts.items()),
-        ),
-    )
+    text = "\n\n\n".join(f"{', '.join(names)}\n\n{text}" for text, names in texts.items())
+    terms = f" {words('licences.and')} ".join(sorted({package.license for package in packages}))
+    name, use = words("licences.editor_name"), words("licences.editor")
+    yield Licence(name, "", terms, use, "https://codemirror.net/", text)
 
 
-def _of_the_search(packages: Sequence[Package], words: Words) -> tuple[Licence, ...]:
-    uses = {
-        "minisearch": ("MiniSearch", words("licences.search"), "lucaong/minisearch"),
-        "stemmer": ("stemmer", words("licences.stemmer"), "words/stemmer"),
-        "@orama/stemmers": ("Orama stemmers", words("licences.stemmer"), "oramasearch/orama"),
-    }
-    return tuple(
-        Licence(
-            uses[package.name][0],
-            package.version,
-            package.license,
-            uses[package.name][1],
-            f"https://github.com/{uses[package.name][2]}",
-            package.text,
-        )
-        for package in packages
-    )
+def _of_the_search(package: Package, words: Words) -> Licence:
+    name, use, home = SEARCH[package.name]
+    address = f"https://github.com/{home}"
+    return Licence(name, package.version, package.license, words(use), address, package.text)
 
 
-def _of_the_fonts(words: Words) -> tuple[Licence, ...]:
-    return (
-        Licence(
-            words("licences.fonts_name"),
-            "",
-            "SIL Open Font License 1.1",
-            words("licences.fonts"),
-            "https://github.com/adobe-fonts",
-            _packaged_text("font-source-serif-pro", "files/LICENSE.txt"),
-        ),
-        Licence(
-            "STIX Two Math",
-            "",
-            "SIL Open Font License 1.1",
-            words("licences.maths_font"),
-            "https://github.com/stipub/stixfonts",
-            _open_font_licence(),
-        ),
-    )
+def _of_the_fonts(words: Words) -> Iterator[Licence]:
+    ofl = _packaged_text("font-source-serif-pro", "files/LICENSE.txt")
+    name, use = words("licences.fonts_name"), words("licences.fonts")
+    yield Licence(name, "", OPEN_FONT, use, "https://github.com/adobe-fonts", ofl)
+    use, home = words("licences.maths_font"), "https://github.com/stipub/stixfonts"
+    body = ofl[max(ofl.find("This Font Software is licensed under"), 0) :]  # others hold its rights
+    yield Licence("STIX Two Math", "", OPEN_FONT, use, home, body)
 
 
 def _packaged_text(package: str, ending: str) -> str:
     """A licence file of an installed package; nothing where it carries none."""
-    # What reads archives and letters, which takes long.
-    from importlib.metadata import PackageNotFoundError, distribution
-
     try:
         files = distribution(package).files or []
     except PackageNotFoundError:
@@ -162,10 +114,3 @@ def _packaged_text(package: str, ending: str) -> str:
 def _text_of(file: Path) -> str:
     """The file; nothing where there is none."""
     return file.read_text(encoding="utf-8") if file.is_file() else ""
-
-
-def _open_font_licence() -> str:
-    """The licence's body, without another font's copyright line at its head."""
-    text = _packaged_text("font-source-serif-pro", "files/LICENSE.txt")
-    start = text.find("This Font Software is licensed under")
-    return text[start:] if start >= 0 else text

@@ -6,16 +6,11 @@ warned of. A mismatch leaves ``NAME-changed.txt`` there to compare, and to renam
 
 from collections.abc import Callable
 from dataclasses import replace
-from itertools import product
-from math import prod
 from pathlib import Path
 
-import numpy as np
 import pytest
-from scipy.stats import binom
 
 from site_builder.build import Options, check_site
-from site_builder.checks.questions import chance_of
 from site_builder.diagnostics import BuildError, Diagnostic
 
 FIXTURES = Path(__file__).parents[2] / "fixtures" / "warnings"
@@ -59,50 +54,6 @@ def test_warnings_are_told_even_where_mistakes_fail_the_check(
     assert raised.value.diagnostics[0].fails
     assert found
     assert not any(warning.fails for warning in found)
-
-
-def quiz(name: str, key: int, words: list[str]) -> str:
-    answers = (
-        f"- [{'x' if at == key else ' '}] {word}\n  : Because.\n" for at, word in enumerate(words)
-    )
-    return f":::{{quiz}} {name}\nWhich?\n{''.join(answers)}:::\n\n"
-
-
-def questions(start: int, keys: list[int], lengths: list[int]) -> str:
-    words = ["ABCD"[at] * length for at, length in enumerate(lengths)]
-    return "".join(quiz(f"q{start + i}", key, words) for i, key in enumerate(keys))
-
-
-def in_two_chapters(warnings_of: Find, keys: list[int], lengths: list[int]) -> list[str]:
-    half = len(keys) // 2
-    first, second = questions(0, keys[:half], lengths), questions(half, keys[half:], lengths)
-    return warnings_of(first, {"content/01-second.md": FRONT_MATTER + second})
-
-
-def test_keys_that_are_longest_too_often_are_warned_of(warnings_of: Find) -> None:
-    """None stands out alone: each is little longer than the next."""
-    always = [0, 0, 0, 0, 0, 0]
-    found = in_two_chapters(warnings_of, always, [23, 20, 20, 20])
-    assert any("the key is the longest answer in 6 of the 6" in line for line in found)
-    for keys, lengths in (([0, 1, 2, 3, 0, 1], [23, 20, 20, 20]), (always, [21, 20, 20, 20])):
-        found = in_two_chapters(warnings_of, keys, lengths)
-        assert not any("longest" in line for line in found)
-
-
-@pytest.mark.parametrize("hits", range(7))
-def test_the_chance_of_a_habit_is_the_binomial_s_where_all_are_alike(hits: int) -> None:
-    assert np.isclose(chance_of(hits, [0.25] * 6), binom.sf(hits - 1, 6, 0.25))
-
-
-@pytest.mark.parametrize("hits", range(5))
-def test_the_chance_of_a_habit_is_the_sum_over_all_outcomes(hits: int) -> None:
-    chances = (0.25, 1 / 3, 0.5, 0.0)
-    outcomes = [
-        prod(p if happened else 1 - p for p, happened in zip(chances, outcome, strict=True))
-        for outcome in product((False, True), repeat=4)
-        if sum(outcome) >= hits
-    ]
-    assert np.isclose(chance_of(hits, chances), sum(outcomes))
 
 
 GLOSSARY = '[pose]\nsays = "Where it is."\nexplained = "first#poses"\n'

@@ -96,15 +96,15 @@ def test_what_has_changed_is_told(tmp_path: Path) -> None:
 
 
 def test_what_a_killed_build_left_behind_goes_with_the_next(tmp_path: Path) -> None:
-    (tmp_path / ".site-999999999-new" / "a").mkdir(parents=True)
-    (tmp_path / ".other-999999999-new").mkdir()
+    (tmp_path / ".site-new" / "a").mkdir(parents=True)
+    (tmp_path / ".other-new").mkdir()
     write_site({"book.json": b"{}"}, tmp_path / "site")
-    assert sorted(path.name for path in tmp_path.iterdir()) == [".other-999999999-new", "site"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [".other-new", "site"]
 
 
 def test_a_site_that_a_killed_build_had_moved_away_is_put_back(tmp_path: Path) -> None:
     write_site({"book.json": b"{}", "kept": b"good"}, tmp_path / "site")
-    (tmp_path / "site").rename(tmp_path / ".site-999999999-old")
+    (tmp_path / "site").rename(tmp_path / ".site-old")
     with pytest.raises(FileNotFoundError):
         write_site({"book.json": b"new", "gone": tmp_path / "gone"}, tmp_path / "site")
     assert (tmp_path / "site" / "kept").read_bytes() == b"good"
