@@ -4,7 +4,7 @@ A mistake fails the build, once, when all are found. A warning is of something t
 """
 
 import difflib
-from collections.abc import Iterable, Sequence, Sized
+from collections.abc import Iterable, Sized
 from dataclasses import dataclass, field
 
 from site_builder.blame import place_of, words_of
@@ -39,19 +39,12 @@ class Diagnostics:
     """Mistakes."""
     doubts: list[Diagnostic] = field(default_factory=list)
     """Warnings."""
-    spliced: dict[str, Sequence[tuple[str, int]]] = field(default_factory=dict)
-    """Of each file whose lines come from several: where each of them stands."""
 
     def add(self, path: str, line: int, message: str) -> None:
-        self.found.append(Diagnostic(*self.place(path, line), message))
+        self.found.append(Diagnostic(path, line, message))
 
     def warn(self, path: str, line: int, message: str) -> None:
-        self.doubts.append(Diagnostic(*self.place(path, line), message, fails=False))
-
-    def place(self, path: str, line: int) -> tuple[str, int]:
-        """The file, and the line of it, that a line of ``path`` comes from."""
-        places = self.spliced.get(path, ())
-        return places[line - 1] if 0 < line <= len(places) else (path, line)
+        self.doubts.append(Diagnostic(path, line, message, fails=False))
 
     def __bool__(self) -> bool:
         """Whether a mistake was found; warnings do not count."""

@@ -45,8 +45,7 @@ def _check_ids(kind: str, items: Sequence[Quiz | Prediction], problems: Diagnost
     for item in items:
         other = first.setdefault(item.id, item)
         if other.path != item.path:  # within a page its reading tells
-            path, line = problems.place(other.path, other.line)
-            message = f"duplicate {kind} id {item.id!r}; first used at {path}:{line}"
+            message = f"duplicate {kind} id {item.id!r}; first used at {other.path}:{other.line}"
             problems.add(item.path, item.line, message)
 
 

@@ -9,7 +9,6 @@ from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.files.front_matter import FrontMatter, read_front_matter
-from site_builder.markdown.files.includes import may_include, splice
 from site_builder.markdown.glossary_links.terms import mark_terms
 from site_builder.markdown.inline import annotate, inline_passage
 from site_builder.markdown.numbering import number_targets
@@ -31,12 +30,7 @@ class Draft:
 
 def parse_chapter(text: str, context: ParseContext) -> Draft:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
-    whole = text
-    if may_include(text):
-        lines = splice(text, context.path, context.root, context.problems)
-        context.problems.spliced[context.path] = [(line.path, line.number) for line in lines]
-        whole = "\n".join(line.text for line in lines)
-    tokens = context.parser.parse(whole, context.env)
+    tokens = context.parser.parse(text, context.env)
     for line, message in context.env.pop("problems", ()):
         context.problem(line, message)
     matter = read_front_matter(tokens, context)
@@ -53,13 +47,10 @@ class Survey:
     path: str
     target: Target
     inside: tuple[Target, ...]
-    lines: Sequence[tuple[str, int]]
-    """Where each line of it stands, if it comes from several files."""
 
 
 def survey(draft: Draft) -> Survey:
-    path = draft.context.path
-    return Survey(path, draft.target, draft.inside, draft.context.problems.spliced.get(path, ()))
+    return Survey(draft.context.path, draft.target, draft.inside)
 
 
 def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
@@ -71,8 +62,7 @@ def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
                 continue
             other, path = first.setdefault(target.id, (target, found.path))
             if other.chapter != target.chapter:
-                where, line = problems.place(path, other.line)
-                message = f"duplicate label {target.id!r}; first used at {where}:{line}"
+                message = f"duplicate label {target.id!r}; first used at {path}:{other.line}"
                 problems.add(found.path, target.line, message)
     return Targets(
         {found.target.chapter: found.target for found in surveys},

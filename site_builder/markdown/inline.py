@@ -1,6 +1,5 @@
 """One pass over a page's tokens: set formulae, gather links and headings, report the illegal."""
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 
 from markdown_it.token import Token
@@ -20,7 +19,6 @@ from site_builder.page_model.passage import Passage, passage
 from site_builder.page_model.places import Link, chapter_id
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
-MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")
 
 
 def annotate(tokens: Sequence[Token], context: ParseContext) -> None:
@@ -126,15 +124,6 @@ def _drop_html(token: Token, line: int, context: ParseContext) -> None:
     token.content = ""
 
 
-def _check_text(token: Token, line: int, context: ParseContext) -> None:
-    if token.content.startswith(":") and MISPLACED_OPTION.fullmatch(token.content):
-        context.problem(
-            line,
-            f"option {token.content!r} in running text; "
-            "legal: directly below the line that opens the directive",
-        )
-
-
 def _open_role(token: Token, line: int, context: ParseContext) -> None:
     if token.info not in ROLE_NAMES:
         context.problem(line, unknown("role", token.info, ROLE_NAMES))
@@ -153,7 +142,6 @@ SEEN_TO: Mapping[str, Callable[[Token, int, ParseContext], None]] = {
     "math_block_label": _set_formula,
     "fence": _set_code,
     "link_open": _gather_link,
-    "text": _check_text,
     "role": _set_words,
     "role_open": _open_role,
     "image": _refuse_picture,

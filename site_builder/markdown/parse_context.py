@@ -95,8 +95,6 @@ class ParseContext:
     index_marks: list[IndexMark] = field(default_factory=list)
     formulae: list[tuple[int, str, bool]] = field(default_factory=list)
     """Line and TeX of each, and whether it is displayed."""
-    tabs: set[int] = field(default_factory=set)
-    """Lines of the tabs that stand where they may."""
     files: set[str] = field(default_factory=set)
     """Files below ``content/`` that the page hands out, besides pictures."""
     readouts: Readouts = field(init=False)
@@ -108,16 +106,11 @@ class ParseContext:
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
 
-    def where(self, line: int) -> str:
-        """``on line 12``, or ``at content/parts/file.md:3`` of what is included."""
-        path, number = self.problems.place(self.path, line)
-        return f"on line {number}" if path == self.path else f"at {path}:{number}"
-
     def take_id(self, wanted: str, line: int, kind: str) -> str:
         """Claim an element id; taking one twice is a mistake."""
         if wanted in self.ids:
             first = self.ids[wanted]
-            place = f"first used {self.where(first)}" if first else "the page itself uses it"
+            place = f"first used on line {first}" if first else "the page itself uses it"
             self.problem(line, f"duplicate {kind} id {wanted!r}; {place}")
         self.ids.setdefault(wanted, line)
         return wanted

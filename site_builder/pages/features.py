@@ -14,7 +14,6 @@ from site_builder.page_model.questions import Quiz
 PARTS: Mapping[str, str] = {
     "simulation": "editor/feature.js",
     "ladder": "ladder/bench.js",
-    "tabs": "page/tabs.js",
     "extremes": "page/case_filter.js",
     "terms": "page/terms.js",
     "quiz": "question/questions.js",
@@ -42,7 +41,6 @@ SHEETS: Mapping[str, Collection[str]] = {
     "lecture-plan.css": ("lecture-plan",),
     "terms.css": ("terms", "glossary", "index-of-terms"),
     "callouts.css": ("callout", "example", "predict"),
-    "tabs.css": ("tabs",),
     "files.css": ("figure", "video", "download"),
     "figure.css": ("simulation", "ladder", *DRAWINGS),
     "overlay.css": ("simulation", "ladder", "predict", *DRAWINGS),

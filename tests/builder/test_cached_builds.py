@@ -38,8 +38,6 @@ A pinhole is small {cite}`zhang2000`, as $x = 1$ is.
 A plan.
 :::
 
-:::{include} parts/shared.md
-:::
 """,
     "content/01-second.md": """\
 ---
@@ -56,7 +54,6 @@ Text, and {ref}`a-section`; $y = 2$. The area is {readout}`transform-2d area amo
 Move it.
 :::
 """,
-    "content/parts/shared.md": "What several chapters say.\n",
     "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 30"/>\n',
     "content/references.bib": """\
 @article{zhang2000,
@@ -70,7 +67,6 @@ EDITS = {
     "the title of a section": ("content/00-first.md", "## A section", "## The section"),
     "the title of a chapter": ("content/01-second.md", "title: Second", "title: The second"),
     "a setting of a figure": ("content/01-second.md", ":amount: 20", ":amount: 25"),
-    "an included file": ("content/parts/shared.md", "several", "both"),
     "a picture": ("content/images/plan.svg", "0 0 40 30", "0 0 80 30"),
     "the bibliography": ("content/references.bib", "A flexible", "One flexible"),
     "the glossary": ("content/glossary.toml", "A small hole.", "A hole."),

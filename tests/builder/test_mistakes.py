@@ -64,7 +64,7 @@ def test_a_chapter_file_outside_the_outline_is_reported(mistakes: Find) -> None:
     found = mistakes(files={"content/02-third.md": "x"})
     assert found == [
         "content/02-third.md:1: not in content/book.toml; "
-        "legal: listed in 'chapters' or 'appendices', or included"
+        "legal: listed in 'chapters' or 'appendices'"
     ]
 
 

@@ -21,18 +21,13 @@ FRONT = b"---\ntitle: First\nsummary: The first chapter.\n---\n"
 OUTLINE = (
     b'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 )
-INCLUDES = {
-    CHAPTER: FRONT + b":::{include} parts/a.md\n:::\n",
-    "content/parts/a.md": b"Text.\n\n:::{include} parts/b.md\n:::\n",
-    "content/parts/b.md": b":::{include} parts/a.md\n:::\n",
-}
 LEADS_OUT = {
     CHAPTER: FRONT + b":::{download} data/list.csv\nA list.\n:::\n",
     "content/data/list.csv": lambda file: file.symlink_to("/etc/hostname"),
 }
 LOOP = {
-    CHAPTER: FRONT + b":::{include} parts/x.md\n:::\n",
-    "content/parts/x.md": lambda file: file.symlink_to("x.md"),
+    CHAPTER: FRONT + b":::{download} data/x.csv\n:::\n",
+    "content/data/x.csv": lambda file: file.symlink_to("x.csv"),
 }
 NAMED = "legal: 'NN-slug'"
 
@@ -53,8 +48,7 @@ NAMED = "legal: 'NN-slug'"
             {CHAPTER: Path.mkdir},
             "content/book.toml:4: unknown chapter '00-first'; legal: 01-second",
         ),
-        (INCLUDES, "content/parts/b.md:1: {include} goes round in a circle: 00-first.md → "),
-        (LOOP, f"{CHAPTER}:5: unknown Markdown file 'parts/x.md'; legal: "),
+        (LOOP, f"{CHAPTER}:5: unknown file 'data/x.csv'; legal: "),
         (LEADS_OUT, f"{CHAPTER}:5: file 'data/list.csv' leads out of content/; legal: "),
         ({"content/book.toml": OUTLINE.decode().encode("utf-16")}, "content/book.toml:1: UTF-16"),
         (

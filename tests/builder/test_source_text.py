@@ -71,10 +71,3 @@ def test_every_key_of_the_book_has_its_place(file: Path) -> None:
 def test_a_key_that_is_not_there_is_placed_at_its_table() -> None:
     read = Toml({"a": {}}, {("a",): 7})
     assert (read.line("a", "b"), read.line("c")) == (7, 1)
-
-
-def test_so_are_those_of_an_included_file(make_book: Callable[..., Options]) -> None:
-    options = make_book(":::{include} part.md\n:::\n", {"content/part.md": "One\n"})
-    (options.root / "content/part.md").write_bytes(b"One\ncaf\xe9\n")
-    with pytest.raises(BuildError, match=r"content/part\.md:2: byte 0xe9 is not UTF-8"):
-        check_site(options)

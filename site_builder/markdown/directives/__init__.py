@@ -13,7 +13,6 @@ from site_builder.markdown.directives.example import EXAMPLE
 from site_builder.markdown.directives.extremes import EXTREMES
 from site_builder.markdown.directives.figure import FIGURE
 from site_builder.markdown.directives.illustration import ILLUSTRATION
-from site_builder.markdown.directives.include import INCLUDE
 from site_builder.markdown.directives.ladder import LADDER
 from site_builder.markdown.directives.ladder_table import LADDER_TABLE
 from site_builder.markdown.directives.predict import PREDICT
@@ -22,7 +21,6 @@ from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.directives.source import SOURCE
 from site_builder.markdown.directives.stage_costs import STAGE_COSTS
 from site_builder.markdown.directives.table import TABLE
-from site_builder.markdown.directives.tabs import TAB, TABS
 from site_builder.markdown.directives.video import VIDEO
 
 DIRECTIVES: tuple[Directive[Any], ...] = (
@@ -32,14 +30,11 @@ DIRECTIVES: tuple[Directive[Any], ...] = (
     ANSWER,
     *CALLOUTS,
     EXAMPLE,
-    TABS,
-    TAB,
     SOURCE,
     ILLUSTRATION,
     FIGURE,
     VIDEO,
     DOWNLOAD,
-    INCLUDE,
     TABLE,
     EXTREMES,
     LADDER,

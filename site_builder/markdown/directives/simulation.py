@@ -1,7 +1,6 @@
 """``{simulation} scene-id``: a live figure. Options are the scene's controls, ``tier``, and
 ``workings``: whether it shows at first how it was computed."""
 
-import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -24,7 +23,6 @@ from site_builder.page_model.passage import Plain, passage
 
 OWN_OPTIONS = ("tier", "workings")
 """Those that are no control of the scene."""
-MAIMED_OPTION = re.compile(r":(\w+)[ =].*|(\w+)[:=].*")
 
 
 def read_simulation(
@@ -33,7 +31,6 @@ def read_simulation(
     scene = find_scene(call.argument, call.line, context)
     if scene is None:
         return None
-    _check_caption(body, scene, context)
     return Simulation(
         scene=scene,
         id=next(place.id for place in context.figures if place.lines[0] == call.line),
@@ -55,17 +52,6 @@ def _read_values(
         for name, option in given.items()
     }
     return {name: value for name, value in values.items() if value is not None}
-
-
-def _check_caption(body: Sequence[Token], scene: Scene[Any], context: ParseContext) -> None:
-    """An option without one of its colons would be taken for the first words of the caption."""
-    names = (*OWN_OPTIONS, *(control.name for control in scene.controls))
-    for token in body:
-        slip = MAIMED_OPTION.match(token.content) if token.type == "inline" else None
-        if slip and (slip[1] or slip[2]) in names:
-            line = (token.map or [0])[0] + 1
-            expected = f"':{slip[1] or slip[2]}: value'"
-            context.problem(line, f"{slip[0]!r} in the caption; legal: as an option, {expected}")
 
 
 def _read_tier(call: DirectiveCall, scene: Scene[Any], context: ParseContext) -> str:

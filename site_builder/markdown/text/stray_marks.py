@@ -3,7 +3,6 @@ prints the former, or drops what it cannot place, in silence; in a book either i
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 
 from markdown_it.rules_block.table import escapedSplit
 from markdown_it.rules_core import StateCore
@@ -43,13 +42,12 @@ LINE_SLIPS = tuple(
         (r"(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
         (r"(#{2,6}\w[^\n]*|#[A-Za-z][^\n]*)", "is no heading; legal: a space behind the '#'"),
         (
-            r"(:[a-z][\w-]*:)(?:$|\s+\S+\s)",
-            "is no option here; legal: directly below the line that opens the directive",
+            r"(:[a-z_][\w-]*:?)(?:$|[\s=])",
+            "is no option here; legal: ':name: value' below the opening line of a directive",
         ),
     )
 )
 """Likewise at the beginning of a line."""
-OLD_ROLE = re.compile(r"(:[a-z]+:)$")
 FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
 
 
@@ -79,20 +77,14 @@ def stray_marks_rule(state: StateCore) -> None:
 
 
 def _in_paragraph(inline: Token, line: int) -> Iterator[tuple[int, str]]:
-    children = list(children_located(inline, line))
     above = 0
-    for child, place in children:
+    for child, place in children_located(inline, line):
         if child.type == "text":
             found = [(pattern.search(child.content), expected) for pattern, expected in SLIPS]
             if place > above:
                 found += [(start.match(child.content), expected) for start, expected in LINE_SLIPS]
             yield from ((place, f"{slip[1]!r} {expected}") for slip, expected in found if slip)
         above = place
-    for (child, place), (following, _) in pairwise(children):
-        role = OLD_ROLE.search(child.content) if child.type == "text" else None
-        if role and following.type == "code_inline":
-            name = role[1].strip(":")
-            yield place, f"'{role[1]}`…`' is no role; legal: '{{{name}}}`…`'"
 
 
 def _is_closed(fence: Token, lines: Sequence[str]) -> bool:
@@ -107,12 +99,8 @@ def _in_table(table: Token, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
     for number in range(first + 2, end):
         count = len(_cells(lines[number]))
         if count != heads:
-            message = f"a row of {_cells_told(count)} below {heads} heads; legal: as many, or '\\|'"
-            yield number + 1, message
-
-
-def _cells_told(count: int) -> str:
-    return "1 cell" if count == 1 else f"{count} cells"
+            cells = "1 cell" if count == 1 else f"{count} cells"
+            yield number + 1, f"a row of {cells} below {heads} heads; legal: as many, or '\\|'"
 
 
 def _cells(line: str) -> list[str]:

@@ -1,4 +1,4 @@
-"""A chapter with figures, links, a question, alternatives and a download, for both editions."""
+"""A chapter with figures, links, a question and a download, for both editions."""
 
 import pytest
 
@@ -23,15 +23,6 @@ Which one?
 :alt: A plan
 :dark: images/plan.svg
 :::
-
-::::{tabs}
-:::{tab} One
-This.
-:::
-:::{tab} Other
-That.
-:::
-::::
 
 :::{download} book.toml
 :::

@@ -1,4 +1,4 @@
-"""What an author brings from other files: chapters' parts, pictures, films, downloads."""
+"""What an author brings from other files: pictures, films, downloads."""
 
 import re
 from collections.abc import Callable
@@ -44,109 +44,6 @@ def page(options: Options) -> str:
     html = content_bytes(render_site(options)["first/index.html"])
     read_html(html)
     return html.decode().partition("<article")[2].partition("</article>")[0]
-
-
-def test_an_included_file_is_read_where_it_is_named(make_book: MakeBook) -> None:
-    parts = {"content/parts/lens.md": "## Lenses\n\nA *lens* bends.\n\n:::{tip}\nLook.\n:::\n"}
-    html = page(make_book("Before.\n:::{include} parts/lens.md\n:::\nAfter.\n", parts))
-    before, lens, after = (html.index(word) for word in ("Before.", "<em>lens</em>", "After."))
-    assert before < lens < after
-    assert 'id="lenses"' in html
-    assert "<aside" in html
-
-
-def test_what_is_included_may_include(make_book: MakeBook) -> None:
-    parts = {"content/a.md": ":::{include} parts/b.md\n:::\n", "content/parts/b.md": "Deep.\n"}
-    assert "<p>Deep.</p>" in page(make_book(":::{include} a.md\n:::\n", parts))
-
-
-def test_an_included_file_that_changes_is_read_anew(make_book: MakeBook) -> None:
-    options = make_book(":::{include} a.md\n:::\n", {"content/a.md": "First words.\n"})
-    assert "First words." in page(options)
-    (options.root / "content" / "a.md").write_text("Second words.\n", encoding="utf-8")
-    html = page(options)
-    assert "Second words." in html
-    assert "First words." not in html
-
-
-def test_in_a_listing_an_include_is_code(make_book: MakeBook) -> None:
-    html = page(make_book("````\n:::{include} none.md\n:::\n````\n"))
-    assert "none.md" in html
-
-
-def test_mistakes_are_reported_in_the_file_that_holds_them(mistakes: Find) -> None:
-    parts: dict[str, str | None] = {"content/parts/lens.md": "One.\n\n:::{nope}\n:::\n\n[x](#no)\n"}
-    found = mistakes("Text.\n\n:::{include} parts/lens.md\n:::\n\n[y](#missing)\n", files=parts)
-    assert [line.split(": ")[0] for line in found] == [
-        "content/00-first.md:10",
-        "content/parts/lens.md:3",
-        "content/parts/lens.md:6",
-    ]
-
-
-def test_an_id_of_an_included_file_is_found_there(mistakes: Find) -> None:
-    parts: dict[str, str | None] = {"content/parts/lens.md": "Text.\n\n## Lens\n"}
-    found = mistakes(":::{include} parts/lens.md\n:::\n\n## Lens\n", files=parts)
-    assert found == [
-        "content/00-first.md:8: duplicate heading id 'lens'; first used at content/parts/lens.md:3"
-    ]
-
-
-@pytest.mark.parametrize(
-    ("body", "files", "report"),
-    [
-        (":::{include} lost.md\n:::\n", {}, "00-first.md:5: unknown Markdown file 'lost.md'"),
-        (":::{include} ../a.md\n:::\n", {}, "00-first.md:5: unknown Markdown file '../a.md'"),
-        (":::{include}\n:::\n", {}, "00-first.md:5: {include} names no file"),
-        (
-            ":::{include} a.md\nText.\n:::\n",
-            {"a.md": "A.\n"},
-            "00-first.md:5: {include} with a body",
-        ),
-        ("- item\n  :::{include} a.md\n  :::\n", {"a.md": "A.\n"}, "inside a list or quotation"),
-        (":::{include} a.md\n:::\n", {"a.md": "---\ntitle: A\n---\n"}, "a.md:1: front matter"),
-        (
-            ":::{include} a.md\n:::\n",
-            {"a.md": ":::{include} b.md\n:::\n", "b.md": "\n:::{include} a.md\n:::\n"},
-            "b.md:2: {include} goes round in a circle: 00-first.md → a.md → b.md → a.md",
-        ),
-    ],
-)
-def test_an_include_that_cannot_be_is_refused(
-    mistakes: Find, body: str, files: dict[str, str], report: str
-) -> None:
-    found = mistakes(body, files={f"content/{name}": text for name, text in files.items()})
-    assert any(report in line for line in found), found
-
-
-def test_alternatives_stand_one_below_the_other(make_book: MakeBook) -> None:
-    body = ":::::{tabs}\n::::{tab} By *hand*\nOne.\n::::\n::::{tab} By code\nTwo.\n::::\n:::::\n"
-    html = page(make_book(body))
-    assert re.findall(r'class="tab" id="([\w-]+)"', html) == ["tab-by-hand", "tab-by-code"]
-    assert html.index("By <em>hand</em>") < html.index("One.") < html.index("By code")
-    assert "hidden" not in html
-
-
-@pytest.mark.parametrize(
-    ("body", "report"),
-    [
-        (":::{tab} Alone\nText.\n:::\n", "5: {tab} outside of {tabs}"),
-        (":::{tabs}\n:::\n", "5: {tabs} with no tab"),
-        (":::::{tabs}\n::::{tab} One\nText.\n::::\n:::::\n", "5: {tabs} with one tab"),
-        (
-            ":::::{tabs}\nWords.\n\n::::{tab} A\nText.\n::::\n::::{tab} B\nText.\n::::\n:::::\n",
-            "6: text between the tabs",
-        ),
-        (
-            ":::::{tabs}\n::::{tip}\nT.\n::::\n::::{tab} A\nT.\n::::\n:::::\n",
-            "6: directive {tip} between the tabs",
-        ),
-        (":::::{tabs}\n::::{tab}\nText.\n::::\n::::{tab} B\nT.\n::::\n:::::\n", "has no title"),
-    ],
-)
-def test_tabs_that_are_none_are_refused(mistakes: Find, body: str, report: str) -> None:
-    found = mistakes(body)
-    assert any(report in line for line in found), found
 
 
 def test_a_download_is_published_as_it_is(make_book: MakeBook) -> None:
@@ -279,17 +176,3 @@ def test_on_paper_the_dark_variant_is_left_out(make_book: MakeBook) -> None:
 def test_a_picture_s_options_are_checked(mistakes: Find, option: str, report: str) -> None:
     (found,) = mistakes(f":::{{figure}} images/plan.svg\n:alt: A plan\n{option}\n:::\n", FILES)
     assert report in found
-
-
-@pytest.mark.parametrize("name", ["hint", "attention", "caution", "danger", "error", "seealso"])
-def test_the_asides_of_myst_have_their_titles(make_book: MakeBook, name: str) -> None:
-    title = {"seealso": "See also"}.get(name, name.capitalize())
-    assert f'<p class="callout-title">{title}</p>' in page(
-        make_book(f":::{{{name}}}\nText.\n:::\n")
-    )
-
-
-def test_an_aside_of_another_kind_looks_as_its_class_says(make_book: MakeBook) -> None:
-    html = page(make_book(":::{admonition} On *lenses*\n:class: tip\nText.\n:::\n"))
-    assert '<aside class="callout tip">' in html
-    assert "On <em>lenses</em>" in html

@@ -53,7 +53,7 @@ def holds(files: Mapping[str, str], text: str) -> bool:
 def test_a_book_of_plain_text_ships_what_turns_its_pages(make_book: MakeBook) -> None:
     files = shipped(make_book("Text.\n", PLAIN))
     assert holds(files, "installNavigation")
-    assert not any(holds(files, name) for name in ("LiveFigure", "form.quiz", ".tabs"))
+    assert not any(holds(files, name) for name in ("LiveFigure", "form.quiz"))
     css = files["css/book.css"]
     assert [rule for rule in (".verdict", ".ladder-key", ".handle ") if f"\n{rule}" in css] == []
 
