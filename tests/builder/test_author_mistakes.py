@@ -1,90 +1,107 @@
-"""Slips of authors, a few lines each: none is silent, none ends in a
-traceback, each is told at its place.
+"""Mistakes of authors as data: each is reported at its place, and none ends in a traceback.
 
-In ``fixtures/author_mistakes``, ``=== LINE: GIST`` stands above what is written in the first
-chapter below its front matter, and ``=== FILE:LINE: GIST`` above a whole file.
+In ``fixtures/author_mistakes``, one or more lines ``=== LINE: GIST`` stand above what is written
+in the first chapter below its front matter, and ``=== FILE:LINE: GIST`` above a whole file;
+``+++ FILE`` begins another file of the same book, ``+++ text`` the text of the first chapter.
+Beside the whole chapters in ``fixtures/mistakes`` lies all that is reported of each.
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
+from support.recorded import assert_recorded
 
 from site_builder.build import Options, check_site
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.diagnostics import BuildError, Diagnostic, unknown
 
-FIXTURES = Path(__file__).parents[1] / "fixtures" / "author_mistakes"
-HEAD = re.compile(r"^=== (?:(\S+):)?(\d+): (.*)\n", re.MULTILINE)
+FIXTURES = Path(__file__).parents[1] / "fixtures"
+HEAD = re.compile(r"=== (?:(\S+):)?(\d+): (.*)")
 CHAPTER = "content/00-first.md"
 FRONT = "---\ntitle: First\nsummary: The first chapter.\n---\n"
+OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 
 
 @dataclass(frozen=True, slots=True)
-class Slip:
-    """One mistake."""
-
-    files: dict[str, str]
+class Report:
     path: str
     line: int
     gist: str
     """How the message begins."""
 
-
-def read_slips(file: Path) -> list[Slip]:
-    _, *parts = HEAD.split(file.read_text(encoding="utf-8"))
-    found = []
-    for path, line, gist, body in zip(*(parts[n::4] for n in range(4)), strict=True):
-        files = {path: body} if path else {CHAPTER: FRONT + body}
-        if path and path.endswith("/scene.py"):
-            files[path.replace("scene.py", "__init__.py")] = ""
-        below = 0 if path else FRONT.count("\n")
-        found.append(Slip(files, path or CHAPTER, int(line) + below, gist))
-    return found
+    def matches(self, found: Diagnostic) -> bool:
+        place = (found.path, found.line)
+        return place == (self.path, self.line) and found.message.startswith(self.gist)
 
 
-SLIPS = [
-    pytest.param(slip, id=f"{file.stem}-{number}")
-    for file in sorted(FIXTURES.glob("*.txt"))
-    for number, slip in enumerate(read_slips(file), start=1)
-]
+@dataclass(frozen=True, slots=True)
+class Case:
+    files: dict[str, str]
+    reports: tuple[Report, ...]
 
 
-@pytest.mark.parametrize("slip", SLIPS)
-def test_a_slip_is_told_at_its_place(make_book: Callable[..., Options], slip: Slip) -> None:
-    outline = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\n'
-    outline += 'chapters = ["00-first", "01-second"]\n'
-    options = make_book(files={"content/book.toml": outline, **slip.files})
+def report(head: str) -> Report:
+    """Lines are counted from the top of the file, those of the front matter among them."""
+    found = HEAD.fullmatch(head)
+    assert found, head
+    path, line, gist = found.groups()
+    return Report(path or CHAPTER, int(line) + (0 if path else FRONT.count("\n")), gist)
+
+
+def read_case(heads: str, body: str) -> Case:
+    reports = tuple(map(report, heads.splitlines()))
+    written = "text" if re.match(r"=== \d", heads) else reports[0].path
+    first, *others = re.split(r"^\+\+\+ (.+)\n", body, flags=re.MULTILINE)
+    files = {written: first, **dict(zip(others[::2], others[1::2], strict=True))}
+    if "text" in files:
+        files[CHAPTER] = FRONT + files.pop("text")
+    packages = {name.replace("scene.py", "__init__.py"): "" for name in files}
+    return Case({"content/book.toml": OUTLINE, **packages, **files}, reports)
+
+
+def read_cases(file: Path) -> Iterator[Case]:
+    _, *parts = re.split(r"((?:^=== .*\n)+)", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return map(read_case, parts[::2], parts[1::2])
+
+
+def diagnostics(options: Options) -> list[Diagnostic]:
+    """Warnings and mistakes."""
     found: list[Diagnostic] = []
     try:
         check_site(replace(options, warn=found.append))
     except BuildError as error:
         found += error.diagnostics
-    assert any(
-        (one.path, one.line) == (slip.path, slip.line) and one.message.startswith(slip.gist)
-        for one in found
-    ), [str(one) for one in found]
+    return found
 
 
-@pytest.mark.parametrize("broken", ["x = (\n", "x = '\udce9'\n"])
-def test_a_module_that_is_no_python_is_told_where_it_is_quoted(
-    make_book: Callable[..., Options], broken: str
+CASES = [
+    pytest.param(case, id=f"{file.stem}-{number}")
+    for file in sorted(FIXTURES.glob("author_mistakes/*.txt"))
+    for number, case in enumerate(read_cases(file), start=1)
+]
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_each_mistake_is_reported_at_its_place_and_no_other(
+    make_book: Callable[..., Options], case: Case
 ) -> None:
-    options = make_book(":::{source} simulations.models.thing:double\n:::\n")
-    file = options.root / "simulations/models/thing.py"
-    file.write_bytes(broken.encode("utf-8", errors="surrogateescape"))
-    with pytest.raises(BuildError, match=r"content/00-first\.md:5: "):
-        check_site(options)
+    found = diagnostics(make_book(files=case.files))
+    missing = [report for report in case.reports if not any(map(report.matches, found))]
+    assert not missing, [str(one) for one in found]
+    assert len(found) == len(case.reports), [str(one) for one in found]
 
 
-def test_a_condition_that_cannot_be_worked_out_is_told_once(
-    make_book: Callable[..., Options],
+@pytest.mark.parametrize("file", sorted(FIXTURES.glob("mistakes/*.md")), ids=lambda file: file.stem)
+def test_reports_of_a_whole_chapter_are_as_recorded(
+    make_book: Callable[..., Options], file: Path
 ) -> None:
-    body = (
-        ":::{predict} p\nWhich?\n- [?] `1 / 0 > 1` one\n  : a\n"
-        "- [?] `1 / 0 < 1` other\n  : b\n:::\n\n:::{answer} p\nText.\n:::\n"
-    )
-    with pytest.raises(BuildError) as raised:
-        check_site(make_book(body))
-    assert [found.line for found in raised.value.diagnostics] == [7, 9]
+    found = diagnostics(make_book(files={CHAPTER: file.read_text(encoding="utf-8")}))
+    assert_recorded("".join(f"{one}\n" for one in found), file.with_suffix(".txt"))
+
+
+def test_of_many_legal_names_the_first_are_listed_and_the_rest_counted() -> None:
+    names = [f"n{number}" for number in range(30)]
+    expected = f"unknown name 'zzz'; legal: {', '.join(names[:20])} and 10 more"
+    assert unknown("name", "zzz", names) == expected

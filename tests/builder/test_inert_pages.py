@@ -178,10 +178,3 @@ def test_a_drawing_that_could_run_is_refused_unless_trusted(
     assert is_refused(make_book("Text.\n", files))
     files["content/book.toml"] += "[trust]\nraw_html = true\n"
     assert not is_refused(make_book("Text.\n", files))
-
-
-def test_the_address_of_a_work_is_one_of_the_web(make_book: Callable[..., Options]) -> None:
-    work = "@book{a, author={A}, title={T}, year={2000}, publisher={P}, url={javascript:alert(1)}}"
-    options = make_book("{cite}`a`\n", {"content/references.bib": work})
-    with pytest.raises(BuildError, match="url 'javascript:alert"):
-        check_site(options)

@@ -2,11 +2,9 @@
 
 from collections.abc import Callable
 
-import pytest
 from support.html_outline import read_html
 
-from site_builder.build import Options, check_site, render_site
-from site_builder.diagnostics import BuildError
+from site_builder.build import Options, render_site
 from site_builder.output.assets import content_bytes
 
 type MakeBook = Callable[..., Options]
@@ -64,30 +62,3 @@ def test_the_contents_lead_to_the_plan_where_there_is_one(make_book: MakeBook) -
 
     assert "../lecture-plan/" not in links({})
     assert "../lecture-plan/" in links({FILE: PLAN})
-
-
-@pytest.mark.parametrize(
-    ("text", "report"),
-    [
-        (
-            PLAN.replace("#lines", "#line"),
-            "8: unknown target in first 'line'; did you mean 'lines'",
-        ),
-        (PLAN.replace("first#", "frist#"), "8: unknown chapter 'frist'; did you mean 'first'"),
-        (PLAN.replace("#lines", ""), "8: 'first' is Chapter 0; legal: a section, "),
-        (PLAN.replace("#lines", "#figure-demo"), "8: 'first#figure-demo' is Figure 0.1; legal: a "),
-        (
-            PLAN.replace("note =", "notes = 1\nnote ="),
-            "3: unknown key 'notes'; did you mean 'note'",
-        ),
-        (PLAN.replace('note = "Points and lines."\n', ""), "3: no 'note'; legal: "),
-        (PLAN.replace("[[section]]", "[section]"), "3: no sections; legal: "),
-        (PLAN.replace("[[section]]", "[[section]"), "3: malformed TOML: "),
-    ],
-)
-def test_a_plan_that_leads_nowhere_is_reported_where_it_does(
-    make_book: MakeBook, text: str, report: str
-) -> None:
-    with pytest.raises(BuildError) as failure:
-        check_site(make_book(FIRST, {FILE: text}))
-    assert str(failure.value).startswith(f"{FILE}:{report}")

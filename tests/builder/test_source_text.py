@@ -1,38 +1,14 @@
 """Files that hold other bytes, or other TOML, than they may; and where keys stand."""
 
 import tomllib
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from site_builder.build import Options, check_site
-from site_builder.diagnostics import BuildError, Diagnostics
+from site_builder.diagnostics import Diagnostics
 from site_builder.source_text import Toml, read_toml
 
 ROOT = Path(__file__).resolve().parents[2]
-FILES = {
-    "content/book.toml": "title = 'caf\xe9'\n",
-    "content/glossary.toml": "[ray]\nsays = 'caf\xe9'\n",
-    "content/symbols.toml": "[book]\n'x' = ['caf\xe9']\n",
-    "content/lecture-plan.toml": "\nintro = 'caf\xe9'\n",
-    "content/references.bib": "@book{a,\ntitle = {Caf\xe9}}\n",
-    "content/01-second.md": "---\ntitle: S\nsummary: s\n---\n\ncaf\xe9\n",
-}
-
-
-@pytest.mark.parametrize("path", FILES)
-def test_bytes_that_are_no_utf_8_are_reported_at_their_line(
-    make_book: Callable[..., Options], path: str
-) -> None:
-    options = make_book()
-    data = FILES[path].encode("latin-1")
-    (options.root / path).write_bytes(data)
-    with pytest.raises(BuildError) as raised:
-        check_site(options)
-    line = data[: data.index(b"\xe9")].count(b"\n") + 1
-    expected = f"{path}:{line}: byte 0xe9 is not UTF-8; legal: UTF-8"
-    assert expected in map(str, raised.value.diagnostics)
 
 
 def test_keys_are_found_where_they_stand(tmp_path: Path) -> None:

@@ -92,13 +92,6 @@ def test_a_page_lists_every_move_and_a_frame_with_nothing_at_hand(
     assert "Nothing at hand" in page.decode()
 
 
-def test_a_table_of_an_unmeasured_scene_is_reported(mistakes: Callable[..., list[str]]) -> None:
-    assert mistakes(":::{stage-costs} demo\n:::\n") == [
-        "content/00-first.md:5: content/stage-costs.json has no scene 'demo'; "
-        "run `PYTHONPATH=tests python -m bench.stage_costs`"
-    ]
-
-
 @pytest.mark.parametrize(
     ("content", "said"),
     [

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.frame import Frame, Panel, Readout
+from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from site_builder.blame import place_of
 from site_builder.build import Options, check_site
@@ -19,7 +20,7 @@ COVERLESS = (
     'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 )
 STYLES = ".overlay .ray { stroke: red }\n.world {}\n"
-type Draw = Callable[[Any, Any], Any]
+type Told = Callable[..., list[str]]
 
 
 def frame(overlay: str = "", raster: Any = None) -> Frame:
@@ -31,15 +32,15 @@ def raising(*_: object) -> Frame:
 
 
 @pytest.fixture
-def told(make_book: Callable[..., Options]) -> Callable[[Draw], list[str]]:
-    """What is said of a chapter's figure that is drawn so."""
+def told(make_book: Callable[..., Options]) -> Told:
+    """The diagnostics of a figure whose scene differs in these fields."""
 
-    def find(draw: Draw) -> list[str]:
+    def find(**fields: Any) -> list[str]:
         body = ":::{simulation} demo\n:::\n"
         options = make_book(body, {"content/book.toml": COVERLESS, "static/css/book.css": STYLES})
 
         def load(scene_id: str) -> Scene[Any]:
-            return replace(options.load_scene(scene_id), draw=draw)
+            return replace(options.load_scene(scene_id), **fields)
 
         found: list[Diagnostic] = []
         try:
@@ -74,28 +75,46 @@ def told(make_book: Callable[..., Options]) -> Callable[[Draw], list[str]]:
     ],
 )
 def test_what_a_scene_may_not_draw_is_reported_once_where_it_stands(
-    told: Callable[[Draw], list[str]], draw: Draw, says: str
+    told: Told, draw: Callable[..., Any], says: str
 ) -> None:
-    (found,) = told(draw)
+    (found,) = told(draw=draw)
     assert found.startswith("content/00-first.md:5: ")
     assert says in found
 
 
-def test_what_a_scene_may_draw_is_in_order(told: Callable[[Draw], list[str]]) -> None:
+def test_what_a_scene_may_draw_is_in_order(told: Told) -> None:
     drawn = frame("<g class='ray world'><text>nan</text></g>", np.zeros((2, 2, 4), np.uint8))
-    assert told(lambda *_: drawn) == []
+    assert told(draw=lambda *_: drawn) == []
 
 
 def test_a_raster_or_a_drawing_beyond_measure_is_warned_of_and_then_refused(
-    told: Callable[[Draw], list[str]], monkeypatch: pytest.MonkeyPatch
+    told: Told, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for name in ("MANY_PIXELS", "MANY_LETTERS"):
-        monkeypatch.setattr(frame_checks, name, 5)
     drawn = frame("<g></g>", np.zeros((3, 2, 4), np.uint8))
-    assert [line.split("; ")[1] for line in told(lambda *_: drawn)] == ["better: at most 5"] * 2
-    for name in ("MOST_PIXELS", "MOST_LETTERS"):
-        monkeypatch.setattr(frame_checks, name, 5)
-    assert [line.split("; ")[1] for line in told(lambda *_: drawn)] == ["legal: at most 5"] * 2
+    for limit, words in (("MANY", "better: at most 5"), ("MOST", "legal: at most 5")):
+        for name in ("PIXELS", "LETTERS"):
+            monkeypatch.setattr(frame_checks, f"{limit}_{name}", 5)
+        assert [line.split("; ")[1] for line in told(draw=lambda *_: drawn)] == [words] * 2
+
+
+@pytest.mark.parametrize(
+    ("fields", "says"),
+    [
+        ({"pull": lambda _settings, _place: None}, "pull gives None; legal: {'k1': …}"),
+        ({"pull": lambda _settings, _place: {"z": 1}}, "a pull changes 'z'; legal: k1"),
+        ({"at": lambda _settings, _outputs: "x"}, "at gives 'x'; legal: (x, y) or None"),
+        ({"panel": "plans"}, "panel 'plans'; legal: picture, plan"),
+    ],
+)
+def test_a_handle_that_would_fail_when_it_is_pulled_is_reported(
+    told: Told, fields: dict[str, Any], says: str
+) -> None:
+    sound: Handle[Any] = Handle(
+        "h", "plan", "H", ("k1",), lambda _s, _o: (1.0, 1.0), lambda _s, _p: {"k1": 0}
+    )
+    (found,) = told(handles=(replace(sound, **fields),))
+    assert found.startswith("content/00-first.md:5: simulation 'demo' cannot be drawn: ")
+    assert found.endswith(f"handle 'h': {says}")
 
 
 def module(folder: Path, source: str) -> Path:

@@ -16,7 +16,6 @@ from site_builder.markdown.files.content_files import picture_size
 from site_builder.output.assets import content_bytes
 from site_builder.render.sections import chapter_sections
 
-type Find = Callable[..., list[str]]
 type MakeBook = Callable[..., Options]
 
 MP4 = "\0\0\0\x18ftypmp42"
@@ -60,11 +59,6 @@ def test_what_nobody_hands_out_is_not_published(make_book: MakeBook) -> None:
     assert not any(name.endswith(".csv") for name in render_site(make_book("Text.\n", FILES)))
 
 
-def test_a_download_that_is_not_there_is_refused(mistakes: Find) -> None:
-    (found,) = mistakes(":::{download} data/point.csv\n:::\n", FILES)
-    assert "unknown file 'data/point.csv'; did you mean 'data/points.csv'?" in found
-
-
 @pytest.mark.parametrize(
     ("size", "words"),
     [(0, "0 bytes"), (999, "999 bytes"), (1000, "1.0 kB"), (9960, "10 kB"), (3.5e7, "35 MB")],
@@ -96,28 +90,6 @@ def test_a_film_is_found_by_what_it_shows(make_book: MakeBook) -> None:
     book, *_ = check_site(make_book(FILM, FILES))
     sections = chapter_sections(book.chapters[0], lambda _figure: "")
     assert sum("pans over a checkerboard" in section.figures for section in sections) == 1
-
-
-@pytest.mark.parametrize(
-    ("change", "report"),
-    [
-        (("pan.mp4", "pam.mp4"), "5: unknown film 'clips/pam.mp4'; did you mean 'clips/pan.mp4'?"),
-        ((":poster: images/plan.svg\n", ""), "5: {video} has no ':poster:'"),
-        (("pan.vtt", "tale.vtt"), "8: captions 'clips/tale.vtt'; legal: WebVTT"),
-        ((":captions: clips/pan.vtt", ":captions: no"), "8: unknown captions 'no'"),
-        (("clips/pan.mp4", "data/points.csv"), "5: film 'data/points.csv'; legal"),
-    ],
-)
-def test_a_film_that_cannot_be_shown_is_refused(
-    mistakes: Find, change: tuple[str, str], report: str
-) -> None:
-    found = mistakes(FILM.lstrip().replace(*change), FILES)
-    assert any(report in line for line in found), found
-
-
-def test_a_file_that_is_no_film_is_refused(mistakes: Find) -> None:
-    (found,) = mistakes(FILM, {**FILES, "content/clips/pan.mp4": "not a film at all"})
-    assert "film 'clips/pan.mp4' is none inside; legal: a whole .mp4 file" in found
 
 
 def test_a_film_without_words_says_so(make_book: MakeBook) -> None:
@@ -161,18 +133,3 @@ def test_on_paper_the_dark_variant_is_left_out(make_book: MakeBook) -> None:
     assert len(re.findall(r'<img class="on-(?:light|dark)"', page(make_book(body, FILES)))) == 2
     (shown,) = elements(compose(make_book(body, FILES)).sections[0].article, "img")
     assert shown.get("src", "").endswith("plan.svg")
-
-
-@pytest.mark.parametrize(
-    ("option", "report"),
-    [
-        (":width: wide", "7: width 'wide'; legal: '60%' of the text, or '320px'"),
-        (":width: 0%", "7: width '0%'; legal"),
-        (":width: 101%", "7: width '101%'; legal"),
-        (":dark: images/nigth.svg", "7: unknown picture file 'images/nigth.svg'; did you mean"),
-        (":dark: images/tall.svg", "7: dark variant of 10 × 20 for a picture of 640 × 400"),
-    ],
-)
-def test_a_picture_s_options_are_checked(mistakes: Find, option: str, report: str) -> None:
-    (found,) = mistakes(f":::{{figure}} images/plan.svg\n:alt: A plan\n{option}\n:::\n", FILES)
-    assert report in found

@@ -1,13 +1,11 @@
-"""Dropping a chapter into ``fixtures/pages`` makes a test: beside it lies the HTML of its text.
-
-A mismatch leaves ``NAME-changed.html`` there to compare, and to rename if it is right.
-"""
+"""Dropping a chapter into ``fixtures/pages`` makes a test: beside it lies the HTML of its text."""
 
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from support.html_outline import read_html
+from support.recorded import assert_recorded
 
 from site_builder.build import Options, render_site
 from site_builder.output.assets import content_bytes
@@ -22,8 +20,4 @@ def test_a_chapter_becomes_the_recorded_html(file: Path, make_book: Callable[...
     read_html(page)
     text = page.decode().partition('<article class="chapter">')[2]
     text = text.partition("</header>")[2].partition("</article>")[0].strip() + "\n"
-    expected, changed = file.with_suffix(".html"), file.with_name(f"{file.stem}-changed.html")
-    if not expected.is_file() or text != expected.read_text(encoding="utf-8"):
-        changed.write_text(text, encoding="utf-8")
-        pytest.fail(f"see {changed.name}:\n{text}")
-    changed.unlink(missing_ok=True)
+    assert_recorded(text, file.with_suffix(".html"))

@@ -2,14 +2,12 @@
 
 from collections.abc import Callable, Mapping
 
-import pytest
 from support.html_outline import Page, read_html
 
 from site_builder.build import Options, render_site
 from site_builder.output.assets import content_bytes
 
 type MakeBook = Callable[..., Options]
-type Find = Callable[..., list[str]]
 
 FIRST = """
 ## Shared words
@@ -157,48 +155,3 @@ def test_sections_equations_and_figures_can_be_linked_to_by_their_readers(
     assert {(link.attributes["href"] or "").removeprefix("#") for link in links} <= ids
     anchor = first.all("a", "anchor")[0]
     assert anchor.attributes["aria-label"] == "Link to Shared words"
-
-
-def test_a_label_is_given_once_in_the_book(mistakes: Find) -> None:
-    second = "---\ntitle: S\nsummary: s\n---\n\n$$a$$ (balance)\n"
-    found = mistakes("\n$$a$$ (balance)\n", {"content/01-second.md": second})
-    assert found == [
-        "content/01-second.md:6: duplicate label 'balance'; first used at content/00-first.md:6"
-    ]
-
-
-def test_an_id_that_several_chapters_have_must_be_told_apart(mistakes: Find) -> None:
-    files = {
-        "content/02-third.md": "---\ntitle: S\nsummary: s\n---\n\n## A section\n",
-        "content/book.toml": outline('chapters = ["00-first", "01-second", "02-third"]\n'),
-    }
-    assert mistakes("\n{ref}`a-section`\n", files) == [
-        "content/00-first.md:6: target 'a-section' is in 2 chapters; "
-        "legal: 'second#a-section' or 'third#a-section'"
-    ]
-
-
-@pytest.mark.parametrize(
-    ("words", "report"),
-    [
-        ("secnod", "unknown target 'secnod'; did you mean 'second'?"),
-        ("second#a-secton", "unknown target in second 'a-secton'; did you mean 'a-section'?"),
-        ("secnod#a-section", "unknown chapter 'secnod'; did you mean 'second'?"),
-        ("#a-section", "unknown target on this page 'a-section'; legal: none"),
-        ("{nmae} <second>", "unknown part of a reference to Chapter 1 'nmae'; did you mean 'name'"),
-    ],
-)
-def test_a_reference_that_leads_nowhere_is_reported(
-    mistakes: Find, words: str, report: str
-) -> None:
-    (found,) = mistakes(f"\n{{ref}}`{words}`\n")
-    assert found.startswith(f"content/00-first.md:6: {report}")
-
-
-@pytest.mark.parametrize("words", ["chapter 4", "Appendix B", "Figure 4.2", "equation (A.3)"])
-def test_a_number_that_is_typed_is_reported(mistakes: Find, words: str) -> None:
-    (found,) = mistakes(f"\nAs {words} says.\n")
-    assert found == (
-        f"content/00-first.md:6: {words!r} is a number that may change; "
-        "legal: '{ref}`TARGET`', or a citation"
-    )

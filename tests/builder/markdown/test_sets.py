@@ -65,9 +65,3 @@ def test_words_that_set_may_hold_emphasis_and_formulae(
     assert "<p>Set <em>now <a " in page
     assert "<strong>the</strong> <math>" in page
     assert "</math> so</a> at</em> once.</p>" in page
-
-
-def test_a_page_without_figures_has_nothing_to_set(mistakes: Callable[..., list[str]]) -> None:
-    assert mistakes("{set}`x <k1=0>`\n") == [
-        "content/00-first.md:5: {set} on a page without a figure; legal: on the page of a figure"
-    ]

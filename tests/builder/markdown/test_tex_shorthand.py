@@ -58,13 +58,6 @@ def test_a_macro_that_cannot_be_set_is_refused(tex: str, report: str) -> None:
     assert report in str(caught.value)
 
 
-def test_a_macro_that_tex_cannot_name_is_reported_at_its_line(
-    mistakes: Callable[..., list[str]],
-) -> None:
-    (found,) = mistakes(files={"content/book.toml": f"{OUTLINE}R2 = '\\mathbb{{R}}'\n"})
-    assert found.startswith("content/book.toml:7: macro 'R2' is no name"), found
-
-
 def test_a_book_s_macros_are_set_and_their_symbols_are_read(
     make_book: Callable[..., Options],
 ) -> None:

@@ -64,9 +64,3 @@ def test_only_what_is_named_by_what_is_in_it_is_kept_for_ever(
     file.write_bytes(site["_headers"])
     kept = {pattern for pattern, told in read_rules(file).items() if "Cache-Control" in told}
     assert kept == {"/books/small/assets/*", "/books/small/runtime/*"}
-
-
-def test_a_host_that_nobody_knows_is_refused(mistakes: Callable[..., list[str]]) -> None:
-    (told,) = mistakes(files={"content/book.toml": OUTLINE + 'hosts = ["ngnix"]\n'})
-    assert told.startswith("content/book.toml:7: publishing.hosts is a list; legal: [some of")
-    assert '"nginx"' in told

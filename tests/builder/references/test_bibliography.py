@@ -12,7 +12,6 @@ from site_builder.output.assets import content_bytes
 from site_builder.references.bibliography import Bibliography, read_bibliography
 
 type MakeBook = Callable[..., Options]
-type Find = Callable[..., list[str]]
 
 BIB = r"""% a comment
 @article{zhang2000,
@@ -73,30 +72,6 @@ def test_works_of_the_same_authors_and_year_are_told_apart(tmp_path: Path) -> No
     assert [work.year for work in works.values()] == ["1984a", "1984b"]
 
 
-@pytest.mark.parametrize(
-    ("text", "report"),
-    [
-        ("\n@book{k, author = {A, B}, title = {T}, year = 1}\n", "2: 'k' has no 'publisher'; "),
-        ("@boko{k, title = {T}}\n", "1: unknown kind of entry 'boko'; did you mean 'book'?"),
-        (
-            "@misc{k, author = {A, B}, title = {T}, year = 1, dio = {x}}\n",
-            "1: unknown field of 'k' 'dio'; did you mean 'doi'?",
-        ),
-        (
-            "@misc{k, author = {A, B}, title = {T}, year = 1, doi = {https://doi.org/10.1/x}}\n",
-            "1: doi 'https://doi.org/10.1/x' of 'k'; legal: '10.…/…', without an address",
-        ),
-        ("\n\n@misc{k, author = {A, B}\n", "4: malformed BibTeX: "),
-        (entry("k", "A, B", 1) + entry("k", "A, B", 1), "2: malformed BibTeX: "),
-    ],
-)
-def test_an_entry_that_cannot_be_printed_is_reported(
-    tmp_path: Path, text: str, report: str
-) -> None:
-    (found,) = read(tmp_path, text)[1]
-    assert found.startswith(f"content/references.bib:{report}")
-
-
 def test_a_citation_is_a_link_that_tells_its_work(make_book: MakeBook) -> None:
     site = render_site(make_book(CITES, {"content/references.bib": BIB}))
     page = read_html(content_bytes(site["first/index.html"]))
@@ -129,15 +104,3 @@ def test_each_work_is_listed_with_the_places_that_cite_it(make_book: MakeBook) -
 
 def test_a_book_that_cites_nothing_has_no_list(make_book: MakeBook) -> None:
     assert "references/index.html" not in render_site(make_book())
-
-
-def test_a_work_that_is_not_listed_is_reported(mistakes: Find) -> None:
-    found = mistakes(f"{CITES}\n{{cite}}`zhang2001`\n", {"content/references.bib": BIB})
-    assert found == ["content/00-first.md:8: unknown work 'zhang2001'; did you mean 'zhang2000'?"]
-
-
-def test_a_work_that_no_chapter_cites_is_reported_at_its_line(mistakes: Find) -> None:
-    assert mistakes("\n{cite}`zhang2000`\n", {"content/references.bib": BIB}) == [
-        "content/references.bib:10: work 'hartley2004' is cited nowhere; "
-        "legal: '{cite}`hartley2004`' in a chapter"
-    ]

@@ -1,16 +1,17 @@
 """The glossary: what its file must say, where terms are marked, and the pages that list them."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import pytest
 from support.html_outline import Page, read_html
 
-from site_builder.build import Options, render_site
+from site_builder.build import Options, check_site, render_site
+from site_builder.diagnostics import Diagnostic
 from site_builder.output.assets import content_bytes
 from site_builder.references.glossary import Glossary, Term
 
 type MakeBook = Callable[..., Options]
-type Find = Callable[..., list[str]]
 
 FILE = "content/glossary.toml"
 GLOSSARY = """\
@@ -116,31 +117,17 @@ def test_the_index_has_other_names_and_what_authors_mark(make_book: MakeBook) ->
 
 
 @pytest.mark.parametrize(
-    ("before", "after", "report"),
+    ("text", "warned"),
     [
-        ('says = "What is seen."', "", "6: no 'says' of [field of view]; legal: says = "),
-        ("also =", "allso =", "9: unknown key of [field of view] 'allso'; did you mean 'also'?"),
-        ('["FOV"]', "3", "9: field of view.also is 3; legal: "),
-        ('"FOV"]\nw', '"pose"]\nw', "1: 'pose' is a name of 'field of view' too"),
-        ('["field of view"]\n\n', '["fields"]\n\n', "1: unknown term related to 'pose' 'fields'"),
-        ("first#poses", "first#posed", "1: unknown target in first 'posed'; did you mean 'poses'?"),
-        ("first#poses", "second", "1: 'pose' is not in the text of 'second'; legal: first, "),
-        ("*is*", "{cite}`x`", "1: unknown work 'x'"),
-        ("*is*", "[is](#x)", "1: link or citation in the definition of 'pose'"),
-        ("[pose]", "[pose", "1: malformed TOML"),
+        ("A pose.\n\n## Poses\n\nThe **pose**.\n", True),
+        ("## Poses\n\nThe **pose**.\n\n## Later\n\nA pose.\n", False),
+        ("A {term}`pose`.\n\n## Poses\n\nThe **pose**.\n", False),
     ],
 )
-def test_a_mistake_in_the_glossary_is_told_with_its_place(
-    mistakes: Find, before: str, after: str, report: str
+def test_a_term_used_before_its_explanation_is_warned_of_unless_it_is_marked(
+    make_book: MakeBook, text: str, warned: bool
 ) -> None:
-    text = GLOSSARY.replace(before, after, 1)
-    assert text != GLOSSARY
-    assert any(found.startswith(f"{FILE}:{report}") for found in mistakes(BODY, {FILE: text})), (
-        mistakes(BODY, {FILE: text})
-    )
-
-
-def test_a_term_that_is_not_in_the_glossary_is_told(mistakes: Find) -> None:
-    assert mistakes(f"{BODY}\n{{term}}`poise`\n", {FILE: GLOSSARY}) == [
-        "content/00-first.md:12: unknown term 'poise'; did you mean 'pose'?"
-    ]
+    glossary = '[pose]\nsays = "Where it is."\nexplained = "first#poses"\n'
+    found: list[Diagnostic] = []
+    check_site(replace(make_book(text, {FILE: glossary}), warn=found.append))
+    assert ["'pose' is used before" in one.message for one in found] == [True] * warned

@@ -5,13 +5,11 @@ from collections.abc import Callable
 import pytest
 from support.html_outline import read_html
 
-from site_builder.build import Options, check_site, render_site
-from site_builder.diagnostics import Diagnostic
+from site_builder.build import Options, render_site
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.output.assets import content_bytes
 
 type MakeBook = Callable[..., Options]
-type Find = Callable[..., list[str]]
 
 FILE = "content/symbols.toml"
 SYMBOLS = """\
@@ -60,42 +58,6 @@ def test_a_meaning_covers_what_only_counts_differently(
     declared: str, symbol: str, covered: bool
 ) -> None:
     assert covers(spelt(declared), spelt(symbol)) is covered
-
-
-def test_a_symbol_that_is_not_declared_for_its_chapter_is_told(mistakes: Find) -> None:
-    found = mistakes(f"{BODY}\n$$g = h_d$$\n", {FILE: SYMBOLS})
-    assert [line.partition("; ")[0] for line in found] == [
-        "content/00-first.md:12: unknown symbol in first 'g'",
-        "content/00-first.md:12: unknown symbol in first 'h_{d}'",
-    ]
-
-
-@pytest.mark.parametrize(
-    ("before", "after", "report"),
-    [
-        ("[first]", "[frist]", "4: unknown chapter 'frist'; did you mean 'first'?"),
-        ("'t_x'", "'t_x u'", "5: 't_x u'; legal: one symbol"),
-        ('["focal length", "px"]', '"focal length"', "2: 'f'; legal: "),
-        ("[book]", "[book", "1: malformed TOML"),
-        ("[book]", "", "2: 'f' outside a table"),
-        ("*shift*", "{ref}`nowhere`", "5: unknown target 'nowhere'"),
-    ],
-)
-def test_a_mistake_in_the_list_is_told_with_its_place(
-    mistakes: Find, before: str, after: str, report: str
-) -> None:
-    found = mistakes(BODY, {FILE: SYMBOLS.replace(before, after, 1)})
-    assert any(line.startswith(f"{FILE}:{report}") for line in found), found
-
-
-def test_a_meaning_of_no_symbol_is_warned_of(make_book: MakeBook) -> None:
-    warnings: list[Diagnostic] = []
-    options = make_book("\nA shift $t_x$.\n", {FILE: SYMBOLS})
-    check_site(Options(options.root, load_scene=options.load_scene, warn=warnings.append))
-    assert [(item.line, "in no formula" in item.message) for item in warnings] == [
-        (2, True),
-        (6, True),
-    ]
 
 
 def test_a_chapter_s_own_meaning_stands_before_the_book_s(make_book: MakeBook) -> None:

@@ -43,33 +43,6 @@ def test_what_is_said_holds(read: Read) -> None:
     assert (settings.licence.text, settings.theme.dark.ray) == ("CC0", "#ffffff")
 
 
-@pytest.mark.parametrize(
-    ("more", "mistake"),
-    [
-        ("lenguage = 1\n", "5: unknown key 'lenguage'; did you mean 'language'?"),
-        ('language = "fr"\n', '5: language is "fr"; legal: "de", "en"'),
-        ("first_number = -1\n", "5: first_number is -1; legal: a whole number from 0"),
-        ("first_number = true\n", "5: first_number is true; legal: a whole number from 0"),
-        ('address = "a.b"\n', '5: address is "a.b"; legal: "https://host/path/"'),
-        ('storage = "A b"\n', '5: storage is "A b"; legal: small letters, digits and hyphens'),
-        ('licence = "MIT"\n', '5: licence is "MIT"; legal: a table'),
-        (
-            '[licence]\ncod = "MIT"\n',
-            "6: unknown key of [licence] 'cod'; did you mean 'code'?",
-        ),
-        (
-            '[theme.light]\n\nray = "red"\n',
-            '7: theme.light.ray is "red"; legal: "#rrggbb"',
-        ),
-        ('[labels]\nfigure = ""\n', '6: labels.figure is ""; legal: "some text"'),
-    ],
-)
-def test_a_mistake_is_told_with_its_line_and_what_is_legal(
-    read: Read, more: str, mistake: str
-) -> None:
-    assert read(more)[1] == [f"content/book.toml:{mistake}"]
-
-
 def test_a_colour_that_nobody_can_read_is_told_with_its_contrast(read: Read) -> None:
     _, mistakes = read('[theme.light]\nray = "#faf6ed"\n')
     assert mistakes[0] == (

@@ -1,0 +1,105 @@
+"""Files whose bytes, names or places no author means; and marks of editors that are no mistake."""
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import pytest
+
+from site_builder.build import Options, check_site
+from site_builder.diagnostics import BuildError
+
+type MakeBook = Callable[..., Options]
+type Files = Mapping[str, bytes | Callable[[Path], object] | None]
+
+CHAPTER = "content/00-first.md"
+BOOK = "content/book.toml"
+FRONT = b"---\ntitle: First\nsummary: The first chapter.\n---\n"
+OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
+
+
+def link_to(target: str) -> Callable[[Path], object]:
+    return lambda file: file.symlink_to(target)
+
+
+@pytest.mark.parametrize(
+    ("files", "report"),
+    [
+        ({CHAPTER: (FRONT + b"Text.\n").decode().encode("utf-16")}, f"{CHAPTER}:1: UTF-16; legal:"),
+        ({BOOK: OUTLINE.encode("utf-16")}, f"{BOOK}:1: UTF-16; legal:"),
+        ({BOOK: None}, f"{BOOK}:1: no outline; legal: a file with title, subtitle,"),
+        ({CHAPTER: FRONT + b"One.\n\nT\0wo.\n"}, f"{CHAPTER}:7: control character U+0000; legal:"),
+        (
+            {CHAPTER: FRONT.replace(b"First", b"a\x07") + b"Text.\n"},
+            f"{CHAPTER}:2: control character U+0007; legal:",
+        ),
+        ({CHAPTER: b""}, f"{CHAPTER}:1: no front matter; legal:"),
+        ({CHAPTER: Path.mkdir}, f"{BOOK}:4: unknown chapter '00-first'; legal: 01-second"),
+        (
+            {
+                CHAPTER: FRONT + b":::{download} data/x.csv\n:::\n",
+                "content/data/x.csv": link_to("x.csv"),
+            },
+            f"{CHAPTER}:5: unknown file 'data/x.csv'; legal:",
+        ),
+        (
+            {
+                CHAPTER: FRONT + b":::{download} data/a.csv\nA list.\n:::\n",
+                "content/data/a.csv": link_to("/etc/hostname"),
+            },
+            f"{CHAPTER}:5: file 'data/a.csv' leads out of content/; legal:",
+        ),
+    ],
+)
+def test_a_file_that_cannot_be_read_is_reported(
+    make_book: MakeBook, files: Files, report: str
+) -> None:
+    assert mistakes(written(make_book, files))[0].startswith(report)
+
+
+@pytest.mark.parametrize(
+    ("path", "text"),
+    [
+        (BOOK, "title = 'caf\xe9'\n"),
+        (CHAPTER, "---\ntitle: First\nsummary: s\n---\n\ncaf\xe9\n"),
+        ("content/glossary.toml", "[ray]\nsays = 'caf\xe9'\n"),
+        ("content/symbols.toml", "[book]\n'x' = ['caf\xe9']\n"),
+        ("content/lecture-plan.toml", "\nintro = 'caf\xe9'\n"),
+        ("content/references.bib", "@book{a,\ntitle = {Caf\xe9}}\n"),
+    ],
+)
+def test_bytes_that_are_no_utf_8_are_reported_at_their_line(
+    make_book: MakeBook, path: str, text: str
+) -> None:
+    files = {CHAPTER: FRONT + b"Text.\n", path: text.encode("latin-1")}
+    options = written(make_book, files)
+    line = text[: text.index("\xe9")].count("\n") + 1
+    assert f"{path}:{line}: byte 0xe9 is not UTF-8; legal: UTF-8" in mistakes(options)
+
+
+@pytest.mark.parametrize("mark", [b"\xef\xbb\xbf", b""])
+@pytest.mark.parametrize("end", [b"\r\n", b"\n"])
+def test_marks_and_line_ends_of_other_editors_are_no_mistake(
+    make_book: MakeBook, mark: bytes, end: bytes
+) -> None:
+    text = FRONT + b"Text.\n\n- One\n\t- Two\n"
+    assert mistakes(written(make_book, {CHAPTER: mark + text.replace(b"\n", end)})) == []
+
+
+def written(make_book: MakeBook, files: Files) -> Options:
+    options = make_book(files={BOOK: OUTLINE, **dict.fromkeys(files)})
+    for name, content in files.items():
+        file = options.root / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        if isinstance(content, bytes):
+            file.write_bytes(content)
+        elif content:
+            content(file)
+    return options
+
+
+def mistakes(options: Options) -> list[str]:
+    try:
+        check_site(options)
+    except BuildError as error:
+        return [str(found) for found in error.diagnostics]
+    return []
