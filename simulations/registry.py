@@ -53,13 +53,13 @@ LADDER_MODULES: Mapping[str, str] = found("ladders", inside="ladder")
 
 def load_scene(scene_id: str) -> Scene[Any]:
     """The scene ``scene_id``: the ``SCENE`` of its module. Raises `UnknownIdError`."""
-    return _value(scene_module(scene_id), "SCENE", Scene)
+    return _value(scene_id, scene_module(scene_id), "SCENE", Scene)
 
 
 def load_ladder(ladder_id: str) -> Ladder:
     """The ladder ``ladder_id``: the ``LADDER`` of its module. Raises `UnknownIdError`."""
     module = _module("ladder", ladder_id, "ladders", "ladder", LADDER_MODULES)
-    return _value(module, "LADDER", Ladder)
+    return _value(ladder_id, module, "LADDER", Ladder)
 
 
 def scene_module(scene_id: str) -> str:
@@ -78,12 +78,14 @@ def _module(kind: str, wanted: str, room: str, inside: str, listed: Mapping[str,
     return name if spec.submodule_search_locations is None else f"{name}.{inside}"
 
 
-def _value[T](module: str, name: str, kind: type[T]) -> T:
-    """The attribute of the module. Raises `UnknownIdError` if there is none."""
+def _value[T: (Scene[Any], Ladder)](wanted: str, module: str, name: str, kind: type[T]) -> T:
+    """The attribute of the module, whose id is ``wanted``. Raises `UnknownIdError`."""
     found = getattr(import_module(module), name, None)
     if not isinstance(found, kind):
         given = "no" if found is None else f"{type(found).__name__} as"
         raise UnknownIdError(f"{module} has {given} {name}; legal: a {kind.__name__}")
+    if found.id != wanted:
+        raise UnknownIdError(f"{module} has the id {found.id!r}; legal: {wanted!r}")
     return found
 
 

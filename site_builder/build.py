@@ -17,15 +17,13 @@ from site_builder.benchmarks.measurements import read_measurements
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
 from site_builder.browser_parts import BrowserParts, browser_parts, scene_files
-from site_builder.cache import cached_reading, cached_result
-from site_builder.checks.declared import check_declarations
+from site_builder.cache import cached_result
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
-from site_builder.checks.purity import check_purity
 from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
-from site_builder.files import file_hash, folder_hash
+from site_builder.files import file_hash
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import no_release, release_files
 from site_builder.output.writer import write_site
@@ -143,7 +141,6 @@ def check_site(options: Options) -> CheckedBook:
 
 def load(options: Options) -> LoadedBook:
     problems = Diagnostics()
-    _check_simulations(options.root, problems)
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     return LoadedBook(book, problems)
@@ -256,16 +253,6 @@ def _hosted(site: RenderedSite, files: Files) -> Files:
 type Processor = Callable[[RenderedSite, Files], Files]
 PROCESSORS: tuple[Processor, ...] = (_listed, _published, _searched, _released, _hosted)
 """In this order; each sees the files of those before it, and adds its own."""
-
-
-def _check_simulations(root: Path, problems: Diagnostics) -> None:
-    folder = root / "simulations"
-
-    def check(own: Diagnostics) -> None:
-        check_declarations(root, own)
-        check_purity(folder, own)
-
-    cached_reading("simulations", folder_hash(folder), problems, check)
 
 
 def _licences(root: Path, parts: BrowserParts, book: Book) -> tuple[Licence, ...]:

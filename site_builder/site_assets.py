@@ -84,7 +84,7 @@ def _style_sheets(
     book: Book, static: Files, shown: Collection[str], beside: Collection[str]
 ) -> Files:
     """The sheet of all pages, and those that scripts load."""
-    own = book_css(book.settings, book.words) + "".join(map(face_rule, MATHS_FACES))
+    own = book_css(book.words) + "".join(map(face_rule, MATHS_FACES))
     sheets = {name: file for name, file in static.items() if name.startswith("css/")}
     joined = join_style_sheets(sheets, STYLE_SHEET, own, without=sheets_not_for(shown))
     return {name: file for name, file in joined.items() if name in {STYLE_SHEET, *beside}}

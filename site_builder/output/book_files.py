@@ -1,17 +1,16 @@
-"""What style sheet and scripts must know of the book: its words, its colours, its prefix."""
+"""What style sheet and scripts must know of the book: its words and its prefix."""
 
 import json
 
 from site_builder.languages.words import Words
 from site_builder.settings.model import Settings
 from site_builder.settings.reading import storage_prefix
-from site_builder.settings.theme import theme_css
 
 STYLE = "style."
 """Begins the keys of what the style sheet says."""
 
 
-def book_css(settings: Settings, words: Words) -> str:
+def book_css(words: Words) -> str:
     """Rules for the end of the style sheet."""
     texts = {key.removeprefix(STYLE): words(key) for key in words.texts if key.startswith(STYLE)}
     # CSS takes the strings of JSON but for escapes of control characters, which no text has.
@@ -19,7 +18,7 @@ def book_css(settings: Settings, words: Words) -> str:
         f"  --word-{name}: {json.dumps(text, ensure_ascii=False)};\n"
         for name, text in texts.items()
     )
-    return f"\n:root {{\n{''.join(rules)}}}\n{theme_css(settings)}"
+    return f"\n:root {{\n{''.join(rules)}}}\n"
 
 
 def book_script(settings: Settings, words: Words) -> bytes:

@@ -46,7 +46,6 @@ from site_builder.references.bibliography import EMPTY
 from site_builder.render.paper import paper_renderer
 from site_builder.render.screen import PassageRenderer, screen_renderer
 from site_builder.settings.reading import storage_prefix
-from site_builder.settings.theme import colours
 
 
 @pass_context
@@ -327,8 +326,6 @@ def in_words(book: Book) -> dict[str, object]:
             page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
         ),
         "storage": storage_prefix(book.settings),
-        "light": colours(book.settings, "light"),
-        "dark": colours(book.settings, "dark"),
     }
 
 

@@ -17,7 +17,6 @@ from site_builder.pages.outside import BOOK_CARD, card_path
 from site_builder.pages.render import render_template
 from site_builder.publishing.title_lines import set_title
 from site_builder.publishing.vector import Fonts, png_of, whole_fonts
-from site_builder.settings.theme import colours
 
 WIDTH, HEIGHT = 1200, 630
 TITLE_WIDTH = 440
@@ -47,9 +46,8 @@ def make_cards(
 
     ``pictures`` are the files of the stills; ``root`` is the book's folder.
     """
-    own = {f"--{name}": colour for name, colour in colours(book.settings, "light").items()}
     fonts = whole_fonts()
-    style = card_style(own_or_engine(root, "static/css"), own, fonts)
+    style = card_style(own_or_engine(root, "static/css"), fonts)
     cover = _still(book.hero, initial_frames, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
@@ -68,11 +66,11 @@ def make_cards(
     }
 
 
-def card_style(styles: Path, own: Mapping[str, str], fonts: Fonts) -> str:
-    """How cards and the drawings on them look, in plain CSS; ``own`` are the book's colours."""
+def card_style(styles: Path, fonts: Fonts) -> str:
+    """How cards and the drawings on them look, in plain CSS."""
     sheets = {name: _read(styles / name) for name in ("tokens.css", "overlay.css")}
     families = {"--serif": f"'{fonts.serif}'", "--sans": f"'{fonts.sans}'"}
-    tokens = light_tokens(sheets["tokens.css"]) | dict(own) | families
+    tokens = light_tokens(sheets["tokens.css"]) | families
     sheet = without_containers(sheets["overlay.css"]) + _read(OWN)
     return resolve(sheet, tokens) if sheets["tokens.css"] else ""
 

@@ -90,7 +90,6 @@ def _day(value: object) -> str:
 
 ADDRESS = {"type": "string", "pattern": r"^https?://[^/?#\s]+"}
 TEXT = text()
-COLOUR = text('"#rrggbb"', "^#[0-9a-fA-F]{6}$")
 PREFIX = text("small letters, digits and hyphens", "^[a-z0-9]+(?:-[a-z0-9]+)*$")
 SITE = Kind('"https://host/path/"', ADDRESS, site_address)
 SOURCE = Kind(f'"https://host/…/{PATH}"', ADDRESS, source_address)

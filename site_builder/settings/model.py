@@ -2,14 +2,13 @@
 follow from these classes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from types import MappingProxyType
 
 from site_builder.languages.words import languages
 from site_builder.settings.declared import key
 from site_builder.settings.kinds import (
     BOOLEAN,
-    COLOUR,
     PREFIX,
     SITE,
     SOURCE,
@@ -22,7 +21,6 @@ from site_builder.settings.kinds import (
 )
 
 FILE_NAME = "content/book.toml"
-OWN = "as in this book"
 WORD = "the language's word"
 HOSTS = ("apache", "netlify", "nginx")
 """Those of static sites that a configuration can be written for."""
@@ -53,41 +51,6 @@ class Labels:
     example: str = key(TEXT, "a worked example", "", without=WORD)
     prediction: str = key(TEXT, "a prediction", "", without=WORD)
     question: str = key(TEXT, "a question", "", without=WORD)
-
-
-@dataclass(frozen=True, slots=True)
-class Palette:
-    """The colours of one theme; nothing where the builder's own hold."""
-
-    paper: str = key(COLOUR, "the ground of the page", "", without=OWN)
-    raised: str = key(COLOUR, "the ground of what lies on it", "", without=OWN)
-    sunken: str = key(COLOUR, "the ground of what is let into it", "", without=OWN)
-    ink: str = key(COLOUR, "text", "", without=OWN)
-    ink_soft: str = key(COLOUR, "text that steps back", "", without=OWN)
-    rule_strong: str = key(COLOUR, "the outline of a control", "", without=OWN)
-    rule: str = key(COLOUR, "a hairline", "", without=OWN)
-    accent: str = key(COLOUR, "what can be operated: links, controls, focus", "", without=OWN)
-    on_accent: str = key(COLOUR, "text on that colour", "", without=OWN)
-    world: str = key(COLOUR, "things of the world", "", without=OWN)
-    camera: str = key(COLOUR, "the camera", "", without=OWN)
-    ray: str = key(COLOUR, "rays", "", without=OWN)
-    image: str = key(COLOUR, "the image", "", without=OWN)
-    light: str = key(COLOUR, "light", "", without=OWN)
-    error: str = key(COLOUR, "errors", "", without=OWN)
-    muted: str = key(COLOUR, "what steps back in a figure", "", without=OWN)
-
-    def chosen(self) -> dict[str, str]:
-        """Those that the author chose, by their name in the style sheet."""
-        colours = {item.name: getattr(self, item.name) for item in fields(self)}
-        return {name.replace("_", "-"): colour for name, colour in colours.items() if colour}
-
-
-@dataclass(frozen=True, slots=True)
-class Theme:
-    """Colours by role, for each theme."""
-
-    light: Palette = key(table(Palette), "the colours of the light theme", Palette())
-    dark: Palette = key(table(Palette), "those of the dark one", Palette())
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,7 +105,6 @@ class Settings:
     )
     licence: Licence = key(table(Licence), "under which terms the book is here", Licence())
     labels: Labels = key(table(Labels), "what numbered things are called", Labels())
-    theme: Theme = key(table(Theme), "the colours", Theme())
     macros: Mapping[str, str] = key(
         entries("a table of names with TeX, R = '\\mathbb{R}'"),
         "TeX commands of the book's own, `#1` for an argument",

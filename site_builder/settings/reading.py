@@ -6,7 +6,6 @@ from pathlib import Path
 from site_builder.diagnostics import Diagnostics
 from site_builder.settings.declared import Reader, keys_of
 from site_builder.settings.model import FILE_NAME, Settings
-from site_builder.settings.theme import check_theme
 from site_builder.source_text import Toml, read_toml
 
 
@@ -19,10 +18,7 @@ def read_settings(root: Path, problems: Diagnostics) -> tuple[Settings, Toml]:
             required = ", ".join(item.name for item in keys_of(Settings) if item.required)
             problems.add(FILE_NAME, 1, f"no outline; legal: a file with {required}")
         return Settings("", "", "", ()), Toml()
-    reader = Reader(FILE_NAME, read, problems)
-    settings = reader.table(Settings, read.table)
-    check_theme(settings, reader)
-    return settings, read
+    return Reader(FILE_NAME, read, problems).table(Settings, read.table), read
 
 
 def storage_prefix(settings: Settings) -> str:

@@ -51,6 +51,12 @@ def test_a_module_without_a_scene_is_refused(
         load_scene(known)
 
 
+def test_a_scene_with_the_id_of_another_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("simulations.scenes.camera.scene.SCENE", load_scene("aliasing"))
+    with pytest.raises(UnknownIdError, match=r"has the id 'aliasing'; legal: 'camera'"):
+        load_scene("camera")
+
+
 def test_a_button_must_drive_a_slider_of_its_scene() -> None:
     @dataclass(frozen=True)
     class Driving:

@@ -35,25 +35,11 @@ def test_what_is_left_out_has_its_default(read: Read) -> None:
 
 def test_what_is_said_holds(read: Read) -> None:
     settings, mistakes = read(
-        'language = "de"\nfirst_number = 1\n'
-        '[licence]\ntext = "CC0"\n[theme.dark]\nray = "#ffffff"\n'
+        'language = "de"\nfirst_number = 1\n[licence]\ntext = "CC0"\n[labels]\nfigure = "Picture"\n'
     )
     assert mistakes == []
     assert (settings.language, settings.first_number) == ("de", 1)
-    assert (settings.licence.text, settings.theme.dark.ray) == ("CC0", "#ffffff")
-
-
-def test_a_colour_that_nobody_can_read_is_told_with_its_contrast(read: Read) -> None:
-    _, mistakes = read('[theme.light]\nray = "#faf6ed"\n')
-    assert mistakes[0] == (
-        'content/book.toml:6: theme.light.ray "#faf6ed" has a contrast of 1.00:1 to paper '
-        '"#faf6ed"; legal: 4.5:1 or more'
-    )
-
-
-def test_a_ground_is_judged_by_the_text_that_lies_on_it(read: Read) -> None:
-    _, mistakes = read('[theme.dark]\npaper = "#777777"\n')
-    assert any('theme.dark.paper "#777777"' in mistake for mistake in mistakes)
+    assert (settings.licence.text, settings.labels.figure) == ("CC0", "Picture")
 
 
 def test_what_a_browser_keeps_is_named_after_the_book_or_as_its_author_says(read: Read) -> None:
