@@ -24,6 +24,8 @@ from site_builder.page_model.places import (
 from site_builder.page_model.questions import Prediction, Quiz
 from site_builder.references.bibliography import EMPTY, Bibliography
 from site_builder.references.news import News
+from site_builder.settings.declared import key
+from site_builder.settings.kinds import TEXT, texts
 from site_builder.settings.model import FILE_NAME, Settings
 
 OUTLINE = FILE_NAME
@@ -120,11 +122,14 @@ class Taught:
 class Lesson:
     """A section of another textbook, and what teaches it here."""
 
-    number: str
-    title: str
-    note: str
-    taught: tuple[Taught, ...]
-    closing: tuple[Taught, ...]
+    number: str = key(TEXT)
+    title: str = key(TEXT)
+    note: str = key(TEXT)
+    taught: tuple[str, ...] = key(texts('["chapter#section"]', least=1))
+    """The sections that teach it, as their author names them."""
+    sections: tuple[Taught, ...] = ()
+    """The same, found."""
+    closing: tuple[Taught, ...] = ()
     """The questions at the end of the chapters that these stand in."""
 
 

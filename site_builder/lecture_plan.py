@@ -3,72 +3,52 @@
 Only the sections are named there. What each shows and asks is read off the chapters.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from site_builder.book import LecturePlan, Lesson, Taught
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.markdown.targets import Targets
 from site_builder.page_model.places import Target
-from site_builder.source_text import Toml, read_toml
+from site_builder.settings.declared import Reader
+from site_builder.source_text import read_toml
 
 FILE = "content/lecture-plan.toml"
 KEYS = ("intro", "section")
-TEXTS = ("number", "title", "note")
-TAUGHT = "taught"
 END = "questions"
 """Id of the section that closes a chapter."""
 
 
 def read_lecture_plan(root: Path, targets: Targets, problems: Diagnostics) -> LecturePlan | None:
     """The plan; None where there is no such file. Mistakes go to ``problems``."""
-    if not (root / FILE).is_file():
+    toml = read_toml(root, FILE, problems) if (root / FILE).is_file() else None
+    if toml is None:
         return None
-    read = read_toml(root, FILE, problems)
-    if read is None:
-        return None
-    for key in read.table:
+    reader = Reader(FILE, toml, problems)
+    for key in toml.table:
         if key not in KEYS:
-            problems.add(FILE, read.line(key), unknown("key", key, KEYS))
-    entries = read.table.get("section")
+            reader.report((key,), unknown("key", key, KEYS))
+    entries = toml.table.get("section")
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        line = read.line("section")
-        problems.add(FILE, line, "no sections; legal: each below a line '[[section]]'")
+        reader.report(("section",), "no sections; legal: each below a line '[[section]]'")
         return None
-    lessons = (
-        _lesson(entry, read.line("section", place), read, targets, problems)
-        for place, entry in enumerate(entries)
-    )
-    return LecturePlan(str(read.table.get("intro", "")), tuple(lessons))
+    lessons: list[Lesson] = []
+    for place, entry in enumerate(entries):
+        lesson = reader.table(Lesson, entry, ("section", place))
+        sections = tuple(_sections(lesson, toml.line("section", place), targets, reader))
+        chapters = dict.fromkeys(item.section.chapter for item in sections)
+        closing = (end for chapter in chapters if (end := _closing(chapter, targets)))
+        lessons.append(replace(lesson, sections=sections, closing=tuple(closing)))
+    return LecturePlan(str(toml.table.get("intro", "")), tuple(lessons))
 
 
-def _lesson(
-    entry: Mapping[str, object], line: int, read: Toml, targets: Targets, problems: Diagnostics
-) -> Lesson:
-    for key in entry:
-        if key not in (*TEXTS, TAUGHT):
-            problems.add(FILE, line, unknown("key", key, (*TEXTS, TAUGHT)))
-    for key in TEXTS:
-        if not isinstance(entry.get(key), str):
-            problems.add(FILE, line, f'no {key!r}; legal: {key} = "some text"')
-    named = entry.get(TAUGHT)
-    if not isinstance(named, list) or not named:
-        problems.add(FILE, line, f'no {TAUGHT!r}; legal: {TAUGHT} = ["chapter#section"]')
-        named = []
-    taught = []
-    for name in map(str, named):
+def _sections(lesson: Lesson, line: int, targets: Targets, reader: Reader) -> Iterator[Taught]:
+    for name in lesson.taught:
         try:
-            taught.append(_taught(_section(name, targets), targets))
+            yield _taught(_section(name, targets), targets)
         except LookupError as error:
-            problems.add(FILE, read.line_of_text(name, line), str(error))
-    closing = dict.fromkeys(item.section.chapter for item in taught)
-    return Lesson(
-        number=str(entry.get("number", "")),
-        title=str(entry.get("title", "")),
-        note=str(entry.get("note", "")),
-        taught=tuple(taught),
-        closing=tuple(end for chapter in closing if (end := _closing(chapter, targets))),
-    )
+            reader.problems.add(FILE, reader.toml.line_of_text(name, line), str(error))
 
 
 def _section(name: str, targets: Targets) -> Target:
