@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from string import ascii_uppercase
 from typing import Any
@@ -12,7 +12,7 @@ from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import OUTLINE, Book
 from site_builder.book_root import ENGINE
 from site_builder.cache import cached_reading, hash_of
-from site_builder.chapters import Page, Shared, targets_state
+from site_builder.chapters import Page, targets_state
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.files import file_hash, folder_files, folder_hash
 from site_builder.languages.words import Words, load_words
@@ -20,16 +20,18 @@ from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary_links.definitions import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_passage
-from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.scenes import find_scene
 from site_builder.markdown.text.math import Macros
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Definition, Meaning, Position, chapter_id
+from site_builder.references.bibliography import EMPTY as NO_WORKS
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
-from site_builder.references.bibliography import Bibliography, read_bibliography
+from site_builder.references.bibliography import read_bibliography
+from site_builder.references.glossary import EMPTY as NO_TERMS
 from site_builder.references.glossary import FILE as GLOSSARY
-from site_builder.references.glossary import Glossary, read_glossary
+from site_builder.references.glossary import read_glossary
 from site_builder.references.news import read_news
 from site_builder.references.symbols import FILE as SYMBOLS
 from site_builder.references.symbols import read_symbols
@@ -67,60 +69,32 @@ def read_book(
     """The whole book; mistakes go to ``problems`` and reading goes on."""
     outline = _read_outline(root, problems)
     settings, words = outline.settings, outline.words
-    numbers = measurements or Measurements()
-
-    def read_references(own: Diagnostics) -> Bibliography:
-        return read_bibliography(root, own, words)
-
-    def read_terms(own: Diagnostics) -> Glossary:
-        return read_glossary(root, own, words)
-
     shared = Shared(
         root,
         load_scene,
-        numbers,
+        make_parser(words),
         words,
+        measurements or Measurements(),
         settings.trust.raw_html,
         outline.macros,
-        bibliography=_read_cached(root, BIBLIOGRAPHY, problems, read_references, words),
-        glossary=_read_cached(root, GLOSSARY, problems, read_terms, words),
-        state=_shared_state(root, outline),
+        _read_cached(
+            root, BIBLIOGRAPHY, problems, lambda own: read_bibliography(root, own, words), words
+        ),
+        _read_cached(root, GLOSSARY, problems, lambda own: read_glossary(root, own, words), words),
     )
-    pages: list[Page] = []
-    for name, line, position in outline.chapters:
-        file = root / "content" / f"{name}.md"
-        if not file.is_file():
-            problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(root)))
-            continue
-        _check_name(name, line, problems)
-        path = file.relative_to(root).as_posix()
-        pages.append(Page(path, read_text(root, path, problems), position, shared))
-    surveys = [page.survey() for page in pages]
-    targets = find_targets(surveys, problems)
+    state = _shared_state(root, outline)
+    pages = list(_pages(outline, shared, state, problems))
+    targets = find_targets([page.survey() for page in pages], problems)
     known = targets_state(targets)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
-    def beside(file: str, problems: Diagnostics) -> ParseContext:
-        return ParseContext(
-            file,
-            root,
-            problems,
-            load_scene,
-            shared.parser,
-            numbers,
-            words=words,
-            targets=targets,
-            macros=outline.macros,
-        )
-
-    given = (shared.state, known)
-
     def definitions(own: Diagnostics) -> tuple[Definition, ...]:
-        return read_definitions(shared.glossary, beside(GLOSSARY, own))
+        return read_definitions(ParseContext(GLOSSARY, shared, own, targets=targets))
 
     def meanings(own: Diagnostics) -> Mapping[str, tuple[Meaning, ...]]:
-        return read_meanings(read_symbols(root, own), beside(SYMBOLS, own))
+        context = ParseContext(SYMBOLS, shared, own, targets=targets)
+        return read_meanings(read_symbols(root, own), context)
 
     return Book(
         title=settings.title,
@@ -131,13 +105,24 @@ def read_book(
         news=read_news(root, targets.chapters, problems),
         settings=settings,
         words=words,
-        hero=_read_hero(outline, root, problems, load_scene),
+        hero=_read_hero(outline, shared, problems),
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
-        glossary=_read_cached(root, GLOSSARY, problems, definitions, "definitions", *given),
-        symbols=_read_cached(root, SYMBOLS, problems, meanings, "meanings", *given),
+        glossary=_read_cached(root, GLOSSARY, problems, definitions, "definitions", state, known),
+        symbols=_read_cached(root, SYMBOLS, problems, meanings, "meanings", state, known),
     )
+
+
+def _pages(outline: Outline, shared: Shared, state: bytes, problems: Diagnostics) -> Iterator[Page]:
+    root = shared.root
+    for name, line, position in outline.chapters:
+        path = f"content/{name}.md"
+        if not (root / path).is_file():
+            problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(root)))
+            continue
+        _check_name(name, line, problems)
+        yield Page(path, read_text(root, path, problems), position, shared, state)
 
 
 def _read_cached[T](
@@ -148,7 +133,7 @@ def _read_cached[T](
 
 
 def _shared_state(root: Path, outline: Outline) -> bytes:
-    """As `Shared` has it. All but the chapters and the code lies in ``content/``."""
+    """Hash of what all chapters are read with: the other files of ``content/``, and code."""
     chapters = {f"{name}.md" for name, _, _ in outline.chapters}
     content = folder_files(root / "content").items()
     files = {name: file_hash(file) for name, file in content if name not in chapters}
@@ -220,13 +205,13 @@ def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None
             problems.add(path, 1, f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'")
 
 
-def _read_hero(
-    outline: Outline, root: Path, problems: Diagnostics, load_scene: Callable[[str], Scene[Any]]
-) -> Simulation | None:
-    settings, words = outline.settings, outline.words
+def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:
+    settings = outline.settings
     if not settings.hero:
         return None
-    context = ParseContext(OUTLINE, root, problems, load_scene, make_parser(words), words=words)
+    # The title page has no list of works and no marks of terms.
+    alone = replace(shared, bibliography=NO_WORKS, glossary=NO_TERMS)
+    context = ParseContext(OUTLINE, alone, problems)
     scene = find_scene(settings.hero, outline.hero_line, context)
     caption = inline_passage(settings.hero_caption, outline.hero_line, context)
     for link in context.links:

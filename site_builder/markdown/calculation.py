@@ -42,7 +42,7 @@ def names_for(context: ParseContext) -> dict[str, object]:
         return shown_value(context.readouts.text(scene, name, given, bare=True))
 
     def measured(ladder: str, tier: str, wanted: str) -> float | None:
-        item = context.measurements.find(ladder)[tier]
+        item = context.shared.measurements.find(ladder)[tier]
         return item.times[wanted].ms if wanted in SIDES else item.errors[wanted]
 
     return {"readout": readout, "measured": measured, **context.values}
@@ -75,7 +75,7 @@ def number_text(written: str, context: ParseContext) -> str:
     def text(mantissa: str, exponent: str) -> str:
         if exponent:
             mantissa += f"{NARROW_SPACE}×{NARROW_SPACE}{power_of_ten(int(exponent))}"
-        return context.words.numeral(mantissa.replace("-", "−").replace(",", "\u00a0"))
+        return context.shared.words.numeral(mantissa.replace("-", "−").replace(",", "\u00a0"))
 
     return ", ".join(text(*parts) for parts in _formatted(written, context))
 

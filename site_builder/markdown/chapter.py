@@ -30,7 +30,7 @@ class Draft:
 
 def parse_chapter(text: str, context: ParseContext) -> Draft:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
-    tokens = context.parser.parse(text, context.env)
+    tokens = context.shared.parser.parse(text, context.env)
     for line, message in context.env.pop("problems", ()):
         context.problem(line, message)
     matter = read_front_matter(tokens, context)

@@ -33,7 +33,7 @@ def annotate(tokens: Sequence[Token], context: ParseContext) -> None:
 def inline_passage(markdown: str, line: int, context: ParseContext) -> Passage:
     """One line of Markdown, such as a directive's title, without a paragraph."""
     env = {"references": context.env.get("references", {})}
-    tokens = context.parser.parseInline(markdown, env)
+    tokens = context.shared.parser.parseInline(markdown, env)
     for _, message in env.pop("problems", ()):
         context.problem(line, message)
     for token in tokens:
@@ -50,7 +50,7 @@ def _set_formula(token: Token, line: int, context: ParseContext) -> None:
         return
     context.formulae.append((line, tex, token.type != "math_inline"))
     try:
-        token.meta["mathml"] = _mathml(token, context.macros)
+        token.meta["mathml"] = _mathml(token, context.shared.macros)
     except UnsupportedTexError as error:
         context.problem(line, str(error))
 
@@ -113,7 +113,7 @@ def _drop_html(token: Token, line: int, context: ParseContext) -> None:
     """Comments are the author's own; other HTML, which would escape every check, is let through
     only where ``book.toml`` says so."""
     markup = token.content.strip()
-    if context.raw_html and not markup.startswith("<!--"):
+    if context.shared.raw_html and not markup.startswith("<!--"):
         return
     start = markup.partition("\n")[0][:40]
     if not markup.startswith("<!--"):

@@ -92,7 +92,7 @@ class _Numbering:
         line, text = (opening.map or [0])[0] + 1, plain_text(inline)
         name = self.context.take_id(slug(text), line, "heading")
         opening.attrSet("id", name)
-        said = self.context.words("labels.section", title=text)
+        said = self.context.shared.words("labels.section", title=text)
         target = Target("Section", self.chapter, name, "", text, line, name=said)
         closing.meta["target"] = target
         self.targets.append(target)
@@ -106,7 +106,7 @@ class _Numbering:
     def _count(self, kind: str, name: str, line: int, *, labelled: bool) -> Target:
         self.counts[kind] += 1
         number = f"{self.context.position.mark}.{self.counts[kind]}"
-        label = self.context.words.label(kind)
+        label = self.context.shared.words.label(kind)
         said = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
         target = Target(kind, self.chapter, name, number, "", line, labelled, said)
         self.targets.append(target)

@@ -49,36 +49,43 @@ class Place:
         return max(first - line, line - last, 0)
 
 
+@dataclass(frozen=True, slots=True)
+class Shared:
+    """What all files of a book are read with."""
+
+    root: Path
+    """The project: where quoted modules and picture files are looked up."""
+    load_scene: Callable[[str], Scene[Any]]
+    parser: MarkdownIt
+    words: Words = ENGLISH
+    """Those of the interface, in the book's language."""
+    measurements: Measurements = field(default_factory=Measurements)
+    """Where numbers about speed and accuracy come from."""
+    raw_html: bool = False
+    """Whether the book's author trusts the HTML of its chapters."""
+    macros: Macros = field(default_factory=dict)
+    """TeX commands of the book's own."""
+    bibliography: Bibliography = EMPTY
+    glossary: Glossary = NO_TERMS
+
+
 @dataclass(slots=True)
 class ParseContext:
     """The state of reading one page; dropped once its `Chapter` is made."""
 
     path: str
     """The file, relative to the root of the project."""
-    root: Path
-    """The project: where quoted modules and picture files are looked up."""
+    shared: Shared
     problems: Diagnostics
-    load_scene: Callable[[str], Scene[Any]]
-    parser: MarkdownIt
-    measurements: Measurements = field(default_factory=Measurements)
-    """Where numbers about speed and accuracy come from."""
-    words: Words = ENGLISH
-    """Those of the interface, in the book's language."""
     chapter: str = ""
     """Id of the chapter; nothing where it is none."""
     position: Position = FIRST
     targets: Targets = field(default_factory=Targets)
     """What references may lead to: none before all chapters are parsed."""
-    bibliography: Bibliography = EMPTY
-    glossary: Glossary = NO_TERMS
-    macros: Macros = field(default_factory=dict)
-    """TeX commands of the book's own."""
     values: dict[str, object] = field(default_factory=dict)
     """Functions and values that ``calc`` blocks of the page name."""
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
-    raw_html: bool = False
-    """Whether the book's author trusts the HTML of its chapters."""
     headings: list[Heading] = field(default_factory=list)
     links: list[Link] = field(default_factory=list)
     """Links that lead out of the book."""
@@ -101,7 +108,7 @@ class ParseContext:
     """Where numbers that figures show come from."""
 
     def __post_init__(self) -> None:
-        self.readouts = Readouts(self.load_scene)
+        self.readouts = Readouts(self.shared.load_scene)
 
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)

@@ -12,7 +12,7 @@ from site_builder.markdown.parse_context import ParseContext
 def find_scene(scene_id: str, line: int, context: ParseContext) -> Scene[Any] | None:
     """The scene, or None and a diagnostic: unknown id, or a module that cannot be imported."""
     try:
-        return loaded("simulation", scene_id, context.load_scene, LookupError)
+        return loaded("simulation", scene_id, context.shared.load_scene, LookupError)
     except LookupError as error:
         context.problem(line, str(error))
         return None

@@ -21,9 +21,8 @@ from simulations.engine.stages import Outputs
 from simulations.registry import UnknownIdError
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
-from site_builder.languages.words import load_words
 from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter, survey
-from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -100,11 +99,8 @@ def mutated(draw: st.DrawFn) -> str:
 def read(text: str) -> tuple[Chapter, Diagnostics]:
     """As the build reads a chapter."""
     problems = Diagnostics()
-    words = load_words("en")
-    reading = ParseContext(
-        "content/00-first.md", ROOT, problems, load_demo, make_parser(words), words=words,
-        chapter="first",
-    )  # fmt: skip
+    shared = Shared(ROOT, load_demo, make_parser())
+    reading = ParseContext("content/00-first.md", shared, problems, chapter="first")
     draft = parse_chapter(text, reading)
     return read_chapter(draft, find_targets([survey(draft)], problems)), problems
 

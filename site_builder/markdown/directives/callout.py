@@ -29,7 +29,7 @@ class Callout:
 
 def read_callout(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Callout:
     """With the title that the language has, where the author gives none."""
-    title = call.argument or context.words(f"callout.{call.name}")
+    title = call.argument or context.shared.words(f"callout.{call.name}")
     return Callout(call.name, inline_passage(title, call.line, context))
 
 

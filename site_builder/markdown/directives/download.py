@@ -35,14 +35,16 @@ def read_download(call: DirectiveCall, words: Passage, context: ParseContext) ->
     file = found(call.argument, call.line, context, "file")
     if file is None:
         return None
-    if _runs(file) and not context.raw_html:
+    if _runs(file) and not context.shared.raw_html:
         expected = "packed, as a '.zip', or trusted in book.toml"
         message = f"file {call.argument!r}, which a browser would run; legal: {expected}"
         context.problem(call.line, message)
         return None
     context.files.add(call.argument)
     name = PurePosixPath(call.argument).name
-    return Download(call.argument, name, size_words(file.stat().st_size, context.words), words)
+    return Download(
+        call.argument, name, size_words(file.stat().st_size, context.shared.words), words
+    )
 
 
 def _runs(file: Path) -> bool:

@@ -28,7 +28,7 @@ def read_ladder(
     call: DirectiveCall, caption: Passage, context: ParseContext
 ) -> LadderFigure | None:
     try:
-        measured = context.measurements.find(call.argument, call.text("metric"))
+        measured = context.shared.measurements.find(call.argument, call.text("metric"))
     except MeasurementError as error:
         context.problem(call.line, str(error))
         return None

@@ -22,7 +22,7 @@ def read_ladder_table(
     call: DirectiveCall, _body: None, context: ParseContext
 ) -> LadderTable | None:
     try:
-        rows = context.measurements.all()
+        rows = context.shared.measurements.all()
     except MeasurementError as error:
         context.problem(call.line, str(error))
         return None

@@ -45,9 +45,13 @@ def _text_of(
         expected = f"':::{{source}} {FORM}'"
         context.problem(call.line, f"{{source}} {call.argument!r}; legal: {expected}")
         return None
-    file = own_or_engine(context.root, path) if is_engine(module) else context.root / path
+    file = (
+        own_or_engine(context.shared.root, path)
+        if is_engine(module)
+        else context.shared.root / path
+    )
     if not file.is_file() or not module.startswith("simulations."):
-        modules = _modules(context.root / "simulations")
+        modules = _modules(context.shared.root / "simulations")
         context.problem(call.line, unknown("module", module, modules))
         return None
     return file.read_text(encoding="utf-8", errors="replace")

@@ -25,7 +25,7 @@ def read_stage_cost_table(
     if scene is None:
         return None
     try:
-        return StageCostTable(read_stage_costs(context.root, scene), caption)
+        return StageCostTable(read_stage_costs(context.shared.root, scene), caption)
     except StageCostError as error:
         context.problem(call.line, str(error))
         return None

@@ -65,7 +65,7 @@ def read_video(call: DirectiveCall, caption: Passage, context: ParseContext) -> 
         poster=call.text("poster"),
         size=picture_size(poster) if poster else None,
         captions=captions.text if words and captions else "",
-        language=call.text("language") or context.words.language,
+        language=call.text("language") or context.shared.words.language,
         caption=caption,
     )
 

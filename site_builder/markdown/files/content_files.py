@@ -46,7 +46,7 @@ def found(
     name: str, line: int, context: ParseContext, kind: str, suffixes: Sequence[str] = ()
 ) -> Path | None:
     """The file, or nothing and a report."""
-    content = context.root / "content"
+    content = context.shared.root / "content"
     fault = fault_of_file(name, content, kind, suffixes)
     if fault:
         context.problem(line, fault)

@@ -6,42 +6,33 @@ from site_builder.book import Book, Chapter
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.symbols import spelt
+from site_builder.page_model.passage import Passage
 from site_builder.page_model.places import Definition, Meaning
-from site_builder.references.glossary import Glossary, Term
+from site_builder.references.glossary import Term
 from site_builder.references.symbols import BOOK, Symbol, Symbols
 
 
-def read_definitions(glossary: Glossary, context: ParseContext) -> tuple[Definition, ...]:
-    """All of them; ``reading`` is of the glossary's file."""
-    return tuple(_definition(term, context) for term in glossary.terms.values())
+def read_definitions(context: ParseContext) -> tuple[Definition, ...]:
+    """All of the glossary, by the context of its file."""
+    return tuple(_definition(term, context) for term in context.shared.glossary.terms.values())
 
 
 def _definition(term: Term, context: ParseContext) -> Definition:
-    words = inline_passage(term.says, term.line, context)
-    if context.citations or context.links:
-        expected = "a {ref}, or a citation in the section that explains it"
-        context.problem(
-            term.line, f"link or citation in the definition of {term.name!r}; legal: {expected}"
-        )
-        context.citations.clear()
-        context.links.clear()
+    words = _without_links(term.says, term.line, f"the definition of {term.name!r}", context)
     try:
-        explained = (
-            context.targets.find(term.explained, context.chapter) if term.explained else None
-        )
+        found = context.targets.find(term.explained, context.chapter) if term.explained else None
     except LookupError as error:
         context.problem(term.line, str(error.args[0]))
-        explained = None
-    if explained and explained.kind not in ("Section", "Chapter", "Appendix"):
+        found = None
+    if found and found.kind not in ("Section", "Chapter", "Appendix"):
         expected = "a section, 'CHAPTER#ID', or a chapter"
-        context.problem(
-            term.line, f"{term.name!r} explained by {explained.name}; legal: {expected}"
-        )
-    return Definition(term, words, explained)
+        message = f"{term.name!r} explained by {found.name}; legal: {expected}"
+        context.problem(term.line, message)
+    return Definition(term, words, found)
 
 
 def read_meanings(symbols: Symbols, context: ParseContext) -> Mapping[str, tuple[Meaning, ...]]:
-    """All of them, by chapter; ``reading`` is of the file that declares them."""
+    """All of them, by chapter, by the context of the file that declares them."""
     return {
         chapter: tuple(_meaning(symbol, context) for symbol in declared)
         for chapter, declared in symbols.items()
@@ -50,13 +41,18 @@ def read_meanings(symbols: Symbols, context: ParseContext) -> Mapping[str, tuple
 
 def _meaning(symbol: Symbol, context: ParseContext) -> Meaning:
     formula = inline_passage(f"${symbol.tex}$", symbol.line, context)
-    means = inline_passage(symbol.means, symbol.line, context)
+    what = f"the meaning of {symbol.tex!r}"
+    return Meaning(symbol, formula, _without_links(symbol.means, symbol.line, what, context))
+
+
+def _without_links(markdown: str, line: int, what: str, context: ParseContext) -> Passage:
+    """Words that are shown on many pages, where a link would lead elsewhere."""
+    words = inline_passage(markdown, line, context)
     if context.links or context.citations:
-        message = f"link or citation in the meaning of {symbol.tex!r}; legal: a {{ref}}"
-        context.problem(symbol.line, message)
+        context.problem(line, f"link or citation in {what}; legal: a {{ref}}")
         context.links.clear()
         context.citations.clear()
-    return Meaning(symbol, formula, means)
+    return words
 
 
 def meanings_in(book: Book, chapter: Chapter) -> Sequence[Meaning]:

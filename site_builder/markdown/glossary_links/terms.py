@@ -54,7 +54,7 @@ class _Walk:
     def paragraph(self, inline: Token, *, running: bool) -> None:
         if any(name in QUESTIONS for name, _ in self.open):
             return
-        if not self.context.glossary.terms and "{" not in inline.content:
+        if not self.context.shared.glossary.terms and "{" not in inline.content:
             return  # no term, and no mark of its author's
         marks = running and all(nests and name not in WAITING for name, nests in self.open)
         inline.children = list(self._marked(inline, marks=marks))
@@ -89,7 +89,7 @@ class _Walk:
         """The text, in pieces where a term in it is marked. The name of a control is marked only
         where it is the term that the section explains."""
         text, done = token.content, 0
-        for term, start, end in self.context.glossary.uses(text):
+        for term, start, end in self.context.shared.glossary.uses(text):
             here = f"{self.context.chapter}#{self.section}"
             if not marks or term.name in self.marked or (control and term.explained != here):
                 self._note(term, line)

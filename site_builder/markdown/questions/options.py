@@ -81,7 +81,7 @@ def number_options(
     right = next((value for answer, value in values if answer.mark == "right"), None)
     tolerance = _tolerance(call, right, context)
     _check_apart(values, tolerance, context)
-    options = (_number_option(call, *pair, tolerance, context.words) for pair in values)
+    options = (_number_option(call, *pair, tolerance, context.shared.words) for pair in values)
     return tuple(options), tolerance
 
 

@@ -44,9 +44,9 @@ def _joined(
     tokens: list[Token] = []
     for part in words.split(";"):
         key, _, place = (piece.strip() for piece in part.partition(","))
-        work = context.bibliography.works.get(key)
+        work = context.shared.bibliography.works.get(key)
         if work is None:
-            context.problem(line, unknown("work", key, context.bibliography.works))
+            context.problem(line, unknown("work", key, context.shared.bibliography.works))
             continue
         tokens += [*_text("; " if tokens else ""), *link(work, place)]
     return tokens

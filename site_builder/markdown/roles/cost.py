@@ -7,13 +7,13 @@ from site_builder.markdown.role import Role
 
 
 def _text(asked: str, context: ParseContext) -> str:
-    found = read_costs(context.root).find(asked)
+    found = read_costs(context.shared.root).find(asked)
     if not isinstance(found, Cost):
         return found
     exact = found.unit in ("", "KB", "MB")
     number = quantity(found.value, 3 if exact and found.value >= 10 else 2)
     text = milliseconds(found.value) if found.unit == "ms" else number
-    return with_unit(context.words.numeral(text), found.unit)
+    return with_unit(context.shared.words.numeral(text), found.unit)
 
 
 COST = Role(

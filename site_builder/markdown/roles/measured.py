@@ -116,7 +116,7 @@ def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | No
 
 
 def _text(words: str, context: ParseContext) -> str:
-    return measured_text(words, context.measurements, context.words)
+    return measured_text(words, context.shared.measurements, context.shared.words)
 
 
 MEASURED = Role(

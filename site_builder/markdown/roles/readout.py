@@ -22,7 +22,7 @@ def readout_text(words: str, context: ParseContext) -> str:
     if not name or "=" in name or len(settings) + bare < len(pairs):
         raise ReadoutError(f"{{readout}} {words!r}; legal: '{FORM}', each control once")
     shown = context.readouts.text(scene_id, name, settings, bare=bare)
-    return context.words.numeral(shown)
+    return context.shared.words.numeral(shown)
 
 
 READOUT = Role(

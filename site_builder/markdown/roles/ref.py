@@ -48,7 +48,9 @@ def _name(target: Target, chapter: Target, context: ParseContext) -> str:
     here = target.chapter == context.chapter
     if target.kind == "Section":
         elsewhere = {"title": target.title, "chapter": chapter.name}
-        return target.name if here else context.words("labels.section_elsewhere", **elsewhere)
+        return (
+            target.name if here else context.shared.words("labels.section_elsewhere", **elsewhere)
+        )
     if target is chapter and not here and target.chapter not in context.introduced:
         context.introduced.add(target.chapter)
         return f"{target.name} ({target.title})"

@@ -73,7 +73,7 @@ def _find_figure(name: str, line: int, context: ParseContext) -> Place | None:
 def _load(figure: Place, context: ParseContext) -> Scene[Any] | None:
     """None where it cannot be loaded, which its directive reports."""
     try:
-        return loaded("simulation", figure.scene_id, context.load_scene, LookupError)
+        return loaded("simulation", figure.scene_id, context.shared.load_scene, LookupError)
     except LookupError:
         return None
 

@@ -15,7 +15,7 @@ def marked(words: str, given: str | None, line: int, context: ParseContext) -> L
     if given == NONE:
         return Linked({})
     try:
-        term = context.glossary.find(words if given is None else given)
+        term = context.shared.glossary.find(words if given is None else given)
     except LookupError as error:
         context.problem(line, str(error.args[0]))
         return Linked({})

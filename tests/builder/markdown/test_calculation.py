@@ -8,7 +8,7 @@ from simulations.engine.scene import Scene
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import ENGLISH
 from site_builder.markdown.inline import annotate
-from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
 from site_builder.page_model.passage import passage
 from site_builder.render.screen import screen_renderer
@@ -19,8 +19,8 @@ def load_scene(name: str) -> Scene[object]:
 
 
 def rendered(text: str) -> str:
-    context = ParseContext("a.md", Path(), Diagnostics(), load_scene, make_parser())
-    tokens = context.parser.parse(text, context.env)
+    context = ParseContext("a.md", Shared(Path(), load_scene, make_parser()), Diagnostics())
+    tokens = context.shared.parser.parse(text, context.env)
     annotate(tokens, context)
     assert not context.problems.found
     return screen_renderer(ENGLISH)(passage(tokens))

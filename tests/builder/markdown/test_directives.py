@@ -19,7 +19,7 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import OPENING
-from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import RULES, make_parser
 from site_builder.markdown.role import USE
 from site_builder.markdown.roles import ROLES
@@ -31,7 +31,7 @@ README = Path(__file__).parents[3] / "README.md"
 
 @pytest.fixture
 def context(tmp_path: Path) -> ParseContext:
-    return ParseContext("a.md", tmp_path, Diagnostics(), load_scene, make_parser())
+    return ParseContext("a.md", Shared(tmp_path, load_scene, make_parser()), Diagnostics())
 
 
 def film(**fields: Any) -> Directive[str]:
