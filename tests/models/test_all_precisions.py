@@ -1,6 +1,7 @@
 """Pictures keep their precision through every model of pixels, and are never written to."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from simulations.models.light.brdf import MODELS, Material, parts
 from simulations.models.light.cell_blending import blend_cells
 from simulations.models.sampling import bspline, resampling
 from simulations.models.sensor import demosaicing, photon_counting
+from simulations.models.sensor.photon_counting import SHOT_MODELS, shot_noise
 
 type Model = Callable[[Floats], Floats]
 PLACES = np.array([[1.3, 2.6], [0.2, 0.4]])
@@ -27,6 +29,11 @@ SATIN = Material(0.5, 0.3, 0.4)
 
 def rng() -> np.random.Generator:
     return np.random.default_rng(7)
+
+
+def each(name: str, kinds: Iterable[str], run: Callable[[Any, Floats], Floats]) -> dict[str, Model]:
+    """The same call for each kind of a model."""
+    return {f"{name}-{kind}": partial(run, kind) for kind in kinds}
 
 
 OF_COLOURS: dict[str, Model] = {
@@ -43,22 +50,16 @@ OF_COLOURS: dict[str, Model] = {
 }
 OF_PLANES: dict[str, Model] = {
     "coarsen": lambda p: coarsen(p, (2, 2)),
-    **{f"refine-{m}": lambda p, m=m: refine(p[:3, :4], (2, 2), p, m) for m in FILLINGS},
-    **{f"parts-{m}": lambda p, m=m: np.array(parts(m, SATIN, p, p, p)) for m in MODELS},
+    **each("refine", FILLINGS, lambda m, p: refine(p[:3, :4], (2, 2), p, m)),
+    **each("parts", MODELS, lambda m, p: np.array(parts(m, SATIN, p, p, p))),
     "blend_cells": lambda p: blend_cells(p, 9, 9),
     "bspline": bspline.coefficients,
-    **{f"sample-{k}": lambda p, k=k: resampling.sample(p, PLACES, k) for k in resampling.KERNELS},
+    **each("sample", resampling.KERNELS, lambda k, p: resampling.sample(p, PLACES, k)),
     "resize": lambda p: resampling.resize(p, 3, 3),
-    **{
-        f"demosaic-{m}": lambda p, m=m: demosaicing.demosaic(p, "RGGB", m)
-        for m in demosaicing.METHODS
-    },
+    **each("demosaic", demosaicing.METHODS, lambda m, p: demosaicing.demosaic(p, "RGGB", m)),
     "read_out": lambda p: photon_counting.read_out(p, photon_counting.Sensor(), rng()),
     "shot_noise_from_normal": lambda p: photon_counting.shot_noise_from_normal(p, p, 1000.0),
-    **{
-        f"shot_noise-{m}": lambda p, m=m: photon_counting.shot_noise(p, rng(), 1000.0, m)
-        for m in photon_counting.SHOT_MODELS
-    },
+    **each("shot_noise", SHOT_MODELS, lambda m, p: shot_noise(p, rng(), 1000.0, m)),
 }
 CASES = {
     **{name: (model, (6, 8, 3)) for name, model in OF_COLOURS.items()},
