@@ -36,12 +36,6 @@ def test_pincushions_are_undone_to_a_logarithm_of_how_strong_they_are(
     assert max(error_in_conditions(k1, each**2) for each in radii) < most
 
 
-def test_the_axis_stays_where_it_is() -> None:
-    for k1 in (-0.3, 0.3):
-        on_axis = shrinkage_of_cubic(k1, np.array([0.0, 5e-324]))
-        np.testing.assert_allclose(on_axis, 1.0, rtol=3e-16)
-
-
 def test_it_vouches_for_nothing_at_the_fold_and_beyond() -> None:
     profile = RadialProfile((-1 / 3,))  # folds at 1, whose image is 2/3
     images = np.array([0.1, 0.666, 2 / 3, 0.7, np.inf, np.nan])
@@ -49,17 +43,3 @@ def test_it_vouches_for_nothing_at_the_fold_and_beyond() -> None:
     assert known.tolist() == [True, True, False, False, False, False]
     assert factor[2:].tolist() == [1.0] * 4
     np.testing.assert_allclose((factor * images)[:2], [0.10034, 0.97407], rtol=1e-3)
-
-
-@pytest.mark.parametrize(
-    "profile",
-    [
-        RadialProfile(),
-        RadialProfile((0.3, 0.1)),
-        RadialProfile((0.3,), (0.1,)),
-        RadialProfile((0.0, 1)),
-    ],
-)
-def test_other_lenses_are_refused(profile: RadialProfile) -> None:
-    with pytest.raises(ValueError, match="profile"):
-        shrinkage(profile, np.array([0.1]))

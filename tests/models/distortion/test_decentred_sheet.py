@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose, assert_array_equal
+from numpy.testing import assert_array_equal
 from numpy.typing import ArrayLike
 from support.decentred_lenses import least_determinant
 
 from simulations.models.arrays import Mask
 from simulations.models.distortion.decentred_sheet import on_sheet_of_axis, sheet_of
-from simulations.models.distortion.lens_model import Distortion, distort, jacobian
+from simulations.models.distortion.lens_model import Distortion
 from simulations.models.distortion.radial_profile import RadialProfile
 
 
@@ -79,23 +79,3 @@ def test_beyond_a_pole_nothing_is_on_the_sheet() -> None:
     lens = Distortion(k4=-1.0, p1=1e-6)
     assert sheet_of(lens.radial, lens.p1, lens.p2).pole == pytest.approx(1.0)
     assert asked([[0.9, 0.0], [1.1, 0.0], [0.0, -3.0]], lens).tolist() == [True, False, False]
-
-
-def test_the_axis_and_no_points_at_all_are_fine() -> None:
-    lens = Distortion(k1=-0.3, p1=0.1)
-    assert asked([[0.0, 0.0]], lens).tolist() == [True]
-    assert asked(np.empty((0, 2)), lens).shape == (0,)
-
-
-def test_points_in_the_shadow_of_a_fold_share_their_images_with_points_before_it() -> None:
-    """Why the way to a point counts and not only the place: here two would be valid at once."""
-    lens = Distortion(k1=-0.3, k2=0.1, p1=0.1)
-    shadowed, near = np.array([[0.0, -1.2]]), np.array([[0.0, -0.9]])
-    assert asked(np.concatenate((shadowed, near)), lens).tolist() == [False, True]
-    assert (np.linalg.det(jacobian(shadowed, lens)) > 0).all()
-    for _ in range(20):
-        off = distort(near, lens) - distort(shadowed, lens)
-        near = near - np.linalg.solve(jacobian(near, lens), off[..., None])[..., 0]
-    assert_allclose(distort(near, lens), distort(shadowed, lens), atol=1e-14)
-    assert asked(near, lens).all()
-    assert near[0, 1] > -1.0
