@@ -1,4 +1,4 @@
-"""What all models of geometry do alike with vectors of a wrong length, with none, and with ∞."""
+"""What all models do alike with stacks of vectors, with none, with ∞, and with a wrong length."""
 
 from collections.abc import Callable
 from typing import Any
@@ -8,8 +8,20 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, as_array, as_colours, as_floats, as_vectors
+from simulations.models.color import cie
+from simulations.models.color.chromatic_adaptation import adapt
+from simulations.models.color.chromaticity import D50_XY, xyy_to_xyz, xyz_to_xyy
+from simulations.models.color.cie import D65_XY
+from simulations.models.color.white_balance import white_balance
 from simulations.models.distortion import fisheye, lens_model
-from simulations.models.geometry import euler, lines_and_planes, quaternions, rotations, transforms
+from simulations.models.geometry import (
+    euler,
+    lines_and_planes,
+    quaternions,
+    rotations,
+    transforms,
+    transforms_3d,
+)
 from simulations.models.geometry.cross_products import cross_polynomial
 from simulations.models.light import edge_coverage
 from simulations.models.projection import affine_cameras, pinhole, vanishing
@@ -51,9 +63,29 @@ FUNCTIONS = [
     ("first", 4, lambda v: quaternions.multiply(Q, v)),
     ("vectors", 3, lambda v: quaternions.rotate(Q, v)),
     ("quaternion", 4, lambda v: quaternions.rotate(v, [1.0, 2.0, 3.0])),
+    ("rotation_vector", 3, quaternions.from_rotation_vector),
+    ("quaternion", 4, quaternions.to_matrix),
+    ("quaternion", 4, quaternions.to_rotation_vector),
+    ("quaternion", 4, lambda v: rotations.slerp(v, [0.5, 0.5, -0.5, 0.5], 0.3)),
+    ("quaternion", 4, lambda v: rotations.nlerp([0.5, 0.5, -0.5, 0.5], v, 0.3)),
+    ("points", 3, lambda v: transforms_3d.apply_transform(np.eye(4), v)),
+    ("directions", 3, lambda v: fisheye.project_ideal(v, "equidistant")),
+    ("xy", 2, lambda v: fisheye.unproject_fisheye(v, fisheye.Fisheye(0.1))),
+    ("colours", 3, lambda v: adapt(v, D65_XY, D50_XY)),
+    ("colours", 3, xyz_to_xyy),
+    ("colours", 3, xyy_to_xyz),
+    ("colours", 3, cie.xyz_to_lab),
+    ("colours", 3, lambda v: white_balance(v, (0.5, 1.0, 0.7))),
     ("normal", 2, lambda v: edge_coverage.straight_edge_coverage(0.1, v)),
     ("xy_px", 2, lambda v: resampling.sample(np.ones((4, 5, 3)), v)),
 ]
+
+
+def parts(answer: Any) -> tuple[Any, ...]:
+    """Values and mask, or the one array."""
+    return answer if isinstance(answer, tuple) else (answer,)
+
+
 EACH = pytest.mark.parametrize(("length", "function"), [entry[1:] for entry in FUNCTIONS])
 
 
@@ -74,17 +106,9 @@ def test_of_no_vectors_there_are_no_answers(
     length: int, function: Callable[[ArrayLike], Any]
 ) -> None:
     one, none = function(np.ones((2, 1, length))), function(np.ones((2, 0, length)))
-    pairs = zip(one, none, strict=True) if isinstance(one, tuple) else [(one, none)]
-    for some, nothing in pairs:
+    for some, nothing in zip(parts(one), parts(none), strict=True):
         assert nothing.shape == (2, 0, *some.shape[2:])
         assert nothing.dtype == some.dtype
-
-
-def test_of_no_rotations_there_are_no_angles() -> None:
-    none = np.empty((0, 3, 3))
-    assert rotations.logarithm(none).shape == (0, 3)
-    angles, locked = euler.from_matrix(none, "ZYX")
-    assert (angles.shape, locked.shape) == ((0, 3), (0,))
 
 
 @pytest.mark.parametrize("polygon", [[], np.empty((0, 2)), np.empty((0, 5))])
@@ -130,6 +154,17 @@ def test_what_is_no_stack_of_matrices_is_refused_by_name(shape: tuple[int, ...])
             function(np.ones(shape))
 
 
+@EACH
+def test_a_stack_is_answered_as_each_of_its_vectors_alone(
+    length: int, function: Callable[[ArrayLike], Any]
+) -> None:
+    stack = np.random.default_rng(8).uniform(0.1, 0.9, (2, 3, length))
+    together = parts(function(stack))
+    for place in np.ndindex(2, 3):
+        for many, alone in zip(together, parts(function(stack[place])), strict=True):
+            np.testing.assert_allclose(many[place], alone, rtol=1e-13, atol=1e-15)
+
+
 HUGE = [1e200, -1e308, np.inf, -np.inf, np.nan]
 
 
@@ -145,21 +180,8 @@ def test_one_wild_vector_neither_warns_nor_spoils_its_neighbours(
         answer = function(wild)
     except ValueError:
         return
-    expected = function(calm)
-    pairs = (
-        zip(answer, expected, strict=True) if isinstance(answer, tuple) else [(answer, expected)]
-    )
-    for ours, theirs in pairs:
+    for ours, theirs in zip(parts(answer), parts(function(calm)), strict=True):
         np.testing.assert_array_equal(ours[[0, 2]], theirs[[0, 2]])
-
-
-def test_a_point_at_infinity_goes_through_a_lens_to_infinity() -> None:
-    pincushion, barrel = lens_model.Distortion(k1=0.1), lens_model.Distortion(k1=-0.1)
-    np.testing.assert_array_equal(lens_model.distort([np.inf, 0.3], pincushion)[0], np.inf)
-    np.testing.assert_array_equal(
-        lens_model.distort([np.inf, -np.inf], pincushion), [np.inf, -np.inf]
-    )
-    np.testing.assert_array_equal(lens_model.distort([-np.inf, np.inf], barrel), [np.inf, -np.inf])
 
 
 @pytest.mark.parametrize(

@@ -26,21 +26,6 @@ def test_four_points_give_the_homography_of_opencv() -> None:
     assert apply_homography(H, CORNERS)[0] == pytest.approx(SEEN, abs=1e-9)
 
 
-@pytest.mark.parametrize("shift", [0.0, 1e6])
-def test_normalising_makes_the_estimate_independent_of_the_origin(shift: float) -> None:
-    H, valid = estimation.estimate_homography(CORNERS + shift, SEEN + shift)
-    assert valid
-    assert apply_homography(H, CORNERS + shift)[0] == pytest.approx(SEEN + shift, abs=1e-5, rel=0)
-
-
-def test_noise_is_averaged_out() -> None:
-    points = RNG.uniform(0, 500, (400, 2))
-    noisy = apply_homography(KEYSTONE, points)[0] + RNG.normal(0, 0.5, (400, 2))
-    H, _ = estimation.estimate_homography(points, noisy)
-    error = apply_homography(H, CORNERS)[0] - apply_homography(KEYSTONE, CORNERS)[0]
-    assert np.abs(error).max() < 0.5
-
-
 @pytest.mark.parametrize(
     ("before", "after"), [(1e-9, 1e9), (1e9, 1e-9), (1e-90, 1e-90), (1e90, 1e90)]
 )
@@ -49,23 +34,6 @@ def test_source_and_target_may_be_in_any_units(before: float, after: float) -> N
     H, valid = estimation.estimate_homography(source, target)
     assert valid
     assert apply_homography(H, source)[0] / after == pytest.approx(SEEN, rel=1e-9)
-
-
-def test_a_long_way_off_the_last_entry_is_still_one() -> None:
-    H, _ = estimation.estimate_homography(CORNERS, CORNERS + 1e7)
-    assert H[2, 2] == 1
-
-
-def test_affine_similarity_and_rigid_maps_come_back_from_exact_points() -> None:
-    points = RNG.uniform(-5, 5, (10, 2)) + 100
-    for estimate, H in (
-        (estimation.estimate_affine, transforms.affine([[1.2, 0.3], [-0.4, 0.8]], (3, 1))),
-        (estimation.estimate_similarity, transforms.similarity(1.7, 2.5, 3, 1)),
-        (estimation.estimate_rigid, transforms.rigid(-2.0, 3, 1)),
-    ):
-        found, valid = estimate(points, apply_homography(H, points)[0])
-        assert valid
-        assert pytest.approx(H, abs=1e-10) == found
 
 
 def test_noisy_similarity_and_rigid_estimates_agree_with_scikit_image() -> None:
@@ -111,19 +79,6 @@ def test_many_points_need_no_more_room_than_their_equations() -> None:
     assert pytest.approx(KEYSTONE, rel=1e-9, abs=1e-12) == H
 
 
-def test_a_similarity_of_points_spread_unevenly_weighs_them_all() -> None:
-    """A closed form with complex numbers: the ratio of two sums."""
-    points, noise = RNG.uniform(-5, 5, (12, 2)) * [3, 1], RNG.normal(0, 0.2, (12, 2))
-    target = apply_homography(transforms.similarity(0.7, -1.2, 5, 2), points)[0] + noise
-    a, b = ((p - p.mean(0)) @ [1, 1j] for p in (points, target))
-    ratio = (b * a.conj()).sum() / (abs(a) ** 2).sum()
-    H, _ = estimation.estimate_similarity(points, target)
-    assert H[0, 0] + 1j * H[1, 0] == pytest.approx(ratio)
-    assert H @ [*points.mean(0), 1] == pytest.approx([*target.mean(0), 1])
-    R, _ = estimation.estimate_rigid(points, target)
-    assert R[0, 0] + 1j * R[1, 0] == pytest.approx(ratio / abs(ratio))
-
-
 def test_two_points_determine_a_similarity_three_an_affine_map_and_four_a_homography() -> None:
     for estimate, count in (
         (estimation.estimate_rigid, 2),
@@ -147,10 +102,3 @@ def test_a_homography_whose_origin_lies_beyond_infinity_has_a_negative_last_entr
     at_zero = np.array([[0.0, 0, 1], [0, 1, 0], [1, 0, 0]])
     found, _ = estimation.estimate_homography(points, apply_homography(at_zero, points)[0])
     assert np.linalg.norm(found) == pytest.approx(1)
-
-
-@pytest.mark.parametrize("size", [1e99, 1e-90])
-def test_tiny_and_huge_coordinates_are_estimated_too(size: float) -> None:
-    H, valid = estimation.estimate_similarity(CORNERS / 640 * size, CORNERS / 640 * size)
-    assert valid
-    assert pytest.approx(np.eye(3), abs=size * 1e-9) == H

@@ -16,42 +16,33 @@ CORNERS = np.array([(0.0, 0.0), (640.0, 0.0), (640.0, 480.0), (0.0, 480.0)])
 SEEN = np.array([(32.0, 15.0), (610.0, 60.0), (580.0, 500.0), (-12.0, 430.0)])
 
 
-@pytest.mark.parametrize(
-    "source",
-    [
-        CORNERS[:3],
-        np.column_stack([np.arange(5.0), 2 * np.arange(5.0)]),
-        np.ones((4, 2)),
-        np.array([(0, 0), (1, 0), (2, 0), (0, 1)], float),
-    ],
-    ids=["too few", "on one line", "coincident", "three on one line"],
-)
-def test_points_that_do_not_determine_a_homography_are_reported(source: Floats) -> None:
-    target = SEEN[:3] if len(source) == 3 else np.vstack([SEEN, SEEN[:1] + 7])[: len(source)]
-    H, valid = estimation.estimate_homography(source, target)
-    assert valid is False
-    assert H.shape == (3, 3)
-    assert np.isnan(H).all()
+FIVE = np.array([(-3.0, 0.0), (-2.0, 1.0), (1.0, 0.0), (2.0, 1.0), (3.0, -1.0)])
+THREE_ON_A_LINE = np.array([(0.0, 0), (1, 0), (2, 0), (0, 1)])
 
 
 @pytest.mark.parametrize(
     ("source", "target"),
     [
-        ([(0, 0), (1, 0), (2, 0), (0, 1)], [(0, 0), (1, 0), (2, 0), (0, 1)]),
-        ([(0, 0), (1, 0), (2, 1), (0, 1), (3, 5)], [(0, 0), (1, 0), (2, 0), (0, 0), (3, 0)]),
+        pytest.param(CORNERS[:3], SEEN[:3], id="too few"),
+        pytest.param(np.outer(np.arange(4.0), [1, 2]), SEEN, id="on one line"),
+        pytest.param(np.ones((4, 2)), SEEN, id="coincident"),
+        pytest.param(THREE_ON_A_LINE, SEEN, id="three on one line"),
+        pytest.param(THREE_ON_A_LINE, THREE_ON_A_LINE, id="many maps keep a line and a point"),
+        pytest.param(
+            np.array([(0.0, 0), (1, 0), (2, 1), (0, 1), (3, 5)]),
+            np.array([(0.0, 0), (1, 0), (2, 0), (0, 0), (3, 0)]),
+            id="the only map squashes the plane",
+        ),
+        pytest.param(FIVE, FIVE / (1 + FIVE[:, :1]), id="seen from both sides of infinity"),
     ],
-    ids=["many maps keep a line and a point", "the only map squashes the plane"],
 )
-def test_points_that_many_maps_or_only_a_singular_one_would_fit_are_reported(
-    source: list[tuple[int, int]], target: list[tuple[int, int]]
+def test_points_that_do_not_determine_a_homography_are_reported(
+    source: Floats, target: Floats
 ) -> None:
-    assert not estimation.estimate_homography(np.array(source, float), np.array(target, float))[1]
-
-
-def test_points_seen_from_both_sides_of_infinity_are_reported() -> None:
-    source = np.array([(-3.0, 0.0), (-2.0, 1.0), (1.0, 0.0), (2.0, 1.0), (3.0, -1.0)])
-    w = 1 + source[:, :1]
-    assert not estimation.estimate_homography(source, source / w)[1]
+    H, valid = estimation.estimate_homography(source, target)
+    assert valid is False
+    assert H.shape == (3, 3)
+    assert np.isnan(H).all()
 
 
 @pytest.mark.parametrize(
@@ -76,15 +67,6 @@ def test_too_little_for_the_smaller_families_is_reported_too(
 def test_mirrored_points_with_no_best_rotation_are_reported() -> None:
     cross = np.array([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)])
     assert not estimation.estimate_rigid(cross, cross * [1, -1])[1]
-
-
-@pytest.mark.parametrize(
-    ("source", "target"),
-    [(CORNERS, SEEN[:3]), (CORNERS[:, :1], SEEN[:, :1]), (CORNERS * math.nan, SEEN)],
-)
-def test_pairs_that_are_no_pairs_of_points_are_refused(source: Floats, target: Floats) -> None:
-    with pytest.raises(ValueError, match="source"):
-        estimation.estimate_homography(source, target)
 
 
 @pytest.mark.parametrize(("apart", "usable"), [(1e-10, True), (1e-13, False)])
@@ -118,27 +100,6 @@ def test_points_nearly_on_one_line_determine_a_plane_as_long_as_digits_last(
 ) -> None:
     points = np.array([(0.0, 0), (1, 0), (2, thin), (3, 0), (1.5, -thin)])
     assert estimation.estimate_affine(points, points)[1] is usable
-
-
-@pytest.mark.parametrize("bad", [1.1e100, -1.1e100, math.inf])
-def test_coordinates_beyond_the_range_are_refused(bad: float) -> None:
-    for source, target in (
-        (CORNERS + np.array([bad, 0]), SEEN),
-        (CORNERS, SEEN + np.array([0, bad])),
-    ):
-        with pytest.raises(ValueError, match="legal: finite, at most 1e"):
-            estimation.estimate_affine(source, target)
-
-
-def test_the_ends_of_the_range_of_coordinates_are_legal() -> None:
-    ends = np.array([(0.0, 0), (1e100, 0), (0, -1e100)])
-    assert estimation.estimate_affine(ends, ends)[1]
-
-
-@pytest.mark.parametrize("shape", [(0, 2), (4, 3), (2,), (1, 4, 2)])
-def test_pairs_have_two_columns_and_one_row_at_least(shape: tuple[int, ...]) -> None:
-    with pytest.raises(ValueError, match=r"legal: both \(N, 2\)"):
-        estimation.estimate_rigid(np.ones(shape), np.ones(shape))
 
 
 KEYSTONE_NEAR = np.array([[1.1, 0.1, 0.0], [-0.2, 0.9, 0.0], [0.1, -0.05, 1.0]])

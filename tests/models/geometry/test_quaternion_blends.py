@@ -2,8 +2,6 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
 
 from simulations.models.arrays import Floats
@@ -53,14 +51,6 @@ def test_bisection_carries_more_digits_than_a_double_where_the_machine_has_them(
     assert np.abs((arc**2).sum(axis=-1) - 1).max() < 4 * np.finfo(np.longdouble).eps
 
 
-def test_bisection_takes_one_share_for_each_pair_or_many() -> None:
-    start, end = (np.stack(ends) for ends in zip(pair(20), pair(70), strict=True))
-    one = bisected_arc(start, end, [0.25, 0.75])
-    many = bisected_arc(start[:, None], end[:, None], [0.25, 0.75])
-    assert (one.shape, many.shape) == ((2, 4), (2, 2, 4))
-    np.testing.assert_array_equal(one, many[[0, 1], [0, 1]])
-
-
 @pytest.mark.parametrize("kind", BLENDS)
 @pytest.mark.parametrize("angle_deg", [0, 1, 60, 179])
 def test_every_blend_begins_and_ends_at_the_two_orientations(kind: str, angle_deg: float) -> None:
@@ -104,34 +94,11 @@ def test_below_the_threshold_a_straight_line_is_taken_and_above_it_an_arc() -> N
         assert np.arctan2(z, w) == pytest.approx(expected, abs=1e-9 * arc)
 
 
-@pytest.mark.parametrize("kind", BLENDS)
-def test_many_pairs_at_once_are_blended_as_each_alone(kind: str) -> None:
-    start, end = (np.stack(ends) for ends in zip(pair(2), pair(70), pair(150), strict=True))
-    shares = np.array([0.2, 0.7])
-    together = BLENDS[kind](start[:, None], end[:, None], shares)
-    alone = [
-        BLENDS[kind](*ends, share) for ends in zip(start, end, strict=True) for share in shares
-    ]
-    np.testing.assert_allclose(together.reshape(-1, 4), alone, atol=1e-15)
-
-
-@pytest.mark.parametrize("kind", BLENDS)
-def test_opposite_signs_are_the_same_orientation(kind: str) -> None:
-    start, end = pair(50)
-    ours, theirs = (BLENDS[kind](start, sign * end, SHARES) for sign in (1, -1))
-    assert np.degrees(turn_between_rad(ours, theirs)).max() < 1e-12
-
-
-@given(st.floats(0.0, 3.1))
+@pytest.mark.parametrize("angle_rad", [0.0, 1e-12, 1e-6, 0.3, 1.5, 3.1])
 def test_the_turn_between_two_orientations_is_its_angle(angle_rad: float) -> None:
     start, end = pair(np.degrees(angle_rad))
     for other in (end, -end):
-        assert turn_between_rad(start, other) == pytest.approx(angle_rad, abs=1e-14)
-
-
-def test_a_turn_too_small_for_an_arccosine_is_seen() -> None:
-    start, end = pair(1e-10)
-    assert np.degrees(turn_between_rad(start, end)) == pytest.approx(1e-10, rel=1e-4)
+        assert turn_between_rad(start, other) == pytest.approx(angle_rad, abs=1e-15, rel=1e-4)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
