@@ -13,6 +13,7 @@ from simulations.models.compression.zigzag import first_in_order
 
 STEPS = np.ones((8, 8))
 BLOCK = np.zeros((8, 8))
+TABLE = blocks.LUMINANCE_TABLE
 CODES = np.zeros((1, 1, 8, 8))
 CELLS, LUMA = np.zeros((2, 2)), np.zeros((4, 4))
 NO_PLANE = [np.zeros(shape) for shape in ((0, 8), (8, 0), (8,), (8, 8, 3))]
@@ -42,7 +43,7 @@ def filled(
     (r"legal: 0\.001 or more", lambda s: blocks.compress_plane(BLOCK, one(s, STEPS)), NO_STEP),
     (
         "quality .*whole numbers, 1 to 100",
-        lambda q: blocks.quantisation_table(STEPS, q),
+        lambda q: blocks.quantisation_table(TABLE, q),
         NO_QUALITY,
     ),
     ("codes of type float64", lambda c: blocks.restore_plane(c, STEPS, 8, 8), [CODES]),
@@ -69,5 +70,6 @@ def test_models_of_compression_refuse(message: str, call: Call, value: Any) -> N
 def test_the_largest_values_are_legal() -> None:
     assert blocks.compress_plane(one(1e9, BLOCK), STEPS)[0].max() > 0.99e9
     assert (coarsen(np.full((2, 2), 1e308), (2, 2)) == np.inf).all()
-    table = blocks.quantisation_table(STEPS, 30.0)  # type: ignore[arg-type]
-    np.testing.assert_array_equal(table, blocks.quantisation_table(STEPS, 30))
+    thirty: Any = 30.0
+    table = blocks.quantisation_table(TABLE, thirty)
+    np.testing.assert_array_equal(table, blocks.quantisation_table(TABLE, 30))

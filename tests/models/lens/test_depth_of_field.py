@@ -23,15 +23,10 @@ def point_of_light(size: int = 129) -> Floats:
     return planes
 
 
-def second_moment(spread: Floats) -> float:
-    """Mean square distance from the centre along x, in pixels."""
-    columns = np.arange(spread.shape[-1]) - spread.shape[-1] // 2
-    return float((spread[0].sum(0) * columns**2).sum() / spread.sum())
-
-
-def test_a_layer_is_sharp_unless_told_otherwise() -> None:
-    layer = Layer(np.ones((4, 3, 3), np.float32), 0, 0)
+def test_what_is_sharp_comes_back_as_it_is() -> None:
+    layer, picture = Layer(np.ones((4, 3, 3), np.float32), 0, 0), np.ones((3, 4, 4), np.float32)
     assert blur_layer(layer) is layer
+    assert blur_by_depth(picture, np.zeros((4, 4))) is picture
 
 
 @pytest.mark.parametrize("radius", [0.1, 0.5, 0.52])
@@ -42,13 +37,7 @@ def test_a_layer_is_blurred_by_a_disc_that_lies_within_a_pixel(radius: float) ->
     assert blurred.planes[0, 5:8, 6] == pytest.approx(column)
 
 
-def test_blur_by_depth_returns_the_very_picture_where_all_is_in_focus() -> None:
-    picture = np.ones((3, 4, 4), np.float32)
-    assert blur_by_depth(picture, np.zeros((4, 4))) is picture
-    assert blur_by_depth(point_of_light(9), np.full((9, 9), 0.1))[0, 3, 4] > 0
-
-
-@pytest.mark.parametrize("radius", [0.2, 0.7, 2.0, 3.3, 11.0])
+@pytest.mark.parametrize("radius", [0.1, 0.2, 0.7, 2.0, 3.3, 11.0])
 def test_blur_by_depth_is_the_disc_where_the_depth_is_uniform(radius: float) -> None:
     picture = np.random.default_rng(0).random((1, 30, 30)).astype(np.float32)
     assert blur_by_depth(picture, np.full((30, 30), radius)) == pytest.approx(
@@ -65,16 +54,6 @@ def test_levels_run_from_none_to_the_largest_and_at_most_double(largest: float) 
     steps = np.array(levels[2:]) / levels[1:-1]
     assert (steps > 1).all()
     assert (steps <= 2).all()
-
-
-@pytest.mark.parametrize("radius", [0.3, 0.6, 0.8, 1.2, 3.0, 5.0, 7.9])
-def test_blur_by_depth_between_levels_keeps_the_moment(radius: float) -> None:
-    """Of the disc: the pixels' own part is mixed from those of the levels."""
-    light = point_of_light(65)
-    levels = np.full((65, 65), radius)
-    levels[0, 0] = 8.0
-    spread = blur_by_depth(light, levels)
-    assert second_moment(spread) == pytest.approx(radius**2 / 4 + 1 / 24, rel=0.02, abs=0.12)
 
 
 @pytest.mark.parametrize("largest", [NARROW_RADIUS * 2**k for k in range(5)])
@@ -110,47 +89,11 @@ def test_either_way_of_drawing_a_disc_will_do() -> None:
     np.testing.assert_allclose(everywhere, pyramid_blur(picture, 9.0), atol=1e-6)
 
 
-@pytest.mark.parametrize("radius", [-1.0, 1025.0, np.inf, np.nan])
-def test_discs_that_no_picture_can_hold_are_refused(radius: float) -> None:
-    planes = np.ones((4, 8, 8), np.float32)
-    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
-        blur_layer(Layer(planes, 0, 0, radius))
-    radii = np.ones((8, 8))
-    radii[3, 4] = radius
-    with pytest.raises(ValueError, match="radius_px"):
-        blur_by_depth(planes, radii)
-
-
-def test_sharp_background_shows_through_the_soft_edge_of_a_near_layer() -> None:
-    background = np.zeros((3, 40, 40), np.float32)
-    background[:, :, ::2] = 1.0
-    near = Layer(np.ones((4, 20, 20), np.float32) * 0.5, 10, 10, radius_px=0.0)
-    near.planes[3] = 1.0
-    opaque = composite(background, [near])
-    assert (opaque[:, 12:28, 12:28] == 0.5).all()
-    assert (opaque[:, :9] == background[:, :9]).all()
-    assert (background[:, :, ::2] == 1.0).all()
-
-
-def test_blurred_layer_spreads_its_coverage_and_keeps_its_amount() -> None:
-    planes = np.zeros((4, 24, 24), np.float32)
-    planes[:, 8:16, 8:16] = 1.0
-    blurred = blur_layer(Layer(planes, 0, 0, radius_px=5.0))
-    assert blurred.planes[3].sum() == pytest.approx(64, rel=1e-3)
-    assert (blurred.top, blurred.left) == (-6, -6)
-    assert blurred.planes[3].max() <= 1.0
-
-
-def test_layer_outside_the_picture_changes_nothing() -> None:
-    background = np.random.default_rng(0).random((3, 5, 5)).astype(np.float32)
-    away = Layer(np.ones((4, 3, 3), np.float32), -3, 9)
-    assert np.array_equal(composite(background, [away]), background)
-
-
 def test_layers_are_laid_over_one_another_by_their_coverage() -> None:
     background = np.random.default_rng(1).random((3, 6, 7)).astype(np.float32)
     planes = np.random.default_rng(2).random((2, 4, 3, 4)).astype(np.float32) * 0.5
-    for top, left in ((0, 0), (2, 3), (-1, -2), (4, 5), (1, -1), (-2, 4)):
+    missing = ((-3, 0), (6, 0), (0, -4), (0, 7), (9, 1), (1, -9))
+    for top, left in ((0, 0), (2, 3), (-1, -2), (4, 5), (1, -1), (-2, 4), *missing):
         layers = [Layer(planes[0], top, left), Layer(planes[1], top, left)]
         expected = background.copy()
         for y, x in np.ndindex(6, 7):
@@ -161,23 +104,12 @@ def test_layers_are_laid_over_one_another_by_their_coverage() -> None:
         np.testing.assert_allclose(composite(background, layers), expected, rtol=1e-6)
 
 
-@pytest.mark.parametrize(
-    ("top", "left"), [(-3, 0), (6, 0), (0, -4), (0, 7), (-5, 1), (9, 1), (1, -9), (1, 12)]
-)
-def test_layers_that_miss_the_picture_change_nothing_and_hide_no_other(top: int, left: int) -> None:
-    background = np.zeros((3, 6, 7), np.float32)
-    missing, seen = (
-        Layer(np.ones((4, 3, 4), np.float32), top, left),
-        Layer(np.ones((4, 1, 1), np.float32), 5, 6),
-    )
-    picture = composite(background, [missing, seen])
-    assert picture.sum() == 3
-    assert (picture[:, 5, 6] == 1).all()
-
-
-def test_a_flat_layer_grows_by_its_radius_and_a_pixel() -> None:
-    layer = Layer(np.ones((4, 5, 6), np.float32), 3, 4, radius_px=2.5)
+def test_a_layer_grows_by_its_radius_and_a_pixel_and_keeps_its_amount() -> None:
+    planes = np.zeros((4, 5, 6), np.float32)
+    planes[:, 2, 2:4] = 1.0
+    layer = Layer(planes, 3, 4, radius_px=2.5)
     blurred = blur_layer(layer)
     assert (blurred.top, blurred.left) == (3 - 4, 4 - 4)
     assert blurred.planes.shape == (4, 5 + 8, 6 + 8)
     assert blurred.radius_px == 2.5
+    assert blurred.planes[3].sum() == pytest.approx(2, rel=1e-3)

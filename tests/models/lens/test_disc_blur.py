@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy import integrate, ndimage, special
+from scipy import integrate, ndimage
 
 from simulations.models.arrays import Floats
 from simulations.models.lens.disc_blur import (
@@ -14,8 +14,6 @@ from simulations.models.lens.disc_blur import (
     disc_blur,
     disc_kernel,
     fast_length,
-    summed,
-    transformed,
 )
 
 RNG = np.random.default_rng(0)
@@ -82,18 +80,6 @@ def test_the_variance_is_that_of_a_disc_and_of_a_pixel(radius: float) -> None:
     assert mean(kernel, x * y) == pytest.approx(0, abs=1e-5)
 
 
-@pytest.mark.parametrize(("radius", "within"), [(2.0, 0.06), (3.5, 0.03), (7.0, 0.01), (14, 2e-3)])
-def test_a_disc_is_as_round_as_pixels_allow(radius: float, within: float) -> None:
-    """Fourth moments: R⁴/8 for a disc, with a pixel's along each direction."""
-    kernel = disc_kernel(radius)
-    x, y = offsets(kernel)
-    along, across = mean(kernel, x**4), mean(kernel, (x + y) ** 4 / 4)
-    assert along == pytest.approx(mean(kernel, y**4), rel=1e-5)
-    assert along == pytest.approx(across, rel=within)
-    disc = radius**4 / 8 + 6 * radius**2 / 4 / 12 + 1 / 80
-    assert along == pytest.approx(disc, rel=within + 0.4 / radius**2)
-
-
 @pytest.mark.parametrize(
     "radius", [0.1, 0.5, NARROW_RADIUS, 0.75, 1.5, 2.5, 3.5, 6.0, 7.0, 12.0, 14.0]
 )
@@ -119,44 +105,12 @@ def test_a_narrow_disc_has_the_variance_of_the_disc_alone(radius: float) -> None
     assert mean(kernel, columns**2) == pytest.approx(radius**2 / 4, rel=1e-3)
 
 
-@pytest.mark.parametrize("radius", [0.15, 0.38, 0.5, 0.6])
-def test_a_narrow_disc_lowers_contrast_as_its_spectrum_says(radius: float) -> None:
-    """Of waves of four pixels and more, by 2 J₁(2πRf) / (2πRf)."""
-    columns, _ = offsets(disc_kernel(radius))
-    for frequency in (0.05, 0.15, 0.25):
-        x = 2 * math.pi * radius * frequency
-        kept = mean(disc_kernel(radius), np.cos(2 * math.pi * frequency * columns))
-        assert kept == pytest.approx(2 * special.j1(x) / x, abs=0.02)
-
-
-@pytest.mark.parametrize(
-    ("radius", "width"), [(0.1, 3), (0.51, 3), (1.5, 3), (1.51, 5), (3.4, 7), (3.6, 9)]
-)
-def test_a_kernel_is_just_wide_enough_for_its_disc(radius: float, width: int) -> None:
-    assert disc_kernel(radius).shape == (width, width)
-
-
-@pytest.mark.parametrize("radius", [0.2, 0.52, 1.5, 2.4, 4.9, 6.0, 6.1, 9.3, 24.0])
+@pytest.mark.parametrize("radius", [0.2, 0.52, 1.5, 1.51, 2.4, 4.9, 6.0, 6.1, 9.3, 24.0])
 def test_blur_is_convolution_with_the_weights(radius: float) -> None:
     picture = RNG.random((2, 20, 24)).astype(np.float32)
     kernel = disc_kernel(radius).astype(float)
     wanted = [ndimage.convolve(plane, kernel, mode="nearest") for plane in picture.astype(float)]
     np.testing.assert_allclose(disc_blur(picture, radius), wanted, atol=2e-6)
-
-
-@pytest.mark.parametrize("radius", [0.8, 1.5, 3.0, 7.5])
-def test_both_ways_give_the_same_picture(radius: float) -> None:
-    picture, kernel = RNG.random((3, 17, 22)).astype(np.float32), disc_kernel(radius)
-    taps, spectra = summed(picture, kernel), transformed(picture, kernel)
-    np.testing.assert_allclose(taps, spectra, atol=2e-6)
-    assert taps.dtype == spectra.dtype == np.float32
-
-
-@settings(max_examples=30, deadline=None)
-@given(radius=st.floats(0, 40))
-def test_flat_light_stays_flat(radius: float) -> None:
-    flat = np.full((3, 23, 31), 0.4, np.float32)
-    np.testing.assert_allclose(disc_blur(flat, radius), 0.4, atol=1e-6)
 
 
 @pytest.mark.parametrize("radius", [3.0, 20.0])
@@ -181,18 +135,6 @@ def test_a_line_of_pixels_is_blurred_as_a_picture_of_that_line_repeated(
     assert disc_blur(line.swapaxes(1, 2), radius)[0, :, 0] == pytest.approx(
         disc_blur(upright, radius)[0, :, 16], abs=2e-6
     )
-
-
-@pytest.mark.parametrize("radius", [-1.0, -0.1, 1025.0, np.inf, np.nan])
-def test_discs_that_no_picture_can_hold_are_refused(radius: float) -> None:
-    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
-        disc_kernel(radius)
-    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
-        disc_blur(np.ones((4, 8, 8), np.float32), radius)
-
-
-def test_the_widest_disc_is_legal() -> None:
-    assert disc_blur(np.ones((1, 8, 8), np.float32), 1024.0) == pytest.approx(1.0, abs=1e-5)
 
 
 @pytest.mark.parametrize(

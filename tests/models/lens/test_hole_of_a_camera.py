@@ -63,14 +63,3 @@ def test_of_all_holes_one_about_as_wide_as_its_spread_keeps_fine_waves_best() ->
     sharpest = sharpest_hole_mm(DEPTH_MM, GREEN_UM)
     assert spread_mm(sharpest, DEPTH_MM, GREEN_UM) == pytest.approx(sharpest)
     assert best == pytest.approx(sharpest, rel=0.2)
-
-
-@pytest.mark.parametrize(("hole", "distance"), [(0.0, 100.0), (math.nan, 100.0), (0.3, -1.0)])
-def test_a_hole_or_a_box_without_a_size_is_refused(hole: float, distance: float) -> None:
-    with pytest.raises(ValueError, match="mm"):
-        pinhole_transfer(1.0, hole, distance, GREEN_UM)
-
-
-def test_a_hole_beyond_the_formula_s_reach_is_refused() -> None:
-    with pytest.raises(ValueError, match="waves"):
-        pinhole_transfer(1.0, 2.6, DEPTH_MM, GREEN_UM)

@@ -51,13 +51,6 @@ def test_a_stop_in_front_makes_a_barrel_and_one_behind_a_pincushion(
     assert (np.diff(bent) > 0).all()
 
 
-def test_distortion_grows_with_the_square_of_the_distance_from_the_centre() -> None:
-    rays = chief_rays(LENS, -15.0, [0.05, 0.1, 0.2])
-    small, twice, four_times = distortion(rays)
-    assert twice / small == pytest.approx(4, rel=0.01)
-    assert four_times / twice == pytest.approx(4, rel=0.01)
-
-
 @pytest.mark.parametrize(
     "lens", [Singlet(1 / 100, -1 / 100, 6.0, 1.5), Singlet(0, -1 / 50, 4, 1.6)]
 )
@@ -74,13 +67,5 @@ def test_a_pair_images_small_angles_as_its_focal_length_says() -> None:
     np.testing.assert_array_equal(before, -behind[::-1])
 
 
-@pytest.mark.parametrize("stop_mm", [0.0, 2.9, np.nan])
-def test_a_stop_inside_the_glass_is_refused(stop_mm: float) -> None:
-    with pytest.raises(ValueError, match="stop_mm"):
-        chief_rays(LENS, stop_mm, SLOPES)
-
-
-def test_a_lens_that_spreads_light_is_refused_and_a_lost_ray_is_nan() -> None:
-    with pytest.raises(ValueError, match="converging"):
-        chief_rays(Singlet(-1 / 50, 1 / 50, 6.0, 1.5), -10.0, SLOPES)
+def test_a_lost_ray_is_nan() -> None:
     assert np.isnan(chief_rays(LENS, -30.0, [5.0]).image).all()

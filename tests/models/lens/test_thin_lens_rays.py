@@ -15,7 +15,7 @@ from simulations.models.lens.thin_lens import (
     principal_distance_mm,
     working_f_number,
 )
-from simulations.models.projection.pinhole import field_of_view_rad, intrinsics, project
+from simulations.models.projection.pinhole import intrinsics, project
 
 ACROSS = np.linspace(-1.0, 1.0, 11)
 """Where rays pass the opening, in radii; the middle one is the chief ray."""
@@ -65,16 +65,6 @@ def test_a_point_is_seen_where_projection_with_the_sensor_s_distance_puts_it(
     assert np.ptp(hits) == pytest.approx(blur, abs=1e-9 * (z + blur))
 
 
-@given(FOCAL_MM, FOCUS, st.floats(4.0, 60.0))
-def test_the_edge_of_the_field_of_view_is_the_ray_that_meets_the_sensor_s_edge(
-    focal: float, focus: float, sensor_mm: float
-) -> None:
-    depth = focus * focal
-    edge = depth * np.tan(field_of_view_rad(principal_distance_mm(focal, depth), sensor_mm) / 2)
-    hits, _ = seen_by_sensor(focal, 8.0, depth, depth, edge)
-    np.testing.assert_allclose(hits, sensor_mm / 2, rtol=1e-9, atol=1e-9 * focal)
-
-
 @pytest.mark.parametrize(("focal", "focus"), [(50.0, 3200.0), (135.0, 1000.0), (60.0, 120.0)])
 @pytest.mark.parametrize("f_number", [1.4, 8.0])
 def test_the_light_of_a_wide_scene_falls_with_the_square_of_the_working_f_number(
@@ -101,27 +91,3 @@ def _light_through_opening(radius_mm: float, distance_mm: float) -> float:
     middle = (edges[1:] + edges[:-1]) / 2
     areas = np.pi * np.diff(edges**2)
     return float(np.sum(areas * distance_mm**2 / (distance_mm**2 + middle**2) ** 2))
-
-
-def test_focused_at_infinity_the_marked_f_number_and_the_focal_length_hold() -> None:
-    assert principal_distance_mm(50, np.inf) == 50
-    assert working_f_number(50, 2.8, np.inf) == 2.8
-    assert working_f_number(50, np.inf, 1000) == np.inf
-
-
-@pytest.mark.parametrize(
-    ("arguments", "name"),
-    [((0.0, 1000.0), "focal_mm"), ((50.0, 50.0), "focus_mm"), ((50.0, np.nan), "focus_mm")],
-)
-def test_a_sensor_has_no_place_for_what_is_as_near_as_the_focal_length(
-    arguments: tuple[float, float], name: str
-) -> None:
-    with pytest.raises(ValueError, match=name):
-        principal_distance_mm(*arguments)
-    with pytest.raises(ValueError, match=name):
-        working_f_number(arguments[0], 2.0, arguments[1])
-
-
-def test_an_f_number_is_positive() -> None:
-    with pytest.raises(ValueError, match="f_number"):
-        working_f_number(50, -2.0, 1000.0)
