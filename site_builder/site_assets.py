@@ -9,7 +9,7 @@ from site_builder.book import Book
 from site_builder.book_root import own_or_engine
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_files
-from site_builder.markdown.directives.figure import SUFFIXES
+from site_builder.markdown.files.content_files import PICTURES
 from site_builder.offline.release import integrity
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
@@ -59,7 +59,11 @@ def gather_assets(
         **{name: file for name, file in static.items() if not name.startswith(("css/", "js/"))},
         **{f"fonts/{name}": data for name, data in subset_fonts().items()},
         **{f"stills/{name}": data for name, data in pictures.items()},
-        **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
+        **{
+            f"content/{name}": file
+            for name, file in content.items()
+            if name.endswith(PICTURES.suffixes)
+        },
         **made,
     }
     if folder:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from site_builder.checks.svg import read_svg
 from site_builder.diagnostics import Diagnostics
 from site_builder.files import folder_files
-from site_builder.markdown.directives.figure import SUFFIXES
+from site_builder.markdown.files.content_files import PICTURES
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -25,7 +25,7 @@ MOST_BYTES, MANY_BYTES = 20_000_000, 1_500_000
 def check_pictures(root: Path, problems: Diagnostics, *, trusted: bool = False) -> None:
     """All that would be published, shown or not; ``trusted``: SVG may do what it likes."""
     for name, file in folder_files(root / "content").items():
-        if file.suffix in SUFFIXES:
+        if file.suffix in PICTURES.suffixes:
             _check_picture(file, f"content/{name}", problems, trusted)
 
 

@@ -34,8 +34,21 @@ class DirectiveCall:
 
     def text(self, option: str) -> str:
         """The option's value; its default, or nothing, where the author gave none."""
-        given = self.options.get(option)
-        return given.text if given else ""
+        return self.options[option].text if option in self.options else ""
+
+    def line_of(self, option: str) -> int:
+        """The option's line; that of the fence where the author gave none."""
+        return self.options[option].line if option in self.options else self.line
+
+
+@dataclass(frozen=True, slots=True)
+class FileKind:
+    """Files of ``content/`` that a directive may name."""
+
+    name: str
+    """What one is called: ``picture file``."""
+    suffixes: tuple[str, ...] = ()
+    """How their names end; any way where there are none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,14 +59,12 @@ class Argument:
     """As the author's guide shows it: ``scene-id``."""
     lacks: str = ""
     """What is said of a directive without it: ``names no scene``. Nothing: it may be left out."""
-    expected: Collection[str] = ()
-    """All that it may be; any text, for the reader to judge, where there are none."""
+    expected: Collection[str] | None = None
+    """All that it may be; None: any text, for the reader to judge."""
     kind: str = ""
-    """What it is one of, where ``legal`` says: ``table of extremes``."""
-
-    @property
-    def required(self) -> bool:
-        return bool(self.lacks or self.expected)
+    """What it is one of, where ``expected`` says: ``table of extremes``."""
+    file: FileKind | None = None
+    """The file of ``content/`` that it names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +77,10 @@ class OptionLine:
     expected: tuple[str, ...] = ()
     """All that it may be, its default first; any text where there are none."""
     required: bool = False
+    file: FileKind | None = None
+    """The file of ``content/`` that it names."""
+    form: str = ""
+    """Regular expression of all that it may be, which ``doc`` describes."""
 
 
 @dataclass(frozen=True, slots=True)

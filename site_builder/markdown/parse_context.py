@@ -110,6 +110,11 @@ class ParseContext:
     def __post_init__(self) -> None:
         self.readouts = Readouts(self.shared.load_scene)
 
+    @property
+    def content(self) -> Path:
+        """The folder of the book's own files."""
+        return self.shared.root / "content"
+
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
 

@@ -5,8 +5,7 @@ from pathlib import Path, PurePosixPath
 
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, DirectiveCall
-from site_builder.markdown.files.content_files import found
+from site_builder.markdown.directive import Argument, Directive, DirectiveCall, FileKind
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.passage import Passage, Plain
 
@@ -32,9 +31,7 @@ class Download:
 
 
 def read_download(call: DirectiveCall, words: Passage, context: ParseContext) -> Download | None:
-    file = found(call.argument, call.line, context, "file")
-    if file is None:
-        return None
+    file = context.content / call.argument
     if _runs(file) and not context.shared.raw_html:
         expected = "packed, as a '.zip', or trusted in book.toml"
         message = f"file {call.argument!r}, which a browser would run; legal: {expected}"
@@ -66,7 +63,7 @@ def size_words(size: int, words: Words = ENGLISH) -> str:
 DOWNLOAD = Directive(
     name="download",
     doc="a file of yours for the reader to keep",
-    argument=Argument("data/file.csv", lacks="names no file"),
+    argument=Argument("data/file.csv", lacks="names no file", file=FileKind("file")),
     body=CAPTION,
     read=read_download,
     template="download",

@@ -22,7 +22,6 @@ from site_builder.page_model.passage import Passage, Plain
 from site_builder.sandbox import run_limited
 
 MODULES = found("illustrations")
-ROOM = "simulations/illustrations/"
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,27 +34,19 @@ class Drawn:
 
 
 def read_illustration(call: DirectiveCall, caption: Passage, context: ParseContext) -> Drawn | None:
-    if not MODULES:
-        context.problem(call.line, f"the book has no illustrations; legal: one in {ROOM}")
-        return None
+    what = f"illustration {call.argument!r}"
     try:
         illustration = illustration_of(imported(MODULES[call.argument]).draw)
     except Exception as error:  # whatever its code may raise is the author's to see
-        message = f"illustration {call.argument!r} cannot be drawn: {cause(error)}"
-        context.problem(call.line, message)
+        context.problem(call.line, f"{what} cannot be drawn: {cause(error)}")
         return None
     if not isinstance(illustration, Illustration):
         kind = type(illustration).__name__
-        message = f"illustration {call.argument!r}: draw returned {kind}; legal: an Illustration"
-        context.problem(call.line, message)
+        context.problem(call.line, f"{what}: draw returned {kind}; legal: an Illustration")
         return None
     if not caption:
-        expected = "one to three sentences"
-        context.problem(
-            call.line, f"illustration {call.argument!r} has no caption; legal: {expected}"
-        )
-    words = call.text("alt") or illustration.description
-    return Drawn(illustration, words, caption)
+        context.problem(call.line, f"{what} has no caption; legal: one to three sentences")
+    return Drawn(illustration, call.text("alt") or illustration.description, caption)
 
 
 @cached

@@ -32,29 +32,22 @@ def read_ladder(
     except MeasurementError as error:
         context.problem(call.line, str(error))
         return None
-    name = context.placed[call.line].id
-    return LadderFigure(
-        measured,
-        name,
-        caption,
-        _read_default(call, measured, context),
-        call.text("chart") == "open",
-    )
+    name, default = context.placed[call.line].id, _read_default(call, measured, context)
+    return LadderFigure(measured, name, caption, default, call.text("chart") == "open")
 
 
 def _read_default(call: DirectiveCall, measured: MeasuredLadder, context: ParseContext) -> Passage:
     """Explained where the metric judges that chose the default, and there always."""
-    ladder, option = measured.ladder, call.options.get("default")
-    chosen, explained = measured.metric is ladder.metrics[0], bool(call.text("default"))
-    which = f"ladder {ladder.id!r} judged by {measured.metric.id!r}"
-    line = option.line if option else call.line
-    if explained and not chosen:
+    ladder, given = measured.ladder, call.text("default")
+    which, line = f"ladder {ladder.id!r} judged by {measured.metric.id!r}", call.line_of("default")
+    chosen = measured.metric is ladder.metrics[0]
+    if given and not chosen:
         expected = f"only where {ladder.metrics[0].id!r} judges"
         context.problem(line, f"{which} explains its default; legal: {expected}")
-    if chosen and not explained:
+    if chosen and not given:
         expected = f"a line ':default: …', why its figures settle in {ladder.default_tier!r}"
         context.problem(line, f"{which} does not explain its default; legal: {expected}")
-    return inline_passage(option.text, option.line, context) if option else Passage()
+    return inline_passage(given, line, context) if given else Passage()
 
 
 def _plain(figure: LadderFigure) -> Plain:

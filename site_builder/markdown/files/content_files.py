@@ -5,9 +5,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
 
 from site_builder.diagnostics import unknown
-from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.directive import FileKind
 
-PICTURES = (".svg", ".png", ".jpg", ".jpeg", ".webp")
+PICTURES = FileKind("picture file", (".svg", ".png", ".jpg", ".jpeg", ".webp"))
 SVG_ROOT = re.compile(r"<svg\b[^>]*>")
 ATTRIBUTE = r"\s{name}\s*=\s*[\"']([^\"']*)[\"']"
 LENGTH = re.compile(r"\s*(\d+\.?\d*|\.\d+)\s*(px)?\s*")
@@ -16,42 +16,27 @@ type Size = tuple[int, int]
 """Width and height in CSS pixels."""
 
 
-def fault_of_file(name: str, content: Path, kind: str, suffixes: Sequence[str] = ()) -> str:
-    """What is wrong with a path below ``content``; nothing where such a file is there.
-
-    ``kind`` is what it is called, ``picture file``; ``suffixes`` are the legal ends of its name.
-    """
+def fault_of_file(name: str, content: Path, kind: FileKind) -> str:
+    """What is wrong with a path below ``content``; nothing where such a file is there."""
     path = PurePosixPath(name)
     inside = bool(name) and not path.is_absolute() and ".." not in path.parts
     if not inside or not (content / name).is_file():
-        return unknown(kind, name, _names(content, suffixes))
+        return unknown(kind.name, name, _names(content, kind.suffixes))
     if not (content / name).resolve().is_relative_to(content.resolve()):
-        return f"{kind} {name!r} leads out of content/; legal: a file that lies in it"
-    if suffixes and not name.endswith(tuple(suffixes)):
-        return f"{kind} {name!r}; legal: a name that ends in {', '.join(suffixes)}"
+        return f"{kind.name} {name!r} leads out of content/; legal: a file that lies in it"
+    if kind.suffixes and not name.endswith(kind.suffixes):
+        return f"{kind.name} {name!r}; legal: a name that ends in {', '.join(kind.suffixes)}"
     return ""
 
 
 def _names(content: Path, suffixes: Sequence[str]) -> list[str]:
-    files = (file.relative_to(content) for file in sorted(content.rglob("*")) if file.is_file())
+    paths = (file.relative_to(content) for file in sorted(content.rglob("*")) if file.is_file())
     return [
-        file.as_posix()
-        for file in files
-        if (not suffixes or file.suffix in suffixes)
-        and not any(part.startswith(".") for part in file.parts)
+        path.as_posix()
+        for path in paths
+        if (not suffixes or path.suffix in suffixes)
+        and not any(part.startswith(".") for part in path.parts)
     ]
-
-
-def found(
-    name: str, line: int, context: ParseContext, kind: str, suffixes: Sequence[str] = ()
-) -> Path | None:
-    """The file, or nothing and a report."""
-    content = context.shared.root / "content"
-    fault = fault_of_file(name, content, kind, suffixes)
-    if fault:
-        context.problem(line, fault)
-        return None
-    return content / name
 
 
 def picture_size(file: Path) -> Size | None:
