@@ -10,7 +10,7 @@ from site_builder.book import Book
 from site_builder.browser_python import pack_for_browser
 from site_builder.diagnostics import Diagnostic
 from site_builder.editor.bundle import EditorBundle, bundle_editor
-from site_builder.editor.sources import scene_sources
+from site_builder.editor.scene_code import scene_sources
 from site_builder.npm import NodeError
 from site_builder.output.assets import hashed_folder
 from site_builder.pages.render import render_template

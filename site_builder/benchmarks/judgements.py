@@ -49,7 +49,7 @@ class Choice:
 
 def default_choice(measured: MeasuredLadder, words: Words = ENGLISH) -> Choice:
     """The default of a ladder that is judged by its first metric."""
-    default = measured[measured.ladder.default_tier]
+    default = measured.default
     # What only rounding puts on the front is no alternative.
     front = [item for item in measured.front(SIDE) if not measured.beaten_by(item, SIDE)]
     ms = default.times[SIDE].ms
@@ -67,7 +67,7 @@ def default_choice(measured: MeasuredLadder, words: Words = ENGLISH) -> Choice:
 
 def off_the_front(measured: MeasuredLadder) -> str:
     """What keeps the default off the browser's front, or nothing where it is on it."""
-    default = measured[measured.ladder.default_tier]
+    default = measured.default
     ms, loss = default.times[SIDE].ms, measured.loss(default)
     winners = [
         item

@@ -77,6 +77,15 @@ class MeasuredLadder:
     def __getitem__(self, tier_id: str) -> MeasuredTier:
         return next(item for item in self.tiers if item.tier.id == self.ladder.tier(tier_id).id)
 
+    @property
+    def default(self) -> MeasuredTier:
+        """The tier in which figures settle."""
+        return self[self.ladder.default_tier]
+
+    def beaten(self, side: str) -> list[MeasuredTier]:
+        """Tiers that another beats."""
+        return [item for item in self.tiers if self.beaten_by(item, side)]
+
     def loss(self, item: MeasuredTier) -> float:
         """The metric turned so that smaller is better; the least possible where it is None."""
         value = item.errors[self.metric.id]

@@ -62,8 +62,7 @@ def _draw(measured: MeasuredLadder, words: Words) -> Chart:
         y = error.position(free if value is None else value)
         return time.position(item.times[side].ms), y
 
-    beaten = {(i.tier.id, side) for i in measured.tiers for side in SIDES
-              if measured.beaten_by(i, side)}  # fmt: skip
+    beaten = {(item.tier.id, side) for side in SIDES for item in measured.beaten(side)}
     fronts = [[at(i, side) for i in measured.front(side)] for side in SIDES]
     curves = [
         drawing.polyline(front, manner)
@@ -85,7 +84,7 @@ def _draw(measured: MeasuredLadder, words: Words) -> Chart:
 def describe(measured: MeasuredLadder, words: Words = ENGLISH) -> str:
     """The chart in a sentence."""
     names = ", ".join(item.tier.label for item in measured.front("browser"))
-    losers = [i.tier.label for i in measured.tiers if measured.beaten_by(i, "browser")]
+    losers = [item.tier.label for item in measured.beaten("browser")]
     sentences = [
         words("chart.against_time", metric=measured.metric.label, count=len(measured.tiers)),
         words("chart.front", tiers=names),

@@ -15,7 +15,7 @@ from site_builder.book import Book
 from site_builder.book_root import own_or_engine
 from site_builder.editions.compose import Composed, Section
 from site_builder.editions.epub_style import book_style
-from site_builder.editions.places import is_external, place_of
+from site_builder.editions.links import is_external, place_of
 from site_builder.editions.plain_markup import plain
 from site_builder.editions.tree import elements, first, parse, xhtml
 from site_builder.figures.frames import as_png

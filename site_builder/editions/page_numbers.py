@@ -11,7 +11,6 @@ PAGE_AS = "data-page-as"
 """In which words, with ``{page}`` for the number."""
 UNKNOWN = "000"
 """Stands for a number while none is known: as wide as most."""
-MOST_TOLD = 5
 
 
 class PageNumberError(ValueError):
@@ -31,8 +30,7 @@ def fill(root: Element, pages: Mapping[str, int] | None) -> None:
     asked = [element for element in elements(root) if PAGE_OF in element.attrib]
     missing = {element.get(PAGE_OF, "") for element in asked} - set(pages or ())
     if pages is not None and missing:
-        told = ", ".join(sorted(missing)[:MOST_TOLD])
-        raise PageNumberError(f"{len(missing)} anchors are on no page, first of them: {told}")
+        raise PageNumberError(f"anchors on no page: {', '.join(sorted(missing))}")
     for element in asked:
         number = str(pages[element.get(PAGE_OF, "")]) if pages else UNKNOWN
         element.text = element.get(PAGE_AS, "{page}").replace("{page}", number)

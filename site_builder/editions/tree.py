@@ -50,27 +50,6 @@ def first(root: Element, name: str = "", kind: str = "") -> Element:
     raise LookupError(f"no element {name or '*'}{'.' + kind if kind else ''}")
 
 
-def parents(root: Element) -> dict[Element, Element]:
-    return {child: parent for parent in root.iter() for child in parent}
-
-
-def remove(parent: Element, child: Element) -> None:
-    """Without it; the text behind it stays."""
-    place = list(parent).index(child)
-    if child.tail:
-        if place:
-            parent[place - 1].tail = (parent[place - 1].tail or "") + child.tail
-        else:
-            parent.text = (parent.text or "") + child.tail
-    parent.remove(child)
-
-
-def insert_after(parent: Element, child: Element, new: Element) -> None:
-    """Right behind it, in front of the text there."""
-    parent.insert(list(parent).index(child) + 1, new)
-    new.tail, child.tail = child.tail, None
-
-
 def words(element: Element) -> str:
     """Its text, in one line."""
     return re.sub(r"\s+", " ", "".join(element.itertext())).strip()

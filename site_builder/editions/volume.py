@@ -5,9 +5,9 @@ from copy import deepcopy
 from xml.etree.ElementTree import Element
 
 from site_builder.editions.compose import Composed, Section
+from site_builder.editions.links import Place, is_external, place_of
 from site_builder.editions.page_numbers import page_number
-from site_builder.editions.places import Place, is_external, place_of
-from site_builder.editions.tree import elements, first, insert_after, parents, parse
+from site_builder.editions.tree import elements, first, parse
 from site_builder.pages.render import BACK_MATTER, render_template
 
 BEYOND_ASCII = re.compile(r"[^\x21-\x7e]")
@@ -53,10 +53,9 @@ def _bound(section: Section, composed: Composed) -> Element:
 
 def _bind_links(content: Element, page: str, composed: Composed) -> None:
     """Links lead within the document; behind those into other parts stands the page."""
-    parent_of = parents(content)
-    for link in elements(content, "a"):
+    for parent, link in [(each, child) for each in content.iter() for child in each]:
         address = link.get("href", "")
-        if is_external(address):
+        if link.tag != "a" or is_external(address):
             continue
         place = place_of(address, page, composed.ids)
         if place is None:
@@ -67,5 +66,5 @@ def _bind_links(content: Element, page: str, composed: Composed) -> None:
         if place.page not in (page, *BACK_MATTER):
             on_page = composed.book.words("edition.on_page", page="{page}")
             number = page_number(anchor(place), "page-ref", on_page)
-            insert_after(parent_of[link], link, number)
-            number.tail, link.tail = number.tail, "\N{NO-BREAK SPACE}"
+            parent.insert(list(parent).index(link) + 1, number)
+            number.tail, link.tail = link.tail, "\N{NO-BREAK SPACE}"

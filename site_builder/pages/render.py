@@ -18,6 +18,7 @@ from jinja2.runtime import Context
 from markupsafe import Markup
 from platformdirs import user_cache_path
 
+from site_builder.benchmarks.quantities import milliseconds, quantity
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
 from site_builder.cache import cached_result, hash_of
@@ -30,12 +31,12 @@ from site_builder.page_model.passage import Passage
 from site_builder.page_model.places import Heading
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
-from site_builder.pages.places import card
 from site_builder.pages.policy import page_policy
 from site_builder.pages.reading_time import reading_minutes
+from site_builder.pages.term_lists import card
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
-from site_builder.pages.views.ladder import summary_row, view_ladder
+from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
 from site_builder.pages.views.predict import predict_data, view_sketch
 from site_builder.pages.views.progress import progress_data
 from site_builder.pages.views.quiz import in_any_order, quiz_data
@@ -70,7 +71,10 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "predict_data": predict_data,
     "view_sketch": view_sketch,
     "view_ladder": view_ladder,
-    "summary_row": summary_row,
+    "default_error": default_error,
+    "slowest_to_quickest": slowest_to_quickest,
+    "quantity": quantity,
+    "milliseconds": milliseconds,
     "marked_terms": marked_terms,
     "passage": passage_html,
     "code": lambda code: Markup(code_html(code, "python")),

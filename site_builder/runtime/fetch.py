@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from site_builder.runtime import store as stores
+from site_builder.runtime.downloads import SOURCES, Source
 from site_builder.runtime.pinned import RUNTIME_FILES, RuntimeFile
-from site_builder.runtime.sources import SOURCES, Source
 
 
 class RuntimeFetchError(RuntimeError):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from site_builder.book import Book, Chapter
 from site_builder.page_model.places import Definition
-from site_builder.pages.places import Atlas, Letters, Place, atlas, by_letter
+from site_builder.pages.term_lists import Atlas, Letters, Place, atlas, by_letter
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from site_builder.book import Book
 from site_builder.page_model.places import Target
-from site_builder.pages.places import Atlas, Letters, Place, atlas, by_letter
+from site_builder.pages.term_lists import Atlas, Letters, Place, atlas, by_letter
 
 OFTEN = 2
 """Uses of a term in a section from which the index leads there: named once is not spoken of."""

@@ -15,7 +15,6 @@ from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, Measured
 from site_builder.benchmarks.quantities import (
     error_text,
     is_none,
-    milliseconds,
     quantity,
     with_unit,
 )
@@ -29,15 +28,10 @@ from site_builder.pages.embedding import json_for_html
 class TierRow:
     """One line of a ladder's table."""
 
-    id: str
-    label: str
-    cost: str
+    measured: MeasuredTier
+    errors: tuple[str, ...]
     unit_cost: str
     """Time for a pixel or point, share of a frame, and efficiency, in the browser."""
-    default: bool
-    errors: tuple[str, ...]
-    native_ms: str
-    browser_ms: str
     verdict: str
     beaten: bool
     """Whether the verdict is that another tier should be taken."""
@@ -48,8 +42,8 @@ class LadderView:
     """A ladder's figure, ready for ``blocks/ladder.html``."""
 
     chart: Chart
-    metrics: tuple[tuple[str, str], ...]
-    """Label and unit, the one in the chart first."""
+    metrics: tuple[Metric, ...]
+    """The one in the chart first."""
     choice: Choice | None
     """The default and its neighbours, where the chart is the one that decided."""
     outcome: str
@@ -66,7 +60,7 @@ def view_ladder(figure: LadderFigure, words: Words = ENGLISH) -> LadderView:
     choice = default_choice(measured, words) if figure.default_reason else None
     return LadderView(
         chart=chart,
-        metrics=tuple((metric.label, metric.unit) for metric in metrics),
+        metrics=metrics,
         choice=choice,
         outcome=_chosen(measured, choice, words) if choice else _nearest(measured, words),
         rows=tuple(_row(measured, item, words) for item in measured.tiers),
@@ -86,7 +80,7 @@ def view_ladder(figure: LadderFigure, words: Words = ENGLISH) -> LadderView:
 
 
 def _chosen(measured: MeasuredLadder, choice: Choice, words: Words) -> str:
-    beaten = sum(bool(measured.beaten_by(item, "browser")) for item in measured.tiers)
+    beaten = len(measured.beaten("browser"))
     costs = {"ms": choice.ms, "metric": choice.metric, "error": choice.error}
     chosen = words("ladder.chosen", tier=choice.label, **costs)
     key = "ladder.beaten" if beaten else "ladder.none_beaten"
@@ -105,18 +99,12 @@ def _metrics(measured: MeasuredLadder) -> tuple[Metric, ...]:
 
 
 def _row(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> TierRow:
-    winners = [measured.beaten_by(item, side) for side in SIDES]
     return TierRow(
-        id=item.tier.id,
-        label=item.tier.label,
-        cost=item.tier.cost,
-        unit_cost=_unit_cost(measured, item, words),
-        default=item.tier.id == measured.ladder.default_tier,
+        measured=item,
         errors=tuple(error_text(item.errors[m.id], m.unit, words) for m in _metrics(measured)),
-        native_ms=words.numeral(milliseconds(item.times["native"].ms)),
-        browser_ms=words.numeral(milliseconds(item.times["browser"].ms)),
+        unit_cost=_unit_cost(measured, item, words),
         verdict=verdict(measured, item, words),
-        beaten=any(winners),
+        beaten=any(measured.beaten_by(item, side) for side in SIDES),
     )
 
 
@@ -132,36 +120,14 @@ def _unit_cost(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> st
     return f"{text}; {words('ladder.efficiency', ratio=words.numeral(quantity(ratio)))}"
 
 
-@dataclass(frozen=True, slots=True)
-class SummaryRow:
-    """One line of the table of all ladders."""
+def default_error(measured: MeasuredLadder, words: Words) -> str:
+    """That of the default tier, with its unit where it has an error."""
+    unit, value = measured.metric.unit, measured.default.errors[measured.metric.id]
+    text = error_text(value, unit, words)
+    return text if is_none(value, unit) else f"{text}{'' if unit == '°' else ' '}{unit}"
 
-    id: str
-    title: str
-    tiers: int
-    span: str
+
+def slowest_to_quickest(measured: MeasuredLadder) -> float:
     """How many times as long the slowest tier takes as the quickest, in the browser."""
-    default: str
-    default_ms: str
-    default_error: str
-    beaten: str
-
-
-def summary_row(measured: MeasuredLadder, words: Words = ENGLISH) -> SummaryRow:
-    default = measured[measured.ladder.default_tier]
     times = [item.times["browser"].ms for item in measured.tiers]
-    unit, value = measured.metric.unit, default.errors[measured.metric.id]
-    error = error_text(value, unit, words)
-    beaten = [i.tier.label for i in measured.tiers if measured.beaten_by(i, "browser")]
-    return SummaryRow(
-        id=measured.ladder.id,
-        title=measured.ladder.title,
-        tiers=len(measured.tiers),
-        span=f"{words.numeral(quantity(max(times) / min(times)))}×",
-        default=default.tier.label,
-        default_ms=words.numeral(milliseconds(default.times["browser"].ms)),
-        default_error=error
-        if is_none(value, unit)
-        else f"{error}{'' if unit == '°' else ' '}{unit}",
-        beaten="; ".join(beaten) or words("ladder.none"),
-    )
+    return max(times) / min(times)

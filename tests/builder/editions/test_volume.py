@@ -14,8 +14,8 @@ from simulations.engine.frame import Frame
 from simulations.engine.stages import Outputs
 from site_builder.build import Options
 from site_builder.editions.compose import compose
+from site_builder.editions.links import Place
 from site_builder.editions.pdf import anchor_pages, make_pdf
-from site_builder.editions.places import Place
 from site_builder.editions.tree import elements, words
 from site_builder.editions.volume import anchor, volume
 

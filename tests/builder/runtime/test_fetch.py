@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from site_builder.runtime import store
+from site_builder.runtime.downloads import Source
 from site_builder.runtime.fetch import RuntimeFetchError, fetch_runtime
 from site_builder.runtime.pinned import RuntimeFile
-from site_builder.runtime.sources import Source
 
 CONTENT = {"engine.wasm": b"machine code", "library.zip": b"modules"}
 FILES = tuple(RuntimeFile(name, store.sha256(data)) for name, data in CONTENT.items())

@@ -10,7 +10,7 @@ from support.small_package import PACKAGE, small_package
 
 from simulations.editing import definitions
 from simulations.registry import SCENE_MODULES, load_scene
-from site_builder.editor.sources import read_module, scene_sources, uses_of
+from site_builder.editor.scene_code import read_module, scene_sources, uses_of
 
 ROOT = Path(__file__).resolve().parents[3]
 OPTICS = """\

@@ -2,7 +2,7 @@
 
 import pytest
 
-from site_builder.editions.places import Place, is_external, place_of
+from site_builder.editions.links import Place, is_external, place_of
 
 PAGES = ("first", "second", "references")
 
