@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from support.frames import estimates_of, frame_of, number_of
 
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
@@ -23,17 +23,11 @@ BALL = build_ball()
 CELLS = {tier: int(tier.rpartition("-")[2]) for tier in LIT if tier.startswith("gouraud")}
 
 
-def frame(scene: Scene[Any], tier: str, **given: float | str) -> Frame:
-    return scene.render(scene.check(given), tier, StageCache())
-
-
 def told(scene: Scene[Any], tier: str, **given: float | str) -> float:
     """The error as a number, from the only estimate."""
-    (estimate,) = scene.estimates(scene.check(given), tier, StageCache())
+    (estimate,) = estimates_of(scene, tier, **given)
     assert estimate.unit == "of white"
-    mantissa, _, exponent = estimate.text.partition("\u00a0×\u00a010")
-    digits = exponent.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
-    return float(mantissa) * 10.0 ** int(digits or 0)
+    return number_of(estimate.text)
 
 
 def normals_64() -> NDArray[np.float64]:
@@ -48,16 +42,6 @@ def red(shown: Frame) -> Floats:
     raster = shown.panels[0].raster
     assert raster is not None
     return decode_srgb(raster[BALL.square][..., 0][BALL.inner] / 255.0)
-
-
-@pytest.mark.parametrize(("tier", "cells"), CELLS.items())
-def test_blended_light_is_computed_at_the_corners_of_the_cells_alone(tier: str, cells: int) -> None:
-    corners = the_ball.lit_normals(BALL, tier)
-    assert corners.shape == (cells + 1, cells + 1, 3)
-    np.testing.assert_allclose(np.linalg.norm(corners, axis=-1), 1, atol=1e-6)
-    np.testing.assert_allclose(corners[0, 0], BALL.normals[0, 0], atol=1e-6)
-    np.testing.assert_allclose(corners[-1, -1], BALL.normals[-1, -1], atol=1e-6)
-    np.testing.assert_allclose(corners[cells // 2, cells // 2], [0, 0, 1], atol=1e-6)
 
 
 def test_blended_normals_are_unit_normals_of_every_pixel_near_the_true_ones() -> None:
@@ -78,7 +62,7 @@ def test_blended_light_misses_no_more_than_the_curvature_of_the_cosine_allows(
     """Lit from the camera, I = z: a cell of width h misses at most h²/8 (|z_xx| + |z_yy|)."""
     x, y = np.meshgrid(BALL.x, BALL.y)
     middle = (np.hypot(x, y) < RADIUS_PX / 2)[BALL.inner]
-    shown = frame(lambertian.SCENE, tier, light_angle=0, albedo=1)
+    shown = frame_of(lambertian.SCENE, tier, light_angle=0, albedo=1)
     wrong = np.abs(red(shown) - normals_64()[BALL.inner][:, 2])[middle]
     width = (BALL.x[-1] - BALL.x[0]) / cells / RADIUS_PX
     # Cells that reach out of the middle see the curvature at a radius of 0.5 + h at most.
@@ -123,31 +107,21 @@ def test_the_error_told_is_that_of_the_bytes_shown(tier: str, model: str) -> Non
         specular=0.35,
         shininess=9,
     )[BALL.inner]
-    seen = np.sqrt(np.mean((red(frame(glossy.SCENE, tier, **given)) - truth) ** 2))
+    seen = np.sqrt(np.mean((red(frame_of(glossy.SCENE, tier, **given)) - truth) ** 2))
     assert seen == pytest.approx(told(glossy.SCENE, tier, **given), rel=0.05, abs=1.5e-3)
 
 
-@pytest.mark.parametrize("light_angle", [-180, -91, -30, 0, 30, 91, 179])
-def test_lamberts_truth_is_the_model_in_double_precision(light_angle: float) -> None:
-    expected = lambert(normals_64(), light_direction(light_angle))
-    truth = np.maximum(the_ball.true_cosine(BALL, light_angle), 0)
-    np.testing.assert_allclose(truth[BALL.inner], expected[BALL.inner], atol=1e-14)
-
-
-@pytest.mark.parametrize("model", ["phong", "blinn_phong"])
-@pytest.mark.parametrize("light_angle", [-179, -91, -30, 0, 30, 91, 180])
-def test_the_glossy_truth_is_the_model_in_double_precision(model: str, light_angle: float) -> None:
-    formula = {"phong": phong, "blinn_phong": blinn_phong}[model]
-    expected = formula(
-        normals_64(),
-        light_direction(light_angle),
-        [0, 0, 1],
-        albedo=float(ALBEDO[0]),
-        specular=0.7,
-        shininess=41,
-    )
-    truth = true_light(BALL, light_angle, model, shininess=41, specular=0.7)
-    np.testing.assert_allclose(truth[BALL.inner], expected[BALL.inner], atol=1e-12)
+@pytest.mark.parametrize("light_angle", [-180, -179, -91, -30, 0, 30, 91, 180])
+def test_the_truth_is_that_of_the_models_in_double_precision(light_angle: float) -> None:
+    towards = light_direction(light_angle)
+    cosine = np.maximum(the_ball.true_cosine(BALL, light_angle), 0)
+    expected = lambert(normals_64(), towards)
+    np.testing.assert_allclose(cosine[BALL.inner], expected[BALL.inner], atol=1e-14)
+    for model, formula in (("phong", phong), ("blinn_phong", blinn_phong)):
+        given = {"shininess": 41, "specular": 0.7}
+        expected = formula(normals_64(), towards, [0, 0, 1], albedo=float(ALBEDO[0]), **given)
+        truth = true_light(BALL, light_angle, model, **given)
+        np.testing.assert_allclose(truth[BALL.inner], expected[BALL.inner], atol=1e-12)
 
 
 def test_the_error_is_the_root_mean_square_over_the_ball_alone() -> None:
@@ -166,7 +140,7 @@ def test_a_highlight_between_two_corners_is_lost_and_blended_normals_keep_it() -
     """The place of the chapter: light from 45°, shininess 300, cells of an eighth."""
     given = {"light_angle": 45, "shininess": 300, "specular": 1}
     brightest = {
-        tier: red(frame(glossy.SCENE, tier, **given)).max()
+        tier: red(frame_of(glossy.SCENE, tier, **given)).max()
         for tier in ("gouraud-8", "phong", "blended-normals-16")
     }
     assert brightest["phong"] == pytest.approx(1, abs=0.01)

@@ -77,10 +77,6 @@ def test_a_grey_picture_of_the_reader_s_has_nothing_to_get_wrong() -> None:
     assert "balloon" not in shown.description
 
 
-def test_a_quarter_a_half_and_a_quarter_are_measured(cache: StageCache) -> None:
-    assert texts_of(frame(cache))["samples"] == "25 / 50 / 25"
-
-
 def told_psnr(cache: StageCache, name: str, **given: object) -> dict[str, float]:
     return {m: float(texts_of(frame(cache, demosaic=1, method=m, **given))[name]) for m in METHODS}
 

@@ -1,28 +1,26 @@
 """The BRDF figure shows what its models say."""
 
 import math
+from functools import partial
 
 import numpy as np
 import pytest
+from support.frames import frame_of, texts_at
 
-from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.brdf import Material, reflected
 from simulations.scenes._ball.ball import PIXELS_PER_UNIT
 from simulations.scenes._ball.marks import on_equator
-from simulations.scenes.brdf import energy, lobe
+from simulations.scenes.brdf import energy
 from simulations.scenes.brdf.scene import SCENE
 from simulations.scenes.brdf.settings import MODELS
 from simulations.scenes.brdf.stages import AROUND_DEG, TINT
 
-
-def frame(**given: object) -> Frame:
-    return SCENE.render(SCENE.check(given), "", StageCache())
+frame = partial(frame_of, SCENE)
 
 
-def texts(**given: object) -> dict[str, str]:
-    return {item.name: item.text for item in frame(**given).readouts}
+texts = partial(texts_at, SCENE)
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -72,12 +70,6 @@ def test_light_and_camera_exchanged_exchange_the_two_readouts() -> None:
         assert one["reciprocal"] == ("no" if model == "phong" else "yes")
 
 
-def test_more_than_came_is_told() -> None:
-    shown = frame(model="phong", specular=0.5, roughness=0.6, light_angle=-85)
-    assert "more than came" in shown.description
-    assert "more than came" not in frame().description
-
-
 def test_facets_send_light_beyond_the_mirrors_direction() -> None:
     around = np.radians(np.arange(0.0, 90.0, 0.5))
     light = math.radians(70)
@@ -89,12 +81,6 @@ def test_facets_send_light_beyond_the_mirrors_direction() -> None:
         np.cos(light + around),
     )
     assert math.degrees(around[found.argmax()]) > 75
-
-
-def test_the_lamp_goes_where_it_is_led() -> None:
-    settings = SCENE.check({})
-    assert SCENE.pull(settings, "lamp", lobe.towards(30, 70)) == {"light_angle": 30}
-    assert SCENE.pull(settings, "eye", lobe.towards(-95, 70)) == {"view_angle": -88}
 
 
 def test_the_curves_handle_leaves_the_lamp_on_its_side() -> None:

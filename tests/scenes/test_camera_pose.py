@@ -1,19 +1,16 @@
 """The pose figure: p′ = R p + t with a camera that is dragged and turned."""
 
+from functools import partial
+
 import numpy as np
 import pytest
-from support.frames import texts_of
+from support.frames import frame_of, texts_of
 
-from simulations.engine.frame import Frame
-from simulations.engine.stages import StageCache
 from simulations.models.projection.pinhole import look_at
-from simulations.scenes.camera_pose.plans import from_camera, in_world, metres_at
-from simulations.scenes.camera_pose.room import LAMP, WALLS, stand
+from simulations.scenes.camera_pose.room import WALLS, stand
 from simulations.scenes.camera_pose.scene import SCENE
 
-
-def frame(**values: float) -> Frame:
-    return SCENE.render(SCENE.check(values), "", StageCache())
+frame = partial(frame_of, SCENE)
 
 
 def test_the_figure_starts_with_the_worked_example() -> None:
@@ -41,20 +38,3 @@ def test_lengths_are_kept_in_the_cameras_coordinates() -> None:
     seen = stand(37, 3.3, 6.1).seen(WALLS)
     sides = [np.linalg.norm(c - np.roll(c, 1, axis=0), axis=1) for c in (WALLS, seen)]
     np.testing.assert_allclose(*sides)
-
-
-def test_the_camera_follows_the_pointer_and_its_axis_turns_towards_it() -> None:
-    settings = SCENE.check({})
-    x, y = in_world(np.array([4.0, 0.0, 5.0]))
-    assert SCENE.pull(settings, "camera", (x, y)) == {"camera_x": 4.0, "camera_z": 5.0}
-    x, y = in_world(LAMP)
-    turned = SCENE.check({**SCENE.pull(settings, "tip", (x, y))})
-    seen = stand(turned.pan, turned.camera_x, turned.camera_z).seen(LAMP)
-    assert abs(seen[0]) < 0.1, "straight ahead, to the slider's degree"
-
-
-def test_places_of_the_panel_and_metres_are_each_others_inverse() -> None:
-    here = stand(-25, 6.0, 1.0)
-    spot = from_camera(here)(np.array([0.0, 0.0, 2.0]))
-    X, Z = metres_at((float(spot[0]), float(spot[1])))
-    np.testing.assert_allclose(here.seen(np.array([X, 0.0, Z])), [0, 0, 2], atol=1e-12)

@@ -1,14 +1,14 @@
 """The depth-of-field figure: numbers by hand, limits, refusals, and the blur in the picture."""
 
 import math
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 import pytest
-from support.frames import texts_of
+from support.frames import estimates_of, texts_at
 
 from simulations.engine.controls import Value
-from simulations.engine.frame import Frame, Raster, Readout
+from simulations.engine.frame import Frame, Raster
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.models.lens import thin_lens
@@ -49,19 +49,12 @@ def picture(tier: str = "", stages: StageCache | None = None, /, **given: Value)
     return picture_of(frame(tier, stages, **given))
 
 
-def texts(**given: Value) -> dict[str, str]:
-    return texts_of(frame(**given))
+texts = partial(texts_at, SCENE)
 
 
 def detail(raster: Raster, rows: slice, columns: slice) -> float:
     """Root mean square of the steps between neighbouring pixels."""
     return float(np.diff(raster[rows, columns, 1].astype(float), axis=1).std())
-
-
-def test_the_worked_example_of_the_chapter() -> None:
-    shown = texts(focal_length=50, aperture=1.4, focus=3.2)
-    assert (shown["far_mm"], shown["far_px"]) == ("0.340", "2.5")
-    assert shown["near_px"] == "3.0"
 
 
 def test_the_sensor_stands_where_the_thin_lens_equation_puts_it() -> None:
@@ -146,12 +139,8 @@ def test_the_picture_grows_with_the_sensor_s_distance_from_the_lens() -> None:
 @pytest.mark.parametrize("tier", ["discs", "layered", "fibonacci-16"])
 def test_every_tier_and_what_it_is_judged_by_have_the_same_scale(tier: str) -> None:
     """The sensor stands 12 % farther off than the focal length: any mix of the two is far off."""
-    *_, last = judged(tier, focal_length=135, aperture=22, focus=1.25)
+    *_, last = estimates_of(SCENE, tier, focal_length=135, aperture=22, focus=1.25)
     assert float(last.text) < 3
-
-
-def judged(tier: str, **given: Value) -> list[Readout]:
-    return list(SCENE.estimates(SCENE.check(given), tier, StageCache()))
 
 
 @pytest.mark.parametrize("tier", [tier for tier in SCENE.tiers if tier not in SPIRALS])
@@ -159,24 +148,6 @@ def test_a_lens_that_is_nearly_a_pinhole_is_drawn_without_a_blur(tier: str) -> N
     shown = frame(tier, aperture=22)
     np.testing.assert_array_equal(picture_of(shown), picture("pinhole", aperture=22))
     assert sum(stage.status == "skipped" for stage in shown.stages) == 3
-
-
-@pytest.mark.parametrize(
-    ("tier", "stage"),
-    [
-        ("pinhole", None),
-        ("discs", "filter"),
-        ("layered", "defocus"),
-        ("binned", "filter"),
-        ("gather", "filter"),
-        ("fibonacci-16", "rays through the lens"),
-    ],
-)
-def test_each_tier_blurs_in_its_own_stage_and_in_no_other(tier: str, stage: str | None) -> None:
-    shown = frame(tier)
-    blurring = {"filter", "defocus", "rays through the lens"}
-    computed = {item.name for item in shown.stages if item.status == "computed"} & blurring
-    assert computed == ({stage} if stage else set())
 
 
 def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
@@ -198,7 +169,7 @@ def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
 
 
 def test_where_no_picture_is_formed_no_error_is_claimed() -> None:
-    (estimate,) = judged("layered", focal_length=100, focus=0.1)
+    (estimate,) = estimates_of(SCENE, "layered", focal_length=100, focus=0.1)
     assert (estimate.text, estimate.unit) == ("no picture", "")
 
 
@@ -216,15 +187,3 @@ def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing() -> None:
     expected[0:2, 6:8] = 4
     expected[5, 0:2] = 2
     np.testing.assert_array_equal(depth_of(lit), expected)
-
-
-def test_a_layer_beside_the_picture_changes_no_depth() -> None:
-    ones = np.ones((4, 3, 4), np.float32)
-    places = [(-3, 0), (6, 0), (0, -4), (0, 8)]
-    lit = LitScene(
-        base=np.zeros((3, 6, 8), np.float32),
-        base_depth=np.full((6, 8), 9.0),
-        layers=tuple(Layer(ones, top, left) for top, left in places),
-        depths=(1.0, 2.0, 3.0, 4.0),
-    )
-    np.testing.assert_array_equal(depth_of(lit), lit.base_depth)

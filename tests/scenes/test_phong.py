@@ -8,10 +8,8 @@ import pytest
 from numpy.typing import NDArray
 from support.frames import frame_of, pixels_of, texts_of
 
-from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.scenes._ball.ball import build_ball, light_direction
-from simulations.scenes.phong.drawing import FOOT
 from simulations.scenes.phong.gloss import (
     ALBEDO,
     angles_at,
@@ -40,12 +38,6 @@ def test_cosines_are_those_of_the_vectors(light: float, probe: float) -> None:
     assert at.n_dot_l == pytest.approx(n @ to_light, abs=1e-12)
     assert at.r_dot_v == pytest.approx(mirrored @ v, abs=1e-12)
     assert at.n_dot_h == pytest.approx(n @ halfway, abs=1e-9)
-
-
-def test_light_and_camera_opposed_have_no_halfway_direction() -> None:
-    shown = frame(light_angle=180)
-    assert texts_of(shown)["n_dot_h"] == "undefined"
-    assert "no highlight" in shown.description
 
 
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
@@ -107,18 +99,6 @@ def test_grazing_light_stretches_phongs_highlight_and_not_blinns(
     assert (counts[1] > 1.5 * counts[0]) == stretched
 
 
-@pytest.mark.parametrize("without", [{"specular": 0}, {"light_angle": 180}, {"light_angle": -180}])
-@pytest.mark.parametrize("moved", [{"shininess": 300}, {"model": "blinn_phong"}])
-def test_without_a_highlight_what_would_shape_it_computes_nothing(
-    without: dict[str, float], moved: dict[str, float | str]
-) -> None:
-    cache = StageCache()
-    before = frame("", cache, **without)
-    after = frame("", cache, **without, **moved)
-    assert {stage.status for stage in after.stages} == {"reused", "skipped"}
-    assert pixels_of(after) is pixels_of(before)
-
-
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
 @pytest.mark.parametrize("angle", [180, -180])
 def test_light_from_exactly_behind_leaves_ball_and_rim_black(model: str, angle: float) -> None:
@@ -149,16 +129,6 @@ def test_plot_readouts_and_chapter_have_one_formula(
     assert float(shown["brightness"]) == pytest.approx(matte + 0.5 * shine, abs=6e-4)
     seen = lobe(light_angle - probe, model, 3, specular=0.5)[90 - probe]
     assert seen == pytest.approx(matte + 0.5 * shine, abs=1e-6)
-
-
-def test_the_lamp_led_round_the_point_stands_where_the_light_comes_from() -> None:
-    """The plot's normal points up: the probed point's own turn adds to that of the lamp."""
-    settings = SCENE.check({"probe": 20})
-    assert SCENE.pull(settings, "lamp", (FOOT[0] + 50, FOOT[1])) == {"light_angle": 110}
-    assert SCENE.pull(settings, "lamp", (FOOT[0], FOOT[1] - 50)) == {"light_angle": 20}
-    assert SCENE.pull(SCENE.check({"probe": 90}), "lamp", (FOOT[0], FOOT[1] + 50)) == {
-        "light_angle": -90
-    }
 
 
 def test_the_highlight_led_to_a_normal_turns_the_lamp_twice_as_far() -> None:

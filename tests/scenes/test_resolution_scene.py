@@ -1,13 +1,12 @@
 """What is left of waves in the resolution figure, against convolutions done here."""
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 import pytest
-from support.frames import texts_of
+from support.frames import frame_of, outputs_of, texts_of
 
-from simulations.engine.frame import Frame
-from simulations.engine.stages import Outputs, StageCache
 from simulations.models.arrays import Floats
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.scenes.resolution.scene import SCENE
@@ -17,12 +16,10 @@ STEP_UM, ACROSS = 0.5, 1024
 """Of the grid on which the truth is worked out."""
 
 
-def frame(**given: object) -> Frame:
-    return SCENE.render(SCENE.check(given), "", StageCache())
+frame = partial(frame_of, SCENE)
 
 
-def outputs(**given: object) -> Outputs:
-    return SCENE.run(SCENE.check(given), "", StageCache()).outputs
+outputs = partial(outputs_of, SCENE)
 
 
 def number(name: str, **given: object) -> float:

@@ -1,25 +1,22 @@
 """The rotation figure: three ways to blend two orientations, and what its numbers claim."""
 
-from typing import Any
+from functools import partial
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from support.frames import texts_of
+from support.frames import estimates_of, frame_of, texts_of
 
-from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.scenes.rotation_3d.scene import SCENE
 from simulations.scenes.rotation_3d.stages import orientation, ways
 
-
-def frame(cache: StageCache | None = None, /, tier: str = "", **values: object) -> Frame:
-    return SCENE.render(SCENE.check(values), tier, cache or StageCache())
+frame = partial(frame_of, SCENE)
 
 
 def judged(tier: str, **values: object) -> str:
     """The last estimate of the error, as shown."""
-    *_, last = SCENE.estimates(SCENE.check(values), tier, StageCache())
+    *_, last = estimates_of(SCENE, tier, **values)
     assert last.unit == "°"
     return last.text
 
@@ -37,22 +34,6 @@ def test_at_the_lock_one_orientation_has_two_ways_of_the_angles() -> None:
     np.testing.assert_allclose(orientation(100, 90, 100).C, orientation(0, 90, 0).C, atol=1e-14)
     locked, other = frame(pan=100, tilt=90, roll=100), frame(pan=0, tilt=90, roll=0)
     assert texts_of(locked)["off"] != texts_of(other)["off"]
-
-
-@pytest.mark.parametrize("blend", ["slerp", "euler"])
-def test_blends_that_are_rotations_read_as_such(blend: str) -> None:
-    assert texts_of(frame(blend=blend, t=0.37))["determinant"] == "1.000"
-
-
-def test_blending_the_entries_of_a_quarter_turn_halves_the_volume() -> None:
-    shown = texts_of(frame(pan=90, tilt=0, roll=0, blend="matrix", t=0.5))
-    assert shown["determinant"] == "0.500"
-
-
-@pytest.mark.parametrize("alone", ["pan", "tilt", "roll"])
-def test_one_angle_alone_takes_the_shortest_way(alone: str) -> None:
-    angles: dict[str, Any] = dict.fromkeys(("pan", "tilt", "roll"), 0) | {alone: 80}
-    assert texts_of(frame(**angles))["off"] == "0.0"
 
 
 def test_the_right_half_turn_does_not_hang_on_rounding() -> None:
@@ -83,11 +64,10 @@ def test_the_sight_stays_under_the_pointer_in_every_tier(tier: str) -> None:
 
 def test_the_straight_line_is_seen_to_hurry_and_the_paced_one_is_not() -> None:
     default, straight = (
-        frame(tier=tier, pan=170, tilt=0, roll=0, t=0.2).panels[0].overlay
-        for tier in ("slerp", "nlerp")
+        frame(tier, pan=170, tilt=0, roll=0, t=0.2).panels[0].overlay for tier in ("slerp", "nlerp")
     )
     assert default != straight
-    angles = frame(blend="euler", tier="nlerp", t=0.2), frame(blend="euler", t=0.2)
+    angles = frame("nlerp", blend="euler", t=0.2), frame(blend="euler", t=0.2)
     assert texts_of(angles[0]) == texts_of(angles[1]), "another way's numbers are untouched"
 
 

@@ -1,20 +1,20 @@
 """The second-bounce figure shows what two planes throw at each other."""
 
+from functools import partial
+
 import numpy as np
 import pytest
+from support.frames import frame_of
 
-from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb
-from simulations.scenes.second_bounce import profile, section
 from simulations.scenes.second_bounce.scene import SCENE
 from simulations.scenes.second_bounce.stages import Planes
 
 BEHIND = {"light_angle": 105, "place": 0.12}
 
 
-def frame(**given: object) -> Frame:
-    return SCENE.render(SCENE.check(given), "", StageCache())
+frame = partial(frame_of, SCENE)
 
 
 def numbers(**given: object) -> dict[str, float]:
@@ -65,15 +65,3 @@ def test_in_a_shadow_with_bounces_gathered_where_they_are_seen_its_border_stays_
     floor = planes(light_angle=110).all_light[0, 0]
     steps = np.diff(floor)
     assert steps.max() == pytest.approx(0.8 * np.sin(np.radians(110)), abs=0.02)
-
-
-def test_lamp_wall_and_point_go_where_they_are_led() -> None:
-    settings = SCENE.check({})
-    assert SCENE.pull(settings, "lamp", section.towards(120, 80)) == {"light_angle": 120}
-    assert SCENE.pull(settings, "wall", section.towards(70, 300)) == {"opening": 70}
-    assert SCENE.pull(settings, "point", section.towards(0, 0.4 * section.LENGTH)) == {
-        "place": pytest.approx(0.4)
-    }
-    assert SCENE.pull(settings, "plotted", profile.at(0.6, 0.1)) == {"place": pytest.approx(0.6)}
-    below = (section.EDGE[0] + 50, section.EDGE[1] + 30)
-    assert SCENE.pull(settings, "lamp", below) == {"light_angle": 10}

@@ -1,24 +1,25 @@
 """The spectrum figure shows what light, surface and sensor make of each other."""
 
+from functools import partial
+
 import numpy as np
 import pytest
+from support.frames import frame_of
 
 from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY
-from simulations.models.color.cie import D65_XY
 from simulations.models.color.srgb import encode_srgb
-from simulations.scenes.spectrum_to_rgb.diagram import at, whites
+from simulations.scenes.spectrum_to_rgb.diagram import whites
 from simulations.scenes.spectrum_to_rgb.patches import CELL, GAP, LEFT, ROW, ROWS, TOP, UNIT
 from simulations.scenes.spectrum_to_rgb.scene import SCENE
-from simulations.scenes.spectrum_to_rgb.settings import LIGHTS, SURFACES
+from simulations.scenes.spectrum_to_rgb.settings import LIGHTS
 from simulations.scenes.spectrum_to_rgb.stages import Colours
 
 DAY: dict[str, object] = {"light": "daylight", "temperature": 6500}
 
 
-def frame(**given: object) -> Frame:
-    return SCENE.render(SCENE.check(given), "", StageCache())
+frame = partial(frame_of, SCENE)
 
 
 def colours(**given: object) -> Colours:
@@ -85,11 +86,6 @@ def test_without_twins_both_halves_show_the_surface() -> None:
     np.testing.assert_array_equal(raster[top], raster[below])
 
 
-def test_a_narrow_band_is_a_colour_that_no_display_shows() -> None:
-    assert "no display" in frame(band=500, width=10).description
-    assert "no display" not in frame(surface="light-skin").description
-
-
 def test_gains_read_out_make_white_of_the_raw_white() -> None:
     shown = texts(frame(surface="white"))
     red, green, blue = (float(each) for each in shown["raw"].split(" / "))
@@ -103,19 +99,7 @@ def test_daylight_is_never_redder_than_it_was_measured() -> None:
     assert "4000 K" in red.description
 
 
-def test_the_white_led_to_d65_is_the_daylight_of_6500_kelvin() -> None:
-    assert SCENE.pull(SCENE.check(DAY), "white", at(D65_XY)) == {"temperature": 6500}
-
-
 def test_whites_run_from_red_to_blue() -> None:
     kelvin, xy = whites("planck")
     assert (np.diff(kelvin) > 0).all()
     assert (np.diff(xy[:, 0]) < 0).all()
-
-
-def test_pressing_a_column_chooses_its_surface() -> None:
-    for column, name in enumerate(SURFACES):
-        place = (LEFT + (column + 0.4) * CELL, 100.0)
-        assert SCENE.pull(SCENE.check({}), "surface", place) == {"surface": name}
-    for beyond, name in ((0.0, "cloth"), (399.0, "white")):
-        assert SCENE.pull(SCENE.check({}), "surface", (beyond, 9.0)) == {"surface": name}

@@ -120,4 +120,3 @@ def readout(**given: object) -> str:
 
 def test_digits_are_counted_from_the_curve_as_written() -> None:
     assert 6.5 < float(readout(formula="angle", power=-4)) < 7.5
-    assert readout(formula="angle", digits="float32", power=-12) == "no inputs"

@@ -2,19 +2,17 @@
 
 import math
 import re
+from functools import partial
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from support.frames import frame_of, pixels_of, texts_of
 
-from simulations.engine.frame import Frame
 from simulations.scenes.two_views.scene import SCENE
 from simulations.scenes.two_views.view import view_of
 
-
-def frame(**given: object) -> Frame:
-    return frame_of(SCENE, **given)
+frame = partial(frame_of, SCENE)
 
 
 def texts(**given: object) -> dict[str, str]:
@@ -34,18 +32,10 @@ def test_disparity_is_focal_length_times_baseline_over_depth(
         assert float(shown["off_row"]) == 0.0
 
 
-def test_the_interval_is_that_of_the_disparities_a_match_may_have() -> None:
-    """80 px·m at 8 m: 10 px, give or take 2."""
-    assert texts(matching_error=2)["interval"] == "6.67 to 10.00"
-    assert texts(matching_error=2)["first_order"] == "1.60"
-    assert texts(matching_error=0)["interval"] == "8.00"
-
-
 def test_an_error_as_large_as_the_disparity_leaves_the_depth_open() -> None:
     for error in (4.0, 3.9):
         far = texts(depth=20, matching_error=error)["interval"]
         assert far.endswith("∞") is (error == 4.0)
-    assert "open from 10.00 m on" in frame(depth=20, matching_error=4).description
 
 
 def test_turned_cameras_are_told_wrong_depths_by_the_formula_for_parallel_ones() -> None:
@@ -54,7 +44,6 @@ def test_turned_cameras_are_told_wrong_depths_by_the_formula_for_parallel_ones()
     shown = texts(toe_in=3)
     assert float(shown["d"]) == pytest.approx(30 - right, abs=0.051)
     assert float(shown["parallel"]) == pytest.approx(80 / (30 - right), abs=0.051)
-    assert texts(toe_in=20)["parallel"] == "none: d < 0"
 
 
 def test_while_the_focal_length_moves_the_same_is_shown_in_fewer_pixels() -> None:
@@ -109,20 +98,6 @@ def test_the_essential_matrix_is_the_baseline_crossed_with_the_turn() -> None:
     np.testing.assert_allclose(entries, cross @ R, atol=0.0051)
 
 
-def test_the_lamp_is_led_through_the_world_and_along_the_line() -> None:
-    settings = SCENE.check({})
-    assert SCENE.pull(settings, "lamp", (30 + 17.5 * 10, 135 + 32)) == {"depth": 10, "left_x": 16}
-    assert SCENE.pull(settings, "right", (200 + 2 * (30 - 20), 70)) == {"depth": 4}
-    assert SCENE.pull(settings, "right", (399, 70)) == {"depth": 20}
-
-
-def test_the_right_camera_is_moved_and_turned_by_hand() -> None:
-    settings = SCENE.check({})
-    assert SCENE.pull(settings, "camera", (0, 135 + 32 * 0.8)) == {"baseline": 0.8}
-    level = (30 + 17.5 * 4, 135 + 32 * (0.5 - 4 * math.tan(math.radians(10))))
-    assert SCENE.pull(settings, "axis", level) == {"toe_in": 10}
-
-
 def test_both_cameras_see_the_tile_under_the_post_where_they_see_its_foot() -> None:
     """The raster of the right picture is that of the left one, moved by the foot's disparity."""
     left, right = (pixels_of(frame(baseline=0.5), panel) for panel in (1, 2))
@@ -142,4 +117,3 @@ def test_without_its_line_the_right_picture_still_shows_the_match() -> None:
 def test_an_image_outside_the_right_picture_offers_none_to_the_hand() -> None:
     outside = {"depth": 2, "baseline": 1, "left_x": -50}
     assert "right" not in {place.name for place in frame(**outside).handles}
-    assert "outside the right picture" in frame(**outside).description

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from simulations.engine.frame import Frame, Raster
+from simulations.engine.frame import Frame, Raster, Readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, StageCache
 
@@ -22,6 +22,23 @@ def outputs_of(scene: Scene[Any], tier: str = "", /, **given: object) -> Outputs
 def texts_of(frame: Frame) -> dict[str, str]:
     """The readouts as shown, by name."""
     return {item.name: item.text for item in frame.readouts}
+
+
+def texts_at(scene: Scene[Any], tier: str = "", /, **given: object) -> dict[str, str]:
+    """The readouts at the given settings, by name."""
+    return texts_of(frame_of(scene, tier, **given))
+
+
+def estimates_of(scene: Scene[Any], tier: str = "", /, **given: object) -> list[Readout]:
+    """What is said of the error at the given settings, the last for all of it."""
+    return list(scene.estimates(scene.check(given), tier, StageCache()))
+
+
+def number_of(text: str) -> float:
+    """``5.5 × 10⁻³`` as a number."""
+    mantissa, _, power = text.replace("\u00a0", "").partition("×10")
+    digits = power.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+    return float(mantissa) * 10.0 ** int(digits or 0)
 
 
 def pixels_of(frame: Frame, panel: int = 0) -> Raster:

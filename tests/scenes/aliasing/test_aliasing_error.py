@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from support.frames import estimates_of
 
-from simulations.engine.stages import StageCache
 from simulations.models.sampling.aliasing import zone_plate
 from simulations.scenes.aliasing.pattern import pattern_of
 from simulations.scenes.aliasing.scene import SCENE, ideal
@@ -11,7 +11,7 @@ from simulations.scenes.aliasing.scene import SCENE, ideal
 
 def judged(**given: object) -> str:
     """The error as shown."""
-    (estimate,) = SCENE.estimates(SCENE.check(given), "", StageCache())
+    (estimate,) = estimates_of(SCENE, **given)
     assert estimate.unit == "of range"
     return estimate.text
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from support.frames import pixels_of
+from support.frames import number_of, pixels_of
 
 from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
@@ -31,9 +31,7 @@ def waves(cycles_per_pixel: float) -> Photograph:
 def told_of_own(picture: Photograph, **given: object) -> tuple[Frame, float]:
     settings, cache = SCENE.check(given), StageCache()
     (estimate,) = SCENE.estimates(settings, "", cache, picture)
-    superscripts = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-    off = float(estimate.text.replace("\u00a0×\u00a010", "e").translate(superscripts))
-    return SCENE.render(settings, "", cache, picture), off
+    return SCENE.render(settings, "", cache, picture), number_of(estimate.text)
 
 
 @pytest.mark.parametrize("kind", FILTERS)

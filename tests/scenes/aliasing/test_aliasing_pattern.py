@@ -1,6 +1,7 @@
 """The patterns of the aliasing figure, filtered and sampled, and the alias through the samples."""
 
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from support.frames import frame_of
 from simulations.models.sampling.aliasing import zone_plate
 from simulations.models.sampling.prefilters import prefilter
 from simulations.scenes.aliasing.pattern import SHOWN, pattern_of
-from simulations.scenes.aliasing.row import FINE, alias_curve
+from simulations.scenes.aliasing.row import alias_curve
 from simulations.scenes.aliasing.scene import SCENE
 from simulations.scenes.aliasing.settings import FILTERS
 
@@ -40,28 +41,18 @@ def test_a_filtered_pixel_of_the_zone_plate_is_its_mean_over_the_pixel() -> None
 
 
 @pytest.mark.parametrize("kind", ["stripes", "zone_plate"])
-@pytest.mark.parametrize("filtered", FILTERS)
-@pytest.mark.parametrize("frequency", [0.62, 0.85, 1.2])
-def test_the_alias_passes_through_the_samples(kind: str, filtered: str, frequency: float) -> None:
-    pattern, kernel = pattern_of(kind, frequency, 65.0), prefilter(filtered)
-    at = pattern.first + pattern.start
-    curve = alias_curve(pattern, kernel, at)
-    assert curve is not None
-    samples = pattern.wave(kernel, at + np.arange(SHOWN))
-    # On the zone plate the curve takes the wave for locally pure, and its middle row for all.
-    np.testing.assert_allclose(curve[::FINE], samples, atol=1e-9 if kind == "stripes" else 0.03)
-
-
-def test_a_true_wave_has_no_alias() -> None:
-    pattern = pattern_of("stripes", 0.45, 0.0)
-    assert alias_curve(pattern, prefilter("none"), 0.0) is None
-    assert "alias" not in frame_of(SCENE, frequency=0.45).panels[1].overlay
-
-
-@pytest.mark.parametrize("kind", ["stripes", "zone_plate"])
-@pytest.mark.parametrize("rate", [0.5, 0.75, 1.5, 2.0])
-def test_the_alias_passes_through_the_samples_at_every_rate(kind: str, rate: float) -> None:
-    pattern, kernel = pattern_of(kind, 0.62 * rate, 65.0, rate), prefilter("box")
+@pytest.mark.parametrize(
+    ("frequency", "rate", "filtered"),
+    [
+        *product((0.62, 0.85, 1.2), (1.0,), FILTERS),
+        *((0.62 * rate, rate, "box") for rate in (0.5, 0.75, 1.5, 2.0)),
+    ],
+)
+def test_the_alias_passes_through_the_samples(
+    kind: str, frequency: float, rate: float, filtered: str
+) -> None:
+    """On the zone plate the curve takes the wave for locally pure, and its middle row for all."""
+    pattern, kernel = pattern_of(kind, frequency, 65.0, rate), prefilter(filtered)
     at = pattern.first + pattern.start
     curve = alias_curve(pattern, kernel, at)
     assert curve is not None
@@ -69,3 +60,9 @@ def test_the_alias_passes_through_the_samples_at_every_rate(kind: str, rate: flo
     on_sample = np.abs(places - np.rint(places)) < 1e-9
     samples = pattern.wave(kernel, at + places[on_sample])
     np.testing.assert_allclose(curve[on_sample], samples, atol=1e-9 if kind == "stripes" else 0.03)
+
+
+def test_a_true_wave_has_no_alias() -> None:
+    pattern = pattern_of("stripes", 0.45, 0.0)
+    assert alias_curve(pattern, prefilter("none"), 0.0) is None
+    assert "alias" not in frame_of(SCENE, frequency=0.45).panels[1].overlay

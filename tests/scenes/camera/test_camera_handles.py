@@ -6,7 +6,6 @@ from simulations.engine.controls import Value
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.projection import pinhole
 from simulations.pictures.still_life import things as still_life
-from simulations.scenes.camera.plan import EDGE_DEPTH, STILL_LIFE_MIDDLE, focus_mark, on_plan
 from simulations.scenes.camera.scene import SCENE
 
 type Setting = dict[str, Value]
@@ -14,17 +13,6 @@ type Setting = dict[str, Value]
 
 def pulled(handle: str, place: tuple[float, float], **given: Value) -> Setting:
     return SCENE.pull(SCENE.check(given), handle, place)
-
-
-@pytest.mark.parametrize("k1", [-0.3, 0.0, 0.3])
-def test_the_edge_of_the_view_is_pulled_by_the_focal_length_that_images_it_on_the_sensor_s(
-    k1: float,
-) -> None:
-    """A tangent of one half; the lens formula does the rest."""
-    x, y = on_plan(-0.5 * EDGE_DEPTH, EDGE_DEPTH)
-    sensor_mm = 18.0 / (0.5 * (1 + k1 * 0.25))
-    expected = 1 / (1 / sensor_mm + 1 / 3200)
-    assert pulled("edge", (x, y), k1=k1) == {"focal_length": round(expected)}
 
 
 @pytest.mark.parametrize("k1", [-0.2, 0.2])
@@ -43,14 +31,3 @@ def test_a_press_at_a_thing_in_the_photograph_brings_it_into_focus(
 
 def test_a_press_where_no_ray_arrives_leaves_the_focus() -> None:
     assert pulled("aim", (1.0, 1.0), focal_length=24, k1=-0.4) == {}
-
-
-def test_the_lamp_stands_in_the_plan_where_its_light_comes_from() -> None:
-    """45° to the right of the way from the still life to the camera."""
-    x, y = on_plan(2.0, STILL_LIFE_MIDDLE - 2.0)
-    assert pulled("lamp", (x, y)) == {"light_angle": 45}
-
-
-def test_the_focus_is_pulled_along_the_plan_to_the_wall_and_behind() -> None:
-    assert pulled("focus", on_plan(0.0, 4.4)) == {"focus": 4.4}
-    assert pulled("focus", focus_mark(9.3)) == {"focus": 9.3}

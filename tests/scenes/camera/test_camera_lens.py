@@ -61,22 +61,6 @@ def test_the_margin_holds_every_pixel_that_the_warp_reads(
     assert lens.table.corner.shape == (ROWS, COLUMNS)
 
 
-@given(FOCAL_MM, K1, NEAR_OR_FAR)
-@settings(max_examples=40, deadline=None)
-def test_the_margin_is_no_wider_than_its_next_step(
-    focal_length: int, k1: float, focus: float
-) -> None:
-    """A straight picture is as wide as its farthest ray, to a step."""
-    principal = sensor_mm(focal_length, focus)
-    reach = camera_rays.ideal_reach(principal, k1)
-    margins = camera_lens.margin_px(focal_length, focus, k1)
-    for margin, far, size in zip(margins, reach, (COLUMNS, ROWS), strict=True):
-        needed = far * principal / PITCH_MM - size / 2 + camera_lens.WARP_REACH_PX
-        smaller = [step for step in camera_lens.MARGINS_PX if step < margin]
-        assert margin >= needed - 1e-9
-        assert not smaller or smaller[-1] < needed
-
-
 PLACES = [(0.0, 0.0), (0.7, 0.0), (-0.5, 0.5), (0.2, -0.97)]
 """On the lens, in units of its radius."""
 
@@ -200,25 +184,3 @@ def test_a_bent_picture_is_close_to_bent_rays_and_no_brighter(
     error = warped - bent
     assert 20 * math.log10(255 / np.sqrt(np.mean(error**2))) > least_db
     assert abs(error.mean()) < 0.2
-
-
-@pytest.mark.parametrize("k1", [-0.4, -0.1, 0.1, 0.4])
-def test_where_the_lens_is_sharp_a_bent_picture_is_a_little_softer_than_bent_rays(
-    k1: float,
-) -> None:
-    """Power of the steps between neighbours, where both have the same edges."""
-    power = {}
-    for tier in ("layers", "bent-rays"):
-        light = outputs(tier, k1=k1, aperture=8)["lens distortion"]
-        power[tier] = float(np.mean(np.diff(light, axis=2) ** 2))
-    assert 0.85 * power["bent-rays"] < power["layers"] < power["bent-rays"]
-
-
-@pytest.mark.parametrize("k1", [-0.4, -0.1, 0.3])
-def test_the_draft_shows_the_same_shapes(k1: float) -> None:
-    """A ray for four pixels, bent in the same place."""
-    draft = outputs("draft", k1=k1)["noiseless picture"][..., :3].astype(float)
-    settled = outputs("layers", k1=k1)["noiseless picture"][..., :3].astype(float)
-    assert np.abs(draft - settled).mean() < 6
-    shifted = np.roll(settled, 3, axis=1)
-    assert np.abs(draft - settled).mean() < 0.6 * np.abs(draft - shifted).mean()

@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from support.frames import frame_of, outputs_of, pixels_of, texts_of
+from support.frames import frame_of, outputs_of, pixels_of, texts_at
 
 from simulations.engine.controls import Value
 from simulations.models.color.srgb import decode_srgb, encode_srgb
@@ -62,8 +62,7 @@ def test_one_stop_more_doubles_the_light_where_nothing_is_clipped() -> None:
     assert np.median(ratio) == pytest.approx(2, rel=0.01)
 
 
-def readouts(**given: Value) -> dict[str, str]:
-    return texts_of(shown(**given))
+readouts = partial(texts_at, SCENE)
 
 
 def test_the_automatic_makes_good_what_focus_and_aperture_take_away() -> None:

@@ -75,39 +75,10 @@ def test_rays_are_sent_through_the_lens_however_narrow_it_is() -> None:
     assert "aperture rays" in computed_in(shown("aperture-rays", aperture=22))
 
 
-def test_bent_rays_must_look_again_at_every_change_of_the_lens() -> None:
-    cache = StageCache()
-    shown("bent-rays", cache, k1=-0.10)
-    after = computed_in(shown("bent-rays", cache, k1=-0.11))
-    assert after[:3] == ("bent rays", "surfaces", "light")
-
-
 def codes_off(tier: str, **given: Value) -> float:
     """RMS against many rays through the lens."""
     *_, truth = references(SCENE.check(given))
     return rms_codes(outputs(tier, **given)["noiseless picture"], truth)
-
-
-@pytest.mark.parametrize(
-    "lens",
-    [
-        {"focal_length": 50, "focus": 3.2, "aperture": 15.6, "light_angle": 40},
-        *(
-            pytest.param(lens, marks=pytest.mark.deep)
-            for lens in (
-                {"focal_length": 35, "focus": 1.9, "aperture": 12.3, "light_angle": 0},
-                {"focal_length": 24, "focus": 1.0, "aperture": 12.8, "light_angle": -40},
-                {"focal_length": 24, "focus": 3.2, "aperture": 11.1, "light_angle": 40},
-            )
-        ),
-    ],
-)
-def test_a_picture_whose_blur_is_skipped_is_off_by_half_a_code_at_most(lens: Setting) -> None:
-    """At the widest opening of each lens at which it is skipped."""
-    widest = blur_of(SCENE.check(lens))
-    assert 0.97 * SHARP_PX < widest <= SHARP_PX
-    assert "defocus" not in computed_in(shown(**lens))
-    assert codes_off("layers", **lens) < 0.52
 
 
 @pytest.mark.parametrize(

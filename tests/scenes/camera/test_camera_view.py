@@ -6,9 +6,8 @@ from functools import partial
 
 import numpy as np
 import pytest
-from support.frames import frame_of, outputs_of, texts_of
+from support.frames import outputs_of, texts_at
 
-from simulations.engine.controls import Value
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
 from simulations.pictures.still_life import things as still_life
@@ -60,8 +59,7 @@ def test_vignetting_darkens_a_wide_lens_by_cos4() -> None:
         assert ratio == pytest.approx(math.cos(math.atan(r / sensor_mm)) ** 4, rel=1e-4)
 
 
-def readouts(**given: Value) -> dict[str, str]:
-    return texts_of(frame_of(SCENE, **given))
+readouts = partial(texts_at, SCENE)
 
 
 def test_the_picture_breathes_with_the_focus() -> None:

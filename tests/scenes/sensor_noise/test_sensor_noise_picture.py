@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from support.frames import computed_in, frame_of, outputs_of, pixels_of
+from support.frames import frame_of, outputs_of, pixels_of
 
 from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
@@ -34,26 +34,6 @@ def test_taking_it_again_draws_other_noise_of_the_same_light() -> None:
     first, second = pixels_of(frame()), pixels_of(frame(new_noise=1))
     assert not np.array_equal(first, second)
     assert np.array_equal(first, pixels_of(frame()))
-
-
-@pytest.mark.parametrize(
-    ("moved", "computed"),
-    [
-        ({"exposure": -2}, ("light", "cells", "electrons", "codes", "transfer", "picture")),
-        ({"dark": 100}, ("electrons", "codes", "transfer", "picture")),
-        ({"unequal": 1}, ("cells", "electrons", "codes", "transfer", "picture")),
-        ({"read_noise": 3}, ("codes", "transfer", "picture")),
-        ({"iso": "400"}, ("codes", "transfer", "picture")),
-        ({"bits": 10}, ("codes", "transfer", "picture")),
-        ({"patch": 2}, ()),
-    ],
-)
-def test_chance_is_drawn_once_and_every_control_only_scales_it(
-    moved: dict[str, object], computed: tuple[str, ...]
-) -> None:
-    cache = StageCache()
-    frame("", cache)
-    assert computed_in(frame("", cache, **moved)) == computed
 
 
 @pytest.mark.parametrize("bits", [4, 12, 14])

@@ -7,11 +7,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy import stats
-from support.frames import frame_of, outputs_of, texts_of
+from support.frames import estimates_of, frame_of, outputs_of, texts_at
 
-from simulations.engine.frame import Readout
-from simulations.engine.stages import StageCache
-from simulations.ladders.shot_noise import LADDER
 from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import SHOT_MODELS
 from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
@@ -26,15 +23,13 @@ from simulations.scenes.sensor_noise.stages import (
 frame = partial(frame_of, SCENE)
 
 
-def texts(tier: str = "", **given: object) -> dict[str, str]:
-    return texts_of(frame(tier, **given))
+texts = partial(texts_at, SCENE)
 
 
 outputs = partial(outputs_of, SCENE)
 
 
-def estimates(tier: str, **given: object) -> list[Readout]:
-    return list(SCENE.estimates(SCENE.check(given), tier, StageCache()))
+estimates = partial(estimates_of, SCENE)
 
 
 def rounded_normal(mean: float, counts: NDArray[np.integer]) -> Floats:
@@ -105,30 +100,3 @@ def test_a_rounded_normal_is_too_bright_where_it_may_not_be_negative() -> None:
         shown = texts(tier, **given)
         scatter = 4 * math.sqrt(mean / 3200)
         assert float(shown["mean"]) * gain == pytest.approx(expected, abs=scatter)
-
-
-def test_only_what_frees_electrons_is_dragged_in_the_draft() -> None:
-    """The other controls reuse the electrons that are there: a draft would draw them anew.
-
-    Only a reader who chose the exact sampler gets a draft, whose grain stays while it is dragged.
-    """
-    assert SCENE.default_tier == SCENE.draft_tier == LADDER.default_tier
-    cache = StageCache()
-    frame("", cache)
-    for name in set(MOVED) - set(SCENE.drafted):
-        statuses = {s.name: s.status for s in frame("", cache, **{name: MOVED[name]}).stages}
-        assert statuses["electrons"] == "reused", name
-    for name in SCENE.drafted:
-        statuses = {s.name: s.status for s in frame("", cache, **{name: MOVED[name]}).stages}
-        assert statuses["electrons"] == "computed", name
-
-
-MOVED = {
-    "exposure": -2,
-    "dark": 100,
-    "unequal": 1,
-    "bits": 10,
-    "iso": "400",
-    "read_noise": 3,
-    "patch": 2,
-}
