@@ -50,7 +50,7 @@ def result(reader: Reader, figure: Locator) -> str:
     reader.page.wait_for_function(
         """(figure) => {
           const words = figure.querySelector('.result-words').textContent;
-          return words && !words.startsWith('Running');
+          return words && words !== 'Running …';
         }""",
         arg=figure.element_handle(),
         timeout=START_MS,
@@ -78,7 +78,7 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     open_python(edited)
     assert "def _encoded" in edited.locator(".cm-content").inner_text()
     write(visitor, edited, NEGATIVE + "print('hello')\n")
-    assert "runs your code" in run(visitor, edited)
+    assert "Running your code" in run(visitor, edited)
     assert edited.locator(".workshop-printed").inner_text() == "hello\n"
     visitor.settle(edited)
     changed = visitor.shown(edited)
@@ -97,7 +97,7 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     visitor.settle(edited)
     assert visitor.shown(edited)["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
     edited.locator(".put-all-back").click()
-    edited.locator(".workshop-result", has_text="book's code").wait_for()
+    edited.locator(".workshop-result", has_text="book’s code").wait_for()
     visitor.settle(edited)
     assert visitor.shown(edited) == book
     edited.locator(".workshop-part", has_text="encoded").click()
@@ -127,7 +127,7 @@ def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(visitor: Rea
     assert visitor.shown(figure) == book
     assert figure.get_attribute("data-state") == "live"
     assert move(visitor, figure, "ArrowRight") != book
-    assert figure.locator(".python-state").inner_text() == "Your changes to its Python are kept."
+    assert figure.locator(".python-state").inner_text() == "Your changes to its code are kept."
 
 
 def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws_it(
@@ -142,7 +142,7 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     figure.locator(".workshop .run").click()
     assert move(visitor, other, "ArrowRight"), "another figure does not wait for it"
     told = result(visitor, figure)
-    assert "was stopped: it did not end within" in told
+    assert "was stopped: it did not finish within" in told
     assert visitor.shown(figure) == book
     assert "figure stays as it was" in told
     moved = move(visitor, figure, "ArrowRight")
@@ -153,12 +153,12 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     figure.locator(".put-all-back").click()
     figure.locator(".workshop-part", has_text="drawings").click()
     write(visitor, figure, "\n    ".join(["def _drawings(k1, k2):", *loops_later]))
-    assert "runs your code" in run(visitor, figure)
+    assert "Running your code" in run(visitor, figure)
     figure.locator(".workshop .close").click()
     assert move(visitor, figure, "ArrowRight") == moved, "the book's frame instead"
     told = figure.locator(".python-state").inner_text()
     assert "was stopped" in told
-    assert "The figure runs the book's code" in told
+    assert "The figure runs the book’s code" in told
     visitor.page.evaluate(LIMIT, usual)
 
 
@@ -173,7 +173,7 @@ def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(read
     changed = reader.shown(figure)
     reader.open(CHAPTER)
     figure, other = figures(reader)[:2]
-    figure.locator(".python-state", has_text="runs your Python").wait_for(timeout=START_MS)
+    figure.locator(".python-state", has_text="runs your code").wait_for(timeout=START_MS)
     reader.settle(figure)
     assert reader.shown(figure) == changed
     assert other.locator(".python-state").inner_text() == ""
@@ -219,7 +219,7 @@ def test_all_of_it_can_be_done_by_keyboard(visitor: Reader) -> None:
     page.keyboard.press("Tab")
     assert page.evaluate("document.activeElement.matches('.cm-content')"), "Tab indents"
     page.keyboard.press("ControlOrMeta+Enter")
-    assert "runs your code" in result(visitor, figure)
+    assert "Running your code" in result(visitor, figure)
     visitor.settle(figure)
     assert visitor.shown(figure)["pixels"] != book["pixels"]
     page.keyboard.press("Escape")
@@ -237,5 +237,5 @@ def test_without_the_editor_the_python_can_be_read(visitor: Reader) -> None:
     figure.locator(".open-python").evaluate("(button) => delete button.dataset.editor")
     open_python(figure)
     assert "def _encoded(photo: Photo)" in figure.locator(".workshop-code").inner_text()
-    assert "could not be had" in figure.locator(".workshop-hint").inner_text()
+    assert "without the code editor" in figure.locator(".workshop-hint").inner_text()
     assert not figure.locator(".workshop .run").is_visible()

@@ -57,8 +57,8 @@ def small_picture() -> bytes:
 @pytest.mark.parametrize(
     ("name", "content", "words"),
     [
-        ("notes.png", b"no picture at all", "“notes.png” is no picture that this browser can read"),
-        ("dot.png", small_picture(), "“dot.png” has 8 × 8 pixels; at least 16 each way"),
+        ("notes.png", b"no picture at all", "Can’t open “notes.png”"),
+        ("dot.png", small_picture(), "“dot.png” has 8 × 8 pixels; it needs at least 16"),
     ],
 )
 def test_what_is_no_picture_is_refused_with_a_reason(

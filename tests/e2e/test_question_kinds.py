@@ -104,7 +104,7 @@ def test_without_python_a_figure_s_question_says_that_it_cannot_be_judged(
     plain_reader.page.wait_for_function(
         "form => form.querySelector('.feedback').textContent", arg=form.element_handle()
     )
-    assert "cannot be judged" in form.locator(".feedback").inner_text()
+    assert "cannot be checked" in form.locator(".feedback").inner_text()
     assert form.get_attribute("data-answered") is None
 
 
@@ -189,7 +189,7 @@ def test_progress_is_carried_over_as_a_file(
     ("content", "said"),
     [
         ("{", "not JSON"),
-        ("[]", "no file of answers"),
+        ("[]", "does not contain answers"),
         ('{"format": "image-formation-progress", "version": 9, "answers": {}}', "version"),
         ('{"format": "image-formation-progress", "version": 1, "answers": []}', "no answers"),
         (

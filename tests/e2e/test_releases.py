@@ -71,9 +71,9 @@ def test_a_page_of_an_earlier_release_runs_on_says_so_and_leads_to_a_whole_page_
 
     page.locator("[data-reveal]:visible").first.click()
     page.locator("a.set:visible").first.click()
-    assert "has been renewed" in notice.inner_text(), "the script that moves figures is gone"
+    assert "has been updated" in notice.inner_text(), "the script that moves figures is gone"
     notice.get_by_role("button", name="Close").click()
-    assert "ladder-shading.zip could not be had: the host answers 404" in page.evaluate(ASK)
+    assert "ladder-shading.zip could not be loaded: the server answered 404" in page.evaluate(ASK)
 
     move(reader, figure)
 

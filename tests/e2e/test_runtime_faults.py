@@ -22,13 +22,13 @@ def changed(content: bytes) -> bytes:
 
 
 KINDS = {
-    "missing": (Fault(status=404), "could not be had: the host answers 404"),
-    "cut": (Fault(cut=True), "did not arrive"),
+    "missing": (Fault(status=404), "could not be loaded: the server answered 404"),
+    "cut": (Fault(cut=True), "did not load"),
     "half": (Fault(lambda content: content[: len(content) // 2]), "arrived damaged"),
     "changed": (Fault(changed), "arrived damaged"),
-    "login": (Fault(lambda _: LOGIN, media_type="text/html"), "came a web page"),
-    "login as file": (Fault(lambda _: LOGIN), "came a web page"),
-    "type": (Fault(media_type="text/plain"), "the host calls"),
+    "login": (Fault(lambda _: LOGIN, media_type="text/html"), "a web page came"),
+    "login as file": (Fault(lambda _: LOGIN), "a web page came"),
+    "type": (Fault(media_type="text/plain"), "the server sends"),
     "other release": (Fault(lambda table: table.replace(b'"sha256-', b'"sha256-A')), "damaged, or"),
 }
 """What is wrong with a file, and what is said of it."""
@@ -105,10 +105,10 @@ def test_a_page_older_than_its_host_offers_to_be_loaded_anew_and_keeps_its_setti
     slider.press("ArrowRight")
     moved = slider.input_value()
     notice = reader.page.locator(".notice")
-    assert "has been renewed" in notice.inner_text()
+    assert "has been updated" in notice.inner_text()
     reader.page.wait_for_function("location.search !== ''")
     del host.faults["/lens-distortion/"]
-    notice.get_by_role("button", name="Load the page anew").click()
+    notice.get_by_role("button", name="Reload the page").click()
     reader.figure("lens-distortion").locator(".retry").wait_for(timeout=START_MS)
     assert slider.input_value() == moved
 
@@ -117,7 +117,7 @@ def test_python_starts_by_itself_once_the_host_is_back_with_late_files_of_other_
     reader: Reader, host: StaticServer
 ) -> None:
     host.gone = True
-    assert "did not arrive" in told(reader)
+    assert "did not load" in told(reader)
     slider = reader.figure("lens-distortion").locator("input[type=range]").first
     slider.press("ArrowRight")
     moved = slider.input_value()

@@ -131,10 +131,10 @@ def test_a_part_that_python_asks_for_in_vain_is_named_and_asked_for_again_at_the
     retry, message = figure.locator(".retry"), figure.locator(".figure-message")
     figure.locator("input[type=range]").first.press("ArrowRight")  # the page's own needs no part
     retry.wait_for(timeout=START_MS)
-    assert f"{part}.zip could not be had: the host answers 404" in message.inner_text()
+    assert f"{part}.zip could not be loaded: the server answered 404" in message.inner_text()
     server.faults[f"/{part}.zip"] = Fault(lambda _: b"<title>Sign in</title>")
     retry.click()
-    expect(message).to_contain_text(f"instead of {part}.zip came a web page")
+    expect(message).to_contain_text(f"a web page came instead of {part}.zip")
     del server.faults[f"/{part}.zip"]
     retry.click()
     reader.wait_live()

@@ -141,7 +141,7 @@ def test_what_a_frame_lacks_is_told_and_asked_for_again(
     retry = figure.locator(".retry")
     retry.wait_for(timeout=START_MS)
     message = figure.locator(".figure-message").inner_text()
-    assert f"{name}.zip could not be had: the host answers 404" in message
+    assert f"{name}.zip could not be loaded: the server answered 404" in message
     host.faults = {}
     retry.click()
     reader.wait_live()

@@ -89,7 +89,7 @@ def test_a_page_lists_every_move_and_a_frame_with_nothing_at_hand(
     table = read_html(page).all("figure", "stage-costs")
     assert len(table) == 1
     assert "Distortion" in page.decode()
-    assert "Nothing at hand" in page.decode()
+    assert "Nothing cached" in page.decode()
 
 
 @pytest.mark.parametrize(
