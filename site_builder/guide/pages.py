@@ -111,21 +111,11 @@ def _directive_section(
     elif within:
         parts.append(f"The example of [{within}](#{within}) has it.\n")
     else:
-        parts.append(_shown(_plain_example(item)))
-    return "\n".join(parts)
-
-
-def _plain_example(item: Directive[Any]) -> str:
-    """Of a directive that asks for nothing but text. Raises `NoExampleError`."""
-    argument = item.argument
-    asks = argument is not None and argument.form != "Title"
-    if asks or not item.body.nests or any(option.required for option in item.options):
         raise NoExampleError(
             f"directive {item.name!r} has no example; legal: site_builder/guide/examples/"
             f"{item.name}.md, or a use of it in another file there"
         )
-    title = " A title" if argument else ""
-    return f":::{{{item.name}}}{title}\nWhat it says.\n:::"
+    return "\n".join(parts)
 
 
 def _role_section(role: Role, written: Mapping[str, str]) -> str:

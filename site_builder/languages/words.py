@@ -9,7 +9,7 @@ import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 
 from markupsafe import Markup
@@ -39,7 +39,8 @@ class Words:
     def html(self, key: str, **values: object) -> Markup:
         """The same for a page: what is put in is escaped, unless it is markup."""
         text = self._form(key, values)
-        return _markup(text).format(**values) if values else _filled(text)
+        escaped = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+        return Markup(escaped).format(**values)
 
     def label(self, kind: str) -> str:
         """What a numbered thing is called: ``Figure``."""
@@ -94,21 +95,6 @@ def _flat(table: Mapping[str, object], prefix: str) -> Iterator[tuple[str, Text]
             yield from _flat(value, f"{prefix}{name}.")
         elif isinstance(value, str | dict):
             yield f"{prefix}{name}", value
-
-
-@lru_cache(maxsize=1024)
-def _markup(text: str) -> Markup:
-    """Remembered, as every page says the same."""
-    return Markup(_escaped(text))
-
-
-@lru_cache(maxsize=1024)
-def _filled(text: str) -> Markup:
-    return _markup(text).format()
-
-
-def _escaped(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 
 
 ENGLISH = load_words("en")

@@ -1,8 +1,7 @@
 """``:::{name} argument`` … ``:::``: the block rule, and options as ``:name: value`` lines.
 
 The body is parsed in place, so line numbers in it are those of the file and directives nest.
-A directive ends at the ``:::`` that matches it, counting those opened inside; longer fences
-(``::::``) may be used for clarity.
+A directive ends at the next fence of as many colons that closes none opened inside it.
 """
 
 import re
@@ -59,9 +58,8 @@ def _stray(text: str) -> str:
 
 
 def _find_end(state: StateBlock, start: int, end: int, length: int) -> int:
-    """Line of the matching closing fence, or ``end`` where there is none."""
-    open_fences = [length]
-    code = ""
+    """Line of the closing fence, or ``end`` where there is none."""
+    depth, code = 1, ""
     for line in range(start + 1, end):
         text = _line(state, line)
         if fence := CODE_FENCE.match(text):
@@ -69,15 +67,11 @@ def _find_end(state: StateBlock, start: int, end: int, length: int) -> int:
             code = "" if code and marker.startswith(code) else code or marker
         elif code:
             continue
-        elif opening := OPENING.fullmatch(text):
-            open_fences.append(len(opening.group(1)))
-        elif closing := CLOSING.fullmatch(text):
-            while open_fences and open_fences[-1] < len(closing.group(1)):
-                open_fences.pop()
-            if open_fences and open_fences[-1] == len(closing.group(1)):
-                open_fences.pop()
-        if not open_fences:
-            return line
+        elif fence := OPENING.fullmatch(text) or CLOSING.fullmatch(text):
+            if len(fence[1]) == length:
+                depth += 1 if "{" in text else -1
+            if depth == 0:
+                return line
     return end
 
 

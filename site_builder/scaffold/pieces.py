@@ -88,6 +88,7 @@ def directive(root: Path, text: str) -> Made:
     files = {
         f"{rooms}/{name.module}.py": _fill("directive/directive.py", name),
         f"site_builder/templates/blocks/{name.text}.html": _fill("directive/block.html", name),
+        f"site_builder/guide/examples/{name.text}.md": _fill("directive/example.md", name),
         f"tests/builder/markdown/test_{name.module}_directive.py": _fill("directive/test.py", name),
     }
     write_new(root, files)

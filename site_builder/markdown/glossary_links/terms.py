@@ -54,8 +54,6 @@ class _Walk:
     def paragraph(self, inline: Token, *, running: bool) -> None:
         if any(name in QUESTIONS for name, _ in self.open):
             return
-        if not self.context.shared.glossary.terms and "{" not in inline.content:
-            return  # no term, and no mark of its author's
         marks = running and all(nests and name not in WAITING for name, nests in self.open)
         inline.children = list(self._marked(inline, marks=marks))
 

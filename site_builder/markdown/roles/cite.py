@@ -5,7 +5,8 @@ sets all in brackets, (Zhang 2000); ``{citet}`` makes the authors a part of the 
 (2000).
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 from markdown_it.token import Token
 
@@ -18,38 +19,24 @@ from site_builder.references.bibliography import Work
 FORM = "KEY[, PLACE]; …"
 
 
-def bracketed(words: str, line: int, context: ParseContext) -> Sequence[Token]:
-    """``(Zhang 2000; Hartley and Zisserman 2004, §4.4)``."""
-
-    def link(work: Work, place: str) -> Iterator[Token]:
-        yield from _link(work, f"{work.who} {work.year}", line, context)
-        yield from _text(f", {place}" if place else "")
-
-    return [*_text("("), *_joined(words, link, line, context), *_text(")")]
-
-
-def in_the_sentence(words: str, line: int, context: ParseContext) -> Sequence[Token]:
-    """``Zhang (2000); Hartley and Zisserman (2004, §4.4)``."""
-
-    def link(work: Work, place: str) -> Iterator[Token]:
-        where = f", {place}" if place else ""
-        yield from _link(work, f"{work.who} ({work.year}{where})", line, context)
-
-    return _joined(words, link, line, context)
-
-
-def _joined(
-    words: str, link: Callable[[Work, str], Iterator[Token]], line: int, context: ParseContext
-) -> list[Token]:
+def cited(
+    words: str, line: int, context: ParseContext, *, in_sentence: bool = False
+) -> Sequence[Token]:
+    """``(Zhang 2000; Hartley and Zisserman 2004, §4.4)``; ``Zhang (2000)`` ``in_sentence``."""
+    works = context.shared.bibliography.works
     tokens: list[Token] = []
     for part in words.split(";"):
         key, _, place = (piece.strip() for piece in part.partition(","))
-        work = context.shared.bibliography.works.get(key)
-        if work is None:
-            context.problem(line, unknown("work", key, context.shared.bibliography.works))
+        if key not in works:
+            context.problem(line, unknown("work", key, works))
             continue
-        tokens += [*_text("; " if tokens else ""), *link(work, place)]
-    return tokens
+        who, year, where = works[key].who, works[key].year, f", {place}" if place else ""
+        tokens.append(_text("; " if tokens else ""))
+        if in_sentence:
+            tokens += _link(works[key], f"{who} ({year}{where})", line, context)
+        else:
+            tokens += [*_link(works[key], f"{who} {year}", line, context), _text(where)]
+    return tokens if in_sentence else [_text("("), *tokens, _text(")")]
 
 
 def _link(work: Work, words: str, line: int, context: ParseContext) -> Iterator[Token]:
@@ -62,12 +49,12 @@ def _link(work: Work, words: str, line: int, context: ParseContext) -> Iterator[
         "title": work.told,
     }
     yield Token("link_open", "a", 1, attrs=attributes)
-    yield from _text(words)
+    yield _text(words)
     yield Token("link_close", "a", -1)
 
 
-def _text(words: str) -> Sequence[Token]:
-    return [Token("text", "", 0, content=words)] if words else []
+def _text(words: str) -> Token:
+    return Token("text", "", 0, content=words)
 
 
 CITES = (
@@ -75,13 +62,13 @@ CITES = (
         name="cite",
         form=FORM,
         doc="works of `content/references.bib` in brackets: (Zhang 2000)",
-        inline=bracketed,
+        inline=cited,
     ),
     Role(
         name="citet",
         form=FORM,
         doc="the same in the sentence: Zhang (2000)",
-        inline=in_the_sentence,
+        inline=partial(cited, in_sentence=True),
     ),
 )
 """The names are those of natbib's commands, as MyST and others have taken them up."""

@@ -10,20 +10,17 @@ UNITS = "nm|µm|mm|cm|m|km|px|dB|rad|ms|s|Hz|EV|DN|kB|MB"
 """Units that stay on the line of their number."""
 
 REPLACEMENTS = (
-    ("---", re.compile(r"(?<!-)---(?!-)"), "—"),
-    ("--", re.compile(r"(?<!-)--(?!-)"), "–"),
-    ("...", re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
-    (" ", re.compile(rf" (?<=\d )(?=(?:{UNITS})\b)"), "\u00a0"),  # spaces are found at once
+    (re.compile(r"(?<!-)---(?!-)"), "—"),
+    (re.compile(r"(?<!-)--(?!-)"), "–"),
+    (re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
+    (re.compile(rf"(?<=\d) (?=(?:{UNITS})\b)"), "\u00a0"),
 )
-"""Each after what it asks for, which most texts have not."""
 
 
 def typography_rule(state: StateCore) -> None:
     """Replace in running text; code and formulae stay as they are."""
     for block in state.tokens:
         for token in block.children or ():
-            if token.type != "text":
-                continue
-            for asked, pattern, character in REPLACEMENTS:
-                if asked in token.content:
+            if token.type == "text":
+                for pattern, character in REPLACEMENTS:
                     token.content = pattern.sub(character, token.content)

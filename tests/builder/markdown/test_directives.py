@@ -20,7 +20,7 @@ from site_builder.markdown.directive import (
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import OPENING
 from site_builder.markdown.parse_context import ParseContext, Shared
-from site_builder.markdown.parser import RULES, make_parser
+from site_builder.markdown.parser import make_parser
 from site_builder.markdown.role import USE
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.usage import checked
@@ -67,13 +67,6 @@ def test_names_are_given_once_and_can_be_written() -> None:
     assert max(*directives.values(), *roles.values()) == 1
     assert all(OPENING.fullmatch(f":::{{{name}}} words") for name in directives)
     assert all(USE.fullmatch(f"{{{name}}}`words`") for name in roles)
-
-
-def test_each_of_our_rules_stands_before_the_one_it_names() -> None:
-    order = make_parser().get_all_rules()
-    for rule in RULES:
-        chain = order[rule.chain]
-        assert chain.index(rule.name) + 1 == chain.index(rule.before), rule.name
 
 
 @pytest.mark.parametrize(
