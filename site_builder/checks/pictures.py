@@ -16,10 +16,7 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 KINDS = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG", ".webp": "WEBP"}
-MOST_PIXELS, MANY_PIXELS = 40_000_000, 6_000_000
-"""What is refused, and what is warned of: figures are at most some 1000 px wide, twice that on a
-dense screen."""
-MOST_BYTES, MANY_BYTES = 20_000_000, 1_500_000
+MOST_PIXELS, MOST_BYTES = 40_000_000, 20_000_000
 
 
 def check_pictures(root: Path, problems: Diagnostics, *, trusted: bool = False) -> None:
@@ -35,18 +32,15 @@ def _check_picture(file: Path, path: str, problems: Diagnostics, trusted: bool) 
         expected = f"at most {MOST_BYTES / 1e6:g} MB"
         problems.add(path, 1, f"a picture of {size / 1e6:.1f} MB; legal: {expected}")
         return
-    if size > MANY_BYTES:
-        better = f"at most {MANY_BYTES / 1e6:g} MB"
-        problems.warn(path, 1, f"a picture of {size / 1e6:.1f} MB; better: {better}")
     if file.suffix == ".svg":
         for fault in read_svg(file.read_bytes()).faults:
             if not trusted or fault.unreadable:
                 problems.add(path, fault.line, fault.message)
-    elif fault_of_raster := _fault_of_raster(file, path, problems):
-        problems.add(path, 1, fault_of_raster)
+    elif message := _fault_of_raster(file):
+        problems.add(path, 1, message)
 
 
-def _fault_of_raster(file: Path, path: str, problems: Diagnostics) -> str:
+def _fault_of_raster(file: Path) -> str:
     """What is wrong with a picture of pixels; nothing where nothing is."""
     from PIL import Image, UnidentifiedImageError  # not every book has such pictures
 
@@ -55,9 +49,6 @@ def _fault_of_raster(file: Path, path: str, problems: Diagnostics) -> str:
             width, height = picture.size
             if width * height > MOST_PIXELS:
                 return f"{width} × {height} px; legal: at most {MOST_PIXELS:,} pixels"
-            if width * height > MANY_PIXELS:
-                message = f"{width} × {height} px; better: at most {MANY_PIXELS:,} pixels"
-                problems.warn(path, 1, message)
             if picture.format != KINDS[file.suffix]:
                 return f"holds {picture.format}; legal: {KINDS[file.suffix]}, as its name says"
             picture.load()

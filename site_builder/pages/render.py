@@ -120,34 +120,21 @@ class Site:
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
     book, render = site.book, _renderer(site)
-    pages: dict[str, Callable[[], bytes]] = {
-        "index.html": partial(
-            render,
-            "landing.html",
-            "index.html",
-            counts=_counts(book),
-            cover=_cover(book),
-            progress=progress_data(book),
-        ),
-        "404.html": partial(render, "not-found.html"),
-        "licences/index.html": partial(
-            render, "licences.html", "licences/index.html", licences=licences
-        ),
-    }
+    pages: dict[str, bytes] = {}
 
-    def follow(name: str, **context: object) -> None:
-        path = f"{name}/index.html"
-        pages[path] = partial(render, f"{name}.html", path, here=name, **context)
+    def add(template: str, path: str, **context: object) -> None:
+        pages[path] = render(f"{template}.html", path, **context)
 
-    behind = back_matter_pages(book)
-    for name in ("references", "lecture-plan"):
-        if name in behind:
-            follow(name, **behind.pop(name))
+    cover = {"counts": _counts(book), "cover": _cover(book), "progress": progress_data(book)}
+    add("landing", "index.html", **cover)
+    pages["404.html"] = render("not-found.html")  # which is served at any address
+    add("licences", "licences/index.html", licences=licences)
+    for name, context in back_matter_pages(book).items():
+        add(name, f"{name}/index.html", here=name, **context)
     cards = [None, *map(card, book.chapters), None]
     for index, chapter in enumerate(book.chapters):
-        pages[f"{chapter.url}index.html"] = partial(
-            render,
-            "chapter.html",
+        add(
+            "chapter",
             f"{chapter.url}index.html",
             chapter=chapter,
             sections=nest_headings(chapter.headings),
@@ -155,19 +142,12 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             previous=cards[index],
             following=cards[index + 2],
         )
-    for name, context in behind.items():
-        follow(name, **context)
     for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
+        folder, _, file = path.rpartition("/")
+        code = own_or_engine(site.root, path).read_text(encoding="utf-8")
         address = f"source/{path.removesuffix('.py')}/index.html"
-        pages[address] = partial(
-            render,
-            "source.html",
-            address,
-            folder=path.rpartition("/")[0],
-            file=path.rpartition("/")[2],
-            code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
-        )
-    return {path: make() for path, make in pages.items()}
+        add("source", address, folder=folder, file=file, code=code)
+    return pages
 
 
 def back_matter_pages(book: Book) -> dict[str, dict[str, Any]]:

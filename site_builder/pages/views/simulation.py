@@ -13,7 +13,6 @@ from simulations.registry import load_ladder
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.passage import Passage
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.views.control import CellView, control_cells, value_text
@@ -48,32 +47,23 @@ class PanelView:
 
 @dataclass(frozen=True, slots=True)
 class SimulationView:
-    """A figure, ready for ``blocks/simulation.html``."""
+    """A figure, ready for ``blocks/simulation.html``, beside what its directive says."""
 
-    id: str
-    scene_id: str
     name: str
     """The scene's title, numbered where the page shows the scene again."""
     description: str
-    caption: Passage
     panels: tuple[PanelView, ...]
     readouts: tuple[Readout, ...]
     cells: tuple[CellView, ...]
     """Controls that are always in sight."""
     folded: tuple[CellView, ...]
-    """Controls that wait behind a line where space is narrow."""
-    columns: tuple[int, int, int]
+    """Controls that are folded where space is narrow."""
+    columns: tuple[int, ...]
     """Readouts in a row where space is narrow, middling and wide."""
-    photograph: bool
-    """Whether it can show the reader's own picture."""
     tiers: tuple[tuple[str, str], ...]
     """Id and label of each accuracy, cheap to dear."""
-    tier: str
-    judged: bool
-    """Whether the error of a frame can be told."""
     stages: tuple[StageReport, ...]
     stages_text: str
-    workings_open: bool
     schema: str
     """JSON that is safe inside a script element."""
     prerendered: str
@@ -82,15 +72,11 @@ class SimulationView:
 
 def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
-    figure, scene, frame = still.figure, still.figure.scene, still.frame
-    tiers = tier_labels(scene)
+    frame, tiers = still.frame, tier_labels(still.figure.scene)
     cells, folded = control_cells(still, tiers, words)
     return SimulationView(
-        id=figure.id,
-        scene_id=scene.id,
-        name=_name(figure),
+        name=_name(still.figure),
         description=frame.description,
-        caption=figure.caption,
         panels=tuple(
             PanelView(
                 panel, *_picture(still, panel.name, assets), _handles(still, panel.name, words)
@@ -100,20 +86,12 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         readouts=tuple(replace(shown, text=words.numeral(shown.text)) for shown in frame.readouts),
         cells=cells,
         folded=folded,
-        columns=(
-            even_columns(len(frame.readouts), 2),
-            even_columns(len(frame.readouts), 4),
-            even_columns(len(frame.readouts), 6),
-        ),
-        photograph=scene.photograph is not None,
+        columns=tuple(even_columns(len(frame.readouts), most) for most in (2, 4, 6)),
         tiers=tiers,
-        tier=figure.tier,
-        judged=scene.estimate is not None,
         stages=tuple(
             replace(stage, reason=reason_text(stage.reason, words)) for stage in frame.stages
         ),
         stages_text=count_stages(frame.stages, words),
-        workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
         prerendered=f"{assets}prerendered/{still.prerendered.file}" if still.prerendered else "",
     )

@@ -71,11 +71,9 @@ def test_a_picture_too_large_to_be_read_is_refused_unread(told: Callable[..., li
         assert told("a.png", vast)[-1].startswith(f"1: {says}")
 
 
-def test_a_large_picture_is_warned_of_and_one_too_large_refused(
+def test_a_picture_of_too_many_pixels_is_refused(
     told: Callable[..., list[str]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(picture_checks, "MANY_PIXELS", 50)
-    assert told("a.png", picture(8, 8)) == ["1: warning: 8 × 8 px; better: at most 50 pixels"]
     monkeypatch.setattr(picture_checks, "MOST_PIXELS", 60)
     assert told("a.png", picture(8, 8)) == ["1: 8 × 8 px; legal: at most 60 pixels"]
 
@@ -84,9 +82,7 @@ def test_a_heavy_file_is_refused_unread(
     told: Callable[..., list[str]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(picture_checks, "MOST_BYTES", 2_000_000)
-    (warning, refusal) = (told("a.svg", b" " * size)[0] for size in (1_600_000, 2_100_000))
-    assert warning == "1: warning: a picture of 1.6 MB; better: at most 1.5 MB"
-    assert refusal == "1: a picture of 2.1 MB; legal: at most 2 MB"
+    assert told("a.svg", b" " * 2_100_000)[0] == "1: a picture of 2.1 MB; legal: at most 2 MB"
 
 
 def test_a_picture_of_the_book_is_published_only_as_checked(
