@@ -17,12 +17,16 @@ type OpenFigure = Callable[[str], Locator]
 
 
 @pytest.fixture
-def open_figure(visitor: Reader, book: Any) -> OpenFigure:
-    """Leads to a figure that rests."""
+def open_figure(guest: Reader, book: Any) -> OpenFigure:
+    """Leads to a figure that rests as its page has put it."""
 
     def open_it(scene: str) -> Locator:
-        figure = visitor.turn_to_figure(book, scene)
-        visitor.settle(figure)
+        figure = guest.stay_at_figure(book, scene)
+        guest.put_back(figure)
+        tier = load_scene(scene).default_tier
+        if figure.get_attribute("data-tier") != tier:
+            guest.choose(figure, "tier", tier)
+            guest.settle(figure)
         return figure
 
     return open_it
@@ -41,29 +45,29 @@ def set_slider(figure: Locator, name: str, value: float, *, release: bool) -> No
 
 
 def test_a_drag_is_drafted_and_settles_in_the_chosen_tier(
-    visitor: Reader, open_figure: OpenFigure
+    guest: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("camera")
     assert figure.get_attribute("data-tier") == "layers"
-    frames = visitor.frames(figure)
+    frames = guest.frames(figure)
     set_slider(figure, "focal_length", 60, release=False)
-    visitor.wait_frame(figure, frames)
+    guest.wait_frame(figure, frames)
     assert figure.get_attribute("data-tier") == "draft"
-    drafted, frames = visitor.shown(figure), visitor.frames(figure)
+    drafted, frames = guest.shown(figure), guest.frames(figure)
     set_slider(figure, "focal_length", 60, release=True)
-    visitor.wait_frame(figure, frames)
-    visitor.settle(figure)
+    guest.wait_frame(figure, frames)
+    guest.settle(figure)
     assert figure.get_attribute("data-tier") == "layers"
-    assert visitor.shown(figure)["pixels"] != drafted["pixels"]
+    assert guest.shown(figure)["pixels"] != drafted["pixels"]
 
 
 def test_a_drag_that_leaves_geometry_alone_needs_no_draft(
-    visitor: Reader, open_figure: OpenFigure
+    guest: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("camera")
-    frames = visitor.frames(figure)
+    frames = guest.frames(figure)
     set_slider(figure, "noise_sigma", 20, release=False)
-    visitor.wait_frame(figure, frames)
+    guest.wait_frame(figure, frames)
     assert figure.get_attribute("data-tier") == "layers"
     statuses = figure.locator(".stage").evaluate_all(
         "stages => stages.map((stage) => [stage.firstElementChild.textContent,"
@@ -83,7 +87,7 @@ def test_a_drag_that_leaves_geometry_alone_needs_no_draft(
     ],
 )
 def test_a_drag_has_its_control_s_own_draft_or_where_it_is_too_dear_the_coarse_one(
-    visitor: Reader,
+    guest: Reader,
     open_figure: OpenFigure,
     chosen: str,
     control: str,
@@ -92,49 +96,49 @@ def test_a_drag_has_its_control_s_own_draft_or_where_it_is_too_dear_the_coarse_o
 ) -> None:
     figure = open_figure("camera")
     if figure.get_attribute("data-tier") != chosen:
-        visitor.choose(figure, "tier", chosen)
-    visitor.settle(figure)
-    frames = visitor.frames(figure)
+        guest.choose(figure, "tier", chosen)
+    guest.settle(figure)
+    frames = guest.frames(figure)
     set_slider(figure, control, value, release=False)
-    visitor.wait_frame(figure, frames)
+    guest.wait_frame(figure, frames)
     assert figure.get_attribute("data-tier") == while_dragging
 
 
 def test_the_error_is_told_at_rest_and_differs_by_tier(
-    visitor: Reader, open_figure: OpenFigure
+    guest: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("lens-distortion")
     set_slider(figure, "k1", -0.3, release=True)
-    visitor.settle(figure)
+    guest.settle(figure)
     errors = {}
     for tier in ("first-order", "newton-bracketed"):
-        visitor.choose(figure, "tier", tier)
-        errors[tier] = visitor.judged(figure)
+        guest.choose(figure, "tier", tier)
+        errors[tier] = guest.judged(figure)
     assert errors["newton-bracketed"] == "under 10⁻⁹\xa0px"
     assert float(errors["first-order"].removesuffix("\xa0px")) > 1
 
 
 def test_a_tier_cheaper_than_the_draft_is_kept_while_dragging(
-    visitor: Reader, open_figure: OpenFigure
+    guest: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("lens-distortion")
-    visitor.choose(figure, "tier", "first-order")
-    frames = visitor.frames(figure)
+    guest.choose(figure, "tier", "first-order")
+    frames = guest.frames(figure)
     set_slider(figure, "k1", 0.3, release=False)
-    visitor.wait_frame(figure, frames)
+    guest.wait_frame(figure, frames)
     assert figure.get_attribute("data-tier") == "first-order"
 
 
 def test_no_error_stands_beside_a_frame_that_it_does_not_belong_to(
-    visitor: Reader, open_figure: OpenFigure
+    guest: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("lens-distortion")
-    visitor.judged(figure)
+    guest.judged(figure)
     figure.evaluate(NOTE_ERROR)
-    frames = visitor.frames(figure)
+    frames = guest.frames(figure)
     set_slider(figure, "k1", 0.2, release=False)
-    visitor.wait_frame(figure, frames)
-    assert visitor.page.evaluate("window.beside")[0] == "…"
+    guest.wait_frame(figure, frames)
+    assert guest.page.evaluate("window.beside")[0] == "…"
 
 
 NOTE_ERROR = """(figure) => {
@@ -147,15 +151,15 @@ NOTE_ERROR = """(figure) => {
 
 
 def test_a_refused_setting_leaves_the_list_of_stages_ready_for_the_next(
-    visitor: Reader, open_figure: OpenFigure
+    guest: Reader, open_figure: OpenFigure
 ) -> None:
     """Focused nearer than its focal length a lens makes no picture, and no stage is run."""
     figure = open_figure("depth-of-field")
     for focus in (0.05, 3.0):
-        frames = visitor.frames(figure)
+        frames = guest.frames(figure)
         set_slider(figure, "focus", focus, release=True)
-        visitor.wait_frame(figure, frames)
-        visitor.settle(figure)
+        guest.wait_frame(figure, frames)
+        guest.settle(figure)
         assert figure.get_attribute("data-state") == "live"
     assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
 

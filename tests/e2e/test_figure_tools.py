@@ -5,6 +5,7 @@ import io
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from PIL import Image
@@ -18,14 +19,17 @@ ID = "figure-lens-distortion"
 
 
 @pytest.fixture
-def figure(visitor: Reader) -> Iterator[Locator]:
+def figure(guest: Reader, book: Any) -> Iterator[Locator]:
     """A figure at a setting of its own, its list of tools open."""
-    visitor.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    visitor.turn_to_unlinked(f"{CHAPTER}?{ID}.k1=-0.3")
-    found = visitor.figure("lens-distortion")
-    found.locator(".share > summary").click()
+    guest.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    found = guest.stay_at_figure(book, "lens-distortion")
+    guest.put_back(found)
+    found.locator("[name=k1]").fill("-0.3")
+    guest.page.wait_for_function("location.search.includes('k1=-0.3')")
+    guest.settle(found)
+    found.locator(".share").evaluate("tools => { tools.open = true; }")
     yield found
-    visitor.page.emulate_media(reduced_motion="null")
+    guest.page.emulate_media(reduced_motion="null")
 
 
 def saved(figure: Locator, button: str) -> Path:
@@ -35,38 +39,36 @@ def saved(figure: Locator, button: str) -> Path:
     return path.rename(path.with_name(download.value.suggested_filename))
 
 
-def test_the_link_that_is_copied_opens_the_figure_as_it_is(
-    visitor: Reader, figure: Locator
-) -> None:
+def test_the_link_that_is_copied_opens_the_figure_as_it_is(guest: Reader, figure: Locator) -> None:
     figure.locator("[data-copy-link]").click()
     figure.locator(".tools-said", has_text="copied").wait_for()
-    link = visitor.page.evaluate("navigator.clipboard.readText()")
-    assert link == f"{visitor.root}{CHAPTER}?{ID}.k1=-0.3#{ID}"
+    link = guest.page.evaluate("navigator.clipboard.readText()")
+    assert link == f"{guest.root}{CHAPTER}?{ID}.k1=-0.3#{ID}"
 
 
 def test_where_copying_is_forbidden_the_link_is_shown_to_be_copied_by_hand(
-    visitor: Reader, figure: Locator
+    guest: Reader, figure: Locator
 ) -> None:
     forbid = "() => { navigator.clipboard.writeText = () => Promise.reject(new Error('no')); }"
-    visitor.page.evaluate(forbid)
+    guest.page.evaluate(forbid)
     figure.locator("[data-copy-link]").click()
     field = figure.locator(".copied")
     field.wait_for()
-    visitor.page.evaluate("delete navigator.clipboard.writeText")
+    guest.page.evaluate("delete navigator.clipboard.writeText")
     assert field.input_value().endswith(f"?{ID}.k1=-0.3#{ID}")
 
 
 def test_reset_returns_to_the_start_of_the_page_and_back_undoes_it(
-    visitor: Reader, figure: Locator
+    guest: Reader, figure: Locator
 ) -> None:
-    visitor.page.emulate_media(reduced_motion="reduce")
+    guest.page.emulate_media(reduced_motion="reduce")
     figure.locator("[data-reset]").click()
     is_at = "([figure, value]) => figure.querySelector('[name=k1]').value === value"
     start = figure.locator("script.schema").evaluate("s => JSON.parse(s.text).values.k1")
-    visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), str(start)])
-    visitor.page.wait_for_function("location.search === ''")
-    visitor.page.go_back()
-    visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), "-0.3"])
+    guest.page.wait_for_function(is_at, arg=[figure.element_handle(), str(start)])
+    guest.page.wait_for_function("location.search === ''")
+    guest.page.go_back()
+    guest.page.wait_for_function(is_at, arg=[figure.element_handle(), "-0.3"])
 
 
 def test_the_numbers_are_saved_with_the_settings_that_they_belong_to(figure: Locator) -> None:
@@ -99,26 +101,48 @@ def test_a_drawing_is_saved_as_svg_that_needs_no_style_sheet(figure: Locator) ->
 
 
 def test_full_screen_shows_the_figure_alone_until_it_is_left(
-    visitor: Reader, figure: Locator
+    guest: Reader, figure: Locator
 ) -> None:
     button = figure.locator("[data-full-screen]")
     button.click()
-    visitor.page.wait_for_function(f"document.fullscreenElement?.id === '{ID}'")
+    guest.page.wait_for_function(f"document.fullscreenElement?.id === '{ID}'")
     expect(button).to_have_attribute("aria-pressed", "true")
-    visitor.page.evaluate("document.exitFullscreen()")  # as a browser's Escape does
+    guest.page.evaluate("document.exitFullscreen()")  # as a browser's Escape does
     expect(button).to_have_attribute("aria-pressed", "false")
 
 
-def test_the_tools_are_reached_by_keyboard(visitor: Reader, figure: Locator) -> None:
+def test_the_tools_are_reached_by_keyboard(guest: Reader, figure: Locator) -> None:
     summary = figure.locator(".share > summary")
     summary.focus()
-    visitor.page.keyboard.press("Tab")
+    guest.page.keyboard.press("Tab")
     assert figure.locator("[data-copy-link]").evaluate("b => b === document.activeElement")
-    visitor.page.keyboard.press("Enter")
+    guest.page.keyboard.press("Enter")
     figure.locator(".tools-said", has_text="copied").wait_for()
 
 
-def test_the_error_is_measured_only_while_it_is_shown(visitor: Reader, figure: Locator) -> None:
+def test_words_and_readouts_light_up_what_has_their_colour(guest: Reader, figure: Locator) -> None:
+    caption = guest.page.locator(f"#{ID} figcaption")
+    lit = "([element, role]) => (element.dataset.lit ?? '') === role"
+    for pointed, role in [
+        (caption.locator(".role-world"), "world"),
+        (figure.locator(".readout.role-ray"), "ray"),
+    ]:
+        pointed.hover()
+        for element in (figure, guest.page.locator("article.chapter")):
+            guest.page.wait_for_function(lit, arg=[element.element_handle(), role])
+        guest.page.mouse.move(0, 0)
+        guest.page.wait_for_function(lit, arg=[figure.element_handle(), ""])
+    caption.locator(".role-image").focus()
+    guest.page.wait_for_function(lit, arg=[figure.element_handle(), "image"])
+    faded = "element => getComputedStyle(element).opacity !== '1'"
+    guest.page.wait_for_function(
+        faded, arg=figure.locator(".overlay > .camera").first.element_handle()
+    )
+
+
+def test_the_error_is_measured_only_while_it_is_shown(visitor: Reader) -> None:
+    visitor.turn_to(CHAPTER)
+    figure = visitor.figure("lens-distortion")
     accuracy = figure.locator(".accuracy")
     assert figure.locator(".accuracy-value").text_content() == "…"
     figure.locator(".workings > summary").click()
@@ -126,28 +150,6 @@ def test_the_error_is_measured_only_while_it_is_shown(visitor: Reader, figure: L
         "line => line.dataset.judged === 'true'", arg=accuracy.element_handle()
     )
     assert figure.locator(".accuracy-value").inner_text() != "…"
-
-
-def test_words_and_readouts_light_up_what_has_their_colour(visitor: Reader) -> None:
-    visitor.turn_to_unlinked(f"{CHAPTER}?{ID}.k1=-0.3")
-    figure = visitor.figure("lens-distortion")
-    caption = visitor.page.locator(f"#{ID} figcaption")
-    lit = "([element, role]) => (element.dataset.lit ?? '') === role"
-    for pointed, role in [
-        (caption.locator(".role-world"), "world"),
-        (figure.locator(".readout.role-ray"), "ray"),
-    ]:
-        pointed.hover()
-        for element in (figure, visitor.page.locator("article.chapter")):
-            visitor.page.wait_for_function(lit, arg=[element.element_handle(), role])
-        visitor.page.mouse.move(0, 0)
-        visitor.page.wait_for_function(lit, arg=[figure.element_handle(), ""])
-    caption.locator(".role-image").focus()
-    visitor.page.wait_for_function(lit, arg=[figure.element_handle(), "image"])
-    faded = "element => getComputedStyle(element).opacity !== '1'"
-    visitor.page.wait_for_function(
-        faded, arg=figure.locator(".overlay > .camera").first.element_handle()
-    )
 
 
 def test_numbers_do_not_speak_while_they_change(plain_reader: Reader) -> None:

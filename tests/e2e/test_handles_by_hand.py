@@ -96,7 +96,7 @@ def test_a_handle_stays_under_the_pointer_and_ends_at_the_last_of_many_moves(
     mouse = visitor.page.mouse
     mouse.move(*start)
     mouse.down()
-    grip.evaluate(SWAY, [200, *start])
+    grip.evaluate(SWAY, [80, *start])
     mouse.move(*end)
     mouse.up()
     visitor.settle(figure)

@@ -3,14 +3,12 @@
 import csv
 import io
 import json
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from bench.record import close
-from playwright.sync_api import Browser, Locator
+from playwright.sync_api import Locator
 from support.reader import START_MS, Reader
-from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
@@ -74,38 +72,29 @@ def test_every_ladder_of_the_book_offers_to_be_measured(visitor: Reader) -> None
         assert benches.nth(index).locator("button.run").is_enabled()
 
 
-@pytest.fixture(scope="module")
-def measured(chromium: Browser, site_server: StaticServer) -> Iterator[Locator]:
-    """A ladder that has been measured; tests that only look at it share it."""
-    context = chromium.new_context(viewport={"width": 1280, "height": 900})
-    someone = Reader(context, site_server.url)
-    someone.open(CHAPTER)
-    bench = unfold(someone.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first)
-    measure(someone, bench)
-    yield bench
-    context.close()
-    assert not someone.complaints, "\n".join(someone.complaints)
-
-
-def test_measuring_adds_a_time_and_a_point_for_every_tier(measured: Locator) -> None:
-    cells = measured.locator("td.own").all_inner_texts()
+def test_measuring_adds_a_time_and_a_point_for_every_tier_and_moves_nothing(
+    visitor: Reader, bench: Locator
+) -> None:
+    visitor.page.evaluate("window.shifts.length = 0")
+    measure(visitor, bench)
+    cells = bench.locator("td.own").all_inner_texts()
     assert all(float(text) > 0.0 for text in cells)
-    assert measured.locator(".overlay .own polygon").count() == len(cells)
-    assert measured.get_attribute("data-measured") == str(len(cells))
+    assert bench.locator(".overlay .own polygon").count() == len(cells)
+    assert bench.get_attribute("data-measured") == str(len(cells))
+    own, drawn = bench.evaluate(HEIGHTS)
+    assert own == pytest.approx(drawn, abs=2.0), "each level with the tier that it belongs to"
+    moved = visitor.page.evaluate("window.shifts")
+    assert sum(shift["value"] for shift in moved) < 0.01, moved
+    assert_file_holds_what_was_measured(bench)
 
 
-def test_a_point_of_ones_own_stands_level_with_the_tier_it_belongs_to(measured: Locator) -> None:
-    own = measured.evaluate(
-        "b => [...b.querySelectorAll('.own .spread')].map(s => Number(s.getAttribute('y1')))"
-    )
-    drawn = measured.evaluate(
-        "b => [...b.querySelectorAll('circle.hollow')].map(c => Number(c.getAttribute('cy')))"
-    )
-    assert own == pytest.approx(drawn, abs=2.0)
+HEIGHTS = """bench => [['.own .spread', 'y1'], ['circle.hollow', 'cy']].map(([what, name]) =>
+  [...bench.querySelectorAll(what)].map(mark => Number(mark.getAttribute(name))))"""
 
 
-def test_the_file_holds_what_was_measured_and_the_errors_of_the_book(measured: Locator) -> None:
-    rows = read_csv(measured)
+def assert_file_holds_what_was_measured(bench: Locator) -> None:
+    """And the errors of the book."""
+    rows = read_csv(bench)
     entry = json.loads(DATA.read_text(encoding="utf-8"))["ladders"][LADDER]
     assert [row["tier"] for row in rows] == list(entry["tiers"])
     for row in rows:
@@ -118,27 +107,7 @@ def test_the_file_holds_what_was_measured_and_the_errors_of_the_book(measured: L
             assert close(float(row[f"{metric} ({unit})"]), recorded)
 
 
-def test_measuring_moves_nothing_on_the_page(measured: Locator) -> None:
-    moved = measured.page.evaluate("window.shifts")
-    assert sum(shift["value"] for shift in moved) < 0.01, moved
-
-
-def test_a_reader_who_stops_keeps_what_was_measured_and_can_begin_anew(
-    visitor: Reader, bench: Locator
-) -> None:
-    visitor.page.evaluate(HOLD)
-    bench.locator("button.run").click()
-    bench.locator("button.stop").click()
-    visitor.page.evaluate("release()")
-    wait_state(visitor, bench, "stopped")
-    rows = bench.locator("td.own").all_inner_texts()
-    measured = [text for text in rows if text != "–"]
-    assert len(measured) < len(rows)
-    assert str(len(measured)) in bench.locator(".ladder-status").inner_text()
-    measure(visitor, bench)
-
-
-def test_a_reader_with_a_keyboard_is_never_left_on_a_dead_button(
+def test_a_reader_who_stops_by_keyboard_keeps_what_was_measured_and_never_has_a_dead_button(
     visitor: Reader, bench: Locator
 ) -> None:
     visitor.page.evaluate(HOLD)
@@ -149,6 +118,10 @@ def test_a_reader_with_a_keyboard_is_never_left_on_a_dead_button(
     visitor.page.evaluate("release()")
     wait_state(visitor, bench, "stopped")
     assert visitor.page.evaluate(focused) == "run"
+    rows = bench.locator("td.own").all_inner_texts()
+    measured = [text for text in rows if text != "–"]
+    assert len(measured) < len(rows)
+    assert str(len(measured)) in bench.locator(".ladder-status").inner_text()
 
 
 def test_a_lost_worker_is_said_and_the_next_attempt_succeeds(

@@ -40,9 +40,9 @@ def test_a_burst_ends_at_its_last_value_and_leaves_nothing_behind(
 ) -> None:
     visitor.turn_to_figure(book, "perspective-projection")
     expected = texts_of(frame_of(load_scene("perspective-projection"), depth=7.3))["x"]
-    assert visitor.page.evaluate(DRAG, [200, 7.3]) == expected
+    assert visitor.page.evaluate(DRAG, [120, 7.3]) == expected
     before = held(visitor)
-    assert visitor.page.evaluate(DRAG, [200, 7.3]) == expected
+    assert visitor.page.evaluate(DRAG, [120, 7.3]) == expected
     after = held(visitor)
     assert after["JSEventListeners"] == before["JSEventListeners"]
-    assert after["Nodes"] < before["Nodes"] + 20  # some sixty frames were painted
+    assert after["Nodes"] < before["Nodes"] + 15  # some thirty frames were painted

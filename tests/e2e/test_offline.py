@@ -28,18 +28,6 @@ FILM = "film.bin"
 NEW = "A sentence of the next release."
 
 
-@pytest.fixture(scope="module")
-def kept(brisk_chromium: Browser, built_site: Path) -> Iterator[Reader]:
-    """A reader who visited the title page of a book whose host has gone since."""
-    with (
-        serving(built_site) as host,
-        visit(brisk_chromium, host, service_workers="allow") as someone,
-    ):
-        keep(someone, "")
-        host.gone = True
-        yield someone
-
-
 @pytest.fixture
 def host(release: Path) -> Iterator[StaticServer]:
     with serving(release) as server:
@@ -84,38 +72,38 @@ def next_release(release: Path, tmp_path_factory: pytest.TempPathFactory) -> Pat
     return root
 
 
-def test_after_one_visit_every_page_opens_without_a_network(kept: Reader, book: Any) -> None:
-    with kept.page.context.new_page() as page:
-        page.add_init_script("delete globalThis.WebAssembly")  # for Python see the next test
-        for chapter in book["chapters"]:
-            page.goto(kept.root + chapter["url"])
-            assert chapter["title"] in page.title()
-
-
-def test_a_figure_comes_alive_without_a_network(kept: Reader, book: Any) -> None:
-    figure = kept.open_figure(book, "perspective-projection")
-    assert figure.get_attribute("data-state") == "live"
-
-
-def test_search_answers_without_a_network(kept: Reader) -> None:
-    kept.page.goto(kept.root + PAGE)
-    assert search(kept.page, "vignetting")
-
-
-def test_an_address_finds_its_page_however_it_ends(kept: Reader) -> None:
-    for end in ("glossary", "glossary/?figure-camera.k1=0", "glossary/#term-vignetting"):
-        kept.page.goto(kept.root + end)
-        assert kept.page.title().startswith("Glossary")
+def test_after_one_visit_every_page_its_figures_and_the_search_work_without_a_network(
+    brisk_chromium: Browser, built_site: Path, book: Any
+) -> None:
+    with (
+        serving(built_site) as host,
+        visit(brisk_chromium, host, service_workers="allow") as kept,
+    ):
+        keep(kept, "")
+        host.gone = True
+        with kept.page.context.new_page() as page:
+            page.add_init_script("delete globalThis.WebAssembly")
+            for chapter in book["chapters"]:
+                page.goto(kept.root + chapter["url"])
+                assert chapter["title"] in page.title()
+            for end in ("glossary", "glossary/?figure-camera.k1=0", "glossary/#term-vignetting"):
+                page.goto(kept.root + end)
+                assert page.title().startswith("Glossary")
+            assert search(page, "vignetting")
+        figure = kept.open_figure(book, "perspective-projection")
+        assert figure.get_attribute("data-state") == "live"
 
 
 def test_a_new_release_is_there_whole_at_the_second_visit_and_the_old_one_gone(
     reader: Reader, host: StaticServer, next_release: Path
 ) -> None:
+    """A page that was left open over it still gets what belongs to it."""
     old = keep(reader)
     host.root = next_release
     reader.page.goto(reader.root + PAGE)
     assert not is_new(reader.page)
     new = wait_for_release(reader.page, after=old)
+    assert search(reader.page, "vignetting")
     host.gone = True
     reader.page.goto(reader.root + OTHER)
     assert is_new(reader.page)
@@ -136,20 +124,8 @@ def test_a_release_with_a_wrong_file_is_not_taken_up(
     assert not is_new(reader.page)
 
 
-def test_a_page_left_open_over_a_release_still_gets_what_belongs_to_it(
-    reader: Reader, host: StaticServer, next_release: Path
-) -> None:
-    old = keep(reader)
-    host.root = next_release
-    reader.page.evaluate(
-        "navigator.serviceWorker.ready.then((kept) => kept.update()).then(() => 0)"
-    )
-    wait_for_release(reader.page, after=old)
-    assert search(reader.page, "vignetting")
-
-
-def test_who_asks_for_the_browsers_own_copy_gets_that_and_not_the_kept_one(
-    reader: Reader,
+def test_who_asks_for_the_browsers_own_copy_gets_that_and_a_film_is_wound_forward_without_a_network(
+    reader: Reader, host: StaticServer
 ) -> None:
     """With its own copy the browser keeps what it compiled of it."""
     keep(reader)
@@ -161,6 +137,8 @@ def test_who_asks_for_the_browsers_own_copy_gets_that_and_not_the_kept_one(
             reader.page.evaluate(ASK, [script, cache])
         assert reply.value.from_service_worker is is_kept
         assert reply.value.ok
+    host.gone = True
+    assert {asked: reader.page.evaluate(PART, {"Range": asked}) for asked in PARTS} == PARTS
 
 
 def test_a_site_that_is_no_longer_kept_takes_back_what_was(
@@ -175,7 +153,6 @@ def test_a_site_that_is_no_longer_kept_takes_back_what_was(
 
 ASK = """([url, cache]) => fetch(url, {cache, mode: "same-origin"}).then(() => 0)"""
 
-
 PARTS = {
     "bytes=2-4": [206, "234", "bytes 2-4/10"],
     "bytes=0-": [206, "0123456789", "bytes 0-9/10"],
@@ -183,13 +160,6 @@ PARTS = {
     "lines=1-2": [200, "0123456789", None],
 }
 """What RFC 9110, section 14, has a host answer to each range."""
-
-
-def test_without_a_network_a_film_is_wound_forward(reader: Reader, host: StaticServer) -> None:
-    keep(reader)
-    host.gone = True
-    assert {asked: reader.page.evaluate(PART, {"Range": asked}) for asked in PARTS} == PARTS
-
 
 PART = f"""async (headers) => {{
   const reply = await fetch(new URL('../{FILM}', location.href), {{headers}});

@@ -162,40 +162,42 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     visitor.page.evaluate(LIMIT, usual)
 
 
-def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(reader: Reader) -> None:
-    reader.open(CHAPTER)
-    figure, other = figures(reader)[:2]
-    book = reader.shown(figure)
+def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(
+    visitor: Reader,
+) -> None:
+    visitor.turn_to(CHAPTER)
+    figure, other = figures(visitor)[:2]
+    book = visitor.shown(figure)
     open_python(figure)
-    write(reader, figure, NEGATIVE)
-    run(reader, figure)
-    reader.settle(figure)
-    changed = reader.shown(figure)
-    reader.open(CHAPTER)
-    figure, other = figures(reader)[:2]
+    write(visitor, figure, NEGATIVE)
+    run(visitor, figure)
+    visitor.settle(figure)
+    changed = visitor.shown(figure)
+    visitor.open(CHAPTER)
+    figure, other = figures(visitor)[:2]
     figure.locator(".python-state", has_text="runs your code").wait_for(timeout=START_MS)
-    reader.settle(figure)
-    assert reader.shown(figure) == changed
+    visitor.settle(figure)
+    assert visitor.shown(figure) == changed
     assert other.locator(".python-state").inner_text() == ""
     assert figure.locator(".workshop").count() == 0
     open_python(figure)
-    with reader.page.expect_download() as caught:
+    with visitor.page.expect_download() as caught:
         figure.locator(".download").click()
     assert caught.value.suggested_filename == "lens-distortion-edited.py"
     text = caught.value.path().read_text(encoding="utf-8")
     assert NEGATIVE in text
     assert "# _encoded in simulations/scenes/lens_distortion/stages.py" in text
-    reader.page.evaluate(THE_BOOK_CHANGES)
-    reader.turn_to("licences/", live=False)
-    reader.turn_to(CHAPTER)
-    figure = figures(reader)[0]
+    visitor.page.evaluate(THE_BOOK_CHANGES)
+    visitor.turn_to("licences/", live=False)
+    visitor.turn_to(CHAPTER)
+    figure = figures(visitor)[0]
     open_python(figure)
     assert "def _encoded(photo: Photo)" in figure.locator(".cm-content").inner_text()
-    assert reader.shown(figure) == book
+    assert visitor.shown(figure) == book
     figure.locator(".offer-show").click()
     assert figure.locator(".cm-content").inner_text().strip() == NEGATIVE.strip()
     figure.locator(".put-all-back").click()
-    assert not reader.page.evaluate("Object.keys(localStorage).some((k) => k.includes('python:'))")
+    assert not visitor.page.evaluate("Object.keys(localStorage).some((k) => k.includes('python:'))")
 
 
 def test_all_of_it_can_be_done_by_keyboard(visitor: Reader) -> None:

@@ -71,7 +71,8 @@ def test_an_order_is_made_by_dragging(plain_reader: Reader, book: Any) -> None:
     assert order_of(form) == [before[-1], *before[:-1]]
 
 
-def test_a_figure_is_judged_by_its_present_state(visitor: Reader, book: Any) -> None:
+@pytest.mark.deep
+def test_every_figure_question_is_solved_by_its_solution(visitor: Reader, book: Any) -> None:
     for place in book["chapters"]:
         asked = questions(book, "figure", place["id"])
         if asked:
@@ -89,6 +90,8 @@ def test_a_figure_is_set_and_checked_by_keyboard_alone(visitor: Reader, book: An
     quiz = next(q for q in questions(book, "figure") if q["id"] == "corner-twenty-inwards")
     visitor.turn_to(next(c["url"] for c in book["chapters"] if c["id"] == quiz["chapter"]))
     form = form_of(visitor, quiz)
+    assert form.get_attribute("data-figure") == quiz["figure"]
+    check(visitor, form, "wrong")
     slider = visitor.page.locator(f"#{quiz['figure']} input[name=k1]")
     slider.focus()
     while float(slider.input_value()) > -0.1:

@@ -74,8 +74,11 @@ def of_libraries(parts: Iterable[str]) -> set[str]:
     return {part for part in parts if not part.startswith(("scene-", "ladder-"))}
 
 
+@pytest.mark.parametrize(
+    "ladders", [("shading",), pytest.param((*LADDER_MODULES,), marks=pytest.mark.deep)]
+)
 def test_a_page_whose_scenes_need_no_more_fetches_no_more_until_ladders_ask_for_theirs(
-    chromium: Browser, server: StaticServer, book: Any, table: Any
+    chromium: Browser, server: StaticServer, book: Any, table: Any, ladders: tuple[str, ...]
 ) -> None:
     address, parts = a_chapter(book, table, lambda parts: not parts)
     with visit(chromium, server, FRUGAL) as reader:
@@ -83,7 +86,7 @@ def test_a_page_whose_scenes_need_no_more_fetches_no_more_until_ladders_ask_for_
         reader.open(address)
         assert sorted(fetched) == sorted(AT_ONCE | parts)
         named = set()
-        for ladder in LADDER_MODULES:
+        for ladder in ladders:
             payload = {"ladder": ladder, "tier": load_ladder(ladder).default_tier, "budget": 0.001}
             reply = reader.page.evaluate(CALL, ["measure", payload])
             assert json.loads(reply["result"])["errors"], ladder

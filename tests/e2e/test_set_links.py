@@ -10,7 +10,6 @@ from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
-CHAPTER = "lens-distortion/"
 BARREL = 'a.set[href="?figure-lens-distortion.k1=-0.2&figure-lens-distortion.k2=0#{}"]'.format(
     "figure-lens-distortion"
 )
@@ -33,17 +32,19 @@ STEADY_CLOCK = """() => {
 
 
 @pytest.fixture
-def figure(visitor: Reader) -> Iterator[Locator]:
-    visitor.turn_to(CHAPTER)
-    visitor.page.evaluate("document.querySelectorAll('[data-reveal]').forEach((b) => b.click())")
-    visitor.page.evaluate(STEADY_CLOCK)
-    yield visitor.figure("lens-distortion")
-    visitor.page.evaluate("() => { requestAnimationFrame = usualFrame; }")
-    visitor.page.emulate_media(reduced_motion="null")
+def figure(guest: Reader, book: Any) -> Iterator[Locator]:
+    """As its page has put it, with all answers shown."""
+    found = guest.stay_at_figure(book, "lens-distortion")
+    guest.put_back(found)
+    guest.page.evaluate("document.querySelectorAll('[data-reveal]').forEach((b) => b.click())")
+    guest.page.evaluate(STEADY_CLOCK)
+    yield found
+    guest.page.evaluate("() => { requestAnimationFrame = usualFrame; }")
+    guest.page.emulate_media(reduced_motion="null")
 
 
-def wait_value(visitor: Reader, figure: Locator, name: str, value: str) -> None:
-    visitor.page.wait_for_function(
+def wait_value(guest: Reader, figure: Locator, name: str, value: str) -> None:
+    guest.page.wait_for_function(
         "([figure, name, value]) => figure.querySelector(`[name=${name}]`).value === value",
         arg=[figure.element_handle(), name, value],
     )
@@ -62,63 +63,63 @@ def in_view(locator: Locator) -> bool:
     ids=["mouse", "keyboard"],
 )
 def test_sliders_glide_to_where_the_words_send_them(
-    visitor: Reader, figure: Locator, gesture: Callable[[Locator], object]
+    guest: Reader, figure: Locator, gesture: Callable[[Locator], object]
 ) -> None:
     figure.evaluate(NOTE_VALUES)
     start = float(figure.locator("[name=k1]").input_value())
-    gesture(visitor.page.locator(BARREL).first)
-    wait_value(visitor, figure, "k1", "-0.2")
-    passed = [float(value) for value in visitor.page.evaluate("window.passed")]
+    gesture(guest.page.locator(BARREL).first)
+    wait_value(guest, figure, "k1", "-0.2")
+    passed = [float(value) for value in guest.page.evaluate("window.passed")]
     assert passed == sorted(passed, reverse=True)
     assert any(-0.2 < value < start for value in passed)
     assert all(round(100 * value, 6) == round(100 * value) for value in passed)
-    visitor.settle(figure)
+    guest.settle(figure)
     assert figure.locator("output[name=corner]").inner_text() == "−40.0"
 
 
-def test_a_figure_out_of_view_is_brought_into_it(visitor: Reader, figure: Locator) -> None:
-    link = visitor.page.locator(CORRECTED)
-    visitor.bring(link)
+def test_a_figure_out_of_view_is_brought_into_it(guest: Reader, figure: Locator) -> None:
+    link = guest.page.locator(CORRECTED)
+    guest.bring(link)
     assert not in_view(figure.locator(".panels"))
     link.click()
-    visitor.page.wait_for_function(
+    guest.page.wait_for_function(
         "figure => figure.querySelector('[name=correct]').checked", arg=figure.element_handle()
     )
     assert in_view(figure.locator(".panels"))
 
 
 def test_a_reader_who_asked_for_less_motion_is_taken_there_at_once(
-    visitor: Reader, figure: Locator
+    guest: Reader, figure: Locator
 ) -> None:
-    visitor.page.emulate_media(reduced_motion="reduce")
+    guest.page.emulate_media(reduced_motion="reduce")
     figure.evaluate(NOTE_VALUES)
-    visitor.page.locator(BARREL).first.click()
-    wait_value(visitor, figure, "k1", "-0.2")
-    assert visitor.page.evaluate("window.passed") == []
+    guest.page.locator(BARREL).first.click()
+    wait_value(guest, figure, "k1", "-0.2")
+    assert guest.page.evaluate("window.passed") == []
 
 
-def test_a_hand_on_the_figure_stops_the_motion_where_it_is(
-    visitor: Reader, figure: Locator
-) -> None:
+def test_a_hand_on_the_figure_stops_the_motion_where_it_is(guest: Reader, figure: Locator) -> None:
     figure.evaluate("""(figure) => {
       const k1 = figure.querySelector('[name=k1]');
-      k1.addEventListener('input', () => {
-        if (k1.value <= -0.05) figure.dispatchEvent(new Event('pointerdown'));
+      k1.addEventListener('input', function touch() {
+        if (k1.value > -0.05) return;
+        k1.removeEventListener('input', touch);
+        figure.dispatchEvent(new Event('pointerdown'));
       });
     }""")
-    visitor.page.locator(BARREL).first.click()
-    visitor.page.wait_for_function(
+    guest.page.locator(BARREL).first.click()
+    guest.page.wait_for_function(
         "figure => figure.querySelector('[name=k1]').value <= -0.05", arg=figure.element_handle()
     )
     stopped = figure.locator("[name=k1]").input_value()
-    visitor.settle(figure)
+    guest.settle(figure)
     assert figure.locator("[name=k1]").input_value() == stopped != "-0.2"
 
 
 def test_a_link_of_a_prediction_sets_all_that_its_claim_depends_on(
-    visitor: Reader, figure: Locator
+    guest: Reader, figure: Locator
 ) -> None:
-    page = visitor.page
+    page = guest.page
     start = figure.evaluate("f => JSON.parse(f.querySelector('script.schema').textContent).values")
     figure.locator("[name=correct]").check(force=True)
     figure.locator("[name=k2]").fill("0.3")
@@ -131,17 +132,17 @@ def test_a_link_of_a_prediction_sets_all_that_its_claim_depends_on(
         if kind == "checkbox":
             expect(control).to_be_checked(checked=value)
         elif kind == "range":
-            wait_value(visitor, figure, name, f"{value:g}")
+            wait_value(guest, figure, name, f"{value:g}")
 
 
-def test_back_undoes_what_the_words_did(visitor: Reader, figure: Locator) -> None:
+def test_back_undoes_what_the_words_did(guest: Reader, figure: Locator) -> None:
     figure.locator("[name=k1]").fill("0.3")
-    visitor.page.locator(BARREL).first.click()
-    wait_value(visitor, figure, "k1", "-0.2")
-    visitor.page.go_back()
-    wait_value(visitor, figure, "k1", "0.3")
-    visitor.page.go_forward()
-    wait_value(visitor, figure, "k1", "-0.2")
+    guest.page.locator(BARREL).first.click()
+    wait_value(guest, figure, "k1", "-0.2")
+    guest.page.go_back()
+    wait_value(guest, figure, "k1", "0.3")
+    guest.page.go_forward()
+    wait_value(guest, figure, "k1", "-0.2")
 
 
 @pytest.mark.deep

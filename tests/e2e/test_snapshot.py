@@ -53,6 +53,12 @@ def parts_fetched_by(reader: Reader) -> list[str]:
     return parts
 
 
+def open_live(reader: Reader) -> None:
+    """Open the chapter, until its first figure lives; others may lack what they need."""
+    reader.open(CHAPTER, live=False)
+    expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
+
+
 def moved(reader: Reader) -> Any:
     """What the figure shows after a key on its first slider."""
     figure = reader.figure(SCENE)
@@ -66,10 +72,11 @@ def moved(reader: Reader) -> Any:
 def test_figures_live_before_what_the_snapshot_holds_has_come_and_machine_code_that_they_need_later(
     reader: Reader, host: StaticServer, built_site: Path
 ) -> None:
-    host.faults = {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
+    """Though the snapshot comes late, and by the type of a file that a host does not know."""
+    host.faults = {SNAPSHOT: Fault(late_s=1, media_type="application/octet-stream")}
+    host.faults |= {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
     fetched = parts_fetched_by(reader)
-    reader.open(CHAPTER, live=False)
-    expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
+    open_live(reader)
     (listed,) = built_site.glob("runtime/*/runtime.json")
     table = json.loads(listed.read_text(encoding="utf-8"))
     needed = {*table["scenes"][SCENE]} - {*table["machine_code"]}
@@ -77,7 +84,7 @@ def test_figures_live_before_what_the_snapshot_holds_has_come_and_machine_code_t
     assert len({*fetched}) == len(fetched), "nothing twice"
 
 
-def test_figures_show_what_they_show_after_a_plain_start(
+def test_figures_show_what_they_show_after_a_plain_start_without_a_snapshot(
     reader: Reader, host: StaticServer, brisk_chromium: Browser
 ) -> None:
     fetched = parts_fetched_by(reader)
@@ -86,14 +93,14 @@ def test_figures_show_what_they_show_after_a_plain_start(
     assert {*BUILT_ON} <= {*fetched}, "they come when a frame is computed"
     host.faults = {SNAPSHOT: Fault(status=404)}
     with visit(brisk_chromium, host, FRUGAL) as someone:
-        someone.open(CHAPTER)
+        open_live(someone)
+        assert not someone.page.locator(".figure-status:visible").count()
         assert moved(someone) == after_snapshot
 
 
 @pytest.mark.parametrize(
     "fault",
     [
-        pytest.param(Fault(status=404), id="missing"),
         pytest.param(Fault(changed), id="changed"),
         *(
             pytest.param(fault, id=name, marks=pytest.mark.deep)
@@ -106,24 +113,14 @@ def test_figures_show_what_they_show_after_a_plain_start(
         ),
     ],
 )
-def test_without_a_whole_snapshot_python_starts_plainly_and_the_page_says_nothing(
+def test_from_a_damaged_snapshot_python_starts_plainly_and_the_page_says_nothing(
     reader: Reader, host: StaticServer, fault: Fault
 ) -> None:
     host.faults = {SNAPSHOT: fault}
     fetched = parts_fetched_by(reader)
-    reader.open(CHAPTER, live=False)
-    expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
+    open_live(reader)
     assert {*BUILT_ON} <= {*fetched}
     assert not reader.page.locator(".figure-status:visible").count()
-
-
-def test_a_snapshot_that_comes_late_and_by_another_type_is_used(
-    reader: Reader, host: StaticServer
-) -> None:
-    host.faults = {SNAPSHOT: Fault(late_s=3, media_type="application/octet-stream")}
-    host.faults |= {f"/{name}.zip": Fault(late_s=3600) for name in BUILT_ON}
-    reader.open(CHAPTER, live=False)
-    expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
 
 
 @pytest.mark.parametrize(
@@ -134,9 +131,8 @@ def test_what_a_frame_lacks_is_told_and_asked_for_again(
     reader: Reader, host: StaticServer, name: str
 ) -> None:
     host.faults = {f"/{name}.zip": Fault(status=404)}
-    reader.open(CHAPTER, live=False)
+    open_live(reader)
     figure = reader.figure(SCENE)
-    expect(figure).to_have_attribute("data-state", "live", timeout=START_MS)
     figure.locator("input[type=range]").first.press("ArrowRight")
     retry = figure.locator(".retry")
     retry.wait_for(timeout=START_MS)

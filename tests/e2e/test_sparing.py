@@ -39,7 +39,10 @@ def begin_button(figure: Locator) -> Locator:
     return figure.get_by_role("button", name="Start the figures")
 
 
-@pytest.mark.parametrize("script", [SAVES_DATA, SLOW_LINK, LITTLE_MEMORY])
+@pytest.mark.parametrize(
+    "script",
+    [LITTLE_MEMORY, *(pytest.param(x, marks=pytest.mark.deep) for x in (SAVES_DATA, SLOW_LINK))],
+)
 def test_nothing_of_python_is_fetched_unasked(
     brisk_chromium: Browser, server: StaticServer, book: Any, script: str
 ) -> None:

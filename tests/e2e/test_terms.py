@@ -10,42 +10,41 @@ CHAPTER = "full-camera-model/"
 
 
 def mark_and_definition(reader: Reader) -> tuple[Locator, Locator]:
-    if not reader.page.url.endswith(CHAPTER):
-        reader.open(CHAPTER, live=False)
+    reader.open(CHAPTER, live=False)
     mark = reader.page.locator("#term-circle-of-confusion")
     return mark, reader.page.locator("#definition-circle-of-confusion")
 
 
-def test_the_mouse_shows_it_and_may_rest_on_it(visitor: Reader) -> None:
-    mark, definition = mark_and_definition(visitor)
+def test_the_mouse_shows_it_and_may_rest_on_it(plain_reader: Reader) -> None:
+    mark, definition = mark_and_definition(plain_reader)
     expect(definition).to_be_hidden()
     mark.hover()
     expect(definition).to_be_visible()
     expect(definition).to_be_in_viewport(ratio=1)
     definition.hover()
-    visitor.page.wait_for_timeout(400)
+    plain_reader.page.wait_for_timeout(400)
     expect(definition).to_be_visible()
-    visitor.page.mouse.move(2, 2)
+    plain_reader.page.mouse.move(2, 2)
     expect(definition).to_be_hidden()
 
 
-def test_the_focus_shows_it_and_escape_puts_it_away(visitor: Reader) -> None:
-    mark, definition = mark_and_definition(visitor)
+def test_the_focus_shows_it_and_escape_puts_it_away(plain_reader: Reader) -> None:
+    mark, definition = mark_and_definition(plain_reader)
     mark.evaluate("mark => mark.focus({ focusVisible: true })")
     expect(definition).to_be_visible()
-    visitor.page.keyboard.press("Escape")
+    plain_reader.page.keyboard.press("Escape")
     expect(definition).to_be_hidden()
     expect(mark).to_be_focused()
     expect(mark).to_have_accessible_description(definition.text_content() or "")
 
 
-def test_a_first_tap_shows_it_and_a_second_leads_to_the_glossary(visitor: Reader) -> None:
-    mark, definition = mark_and_definition(visitor)
+def test_a_first_tap_shows_it_and_a_second_leads_to_the_glossary(plain_reader: Reader) -> None:
+    mark, definition = mark_and_definition(plain_reader)
     tap = "mark => mark.dispatchEvent(new PointerEvent('click', TOUCH))".replace(
         "TOUCH", "{ pointerType: 'touch', bubbles: true, cancelable: true }"
     )
     assert mark.evaluate(tap) is False  # its default, to follow the link, is prevented
     expect(definition).to_be_visible()
     mark.evaluate(tap)
-    visitor.page.wait_for_url("**/glossary/#circle-of-confusion")
-    expect(visitor.page.locator("#circle-of-confusion")).to_be_in_viewport()
+    plain_reader.page.wait_for_url("**/glossary/#circle-of-confusion")
+    expect(plain_reader.page.locator("#circle-of-confusion")).to_be_in_viewport()
