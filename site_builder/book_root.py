@@ -19,7 +19,7 @@ from types import ModuleType
 import simulations
 
 ENGINE = Path(__file__).resolve().parents[1]
-"""Where the engine lies."""
+"""The engine's folder."""
 ENGINE_PARTS = ("browser", "editing", "engine", "late_imports", "registry", "script")
 """Packages and modules right below ``simulations``."""
 VARIABLE = "BOOK"
@@ -39,7 +39,7 @@ def own_or_engine(root: Path, path: str) -> Path:
 
 
 class EngineFinder:
-    """Finds the engine's parts of ``simulations`` where the engine lies, whatever a book has."""
+    """Finds the engine's parts of ``simulations`` in the engine's folder, whatever a book has."""
 
     def find_spec(
         self, name: str, _path: Sequence[str] | None, target: ModuleType | None = None, /

@@ -1,5 +1,5 @@
-"""What pages load beside their assets: Python, the code editor, and what searches. Where one cannot
-be had there is a warning, and the site does without."""
+"""What pages load besides their assets: Python, the code editor, and the search. One that cannot be
+fetched is left out, with a warning."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ type Warn = Callable[[Diagnostic], None]
 
 @dataclass(frozen=True, slots=True)
 class BrowserParts:
-    """Each empty where the site does without."""
+    """Each empty where it is left out."""
 
     runtime: str
     """Folder of the browser's Python, below the site's root."""
@@ -64,7 +64,7 @@ def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple
     if bundle is None:
         return "", {}
     if bundle.snapshot_error:
-        message = f"figures live later at a first visit: {bundle.snapshot_error}"
+        message = f"figures start later at a first visit: {bundle.snapshot_error}"
         warn(Diagnostic("site_builder/runtime/snapshot.mjs", 1, message, fails=False))
     if reload:
         return RUNTIME_NOW, {RUNTIME_NOW + name: file for name, file in bundle.files.items()}
@@ -72,12 +72,12 @@ def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple
 
 
 def _editor(warn: Warn) -> EditorBundle:
-    message = "the figures' Python can be read but not edited, for want of the editor"
+    message = "the figures' Python can be read but not edited"
     return _or_without(bundle_editor, EditorBundle(), "editor", message, warn)
 
 
 def _search_library(book: Book, warn: Warn) -> SearchLibrary:
-    message = "the book cannot be searched, for want of the library"
+    message = "the book cannot be searched"
     fetch = partial(fetch_library, book.words.language)
     return _or_without(fetch, SearchLibrary({}), "search", message, warn)
 

@@ -38,8 +38,8 @@ def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle
         )
     except MissingModuleError as error:
         path, _, line = error.place.rpartition(":")
-        told = f"{error.message}; legal: its standard library, and numpy"
-        raise BuildError([Diagnostic(path, int(line), told)]) from error
+        message = f"{error.message}; legal: its standard library, and numpy"
+        raise BuildError([Diagnostic(path, int(line), message)]) from error
     except SyntaxError as error:  # in a module that no chapter shows
         path, _, line = place_of(error).rpartition(":")
         raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error

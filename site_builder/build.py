@@ -55,7 +55,7 @@ type Warn = Callable[[Diagnostic], None]
 
 
 def ignore(_warning: Diagnostic) -> None:
-    """Where nobody reads warnings."""
+    """For builds without warnings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class Options:
     search: bool = True
     """Whether pages can be searched."""
     address: str = ""
-    """Where the site will be, in place of what the book says."""
+    """The site's address, in place of the book's own."""
     source: str = ""
     """Where its sources can be read, likewise."""
 
@@ -100,7 +100,7 @@ def build_site(
 
 
 class LoadedBook(NamedTuple):
-    """All that the sources say, and what is wrong with them so far."""
+    """The book as it was read, and the mistakes so far."""
 
     book: Book
     problems: Diagnostics
@@ -186,7 +186,7 @@ def render(checked: CheckedBook, options: Options) -> RenderedSite:
         initial_frames,
         assets.folder,
         parts.runtime,
-        # A changed scene would change all pages that say what it was.
+        # With them a changed scene would change all pages.
         sources="" if reload else parts.bundle.sources,
         table="" if reload else parts.bundle.table,
         code_editor=bool(parts.editor.script),

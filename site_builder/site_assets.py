@@ -95,7 +95,7 @@ def _style_sheets(
 
 
 def prerendered_files(initial_frames: InitialFrames) -> Files:
-    """What figures can show before Python has started."""
+    """The prerendered frames of all figures."""
     frames = [each.prerendered for each in initial_frames.values() if each.prerendered]
     return {f"prerendered/{each.file}": each.data for each in frames}
 

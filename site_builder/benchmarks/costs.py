@@ -18,7 +18,7 @@ UNITS = {"ms": "ms", "kb": "KB", "mb": "MB", "s": "s"}
 
 
 class CostError(ValueError):
-    """What is asked for was not measured; the message says what was."""
+    """There is no such measurement; the message lists the legal names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Costs:
     known: Mapping[str, Any] = field(default_factory=dict)
 
     def find(self, path: str) -> Cost | str:
-        """What stands at ``path``, names with spaces between them. Raises `CostError`."""
+        """The value at ``path``, names with spaces between them. Raises `CostError`."""
         at: Any = self.known
         for name in path.split():
             if not isinstance(at, dict) or name not in at:

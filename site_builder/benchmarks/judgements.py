@@ -1,5 +1,5 @@
-"""What the measured numbers of a ladder say: why its default stands where it does, a verdict on
-each tier, and what a tier costs for each pixel or point, of a frame, and for its noise.
+"""What follows from the measurements of a ladder: the alternatives to its default, a verdict on
+each tier, and the cost of a tier for a pixel or point, of a frame, and for its noise.
 
 The default and the costs are those of the browser, where the book runs.
 """
@@ -66,7 +66,7 @@ def default_choice(measured: MeasuredLadder, words: Words = ENGLISH) -> Choice:
 
 
 def off_the_front(measured: MeasuredLadder) -> str:
-    """What keeps the default off the browser's front, or nothing where it is on it."""
+    """The tiers that beat the default in the browser; nothing where it is on the front."""
     default = measured.default
     ms, loss = default.times[SIDE].ms, measured.loss(default)
     winners = [
@@ -92,9 +92,9 @@ def _neighbour(
 
 
 def _in_a_sentence(label: str, words: Words) -> str:
-    """A label without its capital, where nouns have none; abbreviations keep theirs."""
-    kept = label[:2].isupper() or words("language.nouns") == "capital"
-    return label if kept else label[:1].lower() + label[1:]
+    """A label without its capital, where nouns have none and it is no abbreviation."""
+    is_capital = label[:2].isupper() or words("language.nouns") == "capital"
+    return label if is_capital else label[:1].lower() + label[1:]
 
 
 def _numbers(measured: MeasuredLadder, item: MeasuredTier) -> str:
@@ -109,7 +109,7 @@ def _error(measured: MeasuredLadder, item: MeasuredTier, words: Words = ENGLISH)
 
 
 def verdict(measured: MeasuredLadder, item: MeasuredTier, words: Words = ENGLISH) -> str:
-    """What the numbers say of a tier, in a few words."""
+    """The verdict on a tier, in a few words."""
     native, browser = (measured.beaten_by(item, side) for side in SIDES)
     if native and browser:
         both = native.tier.id == browser.tier.id

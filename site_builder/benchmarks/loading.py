@@ -1,4 +1,4 @@
-"""Scenes and ladders by their ids; why one cannot be had is told in one sentence."""
+"""Scenes and ladders by their ids; one that cannot be loaded is an error of one sentence."""
 
 import sys
 from collections.abc import Callable

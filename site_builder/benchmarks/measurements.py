@@ -120,7 +120,7 @@ class MeasuredLadder:
 
 @dataclass(frozen=True, slots=True)
 class Measurements:
-    """The file's content, matched with the ladders' code when a page asks."""
+    """The file's content, compared with the ladders' code when a page uses it."""
 
     machine: Mapping[str, object] = field(default_factory=dict)
     ladders: Mapping[str, Any] = field(default_factory=dict)
@@ -178,7 +178,7 @@ def read_measurements(
 def _declarations(
     ladder: Ladder, entry: Mapping[str, Any]
 ) -> tuple[tuple[str, object, object], ...]:
-    """What the code says, beside what the file says."""
+    """What is compared: its name, its value in the code, its value in the file."""
     return (
         ("workload", ladder.workload, entry["workload"]),
         ("metrics", {metric.id: metric.unit for metric in ladder.metrics}, entry["metrics"]),

@@ -1,4 +1,4 @@
-"""Numbers that figures show: asked of the scenes, drawn once for each setting."""
+"""Numbers that figures show: each scene is drawn once for each setting."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -26,7 +26,7 @@ class Readouts:
     """By scene, tier and settings."""
 
     def text(self, scene_id: str, name: str, settings: Mapping[str, str], *, bare: bool) -> str:
-        """What the figure says at ``settings``: its controls, and ``tier``; with its unit unless
+        """The readout at ``settings``: values of controls, and ``tier``; with its unit unless
         ``bare``. Raises `ReadoutError`."""
         scene = loaded("simulation", scene_id, self.load_scene, ReadoutError)
         tier = settings.get("tier", scene.default_tier)

@@ -22,7 +22,7 @@ def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
         figure = figures.get(quiz.figure)
         if figure:
             message = fault_of(quiz, figure)
-        elif quiz.figure in chapter.figures:  # it cannot be shown, which is told there
+        elif quiz.figure in chapter.figures:  # reported where it is
             message = ""
         else:
             message = unknown("figure of this page", quiz.figure, chapter.figures)
@@ -59,7 +59,7 @@ def _unreachable(quiz: Quiz, figure: Simulation) -> str:
 
 
 def reply_at(quiz: Quiz, figure: Simulation, values: Mapping[str, object]) -> Option:
-    """The answer that stands for these settings. Raises `ControlError`, `ExpressionError`."""
+    """The answer that holds at these settings. Raises `ControlError`, `ExpressionError`."""
     settings = figure.scene.check(values)
     frame = frame_at(figure.scene, settings, figure.tier)
     conditions = [option.text for option in quiz.options if option.text != OTHERWISE]

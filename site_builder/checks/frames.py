@@ -48,7 +48,7 @@ def check_frames(
 
 
 def known_classes(static: Path) -> frozenset[str]:
-    """Classes that the style sheets speak of; none where these say nothing of drawings."""
+    """Classes in the style sheets; none where these have no rules for drawings."""
     texts = [file.read_text(encoding="utf-8") for file in sorted((static / "css").glob("*.css"))]
     names = frozenset(name for text in texts for name in CLASS.findall(text))
     return names if "overlay" in names else frozenset()

@@ -7,7 +7,7 @@ from site_builder.references.glossary import FILE
 
 
 def check_glossary(book: Book, problems: Diagnostics) -> None:
-    """Report terms whose section never uses them, which readers would be led to in vain."""
+    """Report terms whose explaining section never uses them."""
     used = {(use.term, ch.id, use.section) for ch in book.chapters for use in ch.term_uses}
     for definition in book.glossary:
         term, place = definition.term, definition.explained

@@ -1,5 +1,5 @@
-"""The author's picture files: whole, of the kind that their names say, of a size that a page can
-carry, and inert."""
+"""Whether the author's picture files are whole, of the kind in their names, not too large, and
+without scripts."""
 
 import warnings
 from collections.abc import Iterator

@@ -13,7 +13,7 @@ from site_builder.render.words import plain_words
 
 STANDS_OUT = 1.4
 """How many times as long as the longest wrong answer a key may be, or the shortest wrong answer as
-the key: lines of one paragraph differ as much, so up to there nobody sees it at a glance."""
+the key: lines of one paragraph differ as much, so up to there it is not seen at a glance."""
 FEW_LETTERS = 12
 """Two words: among short answers a smaller difference has no meaning, whatever its ratio."""
 

@@ -1,5 +1,5 @@
 """SVG by a strict list: shapes, text and paint, all of it inert. Whatever else a file or a drawing
-holds, such as scripts, handlers of events or addresses outside of it, is told with its line."""
+holds, such as scripts, handlers of events or addresses outside of it, is reported with its line."""
 
 import io
 import re
@@ -22,7 +22,7 @@ NOTES = (
     "http://creativecommons.org/ns#",
     "http://purl.org/dc/elements/1.1/",
 )
-"""What drawing programs write for themselves; browsers pass over it."""
+"""Namespaces of drawing programs, which browsers ignore."""
 
 DRAWN = (
     "svg g defs symbol use title desc metadata style path rect circle ellipse line polyline polygon"
@@ -68,7 +68,7 @@ REACHES_OUT = re.compile(
     r"|javascript:|image-set|\bsrc\(",
     re.IGNORECASE,
 )
-"""What a style can say that is more than paint; a backslash could spell any of it."""
+"""Parts of a style that load or run something; a backslash could spell any of them."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -92,7 +92,7 @@ class Drawing:
 
 def read_svg(data: bytes) -> Drawing:
     """The faults of a file, in the order of its lines; none where it may be published."""
-    from defusedxml.sax import make_parser  # with it comes all that asks the web for something
+    from defusedxml.sax import make_parser  # slow to import
 
     reader = _Reader()
     parser = make_parser()
@@ -107,13 +107,13 @@ def read_svg(data: bytes) -> Drawing:
     except DefusedXmlException:
         message = "a DOCTYPE or an entity; legal: neither"
         reader.faults.append(Fault(reader.line, message))
-    except (ValueError, LookupError) as error:  # an encoding that nobody knows
+    except (ValueError, LookupError) as error:  # an unknown encoding
         reader.faults.append(Fault(1, f"no SVG: {error}; legal: UTF-8", unreadable=True))
     return Drawing(tuple(sorted(set(reader.faults))), frozenset(reader.classes))
 
 
 def read_overlay(markup: str) -> Drawing:
-    """The same of what stands within ``<svg>``, as scenes and illustrations draw it."""
+    """The same of the content of ``<svg>``, as scenes and illustrations draw it."""
     return read_svg(f'<svg xmlns="{SVG}">{markup}</svg>'.encode())
 
 
@@ -123,7 +123,7 @@ class _Reader(ContentHandler):
     classes: set[str] = field(default_factory=set)
     inside: list[str] = field(default_factory=list)
     style: str = ""
-    """What the present ``<style>`` has said so far."""
+    """The text of the present ``<style>`` so far."""
     locator: object = None
 
     def setDocumentLocator(self, locator: object) -> None:  # noqa: N802 (the parser's name)
@@ -185,6 +185,6 @@ class _Reader(ContentHandler):
 
 
 def _strange(kind: str, name: str, expected: list[str]) -> str:
-    """Of a name so unlike all legal ones, that these are many: nothing is listed."""
+    """Without a list of all legal names, which is long, where none is similar."""
     said = unknown(kind, name, expected)
     return said if "did you mean" in said else f"{kind} {name!r}; legal: shapes, text and paint"

@@ -18,12 +18,12 @@ from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 
 def check_book(book: Book, problems: Diagnostics) -> None:
     """Report links that lead nowhere, questions that share an id, answers to no prediction and
-    figures that cannot be set as asked; warn of keys that show."""
+    figures that cannot be set as a question wants; warn of keys that give themselves away."""
     _check_ids("quiz", [item for chapter in book.chapters for item in chapter.quizzes], problems)
     guesses = [item for chapter in book.chapters for item in chapter.predictions]
     _check_ids("predict", guesses, problems)
     for chapter in book.chapters:
-        if not chapter.body and not any(told.path == chapter.path for told in problems.found):
+        if not chapter.body and not any(found.path == chapter.path for found in problems.found):
             problems.add(chapter.path, 1, "no text; legal: some below the front matter")
         _check_reveals(chapter, problems)
         check_figure_questions(chapter, problems)
@@ -44,7 +44,7 @@ def _check_ids(kind: str, items: Sequence[Quiz | Prediction], problems: Diagnost
     first: dict[str, Quiz | Prediction] = {}
     for item in items:
         other = first.setdefault(item.id, item)
-        if other.path != item.path:  # within a page its reading tells
+        if other.path != item.path:  # else reported when the page was read
             message = f"duplicate {kind} id {item.id!r}; first used at {other.path}:{other.line}"
             problems.add(item.path, item.line, message)
 
@@ -66,7 +66,7 @@ def _check_reveals(chapter: Chapter, problems: Diagnostics) -> None:
 
 
 def _check_needs(book: Book, problems: Diagnostics) -> None:
-    """What a chapter builds on is another chapter, and stands before it."""
+    """A chapter builds on earlier chapters only."""
     ids = [chapter.id for chapter in book.chapters]
     for place, chapter in enumerate(book.chapters):
         others = [name for name in ids if name != chapter.id]

@@ -37,8 +37,8 @@ def require_chromium() -> Path:
     try:
         found = find_chromium()
     except ModuleNotFoundError as error:
-        told = f"the PDF needs the package {error.name!r}; `make pdf` installs it"
-        raise MissingChromiumError(told) from None
+        message = f"the PDF needs the package {error.name!r}; `make pdf` installs it"
+        raise MissingChromiumError(message) from None
     if found is None:
         raise MissingChromiumError(
             "the PDF needs Chromium, and none was found; install one (for example "

@@ -40,7 +40,7 @@ ROOM = "book/"
 
 
 def make_epub(composed: Composed, root: Path) -> bytes:
-    """``root`` is the project, whose style sheets the book's is drawn from."""
+    """``root`` is the project, with the style sheets."""
     trees = {f"{section.id}.xhtml": _part(section, composed) for section in composed.sections}
     for name in ("title", "nav"):
         page = render_template(f"editions/epub-{name}.html", composed.book, composed=composed)
@@ -84,7 +84,7 @@ def _lead(link: Element, page: str, composed: Composed) -> None:
 
 
 def _take_images(trees: Mapping[str, Element], composed: Composed) -> dict[str, bytes]:
-    """The pictures that the text shows, which henceforth names them where they lie in the book."""
+    """The pictures of the text, whose elements now have the addresses in the e-book."""
     taken = {}
     for tree in trees.values():
         for name, element in [("src", e) for e in elements(tree, "img")] + [
@@ -132,7 +132,7 @@ def _properties(name: str, tree: Element | None) -> str:
 
 
 def _packed(book: Book, files: Mapping[str, bytes]) -> bytes:
-    """The archive, whose first file tells what it is."""
+    """The archive, whose first file is its media type."""
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(zipfile.ZipInfo("mimetype"), "application/epub+zip", zipfile.ZIP_STORED)

@@ -1,4 +1,4 @@
-"""Where the links of a page lead: to a place in the book, out of it, or to what paper lacks."""
+"""The targets of a page's links: in the book, out of it, or missing on paper."""
 
 import re
 from collections.abc import Collection
@@ -23,7 +23,7 @@ def is_external(address: str) -> bool:
 
 
 def place_of(address: str, page: str, pages: Collection[str]) -> Place | None:
-    """Where ``address`` on ``page`` leads; None where that is none of ``pages``.
+    """The target of ``address`` on ``page``; None where that is none of ``pages``.
 
     The settings in a link to a figure are left out.
     """

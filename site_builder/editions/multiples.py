@@ -18,7 +18,7 @@ from site_builder.pages.views.control import value_text
 MOST = 4
 """Stills in a row, at most."""
 WAYS = (1 / 8, 1 / 2, 7 / 8)
-"""Where on its way a slider is shown, if it stands at its start now."""
+"""The positions of a slider that is at its start, as parts of its range."""
 
 
 @dataclass(frozen=True, slots=True)

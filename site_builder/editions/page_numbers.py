@@ -1,4 +1,4 @@
-"""On which page a link leads: the numbers that paper needs where a screen has a click."""
+"""The page numbers behind links, for paper."""
 
 from collections.abc import Mapping
 from xml.etree.ElementTree import Element

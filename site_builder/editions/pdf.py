@@ -1,4 +1,4 @@
-"""The book as a PDF, set by Chromium: once to learn which page everything is on, then for good."""
+"""The book as a PDF, printed by Chromium: once for the page numbers, then with them."""
 
 import io
 import mimetypes
@@ -27,13 +27,13 @@ type Print = Callable[[bytes], bytes]
 
 
 class UnsettledError(RuntimeError):
-    """Filling in the page numbers moves what they lead to, again and again."""
+    """The page numbers still change after `TURNS` prints."""
 
 
 def make_pdf(composed: Composed) -> bytes:
     """Raises `MissingChromiumError` without a browser."""
     chromium = require_chromium()
-    from playwright.sync_api import Route, sync_playwright  # without it, the line above has said so
+    from playwright.sync_api import Route, sync_playwright  # installed, as Chromium was found by it
 
     files: dict[str, bytes] = {"volume.css": STYLE.read_bytes()}
 

@@ -15,10 +15,10 @@ SCREEN_ONLY = frozenset(
         *("aria-describedby", "aria-labelledby", "aria-live", "name", "tabindex"),
     }
 )
-"""Attributes that speak to scripts, to forms, or of ids that are others on paper."""
+"""Attributes for scripts and forms, or with ids that differ on paper."""
 ElementTree.register_namespace("epub", "http://www.idpf.org/2007/ops")
 ROOTS = {"html": XHTML, "math": MATHML, "svg": SVG}
-"""Elements that say to which language they and what is in them belong."""
+"""Elements that carry the namespace of their content."""
 
 
 def parse(xhtml: str) -> Element:

@@ -52,7 +52,7 @@ def _bound(section: Section, composed: Composed) -> Element:
 
 
 def _bind_links(content: Element, page: str, composed: Composed) -> None:
-    """Links lead within the document; behind those into other parts stands the page."""
+    """Links lead within the document; behind those into other parts the page number is printed."""
     for parent, link in [(each, child) for each in content.iter() for child in each]:
         address = link.get("href", "")
         if link.tag != "a" or is_external(address):

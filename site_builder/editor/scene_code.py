@@ -99,7 +99,7 @@ def uses_of(key: str) -> Iterator[str]:
 
 
 def _resolve(module: Module, mention: str) -> str:
-    """The definition that a name in ``module`` stands for; nothing for one of elsewhere."""
+    """The definition of a name in ``module``; nothing for a name of another package."""
     name, _, attribute = mention.partition(".")
     if name in module.definitions:
         return _key(module.name, name)

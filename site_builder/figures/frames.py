@@ -147,7 +147,7 @@ def webp(raster: Raster) -> bytes:
 
 
 def png(raster: Raster) -> bytes:
-    """A raster as a PNG; without its alpha channel where that says nothing."""
+    """A raster as a PNG; without its alpha channel where all pixels are opaque."""
     from PIL import Image
 
     opaque = bool((raster[..., 3] == 255).all())

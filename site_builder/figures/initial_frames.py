@@ -17,7 +17,7 @@ from site_builder.sandbox import side_by_side
 
 @dataclass(frozen=True, slots=True)
 class PictureFile:
-    """The pixels of a panel, as a page asks for them."""
+    """The pixels of a panel as a file of the site."""
 
     file: str
     """Name of the WebP."""
@@ -45,7 +45,7 @@ type InitialFrames = dict[tuple[str, int], InitialFrame]
 
 
 def describing(initial_frames: InitialFrames) -> Callable[[Simulation], str]:
-    """What says in a sentence what a figure shows at first."""
+    """Describes the initial frame of a figure in a sentence."""
     return lambda figure: initial_frames[figure.path, figure.line].frame.description
 
 

@@ -5,8 +5,8 @@ from site_builder.page_model.blocks import Simulation
 
 
 def main_control(figure: Simulation) -> Control | None:
-    """The first whose values can be shown side by side. A menu that chooses a picture tells less
-    than a slider."""
+    """The first whose values can be shown side by side. A menu that chooses a picture shows
+    less than a slider."""
     controls = figure.scene.controls
     ordered = [*(c for c in controls if isinstance(c, Slider)), *controls]
     if controls and isinstance(controls[0], Choice):

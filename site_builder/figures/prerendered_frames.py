@@ -1,4 +1,4 @@
-"""What a figure can show of its main control before Python has started: frames drawn beforehand."""
+"""Frames of a figure's main control, drawn by the build for use before Python has started."""
 
 import json
 from dataclasses import dataclass

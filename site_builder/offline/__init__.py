@@ -1,1 +1,1 @@
-"""The book without a network: the release that the reader's browser keeps."""
+"""The book without a network: the release that the reader's browser caches."""

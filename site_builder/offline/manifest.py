@@ -1,4 +1,4 @@
-"""What a device is told that keeps the book among its programs (W3C Web Application Manifest)."""
+"""The W3C Web Application Manifest, with which a device installs the book."""
 
 import json
 
@@ -8,7 +8,7 @@ MANIFEST = "manifest.webmanifest"
 def manifest(title: str, subtitle: str, assets: str, language: str = "en") -> bytes:
     """The manifest, all addresses relative to the book's root."""
     icon = {"src": f"{assets}images/favicon.svg", "sizes": "any", "type": "image/svg+xml"}
-    told = {
+    data = {
         "lang": language,
         "name": title,
         "short_name": title,
@@ -18,4 +18,4 @@ def manifest(title: str, subtitle: str, assets: str, language: str = "en") -> by
         "display": "minimal-ui",
         "icons": [icon],
     }
-    return json.dumps(told, ensure_ascii=False, indent=1).encode()
+    return json.dumps(data, ensure_ascii=False, indent=1).encode()

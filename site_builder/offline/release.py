@@ -1,4 +1,4 @@
-"""What ``static/js/offline/service_worker.ts`` keeps: the files of a release, and its name."""
+"""The release that ``static/js/offline/service_worker.ts`` caches: its files and its name."""
 
 import base64
 import hashlib
@@ -14,7 +14,7 @@ SCRIPT = "js/offline/service_worker.js"
 
 
 def release_files(files: Mapping[str, Content], assets: str) -> dict[str, bytes]:
-    """The list of all ``files`` by address and hash, and a worker that keeps these.
+    """The list of all ``files`` by address and hash, and a worker that caches them.
 
     Each hash is written as the ``integrity`` of a request (W3C Subresource Integrity), so that the
     browser itself refuses a file of another release. A page is listed by the address that links
@@ -26,7 +26,7 @@ def release_files(files: Mapping[str, Content], assets: str) -> dict[str, bytes]
 
 
 def no_release(assets: str) -> dict[str, bytes]:
-    """A worker that gives back what an earlier one kept, for a site that is not to be kept."""
+    """A worker that deletes what an earlier one has cached."""
     return {WORKER: worker(assets, "")}
 
 

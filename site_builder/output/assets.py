@@ -7,7 +7,7 @@ from pathlib import Path
 from site_builder.files import bytes_hash, file_hash
 
 type Content = bytes | Path
-"""The bytes of a file, or where they lie."""
+"""The bytes of a file, or its path."""
 
 
 def hashed_folder(kind: str, files: Mapping[str, Content]) -> tuple[str, dict[str, Content]]:

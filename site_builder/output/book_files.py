@@ -7,7 +7,7 @@ from site_builder.settings.model import Settings
 from site_builder.settings.reading import storage_prefix
 
 STYLE = "style."
-"""Begins the keys of what the style sheet says."""
+"""Begins the keys of the texts in the style sheet."""
 
 
 def book_css(words: Words) -> str:

@@ -1,4 +1,4 @@
-"""The faces of the book: where their outlines come from, and what of each is kept.
+"""The faces of the book: their sources and subsets.
 
 Source Serif and Source Sans (Adobe) for text and controls, STIX Two Math for formulae; all under
 the SIL Open Font License, from installed packages. A subset is a modified version, and ``Source``
@@ -78,7 +78,7 @@ FORMULA_FEATURES = ("ccmp", "dtls", "flac", "kern", "mark", "mkmk", "ssty")
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """One web font: where its outlines come from and what is kept of them."""
+    """One web font: its source and its subset."""
 
     file: str
     """Name of the woff2 file, as the style sheet refers to it."""
@@ -91,9 +91,9 @@ class Face:
     style: str
     """Style name written into the cut face."""
     characters: frozenset[int] = TEXT
-    """Code points to keep, where the source has them."""
+    """Code points of the subset, where the source has them."""
     features: tuple[str, ...] = BASIC_FEATURES
-    """OpenType features to keep."""
+    """OpenType features of the subset."""
 
 
 def _serif(file: str, source: str, style: str, *extra_features: str) -> Face:

@@ -30,7 +30,7 @@ def subset_fonts(faces: Sequence[Face] = FACES, cache: Path | None = None) -> Ma
     faces
         What is cut.
     cache
-        Folder that keeps cut faces between builds; the user's cache folder unless given.
+        Folder for cut faces; by default in the user's cache folder.
 
     Raises
     ------
@@ -57,7 +57,7 @@ def source_file(face: Face) -> Path:
 
 
 def cut(face: Face, source: bytes) -> bytes:
-    """The font file ``source`` reduced to what ``face`` keeps, as woff2."""
+    """The font file ``source`` reduced to the characters and features of ``face``, as woff2."""
     from fontTools import subset  # it is long to load, and needed once on each machine
     from fontTools.ttLib import TTFont
 

@@ -18,8 +18,8 @@ def join_style_sheets(
     """``files`` with the sheet ``entry`` holding, in order, what it imports from its own folder,
     but for the sheets ``without``, and ``more`` at its end.
 
-    What it has taken in is left out. Raises `BuildError` where an imported sheet is missing or
-    lies elsewhere: its relative addresses would then lead astray.
+    The imported sheets are left out. Raises `BuildError` where one is missing or lies in another
+    folder, where its relative addresses would be wrong.
     """
     sheet = content_bytes(files[entry]).decode("utf-8")
     folder = PurePosixPath(entry).parent

@@ -1,4 +1,4 @@
-"""What stands side by side below a figure's panels, by the room that there is."""
+"""The grid of controls below a figure's panels, by the width of the page."""
 
 from collections.abc import Sequence
 from itertools import groupby
@@ -16,7 +16,7 @@ ROWS_IN_SIGHT = 2
 
 
 def even_columns(count: int, most: int) -> int:
-    """Columns, at most ``most``, whose rows are few and whose last row is not a lonely item."""
+    """Columns, at most ``most``, with few rows and no single item in the last one."""
     expected = [n for n in range(2, most + 1) if n <= count and count % n != 1]
     if not expected:
         return min(max(count, 1), most)
@@ -48,7 +48,7 @@ def cells_in_sight(places: Sequence[int], most: int) -> int:
 def spans(places: Sequence[int], most: int) -> list[int]:
     """Columns of each cell, with rows as few and as even as can be, the fuller ones below.
 
-    ``places`` tells how many controls' places each cell takes; none takes more than ``most``.
+    ``places`` are the widths of the cells in controls; none takes more than ``most``.
     """
     rows = _rows([min(place, most) for place in places], most)
     widths = [(row, max(sum(row), min(most, 2) if len(rows) == 1 else 0)) for row in rows]

@@ -19,7 +19,7 @@ MADE_FROM = {
     "symbols/index.html": SYMBOLS,
     "index-of-terms/index.html": GLOSSARY,
 }
-"""Pages beside those of chapters and modules, with the file that says what is on them."""
+"""Pages other than those of chapters and modules, and their source files."""
 
 
 def page_address(path: str) -> str:

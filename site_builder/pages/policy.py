@@ -26,8 +26,7 @@ ANYTHING_INLINE = "'unsafe-inline'"
 
 
 FOR_TOOLS = "'unsafe-eval'"
-"""What drives a browser may wait for a condition by evaluating its text in the page and put a style
-into it, as Playwright does."""
+"""Playwright and other drivers of browsers evaluate text in a page and add styles to it."""
 
 
 def page_policy(
@@ -38,7 +37,7 @@ def page_policy(
     published: bool = True,
 ) -> str:
     """The policy of a page that holds these inline ``scripts`` and ``styles``, and no others unless
-    its author may write ``raw_html``. Python runs as WebAssembly, which needs a leave of its own.
+    its author may write ``raw_html``. Python runs as WebAssembly, which must be allowed.
     In one that is not ``published`` tools of its author's own may evaluate text and add styles.
     """
     script_src = ["'self'", "'wasm-unsafe-eval'", *_inline(scripts, raw_html)]

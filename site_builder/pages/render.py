@@ -80,7 +80,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "code": lambda code: Markup(code_html(code, "python")),
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
-"""What templates ask for where they show more than lies ready in the page model."""
+"""Functions of templates, for what is computed from the page model."""
 FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
 """Of what a reader meets first: text, and the line above it."""
 
@@ -90,7 +90,7 @@ class Site:
     """What all pages share."""
 
     root: Path
-    """The project: where quoted modules lie."""
+    """The project, with the modules that chapters quote."""
     book: Book
     initial_frames: InitialFrames
     assets: str
@@ -110,11 +110,10 @@ class Site:
     reload: bool = False
     """Whether pages reload themselves when the site has been built anew."""
     styles: str = ""
-    """The style sheet, addresses relative to its folder among the assets, to stand in each page;
+    """The style sheet, with addresses relative to its folder, which each page holds;
     nothing where pages link to it."""
     hashes: Mapping[str, str] = field(default_factory=dict)
-    """Of assets that pages name, as W3C Subresource Integrity has them; of others nothing is said.
-    """
+    """Of assets that pages name, as in W3C Subresource Integrity."""
 
 
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
@@ -151,7 +150,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
 
 
 def back_matter_pages(book: Book) -> dict[str, dict[str, Any]]:
-    """What the templates of the pages behind the chapters show, by address."""
+    """The contexts of the templates of the pages after the chapters, by address."""
     found: dict[str, dict[str, Any]] = {
         "glossary": {"letters": view_glossary(book)} if book.glossary else {},
         "symbols": {"chapters": view_symbols(book)} if book.symbols else {},
@@ -186,7 +185,7 @@ def _renderer(site: Site) -> Callable[..., bytes]:
 
 
 def _bare(book: Book) -> Book:
-    """The book as every page may show it: of its chapters the cards, and no line of a file."""
+    """The part of the book that every page shows: cards of chapters, and no line numbers."""
     cards: tuple[Any, ...] = tuple(map(card, book.chapters))
     glossary = (
         replace(item, explained=item.explained and replace(item.explained, line=0))
@@ -287,7 +286,7 @@ def page_styles(site: Site, root: str) -> str:
 
 
 def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:
-    """The scenes of a page, for whose sake it begins Python at once."""
+    """The scenes of a page, which starts Python at once if it has any."""
     figures = chapter.simulations if chapter else ()
     if isinstance(cover, Block) and isinstance(cover.content, Simulation):
         figures = (cover.content,)

@@ -1,4 +1,4 @@
-"""Places in the text that a list of terms leads to, and such lists by letter."""
+"""Links from lists of terms to places in the text; lists ordered by letter."""
 
 import unicodedata
 from collections.abc import Iterable, Mapping
@@ -11,7 +11,7 @@ from site_builder.page_model.passage import Passage
 
 @dataclass(frozen=True, slots=True)
 class Card:
-    """What other pages say of a chapter; nothing that it says itself."""
+    """A chapter as other pages name it, without its content."""
 
     id: str
     url: str
@@ -23,7 +23,7 @@ class Card:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a link leads, and what it says."""
+    """A link: its address, and the chapter and heading that it names."""
 
     address: str
     """Relative to the site's root."""

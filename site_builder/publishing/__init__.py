@@ -1,1 +1,1 @@
-"""What the world outside the site is told of it: its address, pictures for links, its changes."""
+"""Files for search engines, feed readers, social networks and the host."""

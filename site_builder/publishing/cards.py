@@ -78,7 +78,7 @@ def card_style(styles: Path, fonts: Fonts) -> str:
 def _figures(
     chapter: Chapter, initial_frames: InitialFrames, pictures: Mapping[str, bytes]
 ) -> Iterator[Placed]:
-    """What the chapter has to show: its first figure, else its first illustration."""
+    """The chapter's first figure, then its illustrations."""
     for simulation in chapter.simulations[:1]:
         if drawn := _still(simulation, initial_frames, pictures):
             yield drawn

@@ -15,7 +15,7 @@ PACKED = frozenset(
 )
 """Kinds of files in which nothing is left to pack."""
 WORTH_IT = 0.95
-"""Of its size, what a copy must stay under."""
+"""The largest size of a copy, as a share of the file's."""
 
 
 def gzipped(data: bytes) -> bytes:

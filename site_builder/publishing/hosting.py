@@ -1,4 +1,4 @@
-"""How hosts are to serve the site: as what, kept for how long, and with which policy."""
+"""Configuration of hosts: media types, caching and the content security policy."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -12,7 +12,7 @@ FILES: Mapping[str, str] = {"apache": ".htaccess", "netlify": "_headers", "nginx
 """What each of them reads; ``_headers`` is known to others too."""
 POLICY = re.compile(rb'<meta http-equiv="Content-Security-Policy" content="([^"]*)">')
 FRAMES = "frame-ancestors 'self'"
-"""Who may show pages in frames can only be said by a header."""
+"""A rule that only a header can have."""
 
 
 def host_files(files: Mapping[str, Content], book: Book) -> dict[str, bytes]:

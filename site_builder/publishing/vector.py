@@ -16,7 +16,7 @@ class Fonts:
 
     files: tuple[Path, ...]
     serif: str
-    """Name of the family of the text, as its file says it."""
+    """Name of the family of the text, from its file."""
     sans: str
 
     @property
@@ -26,7 +26,7 @@ class Fonts:
 
 
 def whole_fonts(faces: Sequence[Face] = FACES) -> Fonts:
-    """The files that ``faces`` are cut from, and the names that they give themselves."""
+    """The files that ``faces`` are cut from, and the names of their families."""
     paths = {face.file: source_file(face) for face in faces}
     serif, sans = (_family(paths[f"{role}-regular.woff2"]) for role in ("serif", "sans"))
     return Fonts(tuple(paths.values()), serif, sans)
@@ -46,7 +46,7 @@ def png_of(svg: str, width: int, fonts: Fonts) -> bytes:
 
 
 def _family(file: Path) -> str:
-    from fontTools.ttLib import TTFont  # here alone: what is drawn is kept
+    from fontTools.ttLib import TTFont  # slow to import, and not needed while drawings are cached
 
     with TTFont(file, lazy=True) as font:
         return str(font["name"].getBestFamilyName())

@@ -1,1 +1,1 @@
-"""What stands beside the chapters: the works cited, the terms, the symbols, the news."""
+"""What chapters refer to: works, terms and symbols; and the news."""

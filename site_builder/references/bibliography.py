@@ -139,7 +139,7 @@ def read_bibliography(root: Path, problems: Diagnostics, words: Words = ENGLISH)
     """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
     if not (root / FILE).is_file():
         return EMPTY
-    # Here and below: not every book has references, and they are kept.
+    # Here and below: slow to import, and not needed while the bibliography is cached.
     from pybtex.database import BibliographyDataError, parse_string
     from pybtex.scanner import PybtexSyntaxError
 
@@ -215,7 +215,7 @@ def _told_apart(works: list[Work]) -> list[Work]:
 
 
 def _check(work: Work, problems: Diagnostics) -> None:
-    """Report a kind or field that nobody prints, and what is missing to find the work."""
+    """Report unknown kinds and fields, and missing ones."""
     if work.kind not in REQUIRED:
         problems.add(FILE, work.line, unknown("kind of entry", work.kind, REQUIRED))
         return

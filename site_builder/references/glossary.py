@@ -97,7 +97,7 @@ EMPTY = Glossary()
 
 
 def _spelt(name: str) -> str:
-    """As it stands in a text, where a sentence may begin with it."""
+    """The pattern of a name, which may begin a sentence."""
     first, rest = re.escape(name[:1]), re.escape(name[1:])
     first = f"[{name[0]}{name[0].upper()}]" if name[:1].islower() else first
     return first + rest.replace("’", "['’]").replace(r"\ ", "[ \u00a0]")

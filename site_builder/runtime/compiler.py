@@ -129,7 +129,7 @@ def compiled(members: Members) -> dict[str, bytes]:
 
 
 def byte_code(name: str, source: bytes) -> bytes:
-    """Without assertions and docstrings, which nobody reads in the page."""
+    """Without assertions and docstrings, which the page does not use."""
     tree = ast.parse(source, name)
     if name.rpartition("/")[2].startswith("_add_newdocs"):
         tree.body = [each for each in tree.body if not adds_docs(each)]

@@ -12,11 +12,11 @@ type Bytes = NDArray[np.uint8]
 
 MAGIC = b"\x00asm\x01\x00\x00\x00"
 MEMORY = ("python", "memory")
-"""Names under which the module asks for the memory."""
+"""Names under which the module imports the memory."""
 CUSTOM, IMPORTS, DATA = 0, 2, 11
 """Numbers of sections (WebAssembly Core Specification, 5.5)."""
 GAP = 64
-"""Bytes that stay as they are and are written all the same, for each run costs some, too."""
+"""Unchanged bytes between changed ones that are written too, as a new run costs more."""
 
 
 def changed_runs(

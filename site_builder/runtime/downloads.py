@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from site_builder.runtime.pinned import PYODIDE_VERSION, RuntimeFile
 
 type Source = Callable[[Sequence[RuntimeFile]], Iterator[tuple[RuntimeFile, bytes]]]
-"""Yields each wanted file with its bytes, unverified; raises whatever goes wrong on the way."""
+"""Yields each file with its bytes, unverified; may raise any exception."""
 
 RELEASE_URL = f"https://cdn.jsdelivr.net/pyodide/v{PYODIDE_VERSION}/full/"
 CARRIER = "open-webui==0.12.4"
@@ -30,7 +30,7 @@ def package_index(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, 
 
     The wheel is never installed, so its own ``requires-python`` does not matter.
     """
-    from remotezip import RemoteZip  # here and below: what is kept needs no client of the network
+    from remotezip import RemoteZip  # here and below: slow to import, and needed once
 
     with RemoteZip(_carrier_url(), timeout=TIMEOUT_SECONDS) as archive:
         for file in wanted:

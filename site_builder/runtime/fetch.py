@@ -63,7 +63,7 @@ def _explain(missing: Sequence[RuntimeFile], problems: Sequence[str], folder: Pa
         "cannot get the Python runtime for the browser; missing: "
         + ", ".join(file.name for file in missing),
         *(f"  tried {problem}" for problem in problems),
-        "Connect to the internet once: the files are kept and never requested again.",
+        "Connect to the internet once: the files are cached and never requested again.",
         "Or put each file where it is looked for:",
         *(f"  {stores.location(folder, file)}" for file in missing),
     ]

@@ -35,7 +35,7 @@ class FreezeError(RuntimeError):
 
 
 class MissingModuleError(FreezeError):
-    """The browser has no such module; ``place`` asks for it, ``path:line``."""
+    """The browser has no such module, which ``place`` imports, ``path:line``."""
 
     def __init__(self, name: str, place: str) -> None:
         self.name, self.place = name, place
@@ -200,7 +200,7 @@ def library_name(path: str) -> str:
 
 
 def _compressed(archive: Path, without: Collection[str]) -> bytes:
-    """Equal members give equal bytes. The members ``without`` content keep their place."""
+    """Equal members give equal bytes. Those in ``without`` are stored empty."""
     buffer = io.BytesIO()
     with ZipFile(archive) as given, ZipFile(buffer, "w", ZIP_DEFLATED, compresslevel=9) as packed:
         for entry in given.infolist():

@@ -15,7 +15,7 @@ class Imports:
     inside: frozenset[str]
     """Modules of the same package."""
     outside: Mapping[str, str]
-    """Other modules, and where each is asked for: ``path:line``."""
+    """Other modules, and where each is imported: ``path:line``."""
 
 
 type Table = Mapping[str, Imports]
@@ -61,7 +61,7 @@ def reach(table: Table, start: str) -> frozenset[str]:
 
 
 def outside(table: Table, modules: Iterable[str]) -> dict[str, str]:
-    """What ``modules`` import from outside the package, and one place that asks for it."""
+    """What ``modules`` import from outside the package, and one place that imports it."""
     return {
         name: place for module in sorted(modules) for name, place in table[module].outside.items()
     }

@@ -48,7 +48,7 @@ class RuntimeBundle:
     """The files of the site's runtime folder."""
 
     files: Mapping[str, Path]
-    """Name in the site's runtime folder to where the file lies now."""
+    """Name in the site's runtime folder to the path of the file."""
     versions: Versions
     snapshot_error: str = ""
     """Why there is no snapshot for Python to begin with, where there should be one."""
@@ -218,7 +218,7 @@ def chunks_of(imports: Table, module: str, modules: Mapping[str, tuple[str, ...]
 
 
 def _integrity(file: Path) -> str:
-    """Hash of a file, as `fetch` takes it; of a file in the store, its place says it."""
+    """Hash of a file, as `fetch` takes it; of a file in the store, its folder is named by it."""
     stored = stores.is_whole(file)
     sha256 = file.parent.name if stored else stores.sha256(file.read_bytes())
     return "sha256-" + base64.b64encode(bytes.fromhex(sha256)).decode()

@@ -1,4 +1,4 @@
-"""Run in an interpreter before its snapshot is taken: nothing stays of the hour or of chance."""
+"""Run in an interpreter before its snapshot is taken, which then has no trace of time or chance."""
 
 import gc
 import random

@@ -16,7 +16,7 @@ _intact: set[tuple[Path, int, int, int]] = set()
 
 
 def default_store() -> Path:
-    """Where this user's runtime files are kept between builds."""
+    """In the user's cache folder."""
     return user_cache_path("image-formation", appauthor=False) / "runtime"
 
 
@@ -31,7 +31,7 @@ def location(store: Path, file: RuntimeFile) -> Path:
 
 
 def is_intact(store: Path, file: RuntimeFile) -> bool:
-    """Whether the stored copy exists and is byte for byte what its address says."""
+    """Whether the stored copy exists and has the hash in its path."""
     place = location(store, file)
     try:
         stat = place.stat()
@@ -70,11 +70,11 @@ def made_once(
     ones, are stored."""
     store.mkdir(parents=True, exist_ok=True)
     record = store / f"{recipe}.json"
-    if not (kept := _recorded(store, record)):
-        kept = {name: put(store, name, content) for name, content in make().items()}
-        hashes = {name: path.parent.name for name, path in kept.items()}
+    if not (stored := _recorded(store, record)):
+        stored = {name: put(store, name, content) for name, content in make().items()}
+        hashes = {name: path.parent.name for name, path in stored.items()}
         record.write_text(json.dumps(hashes), encoding="utf-8")
-    return kept
+    return stored
 
 
 def _recorded(store: Path, record: Path) -> Mapping[str, Path]:

@@ -1,4 +1,4 @@
-"""The index of the search, made under Node by the library that the page asks it with."""
+"""The index of the search, made under Node by the library that the page searches with."""
 
 import json
 import subprocess

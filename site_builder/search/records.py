@@ -13,7 +13,7 @@ from site_builder.render.words import plain_words
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A section as the index keeps it; the names are those of ``static/js/search/ranking.ts``."""
+    """A section as the index stores it; the names are those of ``static/js/search/ranking.ts``."""
 
     id: int
     address: str

@@ -25,7 +25,7 @@ TYPES = {
     ".wasm": "application/wasm",
     ".woff2": "font/woff2",
 }
-"""Types that browsers insist on; a system's own table may say something else."""
+"""Media types that browsers require; the system's own table may differ."""
 WAITING = (
     "<!DOCTYPE html><meta charset=utf-8><title>Being built</title>"
     "<body><p>The book is being built. This page shows it as soon as it is there.</p>"

@@ -1,4 +1,4 @@
-"""What open pages learn of builds, as server-sent events."""
+"""The state of the builds for open pages, as server-sent events."""
 
 import asyncio
 import json

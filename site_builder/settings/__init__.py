@@ -1,1 +1,1 @@
-"""``content/book.toml``: what it may say, declared once; read, checked, described from that."""
+"""``content/book.toml``: its keys, declared once; reading and description follow from that."""

@@ -20,7 +20,7 @@ class Key:
     default: object
     """`MISSING` where the key is required."""
     without: str
-    """What holds without the key, in words, where the default does not show it."""
+    """What holds without the key, in words, where the default value is none."""
 
     @property
     def required(self) -> bool:

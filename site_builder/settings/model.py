@@ -1,4 +1,4 @@
-"""What ``content/book.toml`` may say. Reading, checks, the JSON schema and the author's table all
+"""The keys of ``content/book.toml``. Reading, checks, the JSON schema and the table in the guide
 follow from these classes."""
 
 from collections.abc import Mapping
@@ -55,7 +55,7 @@ class Labels:
 
 @dataclass(frozen=True, slots=True)
 class Publishing:
-    """What lies beside the site's files, for the host that serves them."""
+    """Files for the host of the site."""
 
     hosts: tuple[str, ...] = key(
         texts(f"[some of {', '.join(f'"{host}"' for host in HOSTS)}]", among=HOSTS),
@@ -69,7 +69,7 @@ class Publishing:
 
 @dataclass(frozen=True, slots=True)
 class Trust:
-    """What of the authors' sources goes into the pages unseen."""
+    """What goes from the sources into the pages unchecked."""
 
     raw_html: bool = key(
         BOOLEAN, "whether Markdown may hold HTML, scripts included", False, without="`false`"
@@ -97,7 +97,7 @@ class Settings:
     )
     first_number: int = key(whole_number(0), "the number of the first chapter", 0)
     storage: str = key(
-        PREFIX, "begins the names of what a browser keeps", "", without="made of the title"
+        PREFIX, "begins the names of what a browser stores", "", without="made of the title"
     )
     address: str = key(SITE, "where the book is published", "", without="unknown")
     source: str = key(
@@ -112,4 +112,4 @@ class Settings:
         without="none",
     )
     publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
-    trust: Trust = key(table(Trust), "what goes into the pages unseen", Trust())
+    trust: Trust = key(table(Trust), "what goes into the pages unchecked", Trust())

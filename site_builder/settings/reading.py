@@ -10,7 +10,7 @@ from site_builder.source_text import Toml, read_toml
 
 
 def read_settings(root: Path, problems: Diagnostics) -> tuple[Settings, Toml]:
-    """What the file says, and where; mistakes are reported, and defaults hold in their place."""
+    """The settings and their places in the file; a mistake is reported, and its default holds."""
     there = (root / FILE_NAME).is_file()
     read = read_toml(root, FILE_NAME, problems) if there else Toml()
     if read is None or not read.text.strip():
@@ -22,6 +22,6 @@ def read_settings(root: Path, problems: Diagnostics) -> tuple[Settings, Toml]:
 
 
 def storage_prefix(settings: Settings) -> str:
-    """What begins the names of what a browser keeps for the book: books may share a host."""
+    """Begins the names of all that a browser stores for the book: books may share a host."""
     made = re.sub(r"[^a-z0-9]+", "-", settings.title.lower()).strip("-")
     return settings.storage or made or "book"

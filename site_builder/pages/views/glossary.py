@@ -1,4 +1,4 @@
-"""The glossary as its template needs it, and what a chapter's marks tell."""
+"""The glossary as its template needs it, and the terms that a chapter marks."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ class Entry:
 
 
 def marked_terms(chapter: Chapter, book: Book) -> list[Definition]:
-    """What the chapter's marks tell."""
+    """The definitions that the chapter shows in place."""
     marked = {use.term for use in chapter.term_uses if use.element}
     return [definition for definition in book.glossary if definition.term.name in marked]
 

@@ -1,5 +1,5 @@
 """The index of terms as its template needs it: where the glossary's terms and the author's own
-marks stand."""
+marks are."""
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -10,7 +10,7 @@ from site_builder.page_model.places import Target
 from site_builder.pages.term_lists import Atlas, Letters, Place, atlas, by_letter
 
 OFTEN = 2
-"""Uses of a term in a section from which the index leads there: named once is not spoken of."""
+"""Uses of a term in a section from which on the index names the section."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class IndexEntry:
 
 
 def view_index(book: Book) -> Letters[IndexEntry]:
-    """Terms with the sections that speak of them, their other names, and what authors marked."""
+    """Terms with the sections that use them, their other names, and what authors marked."""
     places: dict[str, list[Place]] = {item.term.name: [] for item in book.glossary}
     explained = {item.term.name: item.explained for item in book.glossary}
     chapters = [atlas(chapter) for chapter in book.chapters]

@@ -1,4 +1,4 @@
-"""What the title page must know of all questions, to tell how far a reader has come."""
+"""The list of all questions from which the title page shows a reader's progress."""
 
 from markupsafe import Markup
 
@@ -7,7 +7,7 @@ from site_builder.pages.embedding import json_for_html
 
 
 def progress_data(book: Book) -> Markup:
-    """By chapter, each question and its edition: JSON that is safe inside a script element."""
+    """Questions and their editions by chapter, as JSON for a script element."""
     return json_for_html(
         {
             chapter.id: {quiz.id: quiz.edition for quiz in chapter.quizzes}

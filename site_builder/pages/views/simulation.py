@@ -26,7 +26,7 @@ class HandleView:
     place: Place | None
     """Nothing where it cannot be grabbed as the figure starts."""
     text: str
-    """What it is set to, as a screen reader says it: ``Light angle 30°``."""
+    """Its value for screen readers: ``Light angle 30°``."""
     range: tuple[float, float, float]
     """Least, present and greatest value of what it drives first; of a menu, places in it."""
     keys: str

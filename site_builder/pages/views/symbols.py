@@ -1,4 +1,4 @@
-"""The symbols as their template needs them: chapter by chapter, each where it first stands."""
+"""The symbols as their template needs them: by chapter, each with its first section."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ class Row:
 
 
 def view_symbols(book: Book) -> list[tuple[Card, list[Row]]]:
-    """What each chapter's formulae say, in the order in which they say it."""
+    """The meanings of each chapter's symbols, in the order of their first use."""
     chapters = ((atlas(chapter), introductions(book, chapter)) for chapter in book.chapters)
     return [
         (places.card, [_row(item, section, places) for item, section in rows])
@@ -32,7 +32,7 @@ def _row(meaning: Meaning, section: str, places: Atlas) -> Row:
 
 
 def introductions(book: Book, chapter: Chapter) -> list[tuple[Meaning, str]]:
-    """Each meaning, and the section in which its symbol first stands."""
+    """Each meaning, and the section in which its symbol is first used."""
     rows: dict[str, tuple[Meaning, str]] = {}
     seen: set[str] = set()
     expected = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
