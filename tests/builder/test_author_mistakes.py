@@ -8,20 +8,19 @@ Beside the whole chapters in ``fixtures/mistakes`` lies all that is reported of 
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from support.little_book import FRONT, OUTLINE, diagnostics
 from support.recorded import assert_recorded
 
-from site_builder.build import Options, check_site
-from site_builder.diagnostics import BuildError, Diagnostic, unknown
+from site_builder.build import Options
+from site_builder.diagnostics import Diagnostic, unknown
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
 HEAD = re.compile(r"=== (?:(\S+):)?(\d+): (.*)")
 CHAPTER = "content/00-first.md"
-FRONT = "---\ntitle: First\nsummary: The first chapter.\n---\n"
-OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,16 +63,6 @@ def read_case(heads: str, body: str) -> Case:
 def read_cases(file: Path) -> Iterator[Case]:
     _, *parts = re.split(r"((?:^=== .*\n)+)", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
     return map(read_case, parts[::2], parts[1::2])
-
-
-def diagnostics(options: Options) -> list[Diagnostic]:
-    """Warnings and mistakes."""
-    found: list[Diagnostic] = []
-    try:
-        check_site(replace(options, warn=found.append))
-    except BuildError as error:
-        found += error.diagnostics
-    return found
 
 
 CASES = [

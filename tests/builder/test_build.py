@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.little_book import OUTLINE
 
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
@@ -59,9 +60,7 @@ def test_a_scene_that_raises_is_a_mistake_at_its_figure(make_book: MakeBook) -> 
 
 
 def test_a_book_without_figures_ships_no_interpreter_and_no_editor(make_book: MakeBook) -> None:
-    outline = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\n'
-    chapters = 'chapters = ["00-first", "01-second"]\n'
-    options = make_book("Text.\n", {"content/book.toml": outline + chapters})
+    options = make_book("Text.\n", {"content/book.toml": OUTLINE})
     files = render_site(Options(options.root, search=False))
     told = content_bytes(files["licences/index.html"]).decode()
     assert not [path for path in files if path.startswith("runtime/") or "/js/editor/" in path]

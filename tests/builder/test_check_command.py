@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 import yaml
+from support.little_book import OUTLINE
 
 from site_builder.build import Options, render_site
 from site_builder.check_command import find
@@ -18,7 +19,6 @@ from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.runtime import freeze, pack
 
 ROOT = Path(__file__).resolve().parents[2]
-OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 TWO = ":::{nott}\n:::\n\nA price of 5$ each.\n"
 FIGURE = ":::{simulation} demo\n:::\n"
 type Run = Callable[..., int]

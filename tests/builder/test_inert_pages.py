@@ -3,18 +3,16 @@ as the text that it is. ``fixtures/attacks/markdown.txt`` lists what is tried.""
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from xml.etree.ElementTree import Element
 
-import html5lib
 import pytest
 from playwright.sync_api import Browser
+from support.html_outline import read_html
+from support.little_book import diagnostics, rendered
 from support.static_server import serving
 
-from site_builder.build import Options, check_site, render_site
-from site_builder.diagnostics import BuildError
-from site_builder.output.assets import Content, content_bytes
+from site_builder.build import Options
 
 FIXTURE = Path(__file__).parents[1] / "fixtures" / "attacks" / "markdown.txt"
 ATTACKS = tuple(
@@ -23,6 +21,7 @@ ATTACKS = tuple(
     if not line.startswith(("# ", "#\n"))
 )
 SCRIPT = "<script>alert(1)</script>"
+DRAWING = f'<svg xmlns="http://www.w3.org/2000/svg">{SCRIPT}</svg>'
 QUOTE = '"><img src=x onerror=alert(1)>'
 OUTLINE = (
     'title = "T {0}"\nsubtitle = "S {0}"\nprerequisites = "P {0}"\nhero = "demo"\n'
@@ -43,34 +42,22 @@ HARMFUL = re.compile(r"[\s\x00-\x20]*(?:javascript|vbscript|data|blob|file)[\s\x
 
 def active(page: bytes) -> Iterator[str]:
     """All in a page that can run, load or lead anywhere by itself."""
-    text = re.sub("assets/[0-9a-f]+/", "assets/", page.decode())
-    root: Element = html5lib.parse(text, namespaceHTMLElements=False)
-    for element in root.iter():
-        tag = element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
-        if tag in ACTIVE:
-            yield f"<{tag} {element.get('src') or element.get('type') or ''}>"
-        for name, value in element.attrib.items():
-            attribute = str(name).rpartition("}")[2].lower()
-            if attribute.startswith("on"):
-                yield f"{attribute}={value}"
-            if attribute in ADDRESSES and HARMFUL.match(value):
-                yield f"{attribute}={value}"
-            if attribute == "http-equiv":
-                yield f"{attribute}={value}"
+    for element in read_html(re.sub(b"assets/[0-9a-f]+/", b"assets/", page)).elements:
+        if element.tag in ACTIVE:
+            source = element.attributes.get("src") or element.attributes.get("type") or ""
+            yield f"<{element.tag} {source}>"
+        for name, value in element.attributes.items():
+            harmful = name.rpartition(":")[2] in ADDRESSES and HARMFUL.match(value or "")
+            if harmful or name.startswith("on") or name == "http-equiv":
+                yield f"{name}={value}"
 
 
-def pages(site: Mapping[str, Content]) -> dict[str, bytes]:
-    return {
-        name: content_bytes(content) for name, content in site.items() if name.endswith(".html")
-    }
+def pages(options: Options) -> dict[str, bytes]:
+    return {name: page for name, page in rendered(options).items() if name.endswith(".html")}
 
 
 def is_refused(options: Options) -> bool:
-    try:
-        check_site(options)
-    except BuildError:
-        return True
-    return False
+    return any(found.fails for found in diagnostics(options))
 
 
 SHOWN = (
@@ -95,8 +82,8 @@ SHOWN = (
 def test_an_attack_is_refused_or_legal_text(make_book: Callable[..., Options], attack: str) -> None:
     options = make_book(f"{attack}\n")
     if not is_refused(options):
-        plain = pages(render_site(make_book("Text.\n")))["first/index.html"]
-        page = pages(render_site(options))["first/index.html"]
+        plain = pages(make_book("Text.\n"))["first/index.html"]
+        page = pages(options)["first/index.html"]
         assert Counter(active(page)) - Counter(active(plain)) == Counter()
 
 
@@ -110,7 +97,7 @@ def hostile(make_book: Callable[..., Options]) -> Options:
 def test_texts_that_look_like_markup_stay_texts(
     hostile: Options, make_book: Callable[..., Options]
 ) -> None:
-    site = pages(render_site(hostile))
+    site = pages(hostile)
     words = "".join(page.decode() for page in site.values())
     assert words.count("&lt;script&gt;") > 5
     mild = make_book(
@@ -118,7 +105,7 @@ def test_texts_that_look_like_markup_stay_texts(
         ":::{simulation} demo\nA caption.\n:::\n",
         {name: text.replace(SCRIPT, "x").replace(QUOTE, "y") for name, text in FIELDS.items()},
     )
-    plain = pages(render_site(mild))
+    plain = pages(mild)
     for name, page in site.items():
         assert Counter(active(page)) - Counter(active(plain[name])) == Counter(), name
 
@@ -127,54 +114,37 @@ def test_texts_that_look_like_markup_stay_texts(
 def test_in_a_browser_nothing_of_it_runs(
     hostile: Options, chromium: Browser, tmp_path: Path
 ) -> None:
-    site = render_site(hostile)
+    site = rendered(hostile)
     for name, content in site.items():
         (tmp_path / "site" / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / "site" / name).write_bytes(content_bytes(content))
+        (tmp_path / "site" / name).write_bytes(content)
     alarms: list[str] = []
     # Without the policy, which would stop it in any case.
     with serving(tmp_path / "site") as server, chromium.new_context(bypass_csp=True) as context:
         context.add_init_script("globalThis.alert = (said) => { globalThis.ran = said; };")
         page = context.new_page()
         page.on("dialog", lambda dialog: alarms.append(dialog.message))
-        for name in pages(site):
+        for name in (name for name in site if name.endswith(".html")):
             page.goto(server.url + name)
             page.mouse.move(200, 200)
             assert page.evaluate("globalThis.ran") is None, name
     assert alarms == []
 
 
-def test_where_the_author_trusts_the_html_it_is_let_through(
-    make_book: Callable[..., Options],
+@pytest.mark.parametrize(
+    ("body", "files"),
+    [
+        ("<div class=own>Text</div>\n\nA <b>bold</b> word.\n", {}),
+        (":::{download} data/own.HTML\n:::\n", {"content/data/own.HTML": SCRIPT}),
+        ("Text.\n", {"content/images/own.svg": DRAWING}),
+    ],
+    ids=["text", "page among the downloads", "drawing"],
+)
+def test_html_is_refused_unless_the_author_trusts_it(
+    make_book: Callable[..., Options], body: str, files: dict[str, str]
 ) -> None:
-    outline = OUTLINE.format("x") + "[trust]\nraw_html = true\n"
-    body = "<div class=own>Text</div>\n\nA <b>bold</b> word.\n"
-    page = pages(render_site(make_book(body, {"content/book.toml": outline})))["first/index.html"]
-    assert b"<div class=own>Text</div>" in page
-    assert b"A <b>bold</b> word." in page
-
-
-def test_without_that_word_it_is_refused(make_book: Callable[..., Options]) -> None:
-    for said in ("", "[trust]\nraw_html = false\n"):
-        outline = OUTLINE.format("x") + said
-        assert is_refused(make_book("A <b>bold</b> word.\n", {"content/book.toml": outline}))
-
-
-def test_a_page_among_the_downloads_is_refused_unless_trusted(
-    make_book: Callable[..., Options],
-) -> None:
-    body = ":::{download} data/own.HTML\n:::\n"
-    files = {"content/data/own.HTML": SCRIPT, "content/book.toml": OUTLINE.format("x")}
-    assert is_refused(make_book(body, files))
-    files["content/book.toml"] += "[trust]\nraw_html = true\n"
-    assert not is_refused(make_book(body, files))
-
-
-def test_a_drawing_that_could_run_is_refused_unless_trusted(
-    make_book: Callable[..., Options],
-) -> None:
-    drawing = f'<svg xmlns="http://www.w3.org/2000/svg">{SCRIPT}</svg>'
-    files = {"content/images/own.svg": drawing, "content/book.toml": OUTLINE.format("x")}
-    assert is_refused(make_book("Text.\n", files))
-    files["content/book.toml"] += "[trust]\nraw_html = true\n"
-    assert not is_refused(make_book("Text.\n", files))
+    for trust, refused in (("", True), ("raw_html = false", True), ("raw_html = true", False)):
+        outline = f"{OUTLINE.format('x')}[trust]\n{trust}\n"
+        options = make_book(body, {**files, "content/book.toml": outline})
+        assert is_refused(options) is refused
+    assert (b"A <b>bold</b> word." in rendered(options)["first/index.html"]) is (not files)

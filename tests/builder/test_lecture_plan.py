@@ -3,9 +3,9 @@
 from collections.abc import Callable
 
 from support.html_outline import read_html
+from support.little_book import rendered
 
-from site_builder.build import Options, render_site
-from site_builder.output.assets import content_bytes
+from site_builder.build import Options
 
 type MakeBook = Callable[..., Options]
 
@@ -44,8 +44,7 @@ FILE = "content/lecture-plan.toml"
 
 
 def test_a_section_is_listed_with_what_it_shows_and_asks_and_no_other(make_book: MakeBook) -> None:
-    site = render_site(make_book(FIRST, {FILE: PLAN}))
-    page = read_html(content_bytes(site["lecture-plan/index.html"]))
+    page = read_html(rendered(make_book(FIRST, {FILE: PLAN}))["lecture-plan/index.html"])
     links = [link.attributes["href"] for link in page.all("a") if "li" in link.inside]
     assert [link for link in links if link and link.startswith("../first/#")] == [
         "../first/#lines",
@@ -57,7 +56,7 @@ def test_a_section_is_listed_with_what_it_shows_and_asks_and_no_other(make_book:
 
 def test_the_contents_lead_to_the_plan_where_there_is_one(make_book: MakeBook) -> None:
     def links(files: dict[str, str]) -> list[str | None]:
-        page = read_html(content_bytes(render_site(make_book(FIRST, files))["first/index.html"]))
+        page = read_html(rendered(make_book(FIRST, files))["first/index.html"])
         return [link.attributes.get("href") for link in page.all("a")]
 
     assert "../lecture-plan/" not in links({})

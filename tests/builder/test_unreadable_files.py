@@ -4,17 +4,17 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
+from support import little_book
+from support.little_book import OUTLINE, diagnostics
 
-from site_builder.build import Options, check_site
-from site_builder.diagnostics import BuildError
+from site_builder.build import Options
 
 type MakeBook = Callable[..., Options]
 type Files = Mapping[str, bytes | Callable[[Path], object] | None]
 
 CHAPTER = "content/00-first.md"
 BOOK = "content/book.toml"
-FRONT = b"---\ntitle: First\nsummary: The first chapter.\n---\n"
-OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
+FRONT = little_book.FRONT.encode()
 
 
 def link_to(target: str) -> Callable[[Path], object]:
@@ -53,7 +53,7 @@ def link_to(target: str) -> Callable[[Path], object]:
 def test_a_file_that_cannot_be_read_is_reported(
     make_book: MakeBook, files: Files, report: str
 ) -> None:
-    assert mistakes(written(make_book, files))[0].startswith(report)
+    assert mistakes(make_book, files)[0].startswith(report)
 
 
 @pytest.mark.parametrize(
@@ -71,9 +71,8 @@ def test_bytes_that_are_no_utf_8_are_reported_at_their_line(
     make_book: MakeBook, path: str, text: str
 ) -> None:
     files = {CHAPTER: FRONT + b"Text.\n", path: text.encode("latin-1")}
-    options = written(make_book, files)
     line = text[: text.index("\xe9")].count("\n") + 1
-    assert f"{path}:{line}: byte 0xe9 is not UTF-8; legal: UTF-8" in mistakes(options)
+    assert f"{path}:{line}: byte 0xe9 is not UTF-8; legal: UTF-8" in mistakes(make_book, files)
 
 
 @pytest.mark.parametrize("mark", [b"\xef\xbb\xbf", b""])
@@ -82,10 +81,10 @@ def test_marks_and_line_ends_of_other_editors_are_no_mistake(
     make_book: MakeBook, mark: bytes, end: bytes
 ) -> None:
     text = FRONT + b"Text.\n\n- One\n\t- Two\n"
-    assert mistakes(written(make_book, {CHAPTER: mark + text.replace(b"\n", end)})) == []
+    assert mistakes(make_book, {CHAPTER: mark + text.replace(b"\n", end)}) == []
 
 
-def written(make_book: MakeBook, files: Files) -> Options:
+def mistakes(make_book: MakeBook, files: Files) -> list[str]:
     options = make_book(files={BOOK: OUTLINE, **dict.fromkeys(files)})
     for name, content in files.items():
         file = options.root / name
@@ -94,12 +93,4 @@ def written(make_book: MakeBook, files: Files) -> Options:
             file.write_bytes(content)
         elif content:
             content(file)
-    return options
-
-
-def mistakes(options: Options) -> list[str]:
-    try:
-        check_site(options)
-    except BuildError as error:
-        return [str(found) for found in error.diagnostics]
-    return []
+    return [str(found) for found in diagnostics(options)]

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from support.html_outline import read_html
+from support.little_book import diagnostics
 from support.toy_ladder import ERRORS, FILE, toy_data, toy_ladder, toy_measurements
 
 from simulations.engine.ladder import Ladder
@@ -25,11 +26,7 @@ def find(make_book: Callable[..., Options]) -> Find:
     def find(body: str, data: object = None) -> list[str]:
         text = data if isinstance(data, str) else json.dumps(data or toy_data())
         options = replace(make_book(body, {FILE: text}), load_ladder=toy_ladder)
-        try:
-            check_site(options)
-        except BuildError as error:
-            return [str(diagnostic) for diagnostic in error.diagnostics]
-        return []
+        return [str(one) for one in diagnostics(options)]
 
     return find
 
@@ -96,19 +93,6 @@ def test_what_has_changed_since_it_was_measured_is_refused(
     (message,) = find(":::{ladder} toy\n:default: Good.\n:::\n", data)
     assert message.startswith(f"content/00-first.md:5: {FILE} is out of date: {what}")
     assert message.endswith("run `make bench LADDER=toy`")
-
-
-def test_a_mistake_in_the_reason_for_a_default_is_reported_at_its_own_line(find: Find) -> None:
-    assert find(":::{ladder} toy\n:default: {measured}`toy fnie rms`\n:::\n") == [
-        "content/00-first.md:6: unknown tier of toy 'fnie'; did you mean 'fine'?"
-    ]
-
-
-def test_a_default_is_explained_only_where_the_metric_judges_that_chose_it(find: Find) -> None:
-    assert find(":::{ladder} toy\n:metric: psnr\n:default: Good.\n:::\n") == [
-        "content/00-first.md:7: ladder 'toy' judged by 'psnr' explains its default; "
-        "legal: only where 'rms' judges"
-    ]
 
 
 def test_a_ladder_without_measurements_is_reported_where_it_is_shown(find: Find) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from support.html_outline import read_html
+from support.little_book import rendered
 
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
@@ -18,9 +19,8 @@ from site_builder.benchmarks.stage_costs import (
     StageCosts,
     read_stage_costs,
 )
-from site_builder.build import Options, render_site
+from site_builder.build import Options
 from site_builder.figures.frames import reports_at
-from site_builder.output.assets import content_bytes
 
 MOVE = {"to": 1, "ms": 1.0, "whole_ms": 2.0, "share": 0.5}
 
@@ -85,7 +85,7 @@ def test_a_page_lists_every_move_and_a_frame_with_nothing_at_hand(
 ) -> None:
     recorded = {"demo": {"start": {}, "moves": {"k1": {**MOVE, "to": 0.5}}}}
     options = make_book(":::{stage-costs} demo\nMoves.\n:::\n", {str(DATA): json.dumps(recorded)})
-    page = content_bytes(render_site(options)["first/index.html"])
+    page = rendered(options)["first/index.html"]
     table = read_html(page).all("figure", "stage-costs")
     assert len(table) == 1
     assert "Distortion" in page.decode()

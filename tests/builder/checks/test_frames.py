@@ -7,18 +7,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.little_book import OUTLINE, diagnostics
 
 from simulations.engine.frame import Frame, Panel, Readout
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from site_builder.blame import place_of
-from site_builder.build import Options, check_site
+from site_builder.build import Options
 from site_builder.checks import frames as frame_checks
-from site_builder.diagnostics import BuildError, Diagnostic
 
-COVERLESS = (
-    'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
-)
 STYLES = ".overlay .ray { stroke: red }\n.world {}\n"
 type Told = Callable[..., list[str]]
 
@@ -37,17 +34,12 @@ def told(make_book: Callable[..., Options]) -> Told:
 
     def find(**fields: Any) -> list[str]:
         body = ":::{simulation} demo\n:::\n"
-        options = make_book(body, {"content/book.toml": COVERLESS, "static/css/book.css": STYLES})
+        options = make_book(body, {"content/book.toml": OUTLINE, "static/css/book.css": STYLES})
 
         def load(scene_id: str) -> Scene[Any]:
             return replace(options.load_scene(scene_id), **fields)
 
-        found: list[Diagnostic] = []
-        try:
-            check_site(replace(options, load_scene=load, warn=found.append))
-        except BuildError as error:
-            found += error.diagnostics
-        return [str(one) for one in found]
+        return [str(one) for one in diagnostics(replace(options, load_scene=load))]
 
     return find
 

@@ -3,15 +3,15 @@
 import io
 import zlib
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from PIL import Image
+from support.little_book import diagnostics
 
 from site_builder.build import Options, check_site
 from site_builder.checks import pictures as picture_checks
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.diagnostics import BuildError
 
 
 def picture(width: int, height: int, kind: str = "PNG") -> bytes:
@@ -27,11 +27,7 @@ def told(make_book: Callable[..., Options]) -> Callable[..., list[str]]:
     def find(name: str, data: bytes) -> list[str]:
         options = make_book()
         (options.root / "content" / "images" / name).write_bytes(data)
-        found: list[Diagnostic] = []
-        try:
-            check_site(replace(options, warn=found.append))
-        except BuildError as error:
-            found += error.diagnostics
+        found = diagnostics(options)
         return [str(one).removeprefix(f"content/images/{name}:") for one in found]
 
     return find
@@ -41,12 +37,9 @@ def told(make_book: Callable[..., Options]) -> Callable[..., list[str]]:
     ("name", "data", "says"),
     [
         ("a.png", b"", "1: no picture; legal: PNG"),
-        ("a.png", b"<html><script>alert(1)</script>", "1: no picture; legal: PNG"),
         ("a.png", picture(60, 60)[:-20], "1: a damaged picture: "),
         ("a.jpg", picture(60, 60, "JPEG")[:-200], "1: a damaged picture: "),
         ("a.png", picture(60, 60, "JPEG"), "1: holds JPEG; legal: PNG, as its name says"),
-        ("a.svg", b"<svg>", "1: <svg> at the top; legal: "),
-        ("a.svg", b'<svg xmlns="http://www.w3.org/2000/svg">\n<script/></svg>', "2: element 'scr"),
     ],
 )
 def test_a_picture_that_cannot_be_shown_is_reported(

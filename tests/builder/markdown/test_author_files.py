@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 from support.html_outline import read_html
+from support.little_book import rendered
 
 from site_builder.build import Options, check_site, render_site
 from site_builder.editions.compose import compose
@@ -38,7 +39,7 @@ FILES: dict[str, str | None] = {
 
 
 def page(options: Options) -> str:
-    html = content_bytes(render_site(options)["first/index.html"])
+    html = rendered(options)["first/index.html"]
     read_html(html)
     return html.decode().partition("<article")[2].partition("</article>")[0]
 

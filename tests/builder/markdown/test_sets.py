@@ -5,9 +5,9 @@ from collections.abc import Callable
 
 import pytest
 from support.html_outline import Element, read_html
+from support.little_book import rendered
 
-from site_builder.build import Options, render_site
-from site_builder.output.assets import content_bytes
+from site_builder.build import Options
 
 type Links = Callable[[str], list[Element]]
 FIGURE = ":::{simulation} demo\n:::\n"
@@ -18,7 +18,7 @@ def links(make_book: Callable[..., Options]) -> Links:
     """The links that the words of a chapter become."""
 
     def read(body: str) -> list[Element]:
-        page = read_html(content_bytes(render_site(make_book(body))["first/index.html"]))
+        page = read_html(rendered(make_book(body))["first/index.html"])
         return page.all("a", "set")
 
     return read
@@ -61,7 +61,7 @@ def test_words_that_set_may_hold_emphasis_and_formulae(
     make_book: Callable[..., Options],
 ) -> None:
     body = f"Set *now {{set}}`**the** $k_1$ so <k1=0>` at* once.\n\n{FIGURE}"
-    page = content_bytes(render_site(make_book(body))["first/index.html"]).decode()
+    page = rendered(make_book(body))["first/index.html"].decode()
     assert "<p>Set <em>now <a " in page
     assert "<strong>the</strong> <math>" in page
     assert "</math> so</a> at</em> once.</p>" in page

@@ -4,10 +4,10 @@ from collections.abc import Callable
 from xml.etree import ElementTree
 
 import pytest
+from support.little_book import OUTLINE, rendered
 
-from site_builder.build import Options, render_site
+from site_builder.build import Options
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
-from site_builder.output.assets import content_bytes
 
 MACROS = {
     "R": r"\mathbb{R}",
@@ -17,14 +17,6 @@ MACROS = {
     "loop": r"1 + \loop",
     "ray": r"\role{ray}{#1}",
 }
-OUTLINE = """\
-title = "T"
-subtitle = "S"
-prerequisites = "P"
-chapters = ["00-first", "01-second"]
-
-[macros]
-"""
 
 
 @pytest.mark.parametrize(
@@ -63,8 +55,8 @@ def test_a_book_s_macros_are_set_and_their_symbols_are_read(
 ) -> None:
     body = "In $\\norm{\\mathbf{R}}$ it is.\n"
     files: dict[str, str | None] = {
-        "content/book.toml": f"{OUTLINE}norm = '\\lVert #1 \\rVert'\n",
+        "content/book.toml": f"{OUTLINE}[macros]\nnorm = '\\lVert #1 \\rVert'\n",
         "content/symbols.toml": "[book]\n'\\mathbf{R}' = [\"rotation\"]\n",
     }
-    page = content_bytes(render_site(make_book(body, files))["first/index.html"]).decode()
+    page = rendered(make_book(body, files))["first/index.html"].decode()
     assert page.count("‖") == 2

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import pytest
+from support.little_book import rendered
 
 from site_builder.build import Options, render_site
 from site_builder.output.assets import Content, content_bytes
@@ -57,7 +58,7 @@ def test_html_that_the_author_is_trusted_with_runs(make_book: MakeBook) -> None:
 
 
 def test_while_the_book_is_written_pages_link_to_their_styles(make_book: MakeBook) -> None:
-    page = content_bytes(render_site(replace(make_book(), reload=True))["first/index.html"])
+    page = rendered(replace(make_book(), reload=True))["first/index.html"]
     assert b"<style>" not in page
     assert b'<link rel="stylesheet"' in page
     assert b" integrity=" not in page

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 from support.html_outline import Page, read_html
+from support.little_book import rendered
 
 from site_builder.build import Options, check_site, render_site
 from site_builder.diagnostics import Diagnostic
@@ -91,7 +92,7 @@ def test_no_heading_link_question_or_control_is_marked(make_book: MakeBook) -> N
         ":::{quiz} q\nA pose?\n- [x] Pose\n  : Pose.\n- [ ] No\n  : No.\n:::\n\nThe last pose.\n"
     )
     text = GLOSSARY.replace("first#poses", "first#pose")
-    page = read_html(content_bytes(render_site(make_book(body, {FILE: text}))["first/index.html"]))
+    page = read_html(rendered(make_book(body, {FILE: text}))["first/index.html"])
     assert marks(page) == ["field of view", "pose"]
 
 

@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 import pytest
 from support.html_outline import read_html
+from support.little_book import rendered
 
-from site_builder.build import Options, render_site
+from site_builder.build import Options
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
-from site_builder.output.assets import content_bytes
 
 type MakeBook = Callable[..., Options]
 
@@ -61,9 +61,7 @@ def test_a_meaning_covers_what_only_counts_differently(
 
 
 def test_a_chapter_s_own_meaning_stands_before_the_book_s(make_book: MakeBook) -> None:
-    page = read_html(
-        content_bytes(render_site(make_book(BODY, {FILE: SYMBOLS}))["symbols/index.html"])
-    )
+    page = read_html(rendered(make_book(BODY, {FILE: SYMBOLS}))["symbols/index.html"])
     cells = [cell.text for cell in page.all("td")]
     assert "frequency" in cells
     assert "focal length" not in cells
