@@ -1,4 +1,4 @@
-"""The arrays that models take and give, and the conversions that every model starts with."""
+"""Array types of the models, and the conversions that every model starts with."""
 
 from typing import Any
 
@@ -8,16 +8,16 @@ from numpy.typing import ArrayLike, NDArray
 type Floats = NDArray[np.floating]
 """Real numbers: float64, or float32 where they are pixels."""
 type Mask = NDArray[np.bool_]
-"""True or false of each entry."""
+"""Arrays of bool."""
 type Planes = NDArray[np.float32]
-"""Pictures (..., H, W): of each colour a plane of pixels."""
+"""Pictures (..., H, W), a plane of pixels for each colour."""
 
 
 def as_floats(values: ArrayLike) -> Floats:
     """As an array of floats: float32 stays float32 (pictures), whole numbers become float64.
 
-    Half precision, in which some pictures are stored, becomes float32: it is none to compute in.
-    Raises `ValueError` for complex numbers, whose imaginary part would be lost.
+    Half precision becomes float32. Raises `ValueError` for complex numbers, whose imaginary part
+    would be lost.
     """
     array = np.asarray(values)
     if array.dtype.kind == "c":
@@ -36,7 +36,7 @@ def as_vectors(name: str, values: ArrayLike, length: int) -> NDArray[Any]:
 
 
 def as_array(name: str, values: ArrayLike, *shape: int) -> NDArray[Any]:
-    """As an array of float64 of just that shape: none is broadcast to it."""
+    """As an array of float64 of exactly that shape, without broadcasting."""
     array = _as_doubles(name, values)
     if array.shape != shape:
         raise ValueError(f"{name} of shape {array.shape}; legal: {shape}")

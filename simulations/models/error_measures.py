@@ -1,4 +1,4 @@
-"""How large an error is, as a single number."""
+"""Measures of an error as a single number."""
 
 import math
 
@@ -17,9 +17,8 @@ def root_mean_square(errors: ArrayLike) -> float:
 def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: int = 0) -> float:
     """Peak signal to noise ratio in decibel, leaving out ``crop`` pixels at each border.
 
-    Of pictures (H, W, ...), or of values (N,). Equal ones give infinity, and those infinitely
-    apart minus infinity. Raises `ValueError` where nothing is left after the crop, or the shapes
-    differ.
+    Of pictures (H, W, ...), or of values (N,). Equal ones give infinity, and those infinitely apart
+    minus infinity. Raises `ValueError` if nothing is left after the crop, or the shapes differ.
     """
     a, b = np.asarray(picture, np.float64), np.asarray(reference, np.float64)
     if a.shape != b.shape or a.ndim < 1:

@@ -1,4 +1,4 @@
-"""Where pixels lie."""
+"""Positions of pixels."""
 
 import numpy as np
 

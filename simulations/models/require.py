@@ -1,6 +1,6 @@
-"""What is said of a parameter that makes no sense: its name, its value, and what is legal.
+"""Checks of parameters; errors state the name, the value, and what is legal.
 
-For whole numbers there is `whole_numbers.as_whole`, for shapes of arrays `arrays`.
+See `whole_numbers.as_whole` for whole numbers, and `arrays` for shapes of arrays.
 """
 
 import math
@@ -21,7 +21,7 @@ def require_positive(name: str, value: float) -> None:
 
 
 def require_one_of(name: str, value: str, legal: Collection[str]) -> None:
-    """Raises `ValueError` for a word that is none of the legal ones."""
+    """Raises `ValueError` for a word that is not legal."""
     require(name, value, value in legal, ", ".join(legal))
 
 

@@ -1,4 +1,4 @@
-"""What must be a whole number: counts, qualities, sizes in pixels."""
+"""Checks of whole numbers: counts, qualities, sizes in pixels."""
 
 import math
 
@@ -6,10 +6,9 @@ from simulations.models.require import require
 
 
 def as_whole(name: str, value: float, least: int, most: int | None = None) -> int:
-    """``value`` as an int; 50.0 will do for 50.
-
-    Raises `ValueError`, naming the parameter, its value and the legal range, for fractions, NaN,
-    infinities and numbers outside ``least`` to ``most``.
+    """``value`` as an int; 50.0 is accepted as 50. Raises `ValueError`, naming the parameter, its
+    value and the legal range, for fractions, NaN, infinities and numbers outside ``least`` to
+    ``most``.
     """
     whole = math.isfinite(value) and value == math.floor(value)
     inside = least <= value and (most is None or value <= most)

@@ -1,11 +1,11 @@
-"""What a colour seen in one light would be in another, as our eyes discount the light.
+"""Chromatic adaptation: how a colour seen in one light would look in another.
 
-The eye turns down each of its receptors by what the light gives it. So does a chromatic
-adaptation: into three responses, each divided by that of the old white and multiplied by that of
-the new one, and back. The methods differ in the responses they take.
+The eye adapts the gain of each of its receptors to the light. A chromatic adaptation does the same:
+it transforms to three responses, divides each by that of the old white, multiplies it by that of
+the new one, and transforms back. The methods differ in the responses they take.
 
-Colours are CIE XYZ, lights their chromaticities (x, y). Szeliski, 2nd ed., §2.3.2; Lam,
-Metamerism and colour constancy, 1985 (Bradford); Hunt, Measuring Colour, 1987 (the cones).
+Colours are CIE XYZ, lights their chromaticities (x, y). Szeliski, 2nd ed., §2.3.2; Lam, Metamerism
+and colour constancy, 1985 (Bradford); Hunt, Measuring Colour, 1987 (the cones).
 """
 
 import numpy as np
@@ -28,7 +28,7 @@ RESPONSES = {
     "von-kries": CONES,
     "rgb": np.linalg.inv(rgb_to_xyz_matrix()),
 }
-"""From XYZ to what is scaled; "rgb" are the gains of `white_balance` on linear sRGB."""
+"""Matrices from XYZ to the responses; "rgb" applies the gains of `white_balance` to linear sRGB."""
 
 
 def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Floats:
@@ -44,8 +44,8 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
     Raises
     ------
     ValueError
-        For another method, for a chromaticity that is none, and for a light that leaves one of
-        the responses without any signal: no gain could restore it.
+        For another method, for an invalid chromaticity, and for a light to which one of the
+        responses is 0, as no gain can restore it.
     """
     require_one_of("method", method, RESPONSES)
     responses = RESPONSES[method]

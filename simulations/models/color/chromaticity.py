@@ -30,8 +30,8 @@ def white_xyz(xy: ArrayLike) -> Floats:
 def xyz_to_xyy(xyz: ArrayLike) -> Floats:
     """CIE XYZ to chromaticity and luminance (x, y, Y), all (..., 3).
 
-    Black has no chromaticity. Like other colours whose sum is not positive and finite, it is
-    given that of D65, so that grey scales end in grey.
+    Black has no chromaticity. Like all colours whose sum is not positive and finite, it gets that
+    of D65, so that grey scales end in grey.
     """
     colours = as_colours(xyz)
     largest = np.abs(colours).max(axis=-1, keepdims=True)

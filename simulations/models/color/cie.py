@@ -1,6 +1,6 @@
 """The colour spaces of the CIE: XYZ, luminance and L*a*b*, from linear RGB and back.
 
-Colours are arrays (..., 3). Those out of the numbers' range become infinite or NaN, as in `srgb`.
+Colours are arrays (..., 3). Values beyond the floats' range become infinite or NaN, as in `srgb`.
 Szeliski, 2nd ed., section 2.3.2; CIE 15:2004.
 """
 

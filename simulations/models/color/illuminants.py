@@ -14,9 +14,9 @@ SECOND_RADIATION_NM_K = 1.438776877e7
 """hc/k, in nm K (CODATA 2018)."""
 COLDEST_K, HOTTEST_K = 20.0, 1e9
 DAYLIGHT_K = (4000.0, 25000.0)
-"""Correlated colour temperatures between which the CIE's formula is daylight."""
+"""Range of the correlated colour temperatures of the CIE's formula for daylight."""
 D65_K = 6504.0
-"""Of D65: 6500 K before the constant above was measured anew."""
+"""Temperature of D65: 6500 K by an older value of the constant above."""
 
 _DAYLIGHT = np.array(
     [
@@ -40,7 +40,7 @@ _DAYLIGHT = np.array(
     ]
 )  # fmt: skip
 """Mean daylight and its two ways to vary, every 10 nm from 380 (CIE 15:2004, table T.2; Judd,
-MacAdam and Wyszecki, 1964). Between, the CIE draws straight lines."""
+MacAdam and Wyszecki, 1964). The CIE interpolates linearly."""
 
 TUBE: tuple[Bell, ...] = (
     (0.143, 404.9, 3.0, 3.0),
@@ -54,14 +54,14 @@ TUBE: tuple[Bell, ...] = (
 )
 """A three-band tube after the CIE's F11: two lines of mercury, and those of its phosphors."""
 DIODE: tuple[Bell, ...] = ((0.831, 448.0, 8.7, 8.9), (0.882, 589.7, 76.0, 59.0))
-"""A white diode after the CIE's LED-B3: a blue diode, and a phosphor that it makes glow yellow."""
+"""A white diode after the CIE's LED-B3: a blue diode and a phosphor that glows yellow."""
 
 
 def planck(temperature_k: float) -> Floats:
     """Power of a glowing body by wavelength, relative to that at 560 nm (Planck's law).
 
-    Written so that neither of its exponentials, e^(c/λT), need be a number: only their ratio is.
-    Raises `ValueError` below 20 K and above 1e9 K.
+    Only the ratio of the two exponentials e^(c/λT) is computed, as each alone may overflow. Raises
+    `ValueError` below 20 K and above 1e9 K.
     """
     legal = f"{COLDEST_K:g} to {HOTTEST_K:g}"
     require("temperature_k", temperature_k, COLDEST_K <= temperature_k <= HOTTEST_K, legal)

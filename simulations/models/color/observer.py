@@ -1,4 +1,4 @@
-"""What the eye makes of a spectrum: the CIE's standard observer of 1931.
+"""From a spectrum to XYZ: the CIE's standard observer of 1931.
 
 Spectra are arrays (..., 81) on the grid of `spectra`. The three curves are the analytic fits of
 Wyman, Sloan and Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching Functions",
@@ -16,7 +16,7 @@ MATCHING: tuple[tuple[Bell, ...], ...] = (
     ((0.821, 568.8, 46.9, 40.5), (0.286, 530.9, 16.3, 31.1)),
     ((1.217, 437.0, 11.8, 36.0), (0.681, 459.0, 26.0, 13.8)),
 )
-"""The bells that x̄, ȳ and z̄ are sums of."""
+"""The bell curves whose sums are x̄, ȳ and z̄."""
 
 
 def matching_functions(wavelengths_nm: ArrayLike) -> Floats:
@@ -33,7 +33,7 @@ OBSERVER = matching_functions(WAVELENGTHS_NM)
 
 
 def tristimulus(stimuli: ArrayLike, light: ArrayLike) -> Floats:
-    """CIE XYZ (..., 3) of spectra (..., 81) that reach the eye, where a white gives Y = 1.
+    """CIE XYZ (..., 3) of spectra (..., 81) that reach the eye; white has Y = 1.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Spectra on one grid of wavelengths, and the two shapes that they are made of.
+"""Spectra on a common grid of wavelengths: sums of bell curves, and splines.
 
 A spectrum is an array (..., 81): its values at `WAVELENGTHS_NM`. A sum over the grid stands for an
 integral over the visible range; CIE 15:2004, section 7.1, deems steps of 5 nm enough.
@@ -46,8 +46,7 @@ def through_knots(values: ArrayLike) -> Floats:
     known = np.asarray(values, float)
     count = known.shape[-1]
     require("knots", count, count > 2, "three or more")
-    # Second differences are what a tridiagonal system makes of the curvatures; these vanish at
-    # both ends.
+    # A tridiagonal system maps the curvatures, 0 at both ends, to second differences.
     inner = count - 2
     system = 4.0 * np.eye(inner) + np.eye(inner, k=1) + np.eye(inner, k=-1)
     bending = np.zeros(known.shape)

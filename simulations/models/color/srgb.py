@@ -1,11 +1,11 @@
-"""The sRGB curve: from light to what is sent to a display, and back.
+"""The sRGB curve: from linear light to display values, and back.
 
 *Linear* values are proportional to light; *sRGB* values are encoded for a display (IEC 61966-2-1).
 Both lie in [0, 1] for colours that a display shows.
 
-What is beyond all numbers becomes infinite, and what is undefined NaN, without a warning: these
-functions run on pictures, and `simulations.engine.raster.to_rgba8` cleans those up at the end.
-Szeliski, 2nd ed., section 2.3.2.
+Overflow becomes infinite and undefined values become NaN, without a warning: these functions run on
+pictures, and `simulations.engine.raster.to_rgba8` clips them at the end. Szeliski, 2nd ed., section
+2.3.2.
 """
 
 from functools import cache
@@ -40,7 +40,7 @@ def decode_srgb(srgb: ArrayLike) -> Floats:
 
 @cache
 def _table() -> NDArray[np.float32]:
-    """Made when the first picture asks for it."""
+    """The table of `encode_srgb_table`, made on first use."""
     return encode_srgb(np.linspace(0.0, 1.0, 65536)).astype(np.float32)
 
 

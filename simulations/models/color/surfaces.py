@@ -64,10 +64,10 @@ CHART: Mapping[str, tuple[float, ...]] = {
 after the measurements of N. Ohta (1997). A spline through these is within 0.3 ΔE of them."""
 
 LEAST, MOST = 0.08, 0.85
-"""What a dyed cloth sends back of light that its dye swallows, and of light that it does not."""
+"""Reflectance of a dyed cloth for light that the dye absorbs, and for light that it reflects."""
 INKS_NM = (450.0, 540.0, 610.0)
 INK_WIDTH_NM = 25.0
-"""Peaks of the three bands that twins are mixed of, and their standard deviation."""
+"""Peaks of the three bands from which twins are mixed, and their standard deviation."""
 
 
 def chart_patch(name: str) -> Floats:
@@ -88,12 +88,12 @@ def metameric_twins(reflectances: ArrayLike, light: ArrayLike) -> Floats:
     """Other reflectances (..., 81) that look just the same as these in one light.
 
     Mix each colour from three narrow inks: the three amounts that match its X, Y and Z solve a
-    linear system. The difference of the mixture to the original is a *metameric black*, light
-    that the eye cannot see; any share of it may be added. Taken is the largest, up to all, that
-    leaves the twin between 0 and 1 at every wavelength.
+    linear system. The difference of the mixture to the original is a *metameric black*, which the
+    eye cannot see, so any share of it can be added. The share is the largest, up to 1, for which
+    the twin stays between 0 and 1 at every wavelength.
 
-    Wyszecki and Stiles, 2nd ed., section 3.8.4. Raises `ValueError` for reflectances outside
-    [0, 1].
+    Wyszecki and Stiles, 2nd ed., section 3.8.4. Raises `ValueError` for reflectances outside [0,
+    1].
     """
     originals = as_vectors("reflectance", reflectances, WAVELENGTHS_NM.size)
     inside = bool(np.all((originals >= 0.0) & (originals <= 1.0)))

@@ -1,4 +1,4 @@
-"""Luma and colour differences, in which JPEG keeps a picture.
+"""Luma and colour differences, as JPEG stores a picture.
 
 Colours are arrays (..., 3). Szeliski, 2nd ed., section 2.3.2.
 """

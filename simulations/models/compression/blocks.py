@@ -1,4 +1,4 @@
-"""JPEG's lossy core, one plane: 8x8 blocks, a cosine transform, and division by a table.
+"""JPEG's lossy core for one plane: 8x8 blocks, a cosine transform, and quantisation by a table.
 
 Whole pictures: `simulations.models.compression.jpeg`. Szeliski, 2nd ed., section 2.3.3; ITU-T T.81,
 annex K, and the scaling of the tables by quality of the Independent JPEG Group.
@@ -14,12 +14,12 @@ from simulations.models.whole_numbers import as_whole
 
 type Codes = NDArray[np.int64]
 type Transform = Callable[[Floats], Floats]
-"""What takes blocks (..., 8, 8) to their 64 coefficients each."""
+"""A transform of blocks (..., 8, 8) to 64 coefficients each."""
 
 BLOCK = 8
 
 LARGEST_CODE = 1e9
-"""Far beyond any code of a picture, and small enough for sums of 64 never to overflow."""
+"""Largest code: far beyond any picture's, and small enough that sums of 64 cannot overflow."""
 
 LUMINANCE_TABLE = np.array(
     [
@@ -40,14 +40,14 @@ CHROMINANCE_TABLE[:4, :4] = [[17, 18, 24, 47], [18, 21, 26, 66], [24, 26, 56, 99
 
 
 TIE, TIE_FLOAT32 = 1e-9, 5e-4
-"""How far from a half sums of 64 products may come out that are halves, in either precision."""
+"""Tolerance for sums of 64 products that are exactly a half, in either precision."""
 
 
 def _dct_matrix() -> Floats:
     """Orthonormal DCT-II: row k is the cosine of frequency k / 16 cycles per sample.
 
-    The angles, in sixteenths of a half turn, are brought into the first quarter turn as whole
-    numbers. As floats of up to 20 they would have lost a digit and a half before the cosine.
+    The angles, in sixteenths of a half turn, are reduced to the first quarter turn as whole
+    numbers. As floats of up to 20 they would lose a digit and a half.
     """
     k, n = np.mgrid[:BLOCK, :BLOCK]
     sixteenths = (2 * n + 1) * k % (4 * BLOCK)
@@ -63,7 +63,7 @@ DCT = _dct_matrix()
 
 
 def block_dct(blocks: ArrayLike) -> Floats:
-    """Cosine transform of (..., 8, 8) blocks; keeps the sum of squares."""
+    """Cosine transform of (..., 8, 8) blocks; preserves the sum of squares."""
     return DCT @ as_floats(blocks) @ DCT.T
 
 
@@ -83,10 +83,10 @@ def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.i
 
 
 def round_outwards(values: ArrayLike, tie: float = TIE) -> Floats:
-    """The nearest whole numbers; halves go away from zero, as in the JPEG group's library.
+    """The nearest whole numbers; halves are rounded away from zero, as in the JPEG group's library.
 
     Sums of 8-bit values often land exactly between two whole numbers, where the last bit would
-    decide. What lies within ``tie`` of a half counts as one, so that every machine agrees.
+    decide. Values within ``tie`` of a half count as halves, so that every machine agrees.
     """
     exact = np.asarray(values, float)
     return np.sign(exact) * np.floor(np.abs(exact) + (0.5 + tie))
@@ -110,7 +110,7 @@ def from_blocks(blocks: ArrayLike, height: int, width: int) -> Floats:
 
 
 def quantise_plane(plane: ArrayLike, table: ArrayLike, transform: Transform = block_dct) -> Codes:
-    """The whole numbers that JPEG keeps of one channel in codes, -128 to 127.
+    """The whole numbers that JPEG stores for one channel in codes, -128 to 127.
 
     Parameters
     ----------
@@ -128,8 +128,8 @@ def quantise_plane(plane: ArrayLike, table: ArrayLike, transform: Transform = bl
     Raises
     ------
     ValueError
-        For an empty plane, for values that are not finite or absurdly large (one would spoil
-        its whole block), and for steps that are not positive.
+        For an empty plane, for values that are not finite or too large (one would spoil its whole
+        block), and for steps that are not positive.
     """
     values = as_floats(plane)
     if values.ndim != 2 or 0 in values.shape:
@@ -147,9 +147,8 @@ def quantise_plane(plane: ArrayLike, table: ArrayLike, transform: Transform = bl
 
 
 def restore_plane(codes: NDArray[np.integer], table: ArrayLike, height: int, width: int) -> Floats:
-    """The plane (H, W) that a decoder makes of the codes of `quantise_plane`.
-
-    Raises `ValueError` for codes that are not whole numbers: no file holds others.
+    """The plane (H, W) decoded from the codes of `quantise_plane`. Raises `ValueError` for codes
+    that are not whole numbers.
     """
     if codes.dtype.kind not in "iu":
         raise ValueError(f"codes of type {codes.dtype}; legal: whole numbers")

@@ -1,9 +1,9 @@
-"""Colour kept more coarsely than brightness, as in JPEG and in video: 4:2:2 and 4:2:0.
+"""Colour stored more coarsely than brightness, as in JPEG and in video: 4:2:2 and 4:2:0.
 
-The eye resolves differences of colour worse than differences of light. Of the three numbers of
-the name the first is a row of four luma samples; the second counts the colour samples along it,
-and the third how many of them are new in the next row. Szeliski, 2nd ed., section 2.3.3. The way
-back is in `simulations.models.compression.chroma_upsampling`.
+The eye resolves differences of colour worse than differences of light. Of the three numbers of the
+name the first is a row of four luma samples; the second counts the colour samples along it, and the
+third how many of them are new in the next row. Szeliski, 2nd ed., section 2.3.3. The inverse is in
+`simulations.models.compression.chroma_upsampling`.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ from simulations.models.require import require_one_of
 from simulations.models.whole_numbers import as_whole
 
 SUBSAMPLING = {"4:4:4": (1, 1), "4:2:2": (1, 2), "4:2:0": (2, 2)}
-"""Rows and columns of luma to one colour difference."""
+"""Rows and columns of luma samples per colour difference."""
 
 
 def subsampling_factor(name: str) -> tuple[int, int]:
@@ -26,9 +26,9 @@ def subsampling_factor(name: str) -> tuple[int, int]:
 def coarsen(plane: ArrayLike, factor: tuple[int, int]) -> Floats:
     """Means over cells of ``factor`` (rows, columns) samples of a plane (H, W).
 
-    A cell that reaches over the border is filled up by repeating it, so that the result has
-    ``ceil(H / rows)`` rows and likewise columns. Raises `ValueError` for an empty plane and for
-    factors that are not whole numbers of 1 or more.
+    Cells that extend over the border repeat it, so that the result has ``ceil(H / rows)`` rows and
+    likewise columns. Raises `ValueError` for an empty plane and for factors that are not whole
+    numbers of 1 or more.
     """
     values = as_floats(plane)
     if values.ndim != 2 or 0 in values.shape:

@@ -1,9 +1,9 @@
-"""Coarse colour differences brought back to every pixel: the decoder's half of 4:2:2 and 4:2:0.
+"""Coarse colour differences interpolated to every pixel: the decoder's half of 4:2:2 and 4:2:0.
 
-A coarse sample is the mean of its cell and stands at the cell's centre, a quarter of its own
-spacing from the centres of the pixels on either side. So along each halved axis every method is one
-row of weights for the pixel before the centre, and the same row mirrored for the pixel after it.
-ITU-T T.871 (JFIF); the triangle is the "fancy upsampling" of the Independent JPEG Group's library.
+A coarse sample is the mean of its cell, located at the cell's centre, a quarter of its own spacing
+from the centres of the pixels on either side. So along each halved axis every method is one row of
+weights for the pixel before the centre, and the same row mirrored for the pixel after it. ITU-T
+T.871 (JFIF); the triangle is the "fancy upsampling" of the Independent JPEG Group's library.
 """
 
 from collections.abc import Mapping
@@ -30,13 +30,14 @@ The parabola is the one that has the three nearest means, averaged over the pixe
 cell: the two halves keep the mean of the cell. The cubic is Catmull and Rom's, at a quarter.
 """
 LARGEST = 1e12
-"""Far beyond any code, and small enough for every sum and square to stay finite."""
+"""Largest code: far beyond any picture's, and small enough for every sum and square to stay
+finite."""
 
 METHODS = (*KERNELS, "guided")
-"""In the order of their work."""
+"""Methods by increasing work."""
 
 GRAIN_CODES = 12.0
-"""Differences of luma too small to tell anything about colour, in codes, for ``guided``."""
+"""For ``guided``: differences of luma, in codes, that are too small to predict colour."""
 
 
 def refine(
@@ -51,15 +52,15 @@ def refine(
     factor
         Rows and columns of a cell, 1 or 2 each.
     luma
-        Gives the size; its values matter to ``guided`` only, which must be in codes.
+        Sets the size; its values, in codes, matter to ``guided`` only.
     method
         One of `METHODS`.
 
     Raises
     ------
     ValueError
-        For another method or factor, for a plane that does not fit the luma, and for values
-        that are not finite or absurdly large.
+        For another method or factor, for a plane that does not fit the luma, and for values that
+        are not finite or too large.
     """
     values, light = as_floats(plane), as_floats(luma)
     require_one_of("method", method, METHODS)
@@ -118,7 +119,7 @@ def _guided(plane: Floats, factor: tuple[int, int], luma: Floats) -> Floats:
 
 
 def _local_mean(plane: Floats) -> Floats:
-    """Over 3 x 3 samples; the border is repeated."""
+    """Mean over 3 x 3 samples; the border is repeated."""
     padded = np.pad(plane, 1, mode="edge")
     rows = padded[:-2] + padded[1:-1] + padded[2:]
     return (rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]) / 9

@@ -1,7 +1,7 @@
-"""Other ways to the cosine transform of 8x8 blocks, and the judge of them all.
+"""Other computations of the cosine transform of 8x8 blocks, and a reference for all.
 
-All take blocks (..., 8, 8) of codes about 0 and give coefficients of the same shape, as
-`blocks.block_dct` does with two small products.
+All map blocks (..., 8, 8) of codes about 0 to coefficients of the same shape. `blocks.block_dct`
+does so by two small products.
 """
 
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ from simulations.models.compression.blocks import BLOCK, DCT, Transform, block_d
 FIXED_BITS = 13
 """Fraction bits of the cosines in `fixed_point`, as in the slow integer transform of libjpeg."""
 KEPT_BITS = 3
-"""Fraction bits kept between its two passes."""
+"""Fraction bits between its two passes."""
 SAMPLE_BITS = 2
 """Fraction bits of its samples: a mean of four whole codes is still exact."""
 
@@ -81,13 +81,13 @@ TRANSFORMS: Mapping[str, Transform] = MappingProxyType(
         "fourier": by_fourier,
     }
 )
-"""By the names of the ladder `block-dct`."""
+"""The transforms by their names in the ladder `block-dct`."""
 
 
 def exact_block_dct(blocks: Floats) -> Floats:
     """The double sum of the standard, in extended precision, with cosines from nested roots.
 
-    It shares nothing with the transforms above, and is far too slow for anything but judging.
+    It shares nothing with the transforms above. It is a reference only, being very slow.
     """
     cosine = exact_cosines()
     n = np.arange(BLOCK)
@@ -115,6 +115,7 @@ def _extend(quadrant: Floats, j: int) -> np.floating:
 
 
 def _root(square: np.floating) -> np.floating:
-    """Square root with a Newton step, in case the C library's is no better than float64."""
+    """Square root with a Newton step, as a C library's extended one may have only float64's
+    precision."""
     root = np.longdouble(np.sqrt(np.float64(square)))
     return (root + square / root) / 2

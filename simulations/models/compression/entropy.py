@@ -1,9 +1,9 @@
-"""The bits that JPEG's entropy coder must spend at least on the codes of a picture.
+"""A lower bound on the bits of JPEG's entropy coder for the codes of a picture.
 
-A symbol is the number of zeros before a coefficient together with its length in bits; the bits
-of the coefficient follow as they are. Luma has its tables of symbols, the two differences share
-theirs. Each symbol is charged its entropy, what an ideal coder would need; Huffman's whole bits
-and the headers of a file come on top. ITU-T T.81, annex F.
+A symbol is the number of zeros before a coefficient together with its length in bits; the bits of
+the coefficient follow as they are. Luma has tables of symbols of its own, the two differences share
+theirs. Each symbol counts with its entropy, the bits of an ideal coder; Huffman's whole bits and
+the headers of a file are extra. ITU-T T.81, annex F.
 """
 
 from collections.abc import Sequence
@@ -18,29 +18,29 @@ from simulations.models.compression.jpeg import Coded
 from simulations.models.compression.zigzag import ZIGZAG
 
 LARGEST = 2**15 - 1
-"""At most 15 bits: a symbol has four of its eight for the length of its coefficient."""
+"""Largest coefficient, of 15 bits: a symbol has four of its eight bits for the length."""
 
 
 @dataclass(frozen=True, slots=True)
 class Size:
-    """What keeping a picture costs."""
+    """The size of a compressed picture."""
 
     bits: float
-    """Of an ideal entropy coder for JPEG's symbols, without headers."""
+    """Bits of an ideal entropy coder for JPEG's symbols, without headers."""
     nonzero: int
-    """Coefficients other than 0, in all three planes."""
+    """Count of coefficients other than 0, in all three planes."""
 
 
 def size(coded: Coded) -> Size:
-    """Bits and coefficients of a picture."""
+    """The size of a picture."""
     nonzero = sum(int(np.count_nonzero(codes)) for codes in coded.planes)
     return Size(symbol_bits([coded.luma]) + symbol_bits(coded.differences), nonzero)
 
 
 def symbol_bits(planes: Sequence[Codes]) -> float:
-    """Bits of planes that share one table for their means and one for all other coefficients.
+    """Bits of planes that share a table for their means and one for all other coefficients.
 
-    Raises `ValueError` for codes that JPEG has no symbol for: beyond ``LARGEST``, and fractions.
+    Raises `ValueError` for codes without a symbol in JPEG: fractions, and codes beyond ``LARGEST``.
     """
     for codes in planes:
         if codes.dtype.kind not in "iu":
@@ -91,6 +91,6 @@ def _bit_length(codes: Codes) -> NDArray[np.intp]:
 
 
 def _entropy_bits(counts: Floats) -> float:
-    """Bits of that many symbols when each costs the logarithm of its rarity."""
+    """Bits of so many symbols, each with its entropy."""
     seen = counts[counts > 0]
     return float(np.sum(seen * np.log2(seen.sum() / seen)))

@@ -1,9 +1,9 @@
-"""JPEG from picture to whole numbers and back: luma, coarser colour, blocks, rounding.
+"""JPEG from a picture to whole numbers and back: luma, coarser colour, blocks, rounding.
 
-The order of a decoder backwards: colours to luma and colour differences, the differences averaged
-over their cells, each plane through `simulations.models.compression.blocks`. What follows in a
-file, entropy coding, loses nothing; `simulations.models.compression.entropy` counts its bits.
-Szeliski, 2nd ed., section 2.3.3; ITU-T T.81 and T.871 (JFIF).
+The steps of the encoder are: colours to luma and colour differences, the differences averaged over
+their cells, each plane through `simulations.models.compression.blocks`. Entropy coding, the last
+step, loses nothing; `simulations.models.compression.entropy` estimates its bits. Szeliski, 2nd ed.,
+section 2.3.3; ITU-T T.81 and T.871 (JFIF).
 """
 
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ type Planes = tuple[Floats, Floats, Floats]
 
 @dataclass(frozen=True, slots=True)
 class Coded:
-    """A picture as JPEG keeps it."""
+    """A picture as JPEG stores it."""
 
     luma: Codes
     """(block rows, block columns, 8, 8) quantised coefficients; rows are vertical frequencies."""
@@ -64,7 +64,7 @@ def tables(quality: int) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
 
 def to_planes(srgb: ArrayLike) -> Floats:
     """Y, Cb and Cr (3, H, W) in whole codes about 0 of a picture (H, W, 3), sRGB in [0, 1]."""
-    with np.errstate(over="ignore"):  # what overflows is refused with its plane
+    with np.errstate(over="ignore"):  # planes that overflow are rejected below
         planes = round_outwards(255 * np.moveaxis(rgb_to_ycbcr(srgb), -1, 0))
     planes[0] -= 128
     return planes
@@ -106,7 +106,7 @@ def restore(coded: Coded) -> Planes:
 
 
 def fill_in_colour(planes: Planes, subsampling: str, upsampling: str) -> Planes:
-    """What `restore` gives, with the differences at every pixel: all three (H, W).
+    """The planes of `restore` with the differences interpolated to every pixel: all three (H, W).
 
     ``upsampling`` is one of `chroma_upsampling.METHODS`; at 4:4:4 all of them change nothing.
     """
@@ -117,7 +117,7 @@ def fill_in_colour(planes: Planes, subsampling: str, upsampling: str) -> Planes:
 
 
 def from_planes(planes: Planes) -> Floats:
-    """(H, W, 3) sRGB, clipped to [0, 1]: back from `to_planes`."""
+    """The inverse of `to_planes`: (H, W, 3) sRGB, clipped to [0, 1]."""
     luma, blue, red = planes
     ycbcr = np.stack([luma + 128, blue, red], axis=-1) / 255
     return np.clip(ycbcr_to_rgb(ycbcr), 0, 1)
@@ -129,10 +129,10 @@ def decode(coded: Coded, upsampling: str = "triangle") -> Floats:
 
 
 def compress(srgb: ArrayLike, quality: int, subsampling: str = "4:4:4") -> tuple[Floats, float]:
-    """A picture (H, W, 3) of sRGB values in [0, 1] as JPEG would give it back.
+    """Encode and decode a picture (H, W, 3) of sRGB values in [0, 1].
 
-    Returns the picture, clipped to [0, 1], and the share of its coefficients that became 0,
-    which stands for the size: a zero costs almost nothing to store.
+    Returns the picture, clipped to [0, 1], and the share of its coefficients that became 0: a
+    measure of the size, as zeros cost almost nothing to store.
     """
     coded = encode(to_planes(srgb), quality, subsampling)
     kept = sum(int(np.count_nonzero(codes)) for codes in coded.planes)

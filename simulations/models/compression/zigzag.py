@@ -1,4 +1,4 @@
-"""The order in which JPEG writes the coefficients of a block: coarse before fine.
+"""The order in which JPEG stores the coefficients of a block: coarse before fine.
 
 ITU-T T.81, figure A.6. A progressive file sends a picture in this order, some coefficients of all
 blocks at a time.

@@ -1,4 +1,4 @@
-"""A lens of k₁ alone undone by a formula: its cubic has its root in closed form.
+"""The inverse of a lens with k₁ alone: the root of its cubic in closed form.
 
 With a triple angle, 3 sin φ − 4 sin³ φ = sin 3φ, a barrel ``r + k₁r³ = r_d`` becomes one sine, and
 3 sinh φ + 4 sinh³ φ = sinh 3φ does the same for a pincushion. With ``w = (3/2) √(3|k₁|) r_d``,
@@ -22,18 +22,18 @@ from simulations.models.distortion.radial_profile import RadialProfile
 from simulations.models.require import require
 
 FAR_SQUARED = 1e80
-"""Squared image radius beyond which a pincushion is left to the bracket, which ends there too."""
+"""Largest squared image radius of a pincushion, as in `radial_inverse.invert_bracketed`."""
 
 
 def shrinkage(profile: RadialProfile, image_squared: Floats) -> tuple[Floats, Mask]:
-    """``r / f(r)`` for each ``f(r)²``, and where the formula has it; 1 elsewhere.
+    """``r / f(r)`` for each ``f(r)²``, and where the formula applies; 1 elsewhere.
 
-    ``profile`` must be `RadialProfile.cubic`. As with `radial_table.shrinkage`, where the formula
-    has it not, `radial_inverse.invert_bracketed` knows whether there is an answer.
+    ``profile`` must be `RadialProfile.cubic`. Where the formula does not apply, use
+    `radial_inverse.invert_bracketed`, which decides whether there is an inverse.
     """
     require("profile", profile, profile.cubic, "r + a₁r³, a₁ not 0")
     k1 = profile.numerator[0]
-    # What rounding may have put on the wrong side of the fold is not judged here.
+    # Points that rounding may have moved across the fold are left to the bracket.
     limit = (1.0 - 1e-14) * 4.0 / (-27.0 * k1) if k1 < 0.0 else FAR_SQUARED
     known = np.asarray(image_squared < limit)  # false for NaN
     if known.all():
@@ -46,7 +46,7 @@ def shrinkage(profile: RadialProfile, image_squared: Floats) -> tuple[Floats, Ma
 def shrinkage_of_cubic(k1: float, image_squared: Floats) -> Floats:
     """``r / r_d`` (...) for each ``r_d²`` (...), for a k₁ that is not 0.
 
-    For a barrel up to ``r_d² = 4 / (27 |k₁|)``; beyond, the answer leads to its fold circle.
+    For a barrel up to ``r_d² = 4 / (27 |k₁|)``; beyond, the result is on the fold circle.
     """
     w = 1.5 * sqrt(3.0 * abs(k1)) * np.sqrt(image_squared)
     w += np.finfo(float).tiny  # no 0 / 0 on the axis

@@ -1,7 +1,7 @@
-"""How far from the axis, in each direction, a decentred lens still keeps its orientation.
+"""How far from the axis, in each direction, a decentred lens preserves orientation.
 
-At the distance r from the axis, with a and b the parts of p = (p₂, p₁) along the radius and
-across it, the Jacobian of the map of `decentring` is, along and across the radius,
+At the distance r from the axis, with a and b the parts of p = (p₂, p₁) along the radius and across
+it, the Jacobian of the map of `decentring` is, along and across the radius,
 
     f'(r) + 6 a r      2 b r
     2 b r              g(r²) + 2 a r
@@ -22,16 +22,16 @@ from simulations.models.distortion.radial_profile import RadialProfile, smallest
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """What a lens's determinant is made of: ``plain + a · tilted + (3 a² − b²) · bent``."""
+    """The polynomials of a lens's determinant: ``plain + a · tilted + (3 a² − b²) · bent``."""
 
     plain: Floats
     """(n + 1,) coefficients of rising powers of r; likewise the other two."""
     tilted: Floats
     bent: Floats
     pole: float
-    """Radius of the first pole of g; infinite where there is none."""
+    """Radius of the first pole of g; infinite if there is none."""
     sure: float
-    """Radius up to which the determinant is positive whatever the direction."""
+    """Radius up to which the determinant is positive in every direction."""
 
 
 @lru_cache(maxsize=32)
@@ -56,9 +56,9 @@ def sheet_of(radial: RadialProfile, p1: float, p2: float) -> Sheet:
 
 
 def on_sheet_of_axis(ideal: Floats, radial: RadialProfile, p1: float, p2: float) -> Mask:
-    """Whether the map keeps its orientation all the way from the axis to points (N, 2).
+    """Whether the map preserves orientation all the way from the axis to points (N, 2).
 
-    Also False where the powers of a radius overflow; never so within `Sheet.sure`.
+    Also False where the powers of a radius overflow, which never happens within `Sheet.sure`.
     """
     sheet = sheet_of(radial, p1, p2)
     radius = np.hypot(ideal[:, 0], ideal[:, 1])

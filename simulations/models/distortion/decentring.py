@@ -1,8 +1,8 @@
-"""A lens whose elements are off centre: no longer a matter of the radius alone.
+"""A lens whose elements are off centre, so that distortion depends on more than the radius.
 
-With p = (p₂, p₁), x a point of the plane and g the radial factor of r² = x·x, Brown's map is
-``x ↦ g(r²) x + 2 (p·x) x + r² p``. It is a gradient, so its Jacobian is symmetric.
-D. C. Brown, *Decentering distortion of lenses*, 1966.
+With p = (p₂, p₁), x a point of the plane and g the radial factor of r² = x·x, Brown's map is ``x ↦
+g(r²) x + 2 (p·x) x + r² p``. It is a gradient, so its Jacobian is symmetric. D. C. Brown,
+*Decentering distortion of lenses*, 1966.
 """
 
 from dataclasses import dataclass
@@ -16,10 +16,10 @@ from simulations.models.distortion.radial_inverse import FURTHEST
 from simulations.models.distortion.radial_profile import RadialProfile, scale_and_slope
 
 CAREFUL_STEPS = 40
-"""For points that whole steps lose: halved ones that crawl along a fold are many."""
+"""Bound on the steps for points that whole steps lose: halved steps along a fold are many."""
 
 MOST_HALVINGS = 12
-"""Of a step: one that does not help at a four-thousandth of its length will not help."""
+"""Halvings of a step before it is given up."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,26 +44,25 @@ class DecentredLens:
         return x * along + self.p2 * r2, y * along + self.p1 * r2, x_by_x, mixed, y_by_y
 
     def on_sheet(self, ideal: Floats) -> Mask:
-        """Whether the map keeps its orientation all the way from the axis to points (N, 2)."""
+        """Whether the map preserves orientation all the way from the axis to points (N, 2)."""
         return on_sheet_of_axis(ideal, self.radial, self.p1, self.p2)
 
     @property
     def sure_radius(self) -> float:
-        """Up to which it keeps it whatever the direction."""
+        """Radius up to which the map preserves orientation in every direction."""
         return sheet_of(self.radial, self.p1, self.p2).sure
 
 
 def undo_decentred(seen: Floats, start: Floats, lens: DecentredLens) -> tuple[Floats, Mask]:
     """Ideal points (..., 2) of seen ones, by Newton's method in the plane; and validity.
 
-    ``start`` is what the radial part alone makes of them, and what invalid points are left at.
-    Valid are points within `FURTHEST` that the lens sends where they were seen, on the sheet of
-    the axis: on the straight way from it to them the map nowhere turns over. What lies in the
-    shadow of a fold is refused even where the fold ends at its side: some of those points share
-    their image with one on the sheet.
+    ``start`` is the inverse by the radial part alone; invalid points stay there. Points are valid
+    within `FURTHEST` if the lens maps them to the seen point and the map preserves orientation on
+    the straight line from the axis to them. Points behind a fold are invalid even beyond the fold's
+    end, as some of them share their image with a valid point.
 
-    Whole steps find nearly all points. The others are sought anew, by steps that never leave the
-    sheet.
+    Whole Newton steps find nearly all points. The others are searched again by steps that never
+    leave the sheet of the axis.
     """
     wanted, begin = seen.reshape(-1, 2), start.reshape(-1, 2)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
@@ -78,7 +77,7 @@ def undo_decentred(seen: Floats, start: Floats, lens: DecentredLens) -> tuple[Fl
 
 
 def _solved(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Mask:
-    """Which of the points (N, 2) are sent where they are wanted, from the sheet of the axis."""
+    """Which of the points (N, 2) have the wanted image and are on the sheet of the axis."""
     size = np.abs(wanted).max(axis=1, initial=0.0)
     solved = _residual(ideal, wanted, lens) <= 1e-11 * (1.0 + size)  # false for NaN
     solved &= np.hypot(ideal[:, 0], ideal[:, 1]) < FURTHEST
@@ -87,7 +86,7 @@ def _solved(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Mask:
 
 
 def _residual(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Floats:
-    """How far from where they are wanted the lens sends points (N, 2): the larger coordinate."""
+    """Distance of the images of points (N, 2) from the wanted ones: the larger coordinate."""
     x, y, *_ = lens.linearised(ideal[:, 0], ideal[:, 1])
     return np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
 
@@ -95,7 +94,8 @@ def _residual(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Floats:
 def _kept_on_sheet(wanted: Floats, start: Floats, lens: DecentredLens) -> Floats:
     """Newton's method from well within the sheet, each step halved until it stays there and helps.
 
-    Whole steps can jump over a fold and settle behind it. A point that no step helps is left.
+    Whole steps can jump over a fold and converge behind it. A point that no step helps stays
+    unsolved.
     """
     radius = np.hypot(start[:, 0], start[:, 1])
     points = start * np.minimum(1.0, 0.9 * lens.sure_radius / np.maximum(radius, 1e-300))[:, None]

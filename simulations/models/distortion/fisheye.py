@@ -1,8 +1,8 @@
-"""Fisheye lenses: image radius as a function of the angle to the axis, so that 90° has a place.
+"""Fisheye lenses: image radius as a function of the angle to the axis, defined at 90° too.
 
-Directions are camera-frame vectors (x right, y down, z along the optical axis); image points are
-in units of the focal length. Szeliski, 2nd ed., §2.1.5; J. Kannala and S. Brandt, *A generic
-camera model and calibration method*, 2006.
+Directions are camera-frame vectors (x right, y down, z along the optical axis); image points are in
+units of the focal length. Szeliski, 2nd ed., §2.1.5; J. Kannala and S. Brandt, *A generic camera
+model and calibration method*, 2006.
 
 Reference: the book explains it; no figure and no ladder runs it.
 """
@@ -28,7 +28,7 @@ class IdealModel:
     angle: Callable[[Floats], Floats]
     """Its inverse."""
     largest_angle_rad: float
-    """Angles beyond this have no image, or share it with smaller ones."""
+    """Largest angle; larger ones have no image, or share it with smaller ones."""
 
 
 IDEAL_MODELS = {
@@ -59,7 +59,7 @@ class Fisheye:
     k4: float = 0.0
 
     def __post_init__(self) -> None:
-        _ = self.profile  # refuses coefficients that are not finite
+        _ = self.profile  # rejects coefficients that are not finite
 
     @property
     def profile(self) -> RadialProfile:
@@ -115,7 +115,7 @@ def unproject_fisheye(xy: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]:
 
 
 def _angles(directions: ArrayLike) -> tuple[Floats, Floats, Mask]:
-    """Angle to the axis, azimuth, and whether the direction is one."""
+    """Angle to the axis, azimuth, and whether the direction is valid."""
     rays = as_vectors("directions", directions, 3)
     finite = np.isfinite(rays).all(axis=-1)
     largest = np.abs(np.where(finite[..., None], rays, 0.0)).max(axis=-1, keepdims=True)

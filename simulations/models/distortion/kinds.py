@@ -1,4 +1,4 @@
-"""What a distortion does to a picture, in words and numbers: its kind and how far lines bow."""
+"""The kind of a distortion, and how far it bows straight lines."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,18 +14,17 @@ KINDS = ("none", "barrel", "pincushion", "moustache")
 def classify(d: Distortion, corner_radius: float, tolerance: float) -> str:
     """The kind of a radial distortion, from its profile over the picture and not from one sign.
 
-    Magnification ``g(r) = f(r) / r`` that falls all the way from the axis to the corner is a
-    barrel, one that rises a pincushion, one that does both a moustache.
+    If the magnification ``g(r) = f(r) / r`` falls all the way from the axis to the corner, it is a
+    barrel; if it rises, a pincushion; if it does both, a moustache.
 
     Parameters
     ----------
     d : Distortion
         Only its radial part counts.
     corner_radius : float
-        Normalised radius of the picture's corners; past a fold nothing is judged.
+        Normalised radius of the picture's corners; the part past a fold is ignored.
     tolerance : float
-        Changes of g not above this are nothing: a fraction, so that ``tolerance · r`` is the
-        displacement they amount to.
+        Changes of g up to this are ignored: a fraction, for displacements of ``tolerance · r``.
 
     Returns
     -------
@@ -40,7 +39,7 @@ def classify(d: Distortion, corner_radius: float, tolerance: float) -> str:
 
 
 def line_bow(points: ArrayLike) -> Floats:
-    """How far curves (..., N, 2) leave their chords: the largest distance from it, (...).
+    """The largest distance (...) of curves (..., N, 2) from their chords.
 
     A curve whose ends coincide is measured from that point; fewer than three points are straight.
     Raises `ValueError` for a curve without points, and where one is not finite, or beyond 1e150.

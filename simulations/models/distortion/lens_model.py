@@ -31,10 +31,10 @@ from simulations.models.distortion.radial_profile import LARGEST_COEFFICIENT, Ra
 from simulations.models.require import require
 
 FAR = 1e45
-"""Radius beyond which r⁶ and its products might overflow: only the direction counts there."""
+"""Radius beyond which r⁶ and its products might overflow; only directions are used there."""
 
 
-_profile = lru_cache(maxsize=64)(RadialProfile)  # asked for a hundred times a frame
+_profile = lru_cache(maxsize=64)(RadialProfile)  # called a hundred times a frame
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,9 +89,8 @@ def distort(xy: ArrayLike, d: Distortion) -> Floats:
     Parameters
     ----------
     xy : (..., 2) floats
-        Normalised coordinates. A neutral lens returns this very array, however large its
-        entries; with any coefficient set, points beyond `FAR` are sent to infinity, with the
-        signs that the polynomial gives them.
+        Normalised coordinates. A neutral lens returns this very array. With any coefficient set,
+        points beyond `FAR` are mapped to infinity, with the signs of the polynomial.
     d : Distortion
 
     Returns
@@ -119,7 +118,7 @@ def _distort_near(ideal: Floats, d: Distortion) -> Floats:
 
 
 def _distort_far(ideal: Floats, d: Distortion, far: Mask) -> Floats:
-    """Far points are judged by where their direction is sent at the radius `FAR`."""
+    """Points beyond `FAR`: their direction is mapped at the radius `FAR`."""
     largest = np.abs(ideal).max(axis=-1, keepdims=True)
     with np.errstate(invalid="ignore"):
         direction = ideal / np.where(far[..., None], largest, 1.0)
@@ -132,7 +131,7 @@ def _distort_far(ideal: Floats, d: Distortion, far: Mask) -> Floats:
 
 
 def fold_radius(d: Distortion) -> float:
-    """Radius of ideal points where the radial map stops increasing; inf where it never does.
+    """Radius of ideal points where the radial map stops increasing; inf if it never does.
 
     With k₁ < 0 alone: √(−1/(3 k₁)).
     """
@@ -140,7 +139,7 @@ def fold_radius(d: Distortion) -> float:
 
 
 def largest_distorted_radius(d: Distortion) -> float:
-    """Radius in the image that the radial map cannot exceed; inf where there is no fold.
+    """Largest radius in the image of the radial map; inf if there is no fold.
 
     With k₁ < 0 alone: two thirds of the fold radius.
     """
@@ -170,10 +169,10 @@ def undistort(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
 
 
 def undistort_clamped(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
-    """`undistort` for those who draw the border of a lens: finite where it has no answer.
+    """`undistort` for drawing the border of a lens: invalid points are finite too.
 
-    Invalid points are put on the fold circle (at the origin where there is none, or where the
-    input is not finite). They are no answers, and the mask says which they are.
+    They are put on the fold circle, or at the origin if there is none or the input is not finite.
+    The mask is False for them.
     """
     seen = as_vectors("xy", xy, 2)
     if d.neutral or d.tangential:
@@ -189,7 +188,7 @@ def undistort_clamped(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
 
 
 def _undo_radial(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
-    """By the formula for k₁ alone; else by the table, or for a few points one by one."""
+    """By the formula for k₁ alone; otherwise by the table, or one by one for few points."""
     if profile.cubic:
         return _undo_by(cubic_inverse.shrinkage, seen, profile)
     if seen.size < 2 * radial_table.WORTH_A_TABLE:
@@ -198,7 +197,8 @@ def _undo_radial(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
 
 
 def undo_by_table(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
-    """`undistort_clamped` for points (..., 2) through any radial lens, however few they are."""
+    """`undistort_clamped` for points (..., 2) by the table, for any radial lens and count of
+    points."""
     return _undo_by(radial_table.shrinkage, seen, profile)
 
 
@@ -207,7 +207,8 @@ def _undo_by(
     seen: Floats,
     profile: RadialProfile,
 ) -> tuple[Floats, Mask]:
-    """Each point by its factor, and one by one those that have none from ``shrinkage``."""
+    """Scale each point by its factor; points without a factor from ``shrinkage`` are solved one by
+    one."""
     x, y = seen[..., 0], seen[..., 1]
     with np.errstate(over="ignore", invalid="ignore"):
         factor, valid = shrinkage(profile, x * x + y * y)

@@ -7,10 +7,10 @@ import numpy as np
 from simulations.models.arrays import Floats
 
 MOST_STEPS = 30
-"""A bound on the work: from a start in reach of the root three or four are usual."""
+"""Bound on the steps; from a good start three or four are usual."""
 
 SETTLED = 1e-9
-"""A step smaller than this, relative to the point (to 1 near the origin), was the last needed."""
+"""Steps smaller than this, relative to the point (to 1 near the origin), end the iteration."""
 
 type Linearisation = tuple[Floats, Floats, Floats, Floats, Floats]
 """Images x', y' of points, and the derivatives of x' by x, of either by the other, of y' by y."""
@@ -19,7 +19,7 @@ type Linearisation = tuple[Floats, Floats, Floats, Floats, Floats]
 def solve_in_plane(
     linearised: Callable[[Floats, Floats], Linearisation], wanted: Floats, start: Floats
 ) -> Floats:
-    """Points near ``start`` that a map sends to ``wanted``, where the iteration finds them.
+    """Points near ``start`` that a map takes to ``wanted``, if the iteration finds them.
 
     Parameters
     ----------
@@ -29,15 +29,15 @@ def solve_in_plane(
 
     Returns
     -------
-    (N, 2) floats. Whoever calls asks the map whether they are solutions: a point may have run
-    off, to NaN even. A point that has settled costs nothing more while others go on.
+    (N, 2) floats. The caller must check that they are solutions, as points may diverge, even to
+    NaN. Points that have converged are left out of further steps.
     """
     found = np.empty_like(start)
     places = np.arange(len(start))
     (x, y), (wanted_x, wanted_y) = start.T.copy(), wanted.T.copy()
     for _ in range(MOST_STEPS):
         step_x, step_y = newton_step(linearised, x, y, wanted_x, wanted_y)
-        # The error was squared: at the next step nothing would be left to gain. NaN stops too.
+        # The error is squared by each step, so the next one would gain nothing. NaN stops too.
         size = np.maximum(np.maximum(np.abs(x), np.abs(y)), 1.0)
         going = np.maximum(np.abs(step_x), np.abs(step_y)) > SETTLED * size
         x, y = x - step_x, y - step_y
@@ -59,7 +59,7 @@ def newton_step(
     wanted_x: Floats,
     wanted_y: Floats,
 ) -> tuple[Floats, Floats]:
-    """What one step of Newton's method subtracts from x and y, by Cramer's rule; all (...)."""
+    """The step of Newton's method, subtracted from x and y, by Cramer's rule; all (...)."""
     seen_x, seen_y, x_by_x, mixed, y_by_y = linearised(x, y)
     right, down = seen_x - wanted_x, seen_y - wanted_y
     inverse = 1.0 / (x_by_x * y_by_y - mixed * mixed)

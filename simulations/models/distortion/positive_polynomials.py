@@ -1,8 +1,8 @@
-"""Whether polynomials stay positive over an interval, decided and not sampled.
+"""Whether polynomials are positive on an interval, decided without sampling.
 
 Written in Bernstein's basis, a polynomial lies between its smallest and its largest coefficient,
-and the first and the last are its values at the ends. So all positive means positive throughout,
-and an end that is not means that it is not; what neither settles is halved and asked again.
+and the first and the last are its values at the ends. If all are positive, so is the polynomial; if
+an end is not positive, the polynomial is not. Intervals that neither rule decides are halved.
 
 Source: Farouki, The Bernstein polynomial basis: a centennial retrospective, 2012, §§3 and 5.
 """
@@ -15,7 +15,7 @@ import numpy as np
 from simulations.models.arrays import Floats, Mask
 
 MOST_HALVINGS = 26
-"""After these, a polynomial that is not yet judged touches zero to the last half of its digits."""
+"""Halvings, after which an undecided polynomial is zero to half of its digits."""
 
 
 def stay_positive(coefficients: Floats) -> Mask:
@@ -47,7 +47,7 @@ def stay_positive(coefficients: Floats) -> Mask:
 
 @lru_cache
 def _changes_of_basis(degree: int) -> tuple[Floats, Floats, Floats]:
-    """To be multiplied from the right: powers to Bernstein's basis, and that to each half."""
+    """Matrices, multiplied from the right: powers to Bernstein's basis, and to each half."""
     n = range(degree + 1)
     from_powers = np.array([[comb(i, k) / comb(degree, k) for i in n] for k in n])
     left = np.array([[comb(i, k) / 2.0**i for i in n] for k in n])

@@ -1,6 +1,6 @@
-"""Where the cells of a table of a radial profile's inverse lie: dense where the inverse bends.
+"""The grid of a table of a radial profile's inverse: dense where the inverse bends.
 
-See `radial_table`, which says why, for ρ, t and u.
+See `radial_table` for ρ, t and u.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from simulations.models.arrays import Floats
 from simulations.models.distortion.radial_profile import RadialProfile, nearest_turning_image
 
 FAR_FOLD = 64.0
-"""A fold whose squared image is this many times the wanted reach bends nothing within it."""
+"""A fold at this many times the wanted reach, as squared image radii, is ignored."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +22,7 @@ class Grid:
     bend: float
     """|t₀|."""
     folds: bool
-    """If so, ``x = √(1 − t/t₀)``, from fold to axis; if not, ``x = √(1 + √(1 + t/|t₀|))``."""
+    """If true, ``x = √(1 − t/t₀)``, from fold to axis; if not, ``x = √(1 + √(1 + t/|t₀|))``."""
     first: float
     density: float
     """Cells in a unit of x."""
@@ -51,11 +51,11 @@ def image_squared_at(grid: Grid, cell: Floats) -> Floats:
 
 
 def grid_for(profile: RadialProfile, limit: float, wanted_reach: float, cells: int) -> Grid:
-    """Cells from the axis to the wanted reach, or to the fold where that comes first."""
+    """Cells from the axis to the wanted reach, or to the fold if that is nearer."""
     if limit * limit < FAR_FOLD * wanted_reach:
         first = sqrt(max(1.0 - wanted_reach / (limit * limit), 0.0))
         return Grid(limit * limit, True, first, cells / (1.0 - first))
-    # A bend far beyond the picture is none, and √(1 + t/|t₀|) would hardly change.
+    # A bend far beyond the picture has no effect: √(1 + t/|t₀|) would hardly change.
     bend = max(min(nearest_turning_image(profile), wanted_reach), 1e-30)
     first, last = sqrt(2.0), sqrt(1.0 + sqrt(1.0 + wanted_reach / bend))
     return Grid(bend, False, first, cells / (last - first))

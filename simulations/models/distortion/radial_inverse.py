@@ -1,8 +1,8 @@
-"""The radius that a radial profile images at a given place: slow and sure.
+"""The inverse of a radial profile, slow and safe.
 
-`invert_bracketed` cannot be led astray by any coefficients and knows where there is no answer.
-`radial_table` does the same for a whole picture in a fraction of the time and comes here for the
-points that it cannot vouch for.
+`invert_bracketed` works for all coefficients and detects radii without an inverse. `radial_table`
+does the same for a whole picture in a fraction of the time, and uses this module for the points at
+which it is not accurate.
 """
 
 from math import inf
@@ -21,26 +21,25 @@ from simulations.models.distortion.radial_profile import (
 )
 
 MAX_NEWTON_STEPS = 100
-"""A bound on the work, not a tuning: two or three steps are usual, more occur near the fold."""
+"""Bound on the steps; two or three are usual, more occur near the fold."""
 
 GUESS_SAMPLES = 1025
 """Samples of f from which the first guess is interpolated."""
 
 FURTHEST = 2.0**149
-"""Radius, 7e44, up to which is searched: r⁶ and its products are still numbers there."""
+"""Largest radius of the search, 7e44: r⁶ and its products are still finite."""
 
 
 def invert_bracketed(profile: RadialProfile, image_radius: ArrayLike) -> tuple[Floats, Mask]:
     """The radius ``r`` in [0, fold) with ``f(r) = image_radius``.
 
-    Newton's method inside a bracket that every step tightens, with bisection where a step
-    would leave it: it cannot diverge, in strong pincushion either, where fixed-point
-    iteration does.
+    Newton's method inside a bracket that every step tightens, with bisection where a step would
+    leave it: it cannot diverge, in strong pincushion either, where fixed-point iteration does.
 
     Returns
     -------
     radius : (...) floats
-        The fold radius (0 where there is none) for entries that are not valid.
+        The fold radius (0 if there is none) for entries that are not valid.
     valid : (...) bools
         False where no such radius exists (past the fold or `FURTHEST`, negative or not finite),
         and so close before a pole that the radius rounds to the pole itself.
@@ -61,7 +60,7 @@ def invert_bracketed(profile: RadialProfile, image_radius: ArrayLike) -> tuple[F
 
 
 def _solved(profile: RadialProfile, found: Floats, wanted: Floats) -> Mask:
-    """Whether the image is right to ten digits or, where the curve is steep, the radius is.
+    """Whether the image is right to ten digits or, if the curve is steep, the radius is.
 
     Close to a pole the last bit of the radius changes the image by more than that.
     """
@@ -73,7 +72,7 @@ def _solved(profile: RadialProfile, found: Floats, wanted: Floats) -> Mask:
 
 
 def furthest_radius(profile: RadialProfile, fold: float, wanted: Floats | float) -> float:
-    """The fold, or a radius nearer to the axis whose image lies beyond all that are wanted."""
+    """The fold, or a radius nearer to the axis whose image is beyond all wanted ones."""
     radius = 1.0
     while radius < min(fold, FURTHEST) and np.any(evaluate(profile, radius) <= wanted):
         radius *= 2.0
@@ -91,8 +90,8 @@ def _solve(profile: RadialProfile, wanted: Floats, upper: float) -> Floats:
         low, high = np.where(short, radius, low), np.where(short, high, radius)
         inside = (step >= low) & (step <= high)  # false for NaN
         following = np.where(inside, step, 0.5 * (low + high))
-        # Newton squares the error: after a step of 1e-8 nothing is left to gain. Bisection
-        # that has run out of floats has found the end of the bracket, and no root.
+        # Newton squares the error: after a step of 1e-8 nothing is left to gain. If bisection has
+        # run out of floats, it has found the end of the bracket and no root.
         settled = np.abs(following - radius) <= np.where(inside, 1e-8, 4e-16) * following
         radius = following
         if np.all(settled):

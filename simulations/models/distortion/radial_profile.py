@@ -1,8 +1,8 @@
-"""How far from the axis a lens images a point: odd rational functions of the radius.
+"""Radial profiles: image radius as an odd rational function of the radius.
 
-Brown's radial distortion and the Kannala–Brandt fisheye share one form,
-``f(r) = r · N(r²) / D(r²)`` with polynomials N and D that start at 1. Its slope and its fold are
-found once, here; its inverse in `radial_table` and `radial_inverse`.
+Brown's radial distortion and the Kannala–Brandt fisheye share one form, ``f(r) = r · N(r²) /
+D(r²)`` with polynomials N and D that start at 1. This module has its slope and its fold;
+`radial_table` and `radial_inverse` have its inverse.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from simulations.models.arrays import Floats
 from simulations.models.require import require
 
 LARGEST_COEFFICIENT = 1e9
-"""Far beyond any lens, and small enough for the products of two polynomials never to overflow."""
+"""Largest coefficient: far beyond any lens, and products of two polynomials cannot overflow."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,14 +113,14 @@ def slope_towards(profile: RadialProfile, radius: ArrayLike, image: ArrayLike) -
         return (n + 2.0 * s * n_slope - 2.0 * r * d_slope * np.asarray(image, float)) / d
 
 
-@lru_cache(maxsize=64)  # asked for some twenty times a frame
+@lru_cache(maxsize=64)  # called some twenty times a frame
 def fold_radius(profile: RadialProfile) -> float:
-    """The radius where f stops increasing, or inf where it never does.
+    """The radius where f stops increasing, or inf if it never does.
 
-    The numerator of f' is ``N D + 2s (N'D − N D')``, for a plain polynomial
-    ``1 + 3a₁s + 5a₂s² + 7a₃s³ + …``; the fold is its smallest positive root, or the pole of
-    f where that comes first. A slope that touches zero without changing sign counts: an
-    inverse exists there but cannot be computed stably.
+    The numerator of f' is ``N D + 2s (N'D − N D')``, for a plain polynomial ``1 + 3a₁s + 5a₂s² +
+    7a₃s³ + …``; the fold is its smallest positive root, or the pole of f if that is smaller. A
+    slope that touches zero without changing sign counts: an inverse exists there but cannot be
+    computed stably.
     """
     first = smallest_positive_root(_slope_numerator(profile))
     if any(profile.denominator):
@@ -129,7 +129,7 @@ def fold_radius(profile: RadialProfile) -> float:
 
 
 def image_of_fold(profile: RadialProfile, fold: float) -> float:
-    """``f`` at its `fold_radius`: infinite where there is none, or where it is a pole."""
+    """``f`` at its `fold_radius`: infinite if there is none, or if it is a pole."""
     if fold == inf:
         return inf
     image = float(evaluate(profile, fold))
@@ -137,15 +137,15 @@ def image_of_fold(profile: RadialProfile, fold: float) -> float:
 
 
 def largest_image_radius(profile: RadialProfile) -> float:
-    """``f`` at the fold: no point is imaged further out. Infinite where there is no fold."""
+    """``f`` at the fold, the largest image radius. Infinite if there is no fold."""
     return image_of_fold(profile, fold_radius(profile))
 
 
 def nearest_turning_image(profile: RadialProfile) -> float:
     """``|f(r)²|`` at the zero of f' nearest to the axis in the plane of complex r²; inf for none.
 
-    Where that r² is real and positive, it is the fold. Elsewhere no radius is imaged twice, but
-    the inverse, as a function of f², has its nearest singularity at this distance.
+    If that r² is real and positive, it is the fold. Otherwise f has no fold, but the inverse, as a
+    function of f², has its nearest singularity at this distance.
     """
     furthest = max(_inverse_roots(_slope_numerator(profile)), key=abs, default=0.0)
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
@@ -185,7 +185,7 @@ def _used(coefficients: tuple[float, ...]) -> tuple[float, ...]:
 
 
 def _slope_numerator(profile: RadialProfile) -> Floats:
-    """Coefficients, in rising powers of s, of what vanishes where f' does."""
+    """Coefficients, in rising powers of s, of the polynomial that vanishes where f' does."""
     if not any(profile.denominator):
         return np.array([1.0, *((2 * i + 3) * a for i, a in enumerate(profile.numerator))])
     s = Polynomial((0.0, 1.0))
@@ -203,7 +203,7 @@ def _inverse_roots(coefficients: Floats) -> NDArray[np.inexact]:
 
 
 def smallest_positive_root(coefficients: Floats) -> float:
-    """The smallest s > 0 with ``1 + c₁s + c₂s² + … = 0``, or inf where there is none.
+    """The smallest s > 0 with ``1 + c₁s + c₂s² + … = 0``, or inf if there is none.
 
     ``coefficients`` (n + 1,) of rising powers, the first of them 1. A double root counts.
     """

@@ -1,19 +1,18 @@
-"""The inverse of a radial profile for a whole picture: a table that knows where it can be trusted.
+"""The inverse of a radial profile for a whole picture: a table of checked accuracy.
 
-What undoes a lens is the factor ρ = r / f(r) as a function of t = f(r)², the squared radius in
-the picture: with it a point needs no radius, no direction and no iteration. ρ(t) is smooth but for
-a branch point t₀ where f turns back: the fold of a barrel, or a *negative* t for a pincushion.
-``u = √(1 − t/t₀)`` takes it out. Where u grows without bound, the next bend of ρ is at u = −1, and
-``√(1 + u)`` takes that out too. Short polynomials on equal cells of what is left reproduce ρ to
-nearly all digits, up to the fold itself.
+The inverse is the factor ρ = r / f(r) as a function of t = f(r)², the squared radius in the
+picture: a point is multiplied by it, without a radius, a direction or an iteration. ρ(t) is smooth
+but for a branch point t₀ where f turns back: the fold of a barrel, or a *negative* t for a
+pincushion. ``u = √(1 − t/t₀)`` removes it. Where u grows without bound, the next bend of ρ is at u
+= −1, and ``√(1 + u)`` removes that too. Short polynomials on equal cells of this variable give ρ to
+nearly all digits, up to the fold.
 
-Each cell is checked where its polynomial errs most. Points whose cell is not good enough, and all
-that lie past the fold or out of reach, are left to `radial_inverse.invert_bracketed`.
-
-A cell is good enough if ρ is right to `TOLERANCE`. So away from folds the table is less exact than
-the bracket. In units of 2⁻⁵³ times the condition f / (r f'), its relative error is up to 21 for
-lenses of k₁ alone and up to 3400 where k₁ and k₂ have opposite signs, and by the tolerance never
-more than 9000; that of the bracket is 11 at most.
+Each cell is checked where the error of its polynomial is largest. Points whose cell errs by more
+than `TOLERANCE`, or that are past the fold or out of reach, are left to
+`radial_inverse.invert_bracketed`. So away from folds the table is less exact than the bracket. In
+units of 2⁻⁵³ times the condition f / (r f'), its relative error is up to 21 for lenses of k₁ alone
+and up to 3400 where k₁ and k₂ have opposite signs, and by the tolerance never more than 9000; that
+of the bracket is 11 at most.
 """
 
 from dataclasses import dataclass
@@ -35,23 +34,24 @@ from simulations.models.distortion.radial_profile import (
 )
 
 CELLS = (256, 2048)
-"""The first number does for most lenses, the second for some that have bends close together."""
+"""Cells to try: the first is enough for most lenses, the second for some with bends close
+together."""
 DEGREE = 4
-"""Of the polynomial in each cell."""
+"""Degree of the polynomial in each cell."""
 TOLERANCE = 1e-12
 """Largest relative error of ρ in a cell that is used: 2e-9 px where r = 1 and f = 2000 px."""
 WORTH_A_TABLE = 2048
-"""For fewer points, solving each is quicker than solving for the nodes of a table."""
+"""For fewer points, solving each is faster than making a table."""
 LARGEST_REACH_LOG2 = 6
 """Squared image radius up to which a profile without a fold is tabulated, at most: 2⁶."""
 GUESS_SAMPLES = 513
 NEWTON_STEPS = 3
-"""From a guess by linear interpolation: each step squares the error."""
+"""Newton steps from a guess by linear interpolation; each squares the error."""
 
 NODES = 0.5 * np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
-"""Chebyshev's, in cells."""
+"""Chebyshev nodes, in cells."""
 CHECKS = 0.5 * np.cos(np.pi * np.arange(DEGREE + 2) / (DEGREE + 1))
-"""Where a polynomial through the nodes errs most: the edges of the cell, and between nodes."""
+"""Places of the largest errors of a polynomial through the nodes: the edges, and between nodes."""
 TO_POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
 """From values at the nodes to coefficients of rising powers."""
 
@@ -68,9 +68,9 @@ class InverseTable:
 
 
 def invert(profile: RadialProfile, image_radius: ArrayLike) -> tuple[Floats, Mask]:
-    """As `radial_inverse.invert_bracketed`, for many radii several times as quick.
+    """`radial_inverse.invert_bracketed`, several times faster for many radii.
 
-    Validity is the same. Radii of `WORTH_A_TABLE` and more differ by `TOLERANCE` at most.
+    Validity is the same. From `WORTH_A_TABLE` radii on, they differ by `TOLERANCE` at most.
     """
     target = np.asarray(image_radius, float)
     if target.size < WORTH_A_TABLE:
@@ -88,7 +88,7 @@ def invert(profile: RadialProfile, image_radius: ArrayLike) -> tuple[Floats, Mas
 def shrinkage(profile: RadialProfile, image_squared: Floats) -> tuple[Floats, Mask]:
     """``r / f(r)`` for each ``f(r)²``, and where the table has it; 1 elsewhere.
 
-    Where it has not, the point may still have an inverse: ask `invert_bracketed`.
+    Other points may still have an inverse: use `invert_bracketed`.
     """
     furthest = float(image_squared.max())
     log2 = frexp(furthest)[1] if furthest < 2.0**LARGEST_REACH_LOG2 else LARGEST_REACH_LOG2
@@ -104,9 +104,9 @@ def shrinkage(profile: RadialProfile, image_squared: Floats) -> tuple[Floats, Ma
 
 @lru_cache(maxsize=32)
 def inverse_table(profile: RadialProfile, wanted_reach: float) -> InverseTable:
-    """The table for one lens, up to the fold or, where there is none, to ``wanted_reach``.
+    """The table for one lens, up to the fold or, if there is none, to ``wanted_reach``.
 
-    Pictures through one lens share a table: the reaches asked for are a few powers of two.
+    Pictures through one lens share a table, as reaches are rounded to powers of two.
     """
     fold = fold_radius(profile)
     limit = image_of_fold(profile, fold)
@@ -154,9 +154,9 @@ def _excess(profile: RadialProfile, s: Floats, image_squared: Floats) -> Floats:
 
 
 def _checked_reach(profile: RadialProfile, fold: float, grid: Grid, coefficients: Floats) -> float:
-    """The squared image radius up to which all cells, counted from the axis, hold `TOLERANCE`.
+    """The squared image radius up to which all cells, counted from the axis, meet `TOLERANCE`.
 
-    The forward formula is the judge; inside the fold a root of it is *the* root.
+    The check is by the forward formula; inside the fold it has only one root.
     """
     cells = np.arange(coefficients.shape[1])
     image_squared = image_squared_at(grid, cells + CHECKS[:, None])

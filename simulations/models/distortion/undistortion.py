@@ -1,12 +1,11 @@
-"""Other ways to undo a radial lens, to be compared with `lens_model.undistort`.
+"""Other inverses of a radial lens, for comparison with `lens_model.undistort`.
 
 All take distorted points (..., 2) in normalised coordinates and return ideal ones; all but the
-closed form leave tangential terms alone. The first order, the fixed point, Newton's method and the
-lookup table assume points well inside the fold and do not notice when they fail.
-`lens_model.undistort` does, and is what to use where the answer must be right.
-
-Those four look for the factor ρ = r / r_d as a function of t = r_d², and none of them takes a
-root: the lens's polynomials are in r² = ρ² t, and a point is multiplied by its factor.
+closed form ignore tangential terms. The first order, the fixed point, Newton's method and the
+lookup table assume points well inside the fold and do not detect when they fail;
+`lens_model.undistort` does. Those four compute the factor ρ = r / r_d as a function of t = r_d²,
+without a square root: the lens's polynomials are in r² = ρ² t, and a point is multiplied by its
+factor.
 
 Szeliski, 2nd ed., section 2.1.5; the fixed point is the method of OpenCV's undistortPoints.
 """
@@ -27,10 +26,11 @@ TABLE_ENTRIES = 1025
 """Enough for linear interpolation to err by ten-thousandths of a pixel."""
 
 LEAST_START = 0.6
-"""Newton's first guess of r / r_d is no smaller, as is that ratio itself where k₁ r_d² < 1.8."""
+"""Least first guess of r / r_d in Newton's method; the ratio itself is larger if k₁ r_d² < 1.8."""
 
 SAMPLES_PER_ENTRY = 4
-"""Of the forward map: entries read from so many err by a sixteenth of what lies between them."""
+"""Samples of the forward map per entry; their error is then a sixteenth of that of
+interpolation."""
 
 
 def undistort_first_order(xy: ArrayLike, d: Distortion) -> Floats:
@@ -127,7 +127,7 @@ def _along_radius(xy: ArrayLike, factor_of: Callable[[Floats], Floats]) -> Float
 
 
 def undistort_bracketed(xy: ArrayLike, d: Distortion) -> Floats:
-    """`radial_inverse.invert_bracketed` for every point: to the last digit, at its price."""
+    """`radial_inverse.invert_bracketed` for every point: exact to the last digit, and slow."""
     seen = np.asarray(xy, float)
     seen_radius = np.hypot(seen[..., 0], seen[..., 1])
     radius, _ = radial_inverse.invert_bracketed(d.radial, seen_radius)
@@ -162,4 +162,4 @@ INVERSES: Mapping[str, Inverse] = MappingProxyType(
         "newton-bracketed": undistort_bracketed,
     }
 )
-"""By the names of the ladders `inverse-distortion` and `inverse-strong`."""
+"""The inverses by their names in the ladders `inverse-distortion` and `inverse-strong`."""

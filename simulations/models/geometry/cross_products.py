@@ -1,4 +1,4 @@
-"""Polynomials of [v]ₓ, the matrix for which [v]ₓ p = v × p: rotations, and what stands in for them.
+"""Polynomials of [v]ₓ, the matrix with [v]ₓ p = v × p: rotations and their approximations.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 """

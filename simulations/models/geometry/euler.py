@@ -23,10 +23,10 @@ from simulations.models.geometry import quaternions
 from simulations.models.geometry.rotations import check_rotation, from_axis_angle
 
 LOCK_RAD = 1e-7
-"""Distance of the middle angle from the locked position below which we call it locked: the outer
-angles have nine digits left at most."""
+"""Distance of the middle angle from the locked position below which it counts as locked: the outer
+angles then have nine digits at most."""
 ROUNDING_RAD = 4e-15
-"""Distance below which they have none: one of them may as well be zero."""
+"""Distance below which they have no digits, and the third is set to zero."""
 
 
 def to_matrix(sequence: str, angles_rad: ArrayLike) -> Floats:
@@ -43,8 +43,8 @@ def to_matrix(sequence: str, angles_rad: ArrayLike) -> Floats:
 def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
     """The three angles of rotation matrices, and whether they are locked.
 
-    Goes through the quaternion (Bernardes and Viollet, PLOS ONE 2022), which treats all
-    sequences alike.
+    Computed from the quaternion, in the same way for all sequences (Bernardes and Viollet, PLOS ONE
+    2022).
 
     Parameters
     ----------
@@ -55,13 +55,13 @@ def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
     -------
     angles_rad : (..., 3), in the order of the letters. The middle one is in [−π/2, π/2] for three
         different axes, else in [0, π]; the others are in (−π, π].
-    locked : (...,) bool, within `LOCK_RAD` of the lock. The angles give R back all the same, to
-        rounding; within `ROUNDING_RAD` the third is zero.
+    locked : (...,) bool, within `LOCK_RAD` of the lock. The angles still give R to rounding; within
+        `ROUNDING_RAD` the third is zero.
 
     Raises
     ------
     ValueError
-        Where R is no rotation, or the sequence none.
+        If R is not a rotation, or the sequence is invalid.
     """
     letters = _indices(sequence)
     intrinsic = sequence.isupper()

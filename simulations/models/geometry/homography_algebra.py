@@ -1,4 +1,4 @@
-"""Undoing, judging and taking apart 2D transformations.
+"""The inverse, the condition and the decomposition of 2D transformations.
 
 Source: Szeliski, 2nd ed., §2.1.2; Hartley and Zisserman, Multiple View Geometry, §2.4.
 
@@ -15,7 +15,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import affine
 
 SINGULAR = 1e12
-"""Condition from which on an inverse has hardly a digit left."""
+"""Condition number from which on an inverse has hardly any digits."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class Parts:
     scale_x: float
     """Positive."""
     scale_y: float
-    """Negative where the transformation mirrors."""
+    """Negative if the transformation mirrors."""
     shear: float
     """How far x moves per unit of y, before the scales."""
     vanishing: tuple[float, float]
@@ -36,11 +36,11 @@ class Parts:
 
 
 def condition_number(H: ArrayLike) -> float:
-    """How close H (3, 3) is to singular, whatever the units: 1 at best, ∞ where it is singular.
+    """Condition number of H (3, 3), independent of units: 1 at best, ∞ if H is singular.
 
-    The plain condition number of a translation by 1000 px is a million, though nothing is wrong
-    with it. The units of length before and after are free, so they are first chosen to balance
-    the last row and column with the others; what remains ill-conditioned is so in any units.
+    The usual condition number of a translation by 1000 px is a million, although it is harmless. As
+    units of length are arbitrary, they are first chosen to balance the last row and column with the
+    others.
     """
     matrix = np.array(H, dtype=float)
     largest = float(np.abs(matrix).max())
@@ -59,15 +59,12 @@ def condition_number(H: ArrayLike) -> float:
 
 
 def is_singular(H: ArrayLike) -> bool:
-    """Whether H (3, 3) squashes the plane onto a line or a point, to rounding."""
+    """Whether H (3, 3) maps the plane to a line or a point, to rounding."""
     return condition_number(H) > SINGULAR
 
 
 def invert(H: ArrayLike) -> Floats:
-    """H⁻¹, with its sign: where w > 0 before, it is after.
-
-    Raises `ValueError` where H is singular in any units.
-    """
+    """H⁻¹ with the sign that keeps w > 0. Raises `ValueError` if H is singular in any units."""
     matrix = np.asarray(H, float)
     condition = condition_number(matrix)
     if condition > SINGULAR:
@@ -86,8 +83,8 @@ def decompose(H: ArrayLike) -> Parts:
     Raises
     ------
     ValueError
-        If h₃₃ = 0, so that the origin goes to infinity, or if H is singular: there the angle or
-        the shear means nothing. Parts beyond 1e±75 are refused too, for their squares overflow.
+        If h₃₃ = 0, so that the origin goes to infinity, or if H is singular, where the angle or the
+        shear is undefined. Also for parts beyond 1e±75, whose squares overflow.
     """
     matrix = np.array(H, dtype=float)
     legal = f"H {matrix.tolist()}; legal: invertible with h₃₃ ≠ 0, parts from 1e-75 to 1e75"
@@ -112,7 +109,7 @@ def decompose(H: ArrayLike) -> Parts:
 
 
 def compose(parts: Parts) -> Floats:
-    """The homography of its parts, scaled to h₃₃ = 1: the inverse of `decompose`."""
+    """The homography with given parts, scaled to h₃₃ = 1: the inverse of `decompose`."""
     c, s = math.cos(parts.angle_rad), math.sin(parts.angle_rad)
     stretch = np.array([[parts.scale_x, parts.scale_x * parts.shear], [0.0, parts.scale_y]])
     A = affine(np.array([[c, -s], [s, c]]) @ stretch, (parts.tx, parts.ty))

@@ -1,4 +1,4 @@
-"""2D transformations from pairs of points, each with the fewest freedoms it can have.
+"""2D transformations estimated from pairs of points.
 
 All functions return ``(H, valid)``. ``valid`` is False, and H is NaN, where the points do not
 determine the transformation: too few, coincident, or collinear where a plane is needed.
@@ -22,7 +22,8 @@ DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
 MOST_LOST = 1e-6
-"""Share of the spread of the points by which the entries of a homography may be too short."""
+"""Largest error from rounding the entries of a homography, as a share of the spread of the
+points."""
 
 LARGEST, SMALLEST = 1e100, 1e-100
 """Range of coordinates and of distances within which no product overflows or vanishes."""
@@ -35,19 +36,18 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
 
     Exact for four points, no three of them collinear. For more, the direct linear transform: it
     minimises an algebraic error in coordinates normalised to the spread of the points, without
-    which the squares of pixel coordinates would drown the rest. Of the multiples of H that one is
-    returned of which w is positive at the source points, with h₃₃ = 1 where that has a meaning.
+    which the squares of pixel coordinates would drown the rest. H is returned with w positive at
+    the source points, and with h₃₃ = 1 if that is possible.
 
     Returns
     -------
     H : (3, 3). Its nine rounded numbers move the images by less than ε · (distance / spread) of
         the one picture times that of the other, as a share of their spread, where ε = 2.2e-16 and
-        the distances are those from the origins. Two pictures 800 px wide, both a million px
-        away from theirs, come out to 1e-7 px, and to 2e-6 px for certain.
-    valid : also False where that bound exceeds `MOST_LOST`, so that nine numbers cannot hold the
-        answer: subtract a point near the middle of each picture first. And False where the
-        source points lie on both sides of the line that is sent to infinity, as those of no
-        picture do.
+        the distances are those from the origins. For two pictures 800 px wide, both a million px
+        from the origin, the error is 1e-7 px, with a bound of 2e-6 px.
+    valid : also False if that bound exceeds `MOST_LOST`: then subtract a point near the middle of
+        each picture first. Also False if the source points are on both sides of the line that is
+        mapped to infinity, which no picture does.
     """
     before, after = _pairs(source, target)
     T_before, T_after = normalisation(before), normalisation(after)
@@ -58,7 +58,7 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
     system = _direct_linear_system(
         apply_homography(T_before, before)[0], apply_homography(T_after, after)[0]
     )
-    # The rows of V alone matter. Eight equations have a ninth row only where V is asked for whole.
+    # Only the rows of V are needed; with eight equations the ninth needs full_matrices.
     _, sizes, Vt = np.linalg.svd(system, full_matrices=len(system) < 9)
     H_normalised = Vt[8].reshape(3, 3)
     if sizes[7] <= DEGENERATE * sizes[0] or is_singular(H_normalised):
@@ -74,7 +74,7 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
 
 
 def _remoteness(normalising: Floats) -> float:
-    """How far off the origin points are, in units of their spread; at least 1."""
+    """Distance of points from the origin, in units of their spread; at least 1."""
     return 1.0 + math.hypot(normalising[0, 2], normalising[1, 2])
 
 
@@ -107,7 +107,7 @@ def estimate_affine(source: ArrayLike, target: ArrayLike) -> Estimate:
 def estimate_similarity(source: ArrayLike, target: ArrayLike) -> Estimate:
     """Rotation, scale and translation with the least squared distances (Umeyama); N ≥ 2.
 
-    Never a reflection: of mirrored points the best rotation is taken, if there is a best one.
+    Never a reflection: for mirrored points the best rotation is returned, if it is unique.
     """
     return _procrustes(source, target, scaled=True)
 
@@ -136,7 +136,7 @@ def _procrustes(source: ArrayLike, target: ArrayLike, *, scaled: bool) -> Estima
 def normalisation(points: Floats) -> Floats | None:
     """The similarity that moves the centroid to 0 and the mean distance from it to √2.
 
-    None where the points coincide, to rounding or within `SMALLEST`.
+    None if the points coincide, to rounding or within `SMALLEST`.
     """
     centre = points.mean(axis=0)
     distance = float(np.hypot(*(points - centre).T).mean())

@@ -1,7 +1,7 @@
-"""What of a line lies in a rectangle.
+"""The part of a line within a rectangle.
 
-The line stays a triple (a, b, c) with a x + b y + c = 0: no slope is taken, so that level and
-upright lines are cases like all others.
+The line is a triple (a, b, c) with a x + b y + c = 0. It has no slope, so that vertical lines are
+no special case.
 
 Source: Hartley and Zisserman, Multiple View Geometry, 2nd ed., §2.2.1 (lines as triples).
 """
@@ -15,8 +15,8 @@ from simulations.models.arrays import Floats, as_vectors
 def line_in_rectangle(line: ArrayLike, lowest: ArrayLike, highest: ArrayLike) -> Floats:
     """The ends of the part of a line inside a rectangle with level and upright sides.
 
-    A side of the rectangle crosses the line if a x + b y + c has opposite signs at its two
-    corners; the place is their mean, each weighted by the other's value.
+    A side of the rectangle crosses the line if a x + b y + c has opposite signs at its two corners;
+    the place is their mean, each weighted by the other's value.
 
     Parameters
     ----------
@@ -25,9 +25,9 @@ def line_in_rectangle(line: ArrayLike, lowest: ArrayLike, highest: ArrayLike) ->
 
     Returns
     -------
-    ends : (2, 2), in the order of their x and, where that is equal, of their y. (0, 2) where the
-        line misses the rectangle or only touches a corner, and for what is no line: the line at
-        infinity, three zeros, or entries that are not finite.
+    ends : (2, 2), in the order of their x and, where that is equal, of their y. (0, 2) if the line
+        misses the rectangle or only touches a corner, and for the line at infinity, three zeros, or
+        entries that are not finite.
     """
     entries = as_vectors("line", line, 3)
     left, low = as_vectors("lowest", lowest, 2)

@@ -1,8 +1,8 @@
 """Lines of the plane and planes of space in homogeneous coordinates: join, meet, distance.
 
 A line is (a, b, c) with a x + b y + c = 0, a plane (a, b, c, d) with a X + b Y + c Z + d = 0. Any
-multiple is the same line or plane. Those made here have a normal of length 1, so that the left
-side is a signed distance in the unit of the points.
+multiple is the same line or plane. The functions return normals of length 1, so that the left side
+is a signed distance in the unit of the points.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.1.
 
@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats, Mask, as_vectors
 
 PARALLEL = 1e-14
-"""Sine of an angle below which two directions are parallel but for rounding."""
+"""Sine of the angle below which two directions count as parallel."""
 
 
 def line_through(p: ArrayLike, q: ArrayLike) -> tuple[Floats, Mask]:
@@ -30,8 +30,8 @@ def line_through(p: ArrayLike, q: ArrayLike) -> tuple[Floats, Mask]:
 
     Returns
     -------
-    lines : (..., 3) with a² + b² = 1; positive to the left of the way from p to q where y points
-        up, to its right where y points down. NaN where invalid.
+    lines : (..., 3) with a² + b² = 1; positive to the left of the direction from p to q if y points
+        up, to its right if y points down. NaN where invalid.
     valid : (...,) bool, False where the points coincide or are not finite.
     """
     start, end = np.broadcast_arrays(as_vectors("p", p, 2), as_vectors("q", q, 2))
@@ -50,8 +50,8 @@ def intersection(lines: ArrayLike, others: ArrayLike) -> tuple[Floats, Mask]:
     Returns
     -------
     points : (..., 2), NaN where invalid.
-    valid : (...,) bool, False for parallel lines, which meet at infinity, for the line at
-        infinity itself, and for what is no line.
+    valid : (...,) bool, False for parallel lines, which meet at infinity, for the line at infinity,
+        and for invalid lines.
     """
     first = _unit_normal(as_vectors("lines", lines, 3))
     second = _unit_normal(as_vectors("others", others, 3))
@@ -84,8 +84,8 @@ def plane_through(p: ArrayLike, q: ArrayLike, r: ArrayLike) -> tuple[Floats, Mas
 def signed_distance(points: ArrayLike, hyperplane: ArrayLike) -> Floats:
     """Distances (...) of points (..., 2) to lines, or of points (..., 3) to planes.
 
-    ``hyperplane`` (..., 3) or (..., 4) may have any scale; a negative one turns the sign of the
-    distance, as it turns the normal. NaN where it has no normal.
+    ``hyperplane`` (..., 3) or (..., 4) may have any scale; a negative one changes the sign of the
+    distance, as it reverses the normal. NaN if it has no normal.
     """
     entries = np.asarray(hyperplane, float)
     dimensions = 3 if entries.shape[-1:] == (4,) else 2
@@ -106,7 +106,7 @@ def _with_normal(normal: Floats, point: Floats) -> tuple[Floats, Mask]:
 
 
 def _unit_normal(entries: Floats) -> Floats:
-    """Scaled so that all entries but the last are a unit vector; NaN where they are none."""
+    """Scaled so that all entries but the last form a unit vector; NaN if that is impossible."""
     largest = np.abs(entries[..., :-1]).max(axis=-1, keepdims=True)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         scaled = entries / largest
@@ -114,7 +114,7 @@ def _unit_normal(entries: Floats) -> Floats:
 
 
 def _direction(vectors: Floats) -> Floats:
-    """Vectors (..., n) of length 1; NaN for zero and for what is not finite."""
+    """Vectors (..., n) scaled to length 1; NaN for zero and for entries that are not finite."""
     largest = np.abs(vectors).max(axis=-1, keepdims=True)
     with np.errstate(invalid="ignore", divide="ignore"):
         scaled = vectors / largest  # squares can neither overflow nor vanish

@@ -1,7 +1,7 @@
-"""What a 2D transformation keeps and what it changes, measured on figures instead of proved.
+"""Which properties of a figure a 2D transformation preserves, measured on examples.
 
-The five measures are the last column of Szeliski, 2nd ed., table 2.1: a translation keeps all
-five at zero, and every step up the ladder of transformations gives up one more.
+The five measures are the last column of Szeliski, 2nd ed., table 2.1: they are all zero for a
+translation, and every more general transformation changes one more.
 """
 
 import math
@@ -19,12 +19,12 @@ PARALLEL = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Preservation:
-    """The largest change of each property over a figure. Zero means kept."""
+    """The largest change of each property over a figure; zero if it is preserved."""
 
     turn_rad: float
     """Orientation: angle between a line and its image."""
     length: float
-    """Lengths: |L′/L − 1|; infinite where the figure reaches the line sent to infinity."""
+    """Lengths: |L′/L − 1|; infinite if the figure reaches the line that is mapped to infinity."""
     angle_rad: float
     """Angles: change of the angle between two lines, regardless of its sense."""
     parallel_rad: float
@@ -36,13 +36,12 @@ class Preservation:
 def measure_preservation(H: ArrayLike, segments: ArrayLike) -> Preservation:
     """Compare line segments (N, 2, 2) with their images under H, as far as they are visible.
 
-    Visible is what lies on the origin's side of the line that H sends to infinity.
+    The visible side is that of the origin, of the line that H maps to infinity.
 
     Raises
     ------
     ValueError
-        If fewer than two segments are visible, so that there is nothing to compare; and where
-        a segment or its image is a single point, which has no direction.
+        If fewer than two segments are visible, or a segment or its image is a single point.
     """
     before = [clip_to_visible(H, segment, closed=False) for segment in np.asarray(segments, float)]
     visible = np.array([piece for piece in before if len(piece) == 2])

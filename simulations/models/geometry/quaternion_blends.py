@@ -1,7 +1,7 @@
-"""Quicker stand-ins for slerp, and a slower way to the same arc that they are judged by.
+"""Faster approximations of slerp, and a slow reference.
 
-All go from one unit quaternion to another on the same hemisphere along the same great circle;
-only their speed on it differs. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
+All interpolate between two unit quaternions on the same hemisphere, along the same great circle;
+only their speed differs. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,13 +14,13 @@ from simulations.models.geometry import quaternions
 from simulations.models.geometry.rotations import nlerp, slerp
 
 STRAIGHT = 0.9995
-"""Cosine above which `threshold_slerp` takes the straight line."""
+"""Cosine above which `threshold_slerp` interpolates linearly."""
 HALVINGS = 40
-"""Of `bisected_arc`: the last straight line is then no longer than 2e−12."""
+"""Steps of `bisected_arc`: the last straight line is then no longer than 2e−12."""
 
 
 def paced_nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
-    """`nlerp` with a share bent so that the speed is nearly even; no sine.
+    """`nlerp` with a corrected share, so that the speed is nearly constant; no sine.
 
     Coefficients by A. Kapoulkine, "Approximating slerp", 2015, fitted over arcs up to 90°.
     """
@@ -35,9 +35,10 @@ def paced_nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
 
 
 def threshold_slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
-    """The slerp of many code bases: Ω = acos(q₀·q₁), and a straight line where that is near 1.
+    """The slerp of many programs: Ω = acos(q₀·q₁), and linear interpolation if the cosine is near
+    1.
 
-    The line avoids 0/0, but the customary 0.9995 hands it all rotations up to 3.6°.
+    That avoids 0/0, but the customary threshold 0.9995 applies to all rotations up to 3.6°.
     """
     q0, q1 = np.asarray(start, float), np.asarray(end, float)
     s = np.asarray(share, float)[..., None]
@@ -59,14 +60,15 @@ BLENDS: Mapping[str, Blend] = {
     "slerp-threshold": threshold_slerp,
     "slerp": slerp,
 }
-"""From start (..., 4) to end (..., 4), unit quaternions, by a share (...); cheap to dear."""
+"""Interpolations from start (..., 4) to end (..., 4), unit quaternions, by a share (...); from
+cheap to expensive."""
 
 
 def bisected_arc(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
-    """The same by bisection: the sum of two unit vectors points to the middle between them.
+    """Slerp by bisection: the sum of two unit vectors points to the middle between them.
 
-    Each of `HALVINGS` steps goes into the half that holds the share, which must lie in [0, 1];
-    the rest is a straight line. No sine, no angle, extended precision: (..., 4) long doubles.
+    Each of `HALVINGS` steps goes into the half that holds the share, which must lie in [0, 1]; the
+    rest is a straight line. No sine, no angle, extended precision: (..., 4) long doubles.
     """
     low, high = (_unit(np.asarray(each, np.longdouble)) for each in (start, end))
     rest = np.asarray(share, np.longdouble)[..., None]

@@ -15,9 +15,9 @@ from simulations.models.require import require
 def normalise(quaternion: ArrayLike) -> Floats:
     """Quaternions (..., 4) scaled to unit norm.
 
-    The largest component is divided out first, so that neither 1e−300 nor 1e300 is lost when it
-    is squared. Raises `ValueError` for the zero quaternion and for entries that are not finite:
-    they stand for no rotation.
+    The largest component is divided out first, so that neither 1e−300 nor 1e300 is lost when it is
+    squared. Raises `ValueError` for the zero quaternion and for entries that are not finite: they
+    represent no rotation.
     """
     q = as_vectors("quaternion", quaternion, 4)
     largest, scaled, norm = _measured(q)
@@ -63,7 +63,7 @@ def rotate(quaternion: ArrayLike, vectors: ArrayLike) -> Floats:
 def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
     """Angles (..., 1) and unit axes (..., 3) of rotation vectors; no turn has the axis 0.
 
-    Raises `ValueError` where the angle is not a finite number.
+    Raises `ValueError` if the angle is not finite.
     """
     v = as_vectors("rotation_vector", rotation_vector, 3)
     largest, scaled, norm = _measured(v)
@@ -78,8 +78,8 @@ def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
 def _measured(vectors: Floats) -> tuple[Floats, Floats, Floats]:
     """Largest components (...), vectors (n, ...) in units of these, and their norms (...).
 
-    Components first, which is several times quicker than reductions over so short a last axis.
-    A zero vector stays zero.
+    Components are the first axis: reductions over a short last axis are several times slower. A
+    zero vector stays zero.
     """
     parts = np.ascontiguousarray(np.moveaxis(vectors, -1, 0))
     largest = np.abs(parts).max(axis=0)

@@ -1,7 +1,7 @@
-"""Ways from one orientation to another, and how well three Euler angles can steer.
+"""Paths from one orientation to another, and the rates of Euler angles.
 
-Slerp lives in `simulations.models.geometry.rotations`; here are the two ways that it is compared
-with, and the measure of the comparison. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
+Slerp is in `simulations.models.geometry.rotations`; this module has two other paths and a measure
+to compare them. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ from simulations.models.require import require
 def euler_blend(
     sequence: str, start_rad: Sequence[float], end_rad: Sequence[float], share: ArrayLike
 ) -> Floats:
-    """Rotations (..., 3, 3) whose three angles are each ``share`` (...) of the way to the end."""
+    """Rotations (..., 3, 3) whose three angles are interpolated by ``share`` (...)."""
     start, end = _angles("start_rad", start_rad), _angles("end_rad", end_rad)
     s = checked_share(share)[..., None]
     return euler.to_matrix(sequence, (1.0 - s) * start + s * end)
@@ -27,18 +27,18 @@ def euler_blend(
 def matrix_blend(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     """Weighted means (..., 3, 3) of two rotation matrices, entry by entry: in general no rotations.
 
-    With θ the angle between the two, what lies across the axis shrinks to |cos θ/2| halfway.
+    With θ the angle between the two, lengths across the axis shrink to |cos θ/2| halfway.
     """
     s = checked_share(share)[..., None, None]
     return (1.0 - s) * as_array("start", start, 3, 3) + s * as_array("end", end, 3, 3)
 
 
 def off_great_circle(quaternion: ArrayLike, start: ArrayLike, end: ArrayLike) -> float:
-    """Angle in radians by which a rotation misses the shortest way from ``start`` to ``end``.
+    """Angle in radians between a rotation and the shortest path from ``start`` to ``end``.
 
-    The shortest way is the great circle through the two unit quaternions; an arc between unit
-    quaternions is half the angle of the rotation between them. Where start and end are the same
-    rotation there is no circle: then the angle from that rotation.
+    The shortest path is the great circle through the two unit quaternions; an arc between unit
+    quaternions is half the angle of the rotation between them. If start and end are the same
+    rotation, it is the angle from that rotation.
     """
     q, q0, q1 = (
         quaternions.normalise(as_array(name, each, 4))

@@ -13,18 +13,18 @@ from simulations.models.geometry.cross_products import cross_polynomial
 from simulations.models.require import require
 
 ORTHOGONAL = 1e-6
-"""Largest entry of RᵀR − I that still passes for rounding."""
+"""Largest entry of RᵀR − I that counts as rounding."""
 
 LARGEST_SHARE = 1e6
-"""How far an interpolation may go on past its ends: beyond, rounding is all that is left."""
+"""Largest share of an extrapolation; beyond it only rounding is left."""
 
 
 def exponential(rotation_vector: ArrayLike) -> Floats:
     """Rodrigues' formula: axis times angle (..., 3) to rotation matrices (..., 3, 3).
 
     R = I + sin θ [n]ₓ + (1 − cos θ) [n]ₓ² with v = θ n; at θ = 0 no axis is needed. Any finite
-    angle is legal; beyond 2π it wraps, and past about 1e8 the rounding of θ itself is what
-    limits the result, which is a rotation all the same.
+    angle is legal; beyond 2π it wraps. Beyond about 1e8 the rounding of θ limits the accuracy, but
+    the result is still a rotation.
     """
     angle, axis = quaternions.angle_and_axis(rotation_vector)
     return _turn(axis, angle[..., 0])
@@ -33,9 +33,8 @@ def exponential(rotation_vector: ArrayLike) -> Floats:
 def _turn(axis: Floats, angle_rad: Floats) -> Floats:
     """The rotation about a unit axis (..., 3).
 
-    Sine and 1 − cosine are taken of one and the same half angle, so that rounding of the angle,
-    however large, cannot make them disagree: R stays orthogonal. And 2 sin²(θ/2) does not cancel
-    near θ = 0, where 1 − cos θ does.
+    Sine and 1 − cosine are computed from the same half angle, so that R is orthogonal despite
+    rounding of the angle. And 2 sin²(θ/2) does not cancel near θ = 0, where 1 − cos θ does.
     """
     sine, cosine = np.sin(0.5 * angle_rad), np.cos(0.5 * angle_rad)
     return cross_polynomial(axis, 2.0 * sine * cosine, 2.0 * sine * sine)
@@ -57,16 +56,16 @@ def logarithm(R: ArrayLike) -> Floats:
     """Axis times angle (..., 3) of rotation matrices (..., 3, 3), angle in [0, π].
 
     Goes through the quaternion and atan2: acos((trace − 1)/2) has no accuracy near 0 and π. At
-    exactly π both signs of the axis are right; the one whose first non-zero entry is positive
-    is returned. Raises `ValueError` where R is no rotation.
+    exactly π both signs of the axis are right; the one whose first non-zero entry is positive is
+    returned. Raises `ValueError` if R is not a rotation.
     """
     return quaternions.to_rotation_vector(quaternions.from_matrix(check_rotation(R)))
 
 
 def check_rotation(R: ArrayLike) -> Floats:
-    """R as an array, if it is orthogonal to `ORTHOGONAL` and no reflection; else `ValueError`.
+    """R as an array, if it is orthogonal to `ORTHOGONAL` and not a reflection; else `ValueError`.
 
-    A matrix that has drifted further goes through `nearest_rotation` first.
+    Use `nearest_rotation` first for matrices with larger errors.
     """
     matrix = as_matrices("R", R, 3, 3)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -81,8 +80,8 @@ def check_rotation(R: ArrayLike) -> Floats:
 def nearest_rotation(matrix: ArrayLike) -> Floats:
     """The rotation closest to a (3, 3) matrix in the Frobenius norm: U diag(1, 1, ±1) Vᵀ.
 
-    Raises `ValueError` where several rotations are equally close: rank below 2, or a matrix
-    such as −I that is as far from being a rotation as can be.
+    Raises `ValueError` if several rotations are equally close: for a rank below 2, or a matrix such
+    as −I.
     """
     M = as_array("matrix", matrix, 3, 3)
     require("matrix", M, np.isfinite(M).all(), "(3, 3), finite")
@@ -96,8 +95,8 @@ def nearest_rotation(matrix: ArrayLike) -> Floats:
 def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     """Spherical linear interpolation between quaternions (..., 4): constant angular speed.
 
-    Takes the shorter way, since q and −q are the same rotation. Orientations half a turn apart
-    have two ways of equal length; the quaternions' own signs then decide. ``share`` (...) runs
+    Takes the shorter path, since q and −q are the same rotation. Orientations half a turn apart
+    have two paths of equal length; the signs of the quaternions then decide. ``share`` (...) runs
     from 0 to 1; other values, up to `LARGEST_SHARE`, go on along the same great circle.
     """
     q0, q1 = _shorter_way(start, end)
@@ -120,7 +119,7 @@ def nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
 
 
 def checked_share(share: ArrayLike) -> Floats:
-    """Shares (...) of a way, if none is NaN or beyond `LARGEST_SHARE`; else `ValueError`."""
+    """Shares (...) of a path, if none is NaN or beyond `LARGEST_SHARE`; else `ValueError`."""
     s = np.asarray(share, float)
     require("share", s, np.all(np.abs(s) <= LARGEST_SHARE), f"at most {LARGEST_SHARE:g} in size")
     return s

@@ -1,14 +1,14 @@
 """The ladder of 2D transformations as (3, 3) matrices on homogeneous points (x, y, 1).
 
-Translation (2 degrees of freedom), rigid (3), similarity (4), affine (6), projective (8).
-Angles turn the x axis towards the y axis: counter-clockwise where y points up, clockwise where
-it points down.
+Translation (2 degrees of freedom), rigid (3), similarity (4), affine (6), projective (8). Angles
+turn the x axis towards the y axis: counter-clockwise where y points up, clockwise where it points
+down.
 
-A projective matrix divides by w, and w may vanish: the points with w = 0 form a line that is
-sent to infinity. H and c H are the same map for every c ≠ 0, so the sign of w alone says nothing.
-That two points have w of unlike sign does: the line parts them, and the segment between them is
-torn. Whoever draws says on which side of the line the reader stands, by a point of it:
-`clip_to_visible`. Only of a matrix made from two cameras does the sign itself have a meaning; see
+A projective matrix divides by w, and w may vanish: the points with w = 0 form a line that is mapped
+to infinity. H and c H are the same map for every c ≠ 0, so the sign of w alone is meaningless. If
+two points have w of different sign, the line separates them and the image of the segment between
+them is not connected. `clip_to_visible` therefore takes a point on the visible side. The sign
+itself is meaningful only for matrices from two cameras; see
 `simulations.models.projection.view_homographies`.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.1–2.1.2, table 2.1.
@@ -26,7 +26,7 @@ CLIP_RANGE = 1e150
 """Largest coordinate that can be clipped: beyond, differences and products would overflow."""
 
 W_MINIMUM = 1e-12
-"""Smallest w, relative to the terms it is the sum of, that still divides meaningfully."""
+"""Smallest usable w, relative to the terms whose sum it is."""
 
 
 def translation(tx: float, ty: float) -> Floats:
@@ -60,9 +60,9 @@ def affine(matrix: ArrayLike, offset: ArrayLike) -> Floats:
 def projective(h: ArrayLike) -> Floats:
     """Any homography, from its (3, 3) matrix or its nine entries. Keeps straight lines only.
 
-    The result is scaled to h₃₃ = 1, so that w > 0 on the side of the origin; where h₃₃ is zero
-    beside the other entries, to unit norm with the first non-zero entry of the last row positive.
-    Raises `ValueError` for the zero matrix and for entries that are not finite.
+    The result is scaled to h₃₃ = 1, so that w > 0 on the side of the origin; if h₃₃ is zero
+    relative to the other entries, to unit norm with the first non-zero entry of the last row
+    positive. Raises `ValueError` for the zero matrix and for entries that are not finite.
     """
     H = _finite(np.array(h, dtype=float).reshape(3, 3))
     largest = float(np.abs(H).max())
@@ -85,11 +85,11 @@ def apply_homography(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
 
     Returns
     -------
-    images : (..., 2), NaN where invalid. Points on the two sides of the line that is sent to
-        infinity both have images, but no figure that crosses the line has a connected one.
+    images : (..., 2), NaN where invalid. Points on both sides of the line that is mapped to
+        infinity have images, but the image of a figure that crosses the line is not connected.
     valid : (...,) bool, False on that line, where |w| ≤ W_MINIMUM · (|h₃₁ x| + |h₃₂ y| + |h₃₃|):
-        there w is rounding. False also where an entry of H or of the point is not finite, or
-        the image is too far off.
+        there w is only rounding. Also False if an entry of H or of the point is not finite, or the
+        image overflows.
     """
     matrix = _scaled(H)
     xy = as_vectors("points", points, 2)
@@ -105,9 +105,9 @@ def apply_homography(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
 
 
 def sign_of_w(H: ArrayLike, points: ArrayLike) -> Floats:
-    """On which side of the line that H sends to infinity points (..., 2) lie: −1, 0 or 1, (...).
+    """The side of points (..., 2) of the line that H maps to infinity: −1, 0 or 1, (...).
 
-    0 also where w is rounding or not finite. −H has the opposite signs.
+    Also 0 where w is only rounding or not finite. −H has the opposite signs.
     """
     xy = as_vectors("points", points, 2)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -132,9 +132,9 @@ def _divisor(H: Floats, xy: Floats) -> tuple[Floats, Floats]:
 def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) -> Floats:
     """The part of a polygon (N, 2) where a x + b y + c ≥ 0, for line = (a, b, c).
 
-    One pass of Sutherland–Hodgman, exact for convex polygons. With ``closed`` False the points
-    are a polyline: its end does not join its start. Returns (M, 2), M = 0 where nothing is left.
-    Raises `ValueError` for coordinates and coefficients that are not within `CLIP_RANGE`.
+    One pass of Sutherland–Hodgman, exact for convex polygons. With ``closed`` False the points are
+    an open polyline. Returns (M, 2), M = 0 if nothing is left. Raises `ValueError` for coordinates
+    and coefficients that are not within `CLIP_RANGE`.
     """
     vertices = _in_range("polygon", _vertices(polygon))
     coefficients = _in_range("line", np.asarray(line, float))
@@ -159,15 +159,14 @@ def clip_to_visible(
     *,
     seen: ArrayLike = (0.0, 0.0),
 ) -> Floats:
-    """The part of a polygon (N, 2), before the transformation, that H keeps in sight.
+    """The visible part of a polygon (N, 2), before the transformation.
 
-    In sight is the side on which the point ``seen`` (2,) lies of the line that H sends to
-    infinity. Vertices on the two sides must never be joined after the division: the edge would
-    run the wrong way round infinity. Clipping where |w| ≥ ``w_minimum`` times the largest w of
-    the vertices, before the division, is exact and leaves only points that `apply_homography`
-    maps. Returns (M, 2), M = 0 where the polygon is wholly out of sight.
-
-    Raises `ValueError` where ``seen`` lies on that line, and for numbers beyond `CLIP_RANGE`.
+    The visible side of the line that H maps to infinity is that of the point ``seen`` (2,).
+    Vertices on both sides must not be joined after the division: the edge would pass through
+    infinity. Clipping where |w| ≥ ``w_minimum`` times the largest w of the vertices, before the
+    division, is exact and leaves only points that `apply_homography` maps. Returns (M, 2), M = 0 if
+    no part is visible. Raises `ValueError` if ``seen`` is on that line, and for numbers beyond
+    `CLIP_RANGE`.
     """
     require("w_minimum", w_minimum, W_MINIMUM < w_minimum < 1.0, f"{W_MINIMUM} to 1")
     side = float(sign_of_w(_in_range("H", np.asarray(H, float)), seen))
@@ -181,7 +180,7 @@ def clip_to_visible(
 
 
 def _vertices(polygon: ArrayLike) -> Floats:
-    """(N, 2), also where there are none."""
+    """Points as (N, 2), also for N = 0."""
     return as_vectors("polygon", polygon, 2) if np.size(polygon) else np.empty((0, 2))
 
 

@@ -2,7 +2,7 @@
 
 Translation (3 degrees of freedom), rigid (6), similarity (7), affine (12), projective (15). They
 compose as matrices do, ``second @ first``. As in the plane
-(`simulations.models.geometry.transforms`), the points with w = 0 form a plane that is sent to
+(`simulations.models.geometry.transforms`), the points with w = 0 form a plane that is mapped to
 infinity, and H and c H are the same map, c ≠ 0.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.3, table 2.2; §8.1.5 for the estimate (Umeyama,
@@ -25,7 +25,7 @@ DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
 LARGEST = 1e100
-"""Of a coordinate of points to be aligned: so that squares of distances are numbers."""
+"""Largest coordinate of points to be aligned, so that squares of distances are finite."""
 
 
 def translation(offset: ArrayLike) -> Floats:
@@ -36,7 +36,7 @@ def translation(offset: ArrayLike) -> Floats:
 def rigid(R: ArrayLike, offset: ArrayLike) -> Floats:
     """Rotate about the origin by R (3, 3), then move. Keeps lengths and angles.
 
-    Raises `ValueError` where R is no rotation; see `rotations.check_rotation`.
+    Raises `ValueError` if R is not a rotation; see `rotations.check_rotation`.
     """
     return similarity(1.0, R, offset)
 
@@ -65,8 +65,8 @@ def apply_transform(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
     Returns
     -------
     images : (..., 3), NaN where invalid.
-    valid : (...,) bool, False where |w| ≤ W_MINIMUM · Σ|terms of w|: on the plane that is sent
-        to infinity. False also where a number is not finite, or the image too far.
+    valid : (...,) bool, False where |w| ≤ W_MINIMUM · Σ|terms of w|: on the plane that is mapped to
+        infinity. Also False if a number is not finite, or the image overflows.
     """
     matrix = as_array("H", H, 4, 4)
     place = as_vectors("points", points, 3)
@@ -83,9 +83,9 @@ def apply_transform(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
 def estimate_similarity(
     source: ArrayLike, target: ArrayLike, *, scaled: bool = True
 ) -> tuple[Floats, bool]:
-    """Rotation, translation and, if ``scaled``, scale that bring points nearest to others.
+    """Rotation, translation and, if ``scaled``, scale that best align points with others.
 
-    The sum of squared distances is least, and never by a mirror image.
+    The sum of squared distances is least. A mirror image is never used.
 
     Parameters
     ----------
@@ -94,9 +94,8 @@ def estimate_similarity(
     Returns
     -------
     H : (4, 4), NaN where invalid.
-    valid : False where the points do not determine a rotation: on a line, or mirrored so evenly
-        that several rotations are equally near. False also where the scale or the translation is
-        no number.
+    valid : False if the points do not determine a rotation: on a line, or mirrored so that several
+        rotations are equally near. Also False if the scale or the translation is not finite.
     """
     before, after = _points("source", source), _points("target", target)
     if before.shape != after.shape:
@@ -117,7 +116,7 @@ def estimate_similarity(
 
 
 def _spread(points: Floats) -> tuple[Floats, float]:
-    """Points about their mean, the largest coordinate brought to 1, and what it was.
+    """Points about their mean, divided by the largest coordinate, and that coordinate.
 
     Their squares can then neither overflow nor vanish.
     """

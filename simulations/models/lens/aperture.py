@@ -1,4 +1,4 @@
-"""Points on a lens, for rays that sample it: on a spiral, by chance, or by chance in cells.
+"""Points on a lens for sampling by rays: on a spiral, random, or random within cells.
 
 Szeliski, 2nd ed., section 2.2.3; H. Vogel, *A better way to construct the sunflower head*, 1979;
 Cook, Porter and Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
@@ -13,9 +13,9 @@ GOLDEN_ANGLE_RAD = np.pi * (3.0 - np.sqrt(5.0))
 
 
 def fibonacci_disc(count: int) -> Floats:
-    """(count, 2) points of a sunflower on the unit disc: each stands for the same area.
+    """(count, 2) points of a sunflower spiral on the unit disc, each for the same area.
 
-    Raises `ValueError` for a count below 1. A single point lies off the centre, at radius √½.
+    Raises `ValueError` for a count below 1. A single point is off the centre, at radius √½.
     """
     count = as_whole("count", count, 1)
     index = np.arange(count)
@@ -32,10 +32,10 @@ def random_disc(count: int, shape: tuple[int, ...], rng: np.random.Generator) ->
 def jittered_disc(
     rings: int, parts: int, shape: tuple[int, ...], rng: np.random.Generator
 ) -> Floats:
-    """(rings × parts, 2, *shape) points on the unit disc: one by chance in each cell.
+    """(rings × parts, 2, *shape) points on the unit disc: a random one in each cell.
 
-    The cells are rings of equal area, each cut into as many equal parts. Raises `ValueError` for
-    no ring or no part.
+    The cells are rings of equal area, each cut into as many equal parts. Raises `ValueError` for no
+    ring or no part.
     """
     rings, parts = as_whole("rings", rings, 1), as_whole("parts", parts, 1)
     ring, part = (
@@ -46,7 +46,7 @@ def jittered_disc(
 
 
 def turned_disc(points: Floats, shape: tuple[int, ...], rng: np.random.Generator) -> Floats:
-    """The ``points`` (count, 2) as (count, 2, *shape): turned together, by an angle of its own in
+    """The ``points`` (count, 2) as (count, 2, *shape): rotated together, by a different angle at
     each place of ``shape``."""
     angle = np.float32(2 * np.pi) * rng.random(shape, dtype=np.float32)
     x, y = np.asarray(points, np.float32).T.reshape(2, -1, *(1 for _ in shape))

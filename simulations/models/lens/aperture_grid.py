@@ -13,8 +13,8 @@ GOLDEN_RATIO = (1.0 + math.sqrt(5.0)) / 2.0
 def aperture_grid(across: int) -> tuple[Point, ...]:
     """The points of an ``across`` by ``across`` grid that lie in the unit disc.
 
-    Their order spreads over the disc at once, so that any beginning of it is a fair sample.
-    Raises `ValueError` for a grid of no points.
+    They are ordered so that any first few of them are spread over the disc. Raises `ValueError` for
+    a grid of no points.
     """
     across = as_whole("across", across, 1)
     places = [(2 * index + 1) / across - 1 for index in range(across)]

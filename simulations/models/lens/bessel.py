@@ -1,4 +1,4 @@
-"""The Bessel function J₀, of which round openings make their patterns.
+"""The Bessel function J₀, for the diffraction of round openings.
 
 Abramowitz and Stegun, *Handbook of Mathematical Functions*, 1964, 9.4.1 and 9.4.3.
 """
@@ -11,10 +11,11 @@ from simulations.models.arrays import Floats
 from simulations.models.require import require
 
 NEAR = (1.0, -2.2499997, 1.2656208, -0.3163866, 0.0444479, -0.0039444, 0.0002100)
-"""Of the powers of (x/3)², for x up to 3."""
+"""Coefficients of the powers of (x/3)², for x up to 3."""
 SIZE = (0.79788456, -0.00000077, -0.00552740, -0.00009512, 0.00137237, -0.00072805, 0.00014476)
 LAG = (-0.78539816, -0.04166397, -0.00003954, 0.00262573, -0.00054125, -0.00029333, 0.00013558)
-"""Of the powers of 3/x, beyond: a cosine that falls with √x, and how far its phase is off x."""
+"""Coefficients of the powers of 3/x, for x above 3: the amplitude of a cosine that falls with √x,
+and the difference of its phase from x."""
 
 
 def bessel_j0(x: ArrayLike) -> Floats:

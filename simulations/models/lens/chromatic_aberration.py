@@ -15,7 +15,7 @@ LINE_F_UM, LINE_D_UM, LINE_C_UM = 0.4861, 0.5876, 0.6563
 """Fraunhofer lines: blue hydrogen, yellow helium, red hydrogen."""
 
 SHORTEST_UM = 0.1
-"""Shortest wavelength that Cauchy's law is asked for: glass is opaque long before."""
+"""Shortest legal wavelength: glass is opaque long before."""
 
 SHORTEST_FOCAL_MM, LONGEST_FOCAL_MM = 1e-9, 1e12
 """Range of focal lengths within which reciprocals and products stay finite."""
@@ -23,12 +23,12 @@ SHORTEST_FOCAL_MM, LONGEST_FOCAL_MM = 1e-9, 1e12
 
 @dataclass(frozen=True, slots=True)
 class Glass:
-    """Glass by its catalogue numbers; its index follows Cauchy's law ``n = A + B/λ²``."""
+    """Glass by its catalogue numbers, with an index by Cauchy's law ``n = A + B/λ²``."""
 
     index_d: float = 1.5168
     """Refractive index at the d line; the default is the common crown BK7."""
     abbe_number: float = 64.2
-    """(n_d − 1) / (n_F − n_C): large is little dispersion; inf is none."""
+    """(n_d − 1) / (n_F − n_C): a large number is little dispersion, inf none."""
 
     def __post_init__(self) -> None:
         require("index_d", self.index_d, 1.0 < self.index_d <= 10.0, "above 1, to 10")
@@ -74,9 +74,9 @@ def lateral_chromatic_scale(
 ) -> Floats:
     """Size of a distant object's image at each wavelength, relative to the d line.
 
-    With the stop at distance t in front of the lens, the middle ray of each pencil meets the
-    glass off its centre and is deviated by dispersion: ``1 + t (1/f_d − 1/f(λ))``. With the stop
-    in the lens (t = 0) every colour has the same scale.
+    With the stop at distance t in front of the lens, the chief rays meet the glass off its centre
+    and are deviated by dispersion: ``1 + t (1/f_d − 1/f(λ))``. With the stop in the lens (t = 0)
+    every colour has the same scale.
     """
     require(
         "stop_distance_mm",

@@ -1,9 +1,9 @@
-"""Blur by the thin lens, after the fact: layers of one depth each, discs of confusion, compositing.
+"""Blur by the thin lens as post-processing: layers of one depth each, blurred and composited.
 
-A picture is a stack of premultiplied layers. Each is blurred by the disc that its depth deserves
-and laid over what is behind it, so that a sharp object shows up through the soft edge of a near
-one. What this leaves out: light that a lens would catch from behind an object in the same layer,
-and changes of depth within one object. Rays through the whole aperture would have both.
+A picture is a stack of premultiplied layers. Each is blurred by the disc of confusion for its depth
+and composited over the layers behind it, so that a sharp object is visible through the soft edge of
+a near one. This ignores light from behind an object in the same layer, and changes of depth within
+one object. Rays through the whole aperture include both.
 
 Pictures are planar: (C, H, W) float32, linear light.
 
@@ -22,7 +22,8 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.lens.disc_blur import NARROW_RADIUS, check_radius, disc_blur
 
 type Blur = Callable[[Planes, float], Planes]
-"""A picture (C, H, W) convolved with a disc of a radius in pixels; itself for 0."""
+"""A function that convolves a picture (C, H, W) with a disc of a radius in pixels; returns it
+unchanged for 0."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,20 +33,20 @@ class Layer:
     planes: Planes
     """(4, h, w): red, green, blue times coverage, then coverage in [0, 1]."""
     top: int
-    """Row of the picture where the layer's first row lies; may be negative."""
+    """Row of the picture at the layer's first row; may be negative."""
     left: int
-    """Column likewise."""
+    """Column of the picture at the layer's first column; may be negative."""
     radius_px: float = 0.0
-    """Radius of its disc of confusion."""
+    """Radius of the disc of confusion."""
 
 
 def blur_by_depth(planes: Planes, radius_px: Floats, blur: Blur = disc_blur) -> Planes:
     """An opaque picture (C, H, W) blurred by a disc whose radius (H, W) varies from place to place.
 
     The picture is blurred at the largest radius, half of it, a quarter, ... and each pixel mixes
-    the two nearest so that its second moment is right, along each axis to 0.12 px²: what is blurred
-    most, often a wall of one depth, has its own disc. Returns the same object where every radius
-    is 0.
+    the two nearest so that its second moment is right, along each axis to 0.12 px²: the most
+    blurred pixels, often of a wall of one depth, have their exact disc. Returns the same object
+    where every radius is 0.
     """
     smallest, largest = float(radius_px.min(initial=0.0)), float(radius_px.max(initial=0.0))
     for radius in (smallest, largest):
@@ -78,7 +79,7 @@ def _hat(value: NDArray[np.float32], knots: list[float], index: int) -> NDArray[
 
 
 def blur_layer(layer: Layer, blur: Blur = disc_blur) -> Layer:
-    """The layer with its disc applied, on a window grown to hold the spread."""
+    """The layer convolved with its disc, in a window enlarged by the spread."""
     check_radius(layer.radius_px)
     if layer.radius_px == 0:
         return layer
@@ -89,7 +90,7 @@ def blur_layer(layer: Layer, blur: Blur = disc_blur) -> Layer:
 
 
 def composite(background: Planes, layers: Iterable[Layer]) -> Planes:
-    """``layers``, farthest first, laid over an opaque (3, H, W) background; a new array."""
+    """Composite ``layers``, farthest first, over an opaque (3, H, W) background; a new array."""
     picture = background.copy()
     height, width = picture.shape[1:]
     for layer in layers:

@@ -1,9 +1,9 @@
-"""What a perfect lens with a round opening makes of a point and of a wave, in and out of focus.
+"""The images of a point and of waves by a perfect lens with a round opening, in and out of focus.
 
 Light is incoherent and of one wavelength; the lens is wide against it and far from the sensor.
-Frequencies on the sensor are in cycles per millimetre, small lengths in micrometres.
-Goodman, *Introduction to Fourier Optics*, 3rd ed., 2005, chapter 6; Hopkins, *The frequency
-response of a defocused optical system*, 1955.
+Frequencies on the sensor are in cycles per millimetre, small lengths in micrometres. Goodman,
+*Introduction to Fourier Optics*, 3rd ed., 2005, chapter 6; Hopkins, *The frequency response of a
+defocused optical system*, 1955.
 """
 
 from functools import lru_cache
@@ -18,29 +18,28 @@ from simulations.models.require import require, require_positive
 FIRST_ZERO = 1.2196698912665045
 """Radius of the spot's first dark ring, in λN: the first zero of J₁ over π."""
 NODES = 96
-"""Of the quadrature over the opening: enough for so many waves of defocus ..."""
+"""Points of the quadrature over the opening: enough for so many waves of defocus ..."""
 MOST_WAVES = 12.0
 WIDEST_RINGS = 60.0
 """... and for so wide a part of the spot, in λN."""
 
 
 def cutoff_per_mm(wavelength_um: float, f_number: float) -> float:
-    """The finest wave that the lens lets through: 1/(λN)."""
+    """The highest frequency that the lens transmits: 1/(λN)."""
     _check(wavelength_um, f_number)
     return 1000.0 / wavelength_um / f_number
 
 
 def spot_diameter_um(wavelength_um: float, f_number: float) -> float:
-    """Of the first dark ring around the image of a point in focus: 2.44 λN."""
+    """Diameter of the first dark ring around the image of a point in focus: 2.44 λN."""
     _check(wavelength_um, f_number)
     return 2.0 * FIRST_ZERO * wavelength_um * f_number
 
 
 def defocus_waves(defocus_um: float, wavelength_um: float, f_number: float) -> float:
-    """How far the wave front is off at the rim of the opening, in wavelengths: δ/(8λN²).
+    """Error of the wave front at the rim of the opening, in wavelengths: δ/(8λN²).
 
-    For a sensor at ``defocus_um`` from where the lens focuses. At one wave the middle of the spot
-    is dark.
+    For a sensor at ``defocus_um`` from the focus. At one wave the middle of the spot is dark.
     """
     _check(wavelength_um, f_number)
     require("defocus_um", defocus_um, np.isfinite(defocus_um), "finite")

@@ -1,8 +1,8 @@
 """Convolution with a uniform disc, the blur of an ideal lens out of focus.
 
-A disc is drawn by the share of each pixel that it covers, and one kernel serves every radius: a
-small one is summed tap by tap, a large one multiplied in the frequency domain, which costs as much
-for a disc of a hundred pixels as for one of ten. Both give the same numbers but for rounding.
+The kernel is the share of each pixel that the disc covers. Small kernels are summed tap by tap;
+large ones are multiplied in the frequency domain, where a disc of a hundred pixels costs as much as
+one of ten. Both results are equal up to rounding.
 
 Pictures are planar: (C, H, W) float32. Szeliski, 2nd ed., sections 2.2.3 and 3.4.
 """
@@ -15,23 +15,23 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.require import require
 
 LARGEST_SUMMED_RADIUS = 6.0
-"""Pixels. Up to here tap by tap is the quicker way, measured on the camera's picture."""
+"""Pixels. Up to this radius tap by tap is faster, measured on the camera's picture."""
 
 LARGEST_RADIUS = 1024.0
-"""Pixels. The picture is continued beyond its edge as far as the disc reaches: memory sets it."""
+"""Pixels. The limit bounds memory, as the picture is extended beyond its edge by the radius."""
 
 NARROW_RADIUS = 0.6153864
-"""Pixels. The shares of pixels that this disc covers have its own variance, R²/4 along each axis.
-Those of a narrower disc have less, and none at all up to ½."""
+"""Pixels. The kernel of this radius has the disc's own variance, R²/4 along each axis. Kernels of
+narrower discs have less, and up to ½ none."""
 
 
 def disc_kernel(radius_px: float) -> Planes:
-    """(2n+1, 2n+1) weights of a uniform disc, summing to 1: the area it covers of each pixel.
+    """(2n+1, 2n+1) weights of a uniform disc with sum 1: the area of each pixel that it covers.
 
     As each weight is a mean over a pixel, the variance along either axis is that of the disc and
     that of a pixel, ``R²/4 + 1/12``, to 0.02 px² from R = 1.5 on and to 0.11 px² below. A disc
-    below `NARROW_RADIUS` is a mixture of that disc and of none, whose variance is R²/4. The
-    weights change with the radius without a jump.
+    below `NARROW_RADIUS` is a mixture of that disc and of none, whose variance is R²/4. The weights
+    change with the radius without a jump.
     """
     check_radius(radius_px)
     if radius_px == 0:
@@ -44,11 +44,12 @@ def disc_kernel(radius_px: float) -> Planes:
 
 
 def _shares(radius: float) -> Floats:
-    """Area of each pixel that a disc wider than a pixel covers, in shares of the disc."""
+    """Area of each pixel that a disc wider than a pixel covers, as a share of the disc."""
     reach = math.ceil(radius - 0.5)
     borders = np.minimum(np.arange(reach + 1) + 0.5, radius)
     to_corner = np.pad(_area_to_corner(borders, borders[:, None], radius), ((1, 0), (1, 0)))
-    # The middle pixel's borders lie on both sides of the centre: there twice the area to one.
+    # The borders of the middle pixel are on both sides of the centre: twice the area to one of
+    # them.
     to_corner[0], to_corner[:, 0] = -to_corner[1], -to_corner[:, 1]
     to_corner[0, 0] = to_corner[1, 1]
     quarter = np.maximum(np.diff(np.diff(to_corner, axis=0), axis=1), 0.0)
@@ -59,7 +60,7 @@ def _shares(radius: float) -> Floats:
 
 def _area_to_corner(x: Floats, y: Floats, radius: float) -> Floats:
     """Area of the disc between its centre and the corner (x, y), both from 0 to the radius."""
-    level = np.minimum(x, np.sqrt(np.maximum(radius**2 - y**2, 0.0)))  # up to here it is y high
+    level = np.minimum(x, np.sqrt(np.maximum(radius**2 - y**2, 0.0)))  # height y up to here
     return y * level + _area_under_arc(x, radius) - _area_under_arc(level, radius)
 
 
@@ -75,7 +76,7 @@ def check_radius(radius_px: float) -> None:
 
 
 def disc_blur(planes: Planes, radius_px: float) -> Planes:
-    """``planes`` (C, H, W) convolved with a disc; the picture goes on beyond its edge unchanged.
+    """``planes`` (C, H, W) convolved with a disc; the border pixels repeat beyond the edge.
 
     Returns the same object for the radius 0.
     """
@@ -87,16 +88,15 @@ def disc_blur(planes: Planes, radius_px: float) -> Planes:
 
 
 def summed(planes: Planes, kernel: Planes) -> Planes:
-    """``planes`` convolved with a symmetric kernel tap by tap.
-
-    One plane at a time: what is worked on stays in the processor's cache.
+    """``planes`` convolved with a symmetric kernel tap by tap, one plane at a time for the
+    processor's cache.
     """
     reach = kernel.shape[0] // 2
     return np.stack([_summed_plane(plane, kernel[reach:, reach:]) for plane in planes])
 
 
 def _summed_plane(plane: Planes, quarter: Planes) -> Planes:
-    """By the kernel's lower right quarter: four pixels share each product."""
+    """Convolve by the kernel's lower right quarter: four pixels share each product."""
     reach = len(quarter) - 1
     height, width = plane.shape
     padded = np.pad(plane, reach, mode="edge")
@@ -106,7 +106,7 @@ def _summed_plane(plane: Planes, quarter: Planes) -> Planes:
         if down:
             rows = rows + padded[reach - down : reach - down + height]
         for right, weight in enumerate(row):
-            if weight == 0.0:  # and so is all of the row that lies farther out
+            if weight == 0.0:  # and so is the rest of the row
                 break
             columns = rows[:, reach + right : reach + right + width]
             if right:
@@ -116,7 +116,7 @@ def _summed_plane(plane: Planes, quarter: Planes) -> Planes:
 
 
 def transformed(planes: Planes, kernel: Planes) -> Planes:
-    """``planes`` convolved by a product of spectra, on a grid so wide that nothing wraps around."""
+    """``planes`` convolved by a product of spectra, on a grid wide enough to avoid wrap-around."""
     reach = kernel.shape[0] // 2
     height, width = planes.shape[1:]
     grid = (fast_length(height + 2 * reach), fast_length(width + 2 * reach))
@@ -126,13 +126,13 @@ def transformed(planes: Planes, kernel: Planes) -> Planes:
     blurred = np.fft.irfft2(spectrum, s=grid)[
         :, 2 * reach : 2 * reach + height, 2 * reach : 2 * reach + width
     ]
-    # No mean lies outside what it is taken of: rounding may, and would make darkness negative.
+    # Clamp rounding errors: a mean is within the range of its values, and light is not negative.
     low, high = (extreme(planes, axis=(1, 2), keepdims=True) for extreme in (np.min, np.max))
     return np.clip(blurred, low, high)
 
 
 def fast_length(least: int) -> int:
-    """The smallest whole number from ``least`` on with no prime factor above 5."""
+    """The smallest whole number of at least ``least`` without a prime factor above 5."""
     length = least
     while _rest(length) != 1:
         length += 1
@@ -140,7 +140,7 @@ def fast_length(least: int) -> int:
 
 
 def _rest(number: int) -> int:
-    """What is left of a number without its factors 2, 3 and 5."""
+    """A number divided by all its factors 2, 3 and 5."""
     for factor in (2, 3, 5):
         while number % factor == 0:
             number //= factor

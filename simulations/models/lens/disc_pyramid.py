@@ -1,4 +1,4 @@
-"""Discs drawn on a coarser grid: quicker than `disc_blur` where they are wide, and softer-edged.
+"""Blur by discs on a coarser grid: faster than `disc_blur` for wide discs, with softer edges.
 
 Pictures are planar: (C, H, W) float32. Burt, "Fast filter transforms for image processing",
 Computer Graphics and Image Processing 16, 1981.
@@ -12,16 +12,17 @@ from simulations.models.arrays import Planes
 from simulations.models.lens.disc_blur import check_radius, disc_blur
 
 LARGEST_REDUCED_RADIUS = 8.0
-"""Pixels of the coarse grid. At least half as many remain, or a disc's outline would get lost."""
+"""Largest radius in pixels of the coarse grid. At least half of it remains, or a disc would lose
+its outline."""
 
 
 def pyramid_blur(planes: Planes, radius_px: float) -> Planes:
-    """``planes`` (C, H, W) convolved with about a disc; the picture goes on beyond its edge.
+    """``planes`` (C, H, W) convolved with about a disc; the border pixels repeat beyond the edge.
 
     Up to `LARGEST_REDUCED_RADIUS` the same as `disc_blur`. Wider discs are drawn on a grid reduced
-    by a power of two, at a cost that hardly depends on the radius. Going down and up again is
-    itself a blur, so the disc drawn there is smaller: the variance of both together is right, and
-    the fourth moment up to an eighth too large: the outline is softer.
+    by a power of two, at a cost that hardly depends on the radius. Reducing and enlarging also
+    blurs, so the disc on the coarse grid is smaller: the total variance is right, but the fourth
+    moment is up to an eighth too large, for a softer outline.
     """
     check_radius(radius_px)
     halvings = max(0, math.ceil(math.log2(max(radius_px, 1.0) / LARGEST_REDUCED_RADIUS)))
@@ -36,10 +37,10 @@ def pyramid_blur(planes: Planes, radius_px: float) -> Planes:
 
 
 def _reduced_radius(radius_px: float, factor: int) -> float:
-    """Radius in coarse pixels for which the whole has the variance ``R²/4 + 1/12`` of `disc_blur`.
+    """Radius in coarse pixels for which the total variance is ``R²/4 + 1/12``, as in `disc_blur`.
 
-    Along each axis the way down and up again has (factor² − 1) / 2, the disc r²/4 + 1/12 of its
-    own, coarser, pixels.
+    Along each axis reducing and enlarging add (factor² − 1) / 2, and the disc r²/4 + 1/12 in coarse
+    pixels.
     """
     return math.sqrt((radius_px**2 + 1 / 3 - 2 * (factor**2 - 1)) / factor**2 - 1 / 3)
 
@@ -47,7 +48,7 @@ def _reduced_radius(radius_px: float, factor: int) -> float:
 def halve(planes: Planes) -> Planes:
     """Half the grid by weights (1, 3, 3, 1) / 8 each way, the transpose of `double`.
 
-    Unlike means of 2 × 2 pixels these keep every point of light where it is.
+    Unlike means of 2 × 2 pixels, they do not shift points of light.
     """
     return _halve_last(_halve_last(planes).swapaxes(1, 2)).swapaxes(1, 2)
 

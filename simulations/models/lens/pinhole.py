@@ -1,9 +1,9 @@
-"""A hole instead of a lens: what it makes of the light of a distant point.
+"""A pinhole instead of a lens: its image of a distant point.
 
 Far behind the hole the light of a point forms a spot as wide as the hole, with blurred rims; a
-narrow hole spreads it by diffraction. Both follow from one formula, for a hole is a lens without
-power: a perfect lens that focuses at infinity, with the sensor off its focus by as much as its
-focal length would be long. Paraxial, for incoherent light and a scene far away.
+narrow hole spreads it by diffraction. Both follow from one formula: a hole acts like a perfect lens
+focused at infinity whose defocus is as large as its focal length. Paraxial, for incoherent light
+and a scene far away.
 
 Source: Goodman, Introduction to Fourier Optics, 3rd ed., 2005, §§ 4.2 and 6.4; Young, Pinhole
 optics, 1971.
@@ -21,10 +21,10 @@ from simulations.models.require import require_positive
 def pinhole_transfer(
     frequency_per_mm: ArrayLike, hole_mm: float, distance_mm: float, wavelength_um: float
 ) -> Floats:
-    """Factor (...) on waves of a frequency (...), cycles/mm, on a wall behind the hole.
+    """Transfer factor (...) at frequencies (...) in cycles/mm, on a wall behind the hole.
 
-    ``hole_mm`` is the hole's diameter, ``distance_mm`` its distance from the wall. Where the
-    factor is negative, dark and light are exchanged. Raises `ValueError` for holes so wide that
+    ``hole_mm`` is the hole's diameter, ``distance_mm`` its distance from the wall. Where the factor
+    is negative, dark and light are exchanged. Raises `ValueError` for holes so wide that
     `simulations.models.lens.diffraction.MOST_WAVES` are exceeded: 2.3 mm in a box 100 mm deep.
     """
     require_positive("hole_mm", hole_mm)
@@ -40,5 +40,5 @@ def spread_mm(hole_mm: float, distance_mm: float, wavelength_um: float) -> float
 
 
 def sharpest_hole_mm(distance_mm: float, wavelength_um: float) -> float:
-    """The hole that is as wide as its spread: √(2.44 λ f)."""
+    """The diameter of a hole that is as wide as its diffraction spot: √(2.44 λ f)."""
     return math.sqrt(spread_mm(1.0, distance_mm, wavelength_um))

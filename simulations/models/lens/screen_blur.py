@@ -1,7 +1,7 @@
-"""Defocus as a filter on a finished picture and its depth: quick, and blind to what is hidden.
+"""Defocus as a filter on a finished picture and its depth: fast, without hidden objects.
 
-Pictures are planar: (C, H, W) float32. What stands behind a near object was never recorded, so
-none of these can show it through the object's soft edge. Potmesil and Chakravarty, SIGGRAPH 1981.
+Pictures are planar: (C, H, W) float32. Objects behind a near one were never recorded, so these
+filters cannot show them through its soft edge. Potmesil and Chakravarty, SIGGRAPH 1981.
 """
 
 import numpy as np
@@ -32,10 +32,11 @@ def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:
 
 
 def gather_discs(planes: Planes, radius_px: Floats, depth: Floats) -> Planes:
-    """Each pixel asks its neighbours whose disc reaches it, and takes their weighted mean.
+    """Each pixel is the weighted mean of the neighbours whose disc reaches it.
 
-    A neighbour spreads over the area of its own disc; one that lies behind the pixel is held to
-    the pixel's disc, so that a blurred background does not leak onto sharp things before it.
+    A neighbour spreads over the area of its disc. The disc of a neighbour behind the pixel is at
+    most as wide as the pixel's own, so that a blurred background does not leak onto sharp objects
+    in front.
     """
     radius = np.maximum(radius_px, 0.5).astype(np.float32)
     largest = max(_largest(radius_px), 0.5) + 0.5
@@ -63,7 +64,7 @@ def gather_discs(planes: Planes, radius_px: Floats, depth: Floats) -> Planes:
 
 
 def _largest(radius_px: Floats) -> float:
-    """Of the radii (H, W); raises `ValueError` where one is NaN, negative or beyond any picture."""
+    """The largest of the radii (H, W); raises `ValueError` if one is NaN, negative or too large."""
     if not np.all((radius_px >= 0) & (radius_px <= LARGEST_RADIUS)):
         raise ValueError(
             f"radius_px from {radius_px.min()} to {radius_px.max()}; legal: 0 to {LARGEST_RADIUS:g}"

@@ -1,4 +1,5 @@
-"""A lens of one piece of glass with two spherical surfaces, and three ways through it.
+"""A lens of one piece of glass with two spherical surfaces, and three ways to trace rays through
+it.
 
 Lengths in millimetres along the axis, light from the left; the middle of the glass, halfway between
 its two vertices, is the origin. A curvature is 1/R, positive where the centre lies to the right of
@@ -16,7 +17,7 @@ from simulations.models.arrays import Floats, Mask
 from simulations.models.require import require, require_positive
 
 PASSES, MISSES, REFLECTED, LEAVES_BY_RIM = range(4)
-"""What becomes of a ray: through; past the glass; totally reflected inside; out at the rim."""
+"""Fate of a ray: through; past the glass; totally reflected inside; out at the rim."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,9 +28,9 @@ class Singlet:
     back_per_mm: float
     """Curvatures."""
     thickness_mm: float
-    """Between the vertices."""
+    """Distance between the vertices."""
     index: float
-    """Of the glass, in air."""
+    """Index of the glass, in air."""
 
     def __post_init__(self) -> None:
         for name in ("front_per_mm", "back_per_mm"):
@@ -41,12 +42,12 @@ class Singlet:
 
 @dataclass(frozen=True, slots=True)
 class Rays:
-    """Rays in a plane through the axis; NaN after the place where one ends."""
+    """Rays in a plane through the axis; NaN after the end of a ray."""
 
     front: Floats
-    """(n, 2) where they meet the first surface: along the axis, and height."""
+    """(n, 2) points on the first surface: along the axis, and height."""
     back: Floats
-    """(n, 2) where they meet the second."""
+    """(n, 2) points on the second surface."""
     slope: Floats
     """(n,) height per length behind the lens."""
     fate: NDArray[np.intp]
@@ -54,8 +55,8 @@ class Rays:
 
     @property
     def crossing_mm(self) -> Floats:
-        """(n,) where they cross the axis: ±inf where they run along it, negative where they seem
-        to come from before the lens, NaN for a ray that ends."""
+        """(n,) where they cross the axis: ±inf if parallel to it, negative if they seem to come
+        from before the lens, NaN for a ray that ends."""
         with np.errstate(divide="ignore"):
             return self.back[:, 0] - self.back[:, 1] / self.slope
 
@@ -66,18 +67,18 @@ def thin_power_per_mm(lens: Singlet) -> float:
 
 
 def power_per_mm(lens: Singlet) -> float:
-    """1/f with the thickness: light converges on its way from one surface to the other."""
+    """1/f with the thickness: light converges between the surfaces."""
     both = lens.front_per_mm * lens.back_per_mm * lens.thickness_mm / lens.index
     return thin_power_per_mm(lens) + (lens.index - 1.0) ** 2 * both
 
 
 def focal_mm(power_per_mm: float) -> float:
-    """1/power: infinite for a pane, negative for a lens that spreads light."""
+    """1/power: infinite for a pane, negative for a diverging lens."""
     return 1.0 / power_per_mm if power_per_mm else np.inf
 
 
 def rim_mm(lens: Singlet, largest_mm: float) -> float:
-    """The height at which the glass ends: where its surfaces meet, or ``largest_mm``."""
+    """The height of the rim: where the surfaces meet, or ``largest_mm``."""
     require_positive("largest_mm", largest_mm)
     steepest = max(abs(lens.front_per_mm), abs(lens.back_per_mm))
     low, high = 0.0, min(largest_mm, 1.0 / steepest if steepest else np.inf)
@@ -95,7 +96,7 @@ def _edge_mm(lens: Singlet, height_mm: float) -> float:
 
 
 def sag_mm(curvature_per_mm: float, height_mm: ArrayLike) -> Floats:
-    """How far right of its vertex a surface is at heights (...): c h²/(1 + √(1 − c²h²)).
+    """Sag of a surface, to the right of its vertex, at heights (...): c h²/(1 + √(1 − c²h²)).
 
     Raises `ValueError` beyond the sphere.
     """
@@ -114,7 +115,7 @@ def through_thin(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -> Ra
     distance_mm : float
         From the point to the middle, positive; inf for parallel rays.
     heights_mm : (n,) floats
-        Where the rays would pass the middle if there were no lens.
+        Heights of the rays in the middle plane without the lens.
     """
     heights, slopes = _aimed(lens, distance_mm, heights_mm)
     place = np.stack([np.zeros_like(heights), heights], -1)
@@ -123,7 +124,7 @@ def through_thin(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -> Ra
 
 
 def through_paraxial(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -> Rays:
-    """Likewise, bent twice, at both vertices, with the sines of Snell's law taken for angles."""
+    """The same rays, bent twice, at both vertices, by Snell's law for small angles."""
     heights, slopes = _aimed(lens, distance_mm, heights_mm)
     half, n = lens.thickness_mm / 2.0, lens.index
     front = heights - half * slopes
@@ -141,7 +142,7 @@ def through_paraxial(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -
 def through_exact(
     lens: Singlet, distance_mm: float, heights_mm: ArrayLike, largest_mm: float
 ) -> Rays:
-    """Likewise, by Snell's law at both spheres; the glass ends at `rim_mm`."""
+    """The same rays, by Snell's law at both spheres; the glass ends at `rim_mm`."""
     heights, slopes = _aimed(lens, distance_mm, heights_mm)
     half, rim = lens.thickness_mm / 2.0, rim_mm(lens, largest_mm)
     along = _unit(np.stack([np.ones_like(slopes), slopes], -1))
@@ -168,21 +169,21 @@ def through_exact(
 
 
 def paraxial_image_mm(lens: Singlet, distance_mm: float) -> float:
-    """Where all rays near the axis meet: behind the lens, or, negative, before it."""
+    """Distance at which all rays near the axis meet: behind the lens, or, if negative, in front."""
     return float(through_paraxial(lens, distance_mm, [1.0]).crossing_mm[0])
 
 
 def thin_image_mm(lens: Singlet, distance_mm: float) -> float:
-    """Where the thin lens has it."""
+    """The same distance for the thin lens."""
     return float(through_thin(lens, distance_mm, [1.0]).crossing_mm[0])
 
 
 def meet(
     start: Floats, along: Floats, vertex_mm: float, curvature_per_mm: float
 ) -> tuple[Floats, Floats, Mask]:
-    """Where rays (n, 2) meet a sphere near its vertex, its unit normal there, and whether at all.
+    """Where rays (n, 2) meet a sphere near its vertex, its unit normal there, and whether they do.
 
-    The root is written so that a plane needs no case of its own. Normals point to the right.
+    The formula for the root includes planes. Normals point to the right.
     """
     place = start - np.array([vertex_mm, 0.0])
     c = curvature_per_mm
@@ -201,7 +202,7 @@ def refract(along: Floats, normal: Floats, ratio: float) -> tuple[Floats, Mask]:
     """Snell's law: unit directions (n, 2) behind a surface, and whether any light passes it.
 
     ``ratio`` is the index before the surface over the one behind; beyond the critical angle light
-    is totally reflected, and the direction is what it was.
+    is totally reflected, and the direction is unchanged.
     """
     cosine = np.einsum("ni,ni->n", along, normal)
     squared = 1.0 - ratio**2 * (1.0 - cosine**2)
@@ -212,7 +213,7 @@ def refract(along: Floats, normal: Floats, ratio: float) -> tuple[Floats, Mask]:
 
 
 def _aimed(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -> tuple[Floats, Floats]:
-    """Heights (n,) in the middle, and the slopes that lead there."""
+    """Heights (n,) in the middle plane, and the slopes of the rays."""
     nearest = lens.thickness_mm / 2.0
     require(
         "distance_mm", distance_mm, distance_mm > nearest, f"before the glass: above {nearest:g}"
@@ -223,7 +224,8 @@ def _aimed(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -> tuple[Fl
 
 
 def _within(places: Floats, rim: float) -> Mask:
-    """With a hair's breadth for rounding: the rim itself is glass."""
+    """Whether heights are within the rim, with a tolerance for rounding: the rim itself is
+    glass."""
     inside: Mask = np.abs(places[:, 1]) <= rim * (1.0 + 1e-12)
     return inside
 

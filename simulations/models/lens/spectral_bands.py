@@ -1,8 +1,8 @@
-"""The few wavelengths that stand for what a colour channel sees of the spectrum.
+"""A few wavelengths that represent the spectral sensitivity of a colour channel.
 
 A channel's sensitivity is a bell curve on white light: a peak and a standard deviation, both in
-micrometres. A quantity that depends on the wavelength is summed with the shares of `Band`, which
-add up to 1. Szeliski, 2nd ed., section 2.3.2.
+micrometres. Quantities that depend on the wavelength are summed with the shares of `Band`, whose
+sum is 1. Szeliski, 2nd ed., section 2.3.2.
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from simulations.models.require import require
 from simulations.models.whole_numbers import as_whole
 
 MOST_CHOSEN = 100
-"""Up to which numpy vouches for the places and weights of Gauss–Hermite quadrature."""
+"""Largest degree for which numpy guarantees the accuracy of Gauss–Hermite quadrature."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,7 @@ class Band:
     wavelengths_um: Floats
     """(n,)."""
     shares: Floats
-    """(n,) that add up to 1."""
+    """(n,) with sum 1."""
 
 
 def chosen_wavelengths(peak_um: float, width_um: float, count: int) -> Band:
@@ -41,14 +41,14 @@ def even_wavelengths(
 ) -> tuple[Band, ...]:
     """The same ``count`` wavelengths for all channels, in the middles of even parts of a range.
 
-    One picture of each serves every channel; the shares of each follow its own bell curve. A
-    curve so narrow or so far off that it is 0 at all of them is taken at the nearest ones.
+    All channels share the pictures; the shares of each follow its own bell curve. A curve so narrow
+    or so far off that it is 0 at all of them is taken at the nearest ones.
     """
     _check(width_um, count, *peaks_um, first_um, last_um)
     step = (last_um - first_um) / count
     wavelengths = first_um + (np.arange(count) + 0.5) * step
     off = np.square((wavelengths - np.asarray(peaks_um, float)[:, None]) / width_um)
-    # Beside the nearest wavelength: of that one something is left for any width.
+    # Relative to the nearest wavelength, whose share is positive for any width.
     seen = np.exp(-0.5 * (off - off.min(axis=1, keepdims=True)))
     shares = seen / seen.sum(axis=1, keepdims=True)
     return tuple(Band(wavelengths, each) for each in shares)

@@ -1,8 +1,8 @@
-"""Why a lens distorts: its stop chooses the rays, and glass turns them too much far from its axis.
+"""Distortion by the position of the stop, which selects the rays that form the image.
 
-The middle ray of each bundle goes through the centre of the stop. It is traced by Snell's law from
-there, forwards and backwards, so that nothing has to be searched for. Lengths in millimetres, light
-from the left; the object is infinitely far.
+The chief ray of each bundle passes through the centre of the stop. It is traced by Snell's law from
+there, forwards and backwards, without a search. Lengths in millimetres, light from the left; the
+object is infinitely far.
 
 Reference: the book explains it; no figure and no ladder runs it.
 
@@ -28,18 +28,18 @@ from simulations.models.require import require
 
 @dataclass(frozen=True, slots=True)
 class ChiefRays:
-    """The middle rays of bundles."""
+    """The chief rays of bundles."""
 
     tan_field: Floats
-    """(n,) tangent of the angle to the axis at which they come: the pinhole's radius r."""
+    """(n,) tangent of their angle of incidence to the axis: the pinhole's radius r."""
     image: Floats
     """(n,) distance from the axis where they meet the plane of the sharp image, in focal lengths:
     the distorted radius r_d."""
     places: Floats
     """(n, 2 for each piece of glass, 2) where they enter and leave it: along the axis, and height.
-    NaN where a ray misses it or does not come out."""
+    NaN if a ray misses it or does not come out."""
     image_mm: float
-    """Where the plane of the sharp image is."""
+    """Position of the plane of the sharp image."""
     focal_mm: float
 
 
@@ -65,7 +65,7 @@ def chief_rays(lens: Singlet, stop_mm: float, slopes: ArrayLike) -> ChiefRays:
         height = back[:, 1] + (image_mm - back[:, 0]) * leaves
         places = np.stack([front, back], axis=1)
         return ChiefRays(slope, height / focal, places, image_mm, focal)
-    # Backwards, through the lens as it looks in a mirror: what goes up then came from below.
+    # Backwards, through the mirrored lens, where rays that go up come from below.
     back, front, came = _through(_mirrored(lens), -stop_mm, -slope)
     places = np.stack([front, back], axis=1) * np.array([-1.0, 1.0])
     return ChiefRays(-came, (image_mm - stop_mm) * slope / focal, places, image_mm, focal)
@@ -87,10 +87,10 @@ def chief_rays_of_pair(lens: Singlet, apart_mm: float, slopes: ArrayLike) -> Chi
     near, far = (paraxial_image_mm(each, np.inf) - alone for each in (_mirrored(lens), lens))
     to_plane = apart_mm - near  # from the stop to the principal plane that faces it
     focal = alone * alone / (2.0 * (alone - to_plane))
-    pupil = far + to_plane * alone / (to_plane - alone)  # the stop as it is seen from behind
+    pupil = far + to_plane * alone / (to_plane - alone)  # the image of the stop seen from behind
     height = back[:, 1] + (pupil + focal - back[:, 0]) * leaves
     behind = np.stack([front, back], axis=1) + np.array([apart_mm, 0.0])
-    before = -behind[:, ::-1]  # the same, turned half round the centre of the stop
+    before = -behind[:, ::-1]  # the same, rotated by half a turn about the centre of the stop
     places = np.concatenate([before, behind], axis=1)
     return ChiefRays(leaves, height / focal, places, pupil + focal, focal)
 

@@ -1,7 +1,7 @@
-"""The thin lens: where it focuses, and how blurred everything else is.
+"""The thin lens: focus and blur.
 
-Distances along the optical axis in millimetres, measured from the lens and positive; objects may
-be at infinity. Szeliski, 2nd ed., §2.2.3.
+Distances along the optical axis in millimetres, measured from the lens and positive; objects may be
+at infinity. Szeliski, 2nd ed., §2.2.3.
 """
 
 import numpy as np
@@ -30,8 +30,8 @@ def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
     focal_mm : float
         Focal length, positive and finite.
     distance_mm : (...) floats
-        Object distance, at least the focal length. At infinity the image lies at f; at f
-        itself the rays leave parallel and the image distance is inf.
+        Object distance, at least the focal length. For an object at infinity the image is at f; for
+        one at f the rays leave parallel and the image distance is inf.
 
     Raises
     ------
@@ -52,9 +52,9 @@ def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
 def principal_distance_mm(focal_mm: float, focus_mm: float) -> float:
     """From the lens to a sensor that sees ``focus_mm`` sharp: z = f s / (s − f), at least f.
 
-    It, and not the focal length, is what a focused camera projects with: x = z X / Z. So its
-    picture grows a little as the focus comes nearer, which is called focus breathing. The two
-    agree at infinity only. Photogrammetry's other name for it is the camera constant.
+    A focused camera projects with this distance, not with the focal length: x = z X / Z. So its
+    picture grows a little as the focus comes nearer, which is called focus breathing. The two are
+    equal only at infinity. Photogrammetry's other name for it is the camera constant.
 
     Parameters
     ----------
@@ -68,10 +68,10 @@ def principal_distance_mm(focal_mm: float, focus_mm: float) -> float:
 
 
 def working_f_number(focal_mm: float, f_number: float, focus_mm: float) -> float:
-    """N z / f: how far the sensor stands from the lens, in diameters of its opening.
+    """N z / f: the distance from lens to sensor in diameters of the opening.
 
-    The light on the axis falls with its square. At infinity it is N, which the lens is marked
-    with; nearer the sensor has moved away and gets less. Parameters as in
+    The light on the axis falls with its square. At infinity it is N, the number on the lens; for a
+    nearer focus the sensor is farther away and gets less light. Parameters as in
     `circle_of_confusion_mm`.
     """
     _check_lens(focal_mm, f_number, focus_mm)
@@ -81,8 +81,8 @@ def working_f_number(focal_mm: float, f_number: float, focus_mm: float) -> float
 def _share_beyond(far: ArrayLike, near: ArrayLike) -> Floats:
     """1 − near / far, for far ≥ near > 0: 1 at infinity.
 
-    The difference of the distances comes first. It is exact where they are close, and there a
-    quotient rounded to a number near 1 would have lost the digits that count.
+    The difference of the distances comes first. It is exact for close distances, for which a
+    quotient rounded to a number near 1 would lose digits.
     """
     with np.errstate(invalid="ignore"):
         share = np.subtract(far, near) / far
@@ -95,7 +95,7 @@ def circle_of_confusion_mm(
     """Diameter on the sensor of the disc that a point at ``depth_mm`` spreads into.
 
     ``c = A f / (1 − f/Z_f) · |1/Z − 1/Z_f|`` with aperture diameter A = f/N. In dioptres the
-    formula is right at both infinities: Z → ∞ and Z_f → ∞.
+    formula is right for both Z → ∞ and Z_f → ∞.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def circle_of_confusion_mm(
         defocus_per_mm = _share_beyond(far, near) / near
         aperture_mm = focal_mm / f_number
         diameter = aperture_mm * focal_mm / _share_beyond(focus_mm, focal_mm) * defocus_per_mm
-    # In focus is sharp and on the lens is blurred without end, however wide or narrow the lens.
+    # Points in focus are sharp and points on the lens infinitely blurred, for any aperture.
     blur: Floats = np.where(np.isinf(defocus_per_mm), np.inf, diameter)
     return np.where(defocus_per_mm == 0.0, 0.0, blur)
 
@@ -145,7 +145,7 @@ def depth_of_field(
 
 
 def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
-    """The nearest focus that keeps infinity acceptably sharp: f²/(N c) + f.
+    """The nearest focus at which infinity is acceptably sharp: f²/(N c) + f.
 
     Focused there, everything from half that distance on is sharp.
     """
@@ -172,5 +172,5 @@ def _check_focus(focal_mm: float, focus_mm: float) -> None:
 
 
 def _worst(distances: Floats) -> float:
-    """The entry to name in an error: a NaN if there is one, else the smallest."""
+    """The entry for an error message: a NaN if there is one, else the smallest."""
     return float(np.min(distances))

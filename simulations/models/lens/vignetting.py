@@ -19,8 +19,8 @@ def vignetting_cos4(r_over_f: ArrayLike) -> Floats:
     Parameters
     ----------
     r_over_f : (...) floats
-        Distance from the principal point divided by f; the sign does not matter, and
-        infinitely far out the light is 0.
+        Distance from the principal point divided by f; the sign does not matter; at infinity the
+        light is 0.
 
     Returns
     -------
@@ -35,17 +35,16 @@ def vignetting_cos4(r_over_f: ArrayLike) -> Floats:
 def mechanical_vignetting(
     tan_field: ArrayLike, pupil_radius_mm: float, rim_radius_mm: float, separation_mm: float
 ) -> Floats:
-    """The share of the aperture that a second, displaced rim leaves free (cat's-eye bokeh).
+    """The share of the aperture that a second, displaced rim leaves open (cat's-eye bokeh).
 
-    Seen from a point off the axis, the rim of a lens element ``separation_mm`` before or
-    behind the aperture shifts across it by ``separation · tan α``; light passes where the two
-    discs overlap.
+    Seen from a point off the axis, the rim of a lens element ``separation_mm`` before or behind the
+    aperture shifts across it by ``separation · tan α``; light passes where the two discs overlap.
 
     Parameters
     ----------
     tan_field : (...) floats
         Tangent of the field angle α, which may be infinite: a rim at the aperture itself
-        (separation 0) hides no more there than elsewhere.
+        (separation 0) hides the same at all angles.
     pupil_radius_mm, rim_radius_mm : float
         Radii of aperture and rim, positive and finite.
     separation_mm : float
@@ -63,7 +62,7 @@ def mechanical_vignetting(
         tan = np.where(np.isinf(tan), 0.0, tan)
     with np.errstate(over="ignore"):
         shift = tan * separation_mm / pupil_radius_mm
-    # In units of the pupil, so that tiny and huge lenses neither vanish nor overflow when squared.
+    # In units of the pupil, so that squares neither vanish nor overflow.
     rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-70), 1e70)
     return disc_overlap_area(shift, 1.0, rim) / np.pi
 
@@ -71,10 +70,10 @@ def mechanical_vignetting(
 def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> Floats:
     """Area (...) common to two discs whose centres are ``distance`` (...) apart.
 
-    The chord through the points where the circles meet cuts it into two segments. The chord comes
-    from the three lengths by Heron's formula, and the angles from the chord: an arccosine would
-    lose half of the digits where the discs just touch, and sectors less the kite between them all
-    of the digits where one disc is many times as large as the other.
+    The chord through the points where the circles meet cuts it into two segments. The chord is
+    computed from the three lengths by Heron's formula, and the angles from the chord. An arccosine
+    would lose half of the digits if the discs just touch, and sectors minus the kite between them
+    all digits if one disc is much larger than the other.
 
     Parameters
     ----------
@@ -86,7 +85,7 @@ def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> 
         raise ValueError(f"radii {radius_a} and {radius_b}; legal: 1e-70 to 1e70")
     gap, full = large - small, np.pi * small**2
     apart = np.abs(np.asarray(distance, float))
-    d = np.clip(apart, gap, large + small)  # outside, the formula is at its limits
+    d = np.clip(apart, gap, large + small)  # outside this range the area is a limit of the formula
     # The difference of neighbouring numbers first: it is exact.
     beyond = np.clip(apart - large, -small, small)
     chord = np.sqrt((small - beyond) * (small + beyond))

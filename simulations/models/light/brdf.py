@@ -25,15 +25,15 @@ from simulations.models.require import require, require_one_of
 SMOOTHEST = 0.01
 """Least roughness: a mirror would be infinite in one direction, and 0 in all others."""
 NEARLY_ZERO = 1e-6
-"""Cosines below this are taken as this where they are divided by."""
+"""Lower bound of cosines in denominators."""
 
 
 @dataclass(frozen=True, slots=True)
 class Material:
-    """What the models need to know of a surface."""
+    """The parameters of a surface."""
 
     albedo: float
-    """Share of the light that the matte part sends back, 0 to 1."""
+    """Share of the light that the matte part reflects, 0 to 1."""
     specular: float
     """Strength of the highlight, 0 to 1: Phong's kₛ, or the reflectance F₀ of a facet head-on."""
     roughness: float
@@ -53,7 +53,7 @@ class Material:
 
 
 type Parts = tuple[Floats, Floats]
-"""What the matte part sends back for an albedo of 1, and what the surface mirrors, in 1/sr."""
+"""The matte part for an albedo of 1, and the specular part, in 1/sr."""
 
 
 def _lambert(n_l: Floats, n_v: Floats, l_v: Floats, _of: Material) -> Parts:
@@ -62,19 +62,20 @@ def _lambert(n_l: Floats, n_v: Floats, l_v: Floats, _of: Material) -> Parts:
 
 
 def _phong(n_l: Floats, n_v: Floats, l_v: Floats, of: Material) -> Parts:
-    """As of 1975. What Phong wrote down is radiance; n · l divided out, it is a BRDF."""
+    """Phong's model of 1975. His formula is for radiance; divided by n · l, it is a BRDF."""
     lobe = _mirrored(n_l, n_v, l_v) ** of.shininess
     return _matte(n_l), of.specular / np.pi * lobe / np.maximum(n_l, NEARLY_ZERO)
 
 
 def _normalised_phong(n_l: Floats, n_v: Floats, l_v: Floats, of: Material) -> Parts:
-    """Without that division, and with a lobe that sends back kₛ of light that falls head-on."""
+    """Phong's model without that division, with a lobe that reflects kₛ of the light at normal
+    incidence."""
     lobe = _mirrored(n_l, n_v, l_v) ** of.shininess
     return _matte(n_l), of.specular / np.pi * (0.5 * of.shininess + 1.0) * lobe
 
 
 def _microfacets(n_l: Floats, n_v: Floats, l_v: Floats, of: Material) -> Parts:
-    """F D G / (4 n·l n·v) over a matte body, which gets what the surface lets through both ways."""
+    """F D G / (4 n·l n·v) over a matte body, lit and seen through the surface."""
     half = np.sqrt(np.maximum(2.0 + 2.0 * l_v, NEARLY_ZERO))
     n_h = np.minimum((n_l + n_v) / half, 1.0)
     mirror = schlick(0.5 * half, of.specular) * facets(n_h, of.roughness)
@@ -93,13 +94,13 @@ MODELS: Mapping[str, Callable[[Floats, Floats, Floats, Material], Parts]] = {
 def reflected(
     model: str, material: Material, n_l: ArrayLike, n_v: ArrayLike, l_v: ArrayLike
 ) -> Floats:
-    """The BRDF (...) in 1/sr. Raises `ValueError` for a model that is none of `MODELS`."""
+    """The BRDF (...) in 1/sr. Raises `ValueError` for a model that is not in `MODELS`."""
     matte, mirrored = parts(model, material, n_l, n_v, l_v)
     return material.albedo * matte + mirrored
 
 
 def parts(model: str, material: Material, n_l: ArrayLike, n_v: ArrayLike, l_v: ArrayLike) -> Parts:
-    """Its two parts, which keep colours of their own: see `Parts`."""
+    """The two parts of the BRDF, which may have different colours: see `Parts`."""
     require_one_of("model", model, MODELS)
     light, eye, between = as_floats(n_l), as_floats(n_v), as_floats(l_v)
     above = (light > 0) & (eye > 0)
@@ -108,7 +109,7 @@ def parts(model: str, material: Material, n_l: ArrayLike, n_v: ArrayLike, l_v: A
 
 
 def schlick(cosine: Floats, head_on: float) -> Floats:
-    """Share of the light that a smooth facet mirrors, ``F₀ + (1 − F₀)(1 − cos θ)⁵``.
+    """Share of the light that a smooth facet reflects, ``F₀ + (1 − F₀)(1 − cos θ)⁵``.
 
     Schlick's approximation to Fresnel's formulae; ``cosine`` (...) is that of the angle to the
     facet's normal, 0 to 1.
@@ -126,10 +127,10 @@ def facets(n_h: Floats, roughness: float) -> Floats:
 
 
 def unhidden(n_l: Floats, n_v: Floats, roughness: float) -> Floats:
-    """Share of facets (...) that neither light nor eye loses behind others, over 4 n·l n·v.
+    """Share of facets (...) that are hidden neither from the light nor from the eye, over 4 n·l
+    n·v.
 
-    Smith's, of facets whose height light and eye have in common. The quotient stays finite where
-    both graze.
+    Smith's function for correlated heights. The quotient is finite at grazing angles.
     """
     square = roughness * roughness
     to_light = n_v * np.sqrt(square + (1.0 - square) * n_l * n_l)
@@ -142,7 +143,7 @@ def _matte(n_l: Floats) -> Floats:
 
 
 def _mirrored(n_l: Floats, n_v: Floats, l_v: Floats) -> Floats:
-    """max(0, r · v), by its parts: r = 2 (n · l) n − l."""
+    """max(0, r · v), from the cosines: r = 2 (n · l) n − l."""
     return np.clip(2.0 * n_l * n_v - l_v, 0.0, 1.0)
 
 
@@ -154,7 +155,7 @@ AROUND, UP = 48, 64
 def _hemisphere() -> tuple[Floats, Floats, Floats]:
     """Cosines of the angles around (AROUND,) and from the normal (UP,), and weights (UP, AROUND).
 
-    Gauss and Legendre's in both angles. The weights hold the cosine of the irradiance and the
+    Gauss–Legendre quadrature in both angles. The weights include the cosine of the irradiance, the
     sine of the sphere, and both halves of the circle: they sum to π.
     """
     x, across = np.polynomial.legendre.leggauss(AROUND)
@@ -165,14 +166,14 @@ def _hemisphere() -> tuple[Floats, Floats, Floats]:
 
 
 def sent_back(model: str, material: Material, n_l: ArrayLike) -> Floats:
-    """Share (...) of the light from one direction that goes anywhere at all.
+    """Share (...) of the light from one direction that is reflected in any direction.
 
     The *directional-hemispherical reflectance*: the integral of the BRDF times n · v over all
-    directions v of the hemisphere, by quadrature. More than 1 is more light than came.
+    directions v of the hemisphere, by quadrature. More than 1 violates conservation of energy.
 
     For a roughness of 0.15 or more it is good to 0.0005 for microfacets, and to 1 % of itself for
-    Phong's lobes: near a roughness of 1 their exponent is close to 0, and they end in a step that
-    falls between the directions. So does all of a lobe that is narrower than 0.15.
+    Phong's lobes: near a roughness of 1 their exponent is close to 0, and they end in a step
+    between the directions. Lobes narrower than 0.15 fall between the directions as a whole.
     """
     cosines = as_floats(n_l)
     around, eye, weights = _hemisphere()

@@ -1,8 +1,8 @@
-"""From the corners of a grid to every pixel: what cheap shading does instead of computing.
+"""Shading interpolated from the corners of a grid.
 
-Blend the light of the corners (Gouraud 1971), or blend their normals and light each pixel by
-the result (Phong 1975). Either is exact at the corners and errs between them with the square of
-the cell's width.
+Either the light of the corners is interpolated (Gouraud 1971), or their normals, and each pixel is
+lit by the result (Phong 1975). Either is exact at the corners and errs between them with the square
+of the cell's width.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ def blend_cells(corners: ArrayLike, height: int, width: int) -> Floats:
     Parameters
     ----------
     corners : (R, C, ...)
-        Two rows and two columns or more. The outermost lie on the outermost pixels' centres,
+        Two rows and two columns or more. The outermost are at the centres of the outermost pixels,
         the others evenly between them.
     height, width : int
         Pixels, two or more each way.

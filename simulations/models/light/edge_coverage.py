@@ -18,8 +18,8 @@ def ramp_coverage(distance_px: ArrayLike) -> Floats:
 def straight_edge_coverage(distance_px: ArrayLike, normal: ArrayLike) -> Floats:
     """Exact share (...) of a pixel on the inner side of a straight edge of any direction.
 
-    A pixel's shadow along the ``normal`` (..., 2) is a trapezium of which the coverage is the
-    integral: flat in the middle, falling linearly where the edge cuts off a corner.
+    The pixel's projection along the ``normal`` (..., 2) is a trapezium: flat in the middle, falling
+    linearly where the edge cuts off a corner. The coverage is its integral.
     """
     distance = np.asarray(distance_px, float)
     longer, shorter = _projected_sides(normal)
@@ -37,8 +37,8 @@ def curved_edge_coverage(
 ) -> Floats:
     """Share (...) of a pixel within an edge of the given curvature, positive for a disc.
 
-    The tangent's coverage less what lies between tangent and edge: ``κ L³/24`` where the edge
-    runs through the pixel for a length L.
+    The tangent's coverage minus the area between tangent and edge: ``κ L³/24`` for an edge of
+    length L within the pixel.
     """
     length = chord_length(distance_px, normal)
     with np.errstate(over="ignore"):  # more than a pixel is clipped below

@@ -1,8 +1,8 @@
 """Light between two matte planes that meet in an edge: shadows, and bounce after bounce.
 
-The planes are strips of width 1, endless along their common edge, so that all happens in the plane
-across it. ``opening_rad`` is the angle between them, on the lit side. Places are distances from the
-edge, 0 to 1. Brightness is radiosity: 1 for a perfect white that faces the lamp.
+The planes are strips of width 1, infinite along their common edge, so that the problem is
+two-dimensional. ``opening_rad`` is the angle between them, on the lit side. Positions are distances
+from the edge, 0 to 1. Brightness is radiosity: 1 for a perfect white that faces the lamp.
 
 Szeliski, 2nd ed., section 2.2.2; Goral et al., "Modeling the Interaction of Light Between Diffuse
 Surfaces", SIGGRAPH 1984; Hottel and Sarofim, Radiative Transfer, 1967 (crossed strings).
@@ -16,13 +16,13 @@ from simulations.models.require import require
 from simulations.models.whole_numbers import as_whole
 
 CELLS = 40
-"""Strips that each plane is cut into, narrower towards the edge."""
+"""Strips per plane, narrower towards the edge."""
 EDGES: Floats = np.linspace(0.0, 1.0, CELLS + 1) ** 2
 """(CELLS + 1,) their borders."""
 
 
 def lamp_light(places: ArrayLike, light_rad: float, opening_rad: float) -> Floats:
-    """Light (...) that a distant lamp throws on one plane, in the shadow of the other.
+    """Irradiance (...) of one plane by a distant lamp, with the shadow of the other plane.
 
     ``light_rad`` counts from the plane, on the side of the other: 0 grazes it, π/2 stands over it,
     and above ``opening_rad`` the lamp is behind the other plane. 0 where it is below this one.
@@ -33,24 +33,24 @@ def lamp_light(places: ArrayLike, light_rad: float, opening_rad: float) -> Float
 
 
 def shadow_end(light_rad: float, opening_rad: float) -> float:
-    """How far from the edge the other plane's shadow reaches; 0 without one, at most ∞."""
+    """Distance from the edge to the end of the other plane's shadow; 0 without one, at most ∞."""
     if light_rad <= opening_rad or _over(light_rad) == 0.0:
         return 0.0
     return float(np.sin(light_rad - opening_rad) / np.sin(light_rad))
 
 
 def mean_lamp_light(light_rad: float, opening_rad: float) -> Floats:
-    """(CELLS,) of each strip, of which the shadow's border leaves a part in the light."""
+    """(CELLS,) irradiance of each strip; the strip at the shadow's border is partly lit."""
     end = np.clip(shadow_end(light_rad, opening_rad), 0.0, 1.0)
     lit = (EDGES[1:] - np.clip(end, EDGES[:-1], EDGES[1:])) / np.diff(EDGES)
     return _over(light_rad) * lit
 
 
 def seen_of(places: ArrayLike, opening_rad: float) -> Floats:
-    """Form factors (..., CELLS): what share of a place's view each strip of the other plane fills.
+    """Form factors (..., CELLS) of the strips of the other plane, seen from places on one plane.
 
-    View counts by the cosine to the normal, so that all around adds up to 1. Half the difference
-    of the sines under which the borders of a strip are seen; at the edge itself, the limit.
+    They are weighted by the cosine to the normal, with sum 1 over all directions: half the
+    difference of the sines at which the borders of a strip are seen; at the edge itself, the limit.
     """
     _check_opening(opening_rad)
     at = np.maximum(np.asarray(places, float), 1e-9)[..., None]
@@ -62,7 +62,7 @@ def seen_of(places: ArrayLike, opening_rad: float) -> Floats:
 def exchange(opening_rad: float) -> Floats:
     """(CELLS, CELLS) mean form factors from the strips of one plane to those of the other.
 
-    Hottel's crossed strings: the two that cross, less the two that do not, by twice the width.
+    Hottel's crossed strings: the crossed ones minus the uncrossed ones, over twice the width.
     """
     _check_opening(opening_rad)
     here, there = EDGES[:, None], EDGES
@@ -75,14 +75,15 @@ def exchange(opening_rad: float) -> Floats:
 def bounced(
     direct: ArrayLike, albedos: ArrayLike, opening_rad: float, bounces: int | None
 ) -> Floats:
-    """Brightness (2, CELLS) of both planes after some bounces between them, or after all.
+    """Brightness (2, CELLS) of both planes after some bounces between them, or after infinitely
+    many.
 
     Parameters
     ----------
     direct : (2, CELLS) irradiance by the lamp of either plane
     albedos : (2,) from 0 to 1
-    bounces : times that light goes over from one plane to the other; ``None`` for without end,
-        as the solution of a linear system.
+    bounces : count of passages of light from one plane to the other; ``None`` for infinitely many,
+        by a linear system.
     """
     lamp = as_array("direct", direct, 2, CELLS)
     share = as_array("albedos", albedos, 2)
@@ -94,17 +95,17 @@ def bounced(
         for _ in range(as_whole("bounces", bounces, 0)):
             light = first + share[:, None] * (light[::-1] @ across.T)
         return light
-    # The floor gets its own light back by way of the wall.
+    # Light returns to the floor by way of the wall.
     twice = share.prod() * across @ across
     floor = np.linalg.solve(np.eye(CELLS) - twice, first[0] + share[0] * across @ first[1])
     return np.stack([floor, first[1] + share[1] * across @ floor])
 
 
 def edge_factor(albedo: float, opening_rad: float) -> float:
-    """How much brighter the edge is than by the lamp alone, where both planes are equal and lit.
+    """Brightness of the edge relative to the lamp's light alone, for equal and lit planes.
 
-    Next to the edge the other plane fills the share V = (1 + cos φ)/2 of each point's view, and
-    it is as bright as the point itself: B = I + ρVB, which is I/(1 − ρV).
+    Next to the edge the other plane fills the share V = (1 + cos φ)/2 of each point's view, and is
+    as bright as the point itself: B = I + ρVB, which is I/(1 − ρV).
     """
     _check_opening(opening_rad)
     require("albedo", albedo, 0 <= albedo <= 1, "0 to 1")

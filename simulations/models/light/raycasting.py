@@ -22,14 +22,14 @@ from simulations.models.require import require
 type Vector = tuple[float, float, float]
 
 NEARLY_ZERO = 1e-12
-"""Direction components smaller than this are taken as this: the slab test divides by them."""
+"""Lower bound of direction components, which the slab test divides by."""
 
 
 HALF_DIAGONAL = math.sqrt(0.5)
-"""Pixels from the middle of one to its corner: an edge farther away passes it by."""
+"""Pixels from the centre of a pixel to its corner: edges farther away do not cross it."""
 
 LARGEST_M = 1e100
-"""Of any coordinate and length: so that the squares of distances are numbers."""
+"""Largest coordinate and length, so that the squares of distances are finite."""
 
 
 def _check_place(name: str, numbers: Sequence[float]) -> None:
@@ -81,7 +81,7 @@ class Hit:
 
     distance: Floats
     """(...) metres along the ray to the first point in front of the origin; on a miss, to the
-    closest approach, so that a partly covered edge pixel has something to shade."""
+    closest approach, for shading partly covered edge pixels."""
     points: Floats
     """(..., 3) metres, world frame."""
     normals: Floats
@@ -96,7 +96,7 @@ class Hit:
 
 
 def intersect(solid: Sphere | Box, origin: ArrayLike, directions: ArrayLike) -> Hit:
-    """The first meeting of each ray with ``solid``.
+    """The first intersection of each ray with ``solid``.
 
     Parameters
     ----------
@@ -104,8 +104,8 @@ def intersect(solid: Sphere | Box, origin: ArrayLike, directions: ArrayLike) -> 
     origin : (3,) metres
     directions : (..., 3) unit vectors
 
-    A solid wholly behind the origin is missed; from inside, the ray meets the far side.
-    Raises `ValueError` for an origin that is not finite or beyond `LARGEST_M`.
+    A solid wholly behind the origin is missed; from inside, the ray meets the far side. Raises
+    `ValueError` for an origin that is not finite or beyond `LARGEST_M`.
     """
     start, towards = np.asarray(origin, float), as_vectors("directions", directions, 3)
     _check_place("origin", start.tolist())
@@ -152,8 +152,8 @@ def _intersect_box(box: Box, origin: Floats, directions: Floats) -> Hit:
 def _silhouette_margin(eye: Floats, directions: Floats, half: Floats) -> Floats:
     """Sine of the angle to the nearest plane through the eye and a silhouette edge of the box.
 
-    An edge belongs to the silhouette where one of its faces is turned to the eye and the other
-    away. Everything in the box's frame.
+    An edge belongs to the silhouette if one of its faces is turned to the eye and the other away.
+    All in the box's frame.
     """
     margin = np.ones(directions.shape[:-1])
     for axis, sign_a, sign_b in product(range(3), (-1, 1), (-1, 1)):
@@ -189,8 +189,8 @@ def intersect_plane(
     Returns
     -------
     distance : (...) metres, NaN where not valid
-    valid : (...) false where the ray runs along the plane or away from it, and where the
-        distance is no finite number.
+    valid : (...) false if the ray runs along the plane or away from it, or the distance is not
+        finite
     """
     with np.errstate(over="ignore", invalid="ignore"):
         facing = np.asarray(directions, float) @ np.asarray(normal, float)
@@ -204,10 +204,10 @@ def intersect_plane(
 def edge_coverage(margin: ArrayLike) -> Floats:
     """Share of each pixel that a silhouette covers, from its signed margin on the pixel grid.
 
-    ``margin`` (H, W) divided by the length of its own gradient is, to first order, the distance
-    to the silhouette in pixels, and the gradient points along its normal: together they tell the
-    area behind a straight edge. Right for edges that are straight over a pixel; solids under about
-    two pixels wide come out too faint. Needs at least two pixels each way.
+    ``margin`` (H, W) divided by the length of its own gradient is, to first order, the distance to
+    the silhouette in pixels, and the gradient points along its normal: together they determine the
+    area behind a straight edge. This is right for edges that are straight over a pixel; solids less
+    than about two pixels wide are too faint. Needs at least two pixels each way.
     """
     signed = np.asarray(margin, float)
     if signed.ndim != 2 or min(signed.shape) < 2:
@@ -216,7 +216,7 @@ def edge_coverage(margin: ArrayLike) -> Floats:
         down, across = np.gradient(signed)
         slope = np.maximum(np.hypot(down, across), NEARLY_ZERO)
         distance = signed / slope
-    coverage = ramp_coverage(distance)  # all or nothing, but for the pixels that the edge crosses
+    coverage = ramp_coverage(distance)  # 0 or 1, except for pixels that the edge crosses
     edge = np.flatnonzero(np.abs(distance) < HALF_DIAGONAL)
     edge = edge[np.isfinite(slope.flat[edge])]
     normal = np.stack((across.flat[edge], down.flat[edge]), axis=-1) / slope.flat[edge][:, None]

@@ -14,13 +14,13 @@ from simulations.models.arrays import Floats, Mask, as_floats
 from simulations.models.require import require
 
 SMALLEST_RADIUS = 1e-15
-"""Of a lamp: its square, and one over it, are still numbers in float32 as well."""
+"""Limits of a lamp's radius: its square and the inverse of that are finite in float32 too."""
 
 UNIT_TOLERANCE = 1e-4
 """How far the length of a direction may be from 1."""
 
 BRIGHTEST = 1e30
-"""Of a light's colour: still a number in float32, also times that of a pixel."""
+"""Largest colour of a light: finite in float32, also times that of a pixel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,14 +38,14 @@ class DirectionalLight:
 
 @dataclass(frozen=True, slots=True)
 class PointLight:
-    """A small lamp, whose light thins out with the square of the distance."""
+    """A small lamp, whose light falls with the square of the distance."""
 
     position: tuple[float, float, float]
-    """In the same frame and unit as the points that it lights."""
+    """Position in the frame and unit of the lit points."""
     intensity: tuple[float, float, float] = (1.0, 1.0, 1.0)
     """Linear RGB on a surface that faces the lamp at distance 1."""
     radius: float = 0.01
-    """Radius of the lamp: no point is lit from nearer than this."""
+    """Radius of the lamp: the least distance to a lit point."""
 
     def __post_init__(self) -> None:
         _check_colour("intensity", self.intensity)
@@ -57,9 +57,8 @@ type Light = DirectionalLight | PointLight
 def normalise(vectors: ArrayLike) -> Floats:
     """Vectors (..., 3) scaled to length 1; a zero vector has no direction and stays zero.
 
-    So does a vector with an entry that is infinite or NaN: nothing there is lit. The largest
-    component is divided out first, so that huge and tiny vectors neither overflow nor vanish
-    when they are squared.
+    Vectors with an entry that is infinite or NaN become zero. The largest component is divided out
+    first, so that huge and tiny vectors neither overflow nor vanish when they are squared.
     """
     v = as_floats(vectors)
     largest = _largest(v)
@@ -72,10 +71,10 @@ def normalise(vectors: ArrayLike) -> Floats:
 
 
 def cosine(a: ArrayLike, b: ArrayLike) -> Floats:
-    """max(0, a . b) of unit vectors (..., 3), held to at most 1.
+    """max(0, a . b) of unit vectors (..., 3), at most 1.
 
-    The upper clamp matters: in float32 the product of a unit vector with itself can exceed 1
-    by an ulp, which a large shininess would blow up. A zero vector gives 0.
+    The upper clamp matters: in float32 the product of a unit vector with itself can exceed 1 by an
+    ulp, which a large shininess would blow up. A zero vector gives 0.
     """
     u, v = as_floats(a), as_floats(b)
     if u.shape[-1:] != (3,) or v.shape[-1:] != (3,):
@@ -89,7 +88,7 @@ def lambert(normals: ArrayLike, light: ArrayLike, albedo: ArrayLike = 1.0) -> Fl
     Parameters
     ----------
     normals : (..., 3)
-        Unit normals. Where there is none, a zero vector gives darkness.
+        Unit normals; a zero vector is dark.
     light : (3,) or (..., 3)
         Unit direction towards the light. Below the horizon of a surface it lights nothing.
     albedo : broadcastable to (...)
@@ -102,7 +101,7 @@ def lambert(normals: ArrayLike, light: ArrayLike, albedo: ArrayLike = 1.0) -> Fl
     Raises
     ------
     ValueError
-        If a single light is no unit vector, or the albedo is outside [0, 1].
+        If a single light is not a unit vector, or the albedo is outside [0, 1].
     """
     n = as_floats(normals)
     return _albedo(albedo, n.dtype) * cosine(n, _direction("light", light, n.dtype))
@@ -120,11 +119,11 @@ def phong(
 ) -> Floats:
     """Phong's model: ambient, matte, and a highlight about the mirrored light direction.
 
-    ``I = albedo (ambient + max(0, n . l)) + specular max(0, r . v)^shininess`` where
-    ``n . l > 0``, with ``r = 2 (n . l) n - l``. Where ``n . l <= 0`` the light is below the
-    horizon, and the ambient part alone is left. Shininess 0 spreads the highlight evenly over
-    the lit side; a very large one shrinks it to a point. An eye in no direction (a zero vector
-    in a field of them) sees no highlight.
+    ``I = albedo (ambient + max(0, n . l)) + specular max(0, r . v)^shininess`` where ``n . l > 0``,
+    with ``r = 2 (n . l) n - l``. Where ``n . l <= 0`` the light is below the horizon, and the
+    ambient part alone is left. Shininess 0 spreads the highlight evenly over the lit side; a very
+    large one shrinks it to a point. An eye without direction (a zero vector in a field of them)
+    sees no highlight.
 
     Parameters
     ----------
@@ -137,14 +136,14 @@ def phong(
     -------
     (...) relative radiance: up to ``albedo (ambient + 1) + specular``, which may exceed 1.
     A power multiplies the rounding of the cosine: the highlight errs by up to
-    ``10 max(shininess, 1) specular`` times the precision of the floats. It multiplies a length
-    that is not quite 1 as well.
+    ``10 max(shininess, 1) specular`` times the precision of the floats. Likewise for errors in the
+    length of a vector.
     """
     n = as_floats(normals)
     to_light = _direction("light", light, n.dtype)
     to_eye = _direction("view", view, n.dtype)
     n_dot_l = cosine(n, to_light)
-    # r . v by its parts: no picture of mirrored rays is made.
+    # r . v from the cosines, without an array of mirrored rays.
     r_dot_v = np.clip(2 * n_dot_l * _dot(n, to_eye) - _dot(to_light, to_eye), 0.0, 1.0)
     lit = (n_dot_l > 0) & to_eye.any(axis=-1)
     shade: Floats = _matte(albedo, n_dot_l, ambient)
@@ -163,14 +162,14 @@ def blinn_phong(
 ) -> Floats:
     """Blinn's variant: the highlight follows ``n . h``, with ``h`` halfway between light and eye.
 
-    ``I = albedo (ambient + max(0, n . l)) + specular max(0, n . h)^shininess`` where
-    ``n . l > 0``, with ``h = (l + v) / |l + v|``; elsewhere as for `phong`.
+    ``I = albedo (ambient + max(0, n . l)) + specular max(0, n . h)^shininess`` where ``n . l > 0``,
+    with ``h = (l + v) / |l + v|``; elsewhere as for `phong`.
 
     The angle to ``h`` is about half of the angle to the mirrored light, so that a fourfold
-    shininess gives a highlight of about Phong's size. Light and eye opposed, to the hundredth
-    of a degree to which directions are told apart (`UNIT_TOLERANCE`), have no halfway direction
-    and no highlight, at any shininess. Parameters and return as for `phong`; the halfway
-    direction loses digits as light and eye come near to opposed, as one over ``|l + v|``.
+    shininess gives a highlight of about Phong's size. If light and eye are opposed, to a hundredth
+    of a degree (`UNIT_TOLERANCE`), there is no halfway direction and no highlight. Parameters and
+    return as for `phong`; the halfway direction loses digits as light and eye come near to opposed,
+    as one over ``|l + v|``.
     """
     n = as_floats(normals)
     to_light = _direction("light", light, n.dtype)
@@ -193,7 +192,7 @@ def attenuation(distance: ArrayLike, radius: float = 0.01) -> Floats:
     d = as_floats(distance)
     if not np.all(d >= 0):
         raise ValueError(f"distance {d.min()}; legal: 0 or more")
-    with np.errstate(over="ignore"):  # light from that far is 0 to all digits
+    with np.errstate(over="ignore"):  # light from that distance is 0 to all digits
         return 1.0 / np.square(np.maximum(d, radius))
 
 
@@ -243,14 +242,14 @@ def _matte(albedo: ArrayLike, n_dot_l: Floats, ambient: float) -> Floats:
 
 
 def _highlight(cosines: Floats, lit: Mask, specular: float, shininess: float) -> Floats:
-    """Only where ``lit``: elsewhere the cosine is 0, whose power 0 would be 1."""
+    """The power where ``lit``, else 0: the cosine is 0 there, whose power 0 would be 1."""
     for name, value in (("shininess", shininess), ("specular", specular)):
         require(name, value, 0 <= value < np.inf, "0 or more, finite")
     return np.where(lit, specular * cosines**shininess, 0)
 
 
 def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Floats:
-    """A direction in the dtype of the normals; one alone is checked, a field of them is trusted."""
+    """A direction in the dtype of the normals. A single one is checked, a field of them is not."""
     v = np.asarray(direction, dtype)
     unit = v.ndim != 1 or abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE
     require(name, v, unit, "a vector of length 1")

@@ -29,14 +29,14 @@ def visibility(
 
     Parameters
     ----------
-    points : (..., 3) metres; not on ``solid`` itself, which shades itself by its normals
+    points : (..., 3) metres; not on ``solid`` itself, whose own shading is by its normals
     to_light : (3,) unit vector
     light_radius_rad : half of the light's angular diameter, in (0, pi/2)
 
     The penumbra is as wide as the light's disc seen from the edge that casts it. For a sphere the
-    share is a smooth ramp across that width; for a box it is the ramp of the chord that the
-    shadow ray cuts out of it, which keeps the penumbra inside the exact shadow of a point light.
-    Raises `ValueError` for a light that is none, and for points beyond `LARGEST_M`.
+    share is a smooth ramp across that width; for a box it is the ramp of the chord that the shadow
+    ray cuts out of it, which keeps the penumbra inside the exact shadow of a point light. Raises
+    `ValueError` for an invalid light, and for points beyond `LARGEST_M`.
     """
     at, light = np.asarray(points, float), np.asarray(to_light, float)
     _check_light(light.tolist(), light_radius_rad)
@@ -64,9 +64,9 @@ def visibility(
 def shadow_bounds(
     solid: Sphere | Box, to_light: Vector, light_radius_rad: float
 ) -> tuple[Floats, Floats]:
-    """Corners (3,) of a cuboid that holds the solid and all of its shadow above the floor z = 0.
+    """Corners (3,) of a cuboid that contains the solid and its shadow above the floor z = 0.
 
-    Raises `ValueError` where the light is not above the horizon: the shadow has no end.
+    Raises `ValueError` unless the light is above the horizon.
     """
     _check_light(to_light, light_radius_rad)
     require("to_light", to_light, to_light[2] > 0, "z above 0")
@@ -90,12 +90,12 @@ def _check_points(points: Floats) -> None:
 
 
 def bounding_radius(solid: Sphere | Box) -> float:
-    """Of the ball around the solid's centre that just holds it, metres."""
+    """Radius of the smallest ball around the solid's centre that contains it, metres."""
     return solid.radius if isinstance(solid, Sphere) else 0.5 * math.hypot(*solid.size)
 
 
 def _smooth(ramp: Floats) -> Floats:
-    """0 below 0, 1 above 1, a cubic with level ends between."""
+    """0 below 0, 1 above 1, a cubic with horizontal ends between."""
     held = np.clip(ramp, 0.0, 1.0)
     return held * held * (3.0 - 2.0 * held)
 
@@ -105,9 +105,9 @@ def sphere_occlusion(
 ) -> Floats:
     """Share of the cosine-weighted hemisphere over each point that a sphere hides.
 
-    Exact where the whole sphere stands above the point's horizon: ``cos θ (radius / d)²``, the
-    form factor of a sphere (Howell's catalogue, B-43). Below the horizon 0. Never more than 1.
-    Raises `ValueError` unless the radius is above 0, and it and all places `LARGEST_M` at most.
+    Exact if the whole sphere is above the point's horizon: ``cos θ (radius / d)²``, the form factor
+    of a sphere (Howell's catalogue, B-43). Below the horizon 0. Never more than 1. Raises
+    `ValueError` unless the radius is above 0, and it and all places `LARGEST_M` at most.
     """
     require("radius", radius, 0 < radius <= LARGEST_M, f"above 0, to {LARGEST_M:g}")
     to_centre = np.asarray(centre, float) - np.asarray(points, float)

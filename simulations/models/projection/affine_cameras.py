@@ -1,8 +1,8 @@
 """Cameras that do not divide by the depth of each point: orthographic to para-perspective.
 
-Where a scene is shallow beside its distance, the division by depth is nearly the same for all of
-its points. These cameras do it once, for a reference. What is left is linear: parallel lines stay
-parallel, and the camera is a (3, 4) matrix whose last row is (0, 0, 0, 1).
+If a scene is shallow relative to its distance, the division by depth is nearly the same for all its
+points. These cameras divide once, by the depth of a reference. The rest is linear: parallel lines
+stay parallel, and the camera is a (3, 4) matrix whose last row is (0, 0, 0, 1).
 
 The centre of such a camera is infinitely far away, and its rays are parallel. There is nothing
 behind it, so that every finite point has an image.
@@ -47,8 +47,8 @@ def scaled_orthographic_camera(K: ArrayLike, depth: float) -> Floats:
     """Weak perspective: x = fx X/Z₀ + s Y/Z₀ + cx, all points taken to be at one depth Z₀.
 
     In two steps, each point moves parallel to the optical axis to the plane Z = Z₀, which is then
-    seen in perspective. Right on that plane; elsewhere off by the share (Z − Z₀)/Z₀ of the distance
-    between the true image and the principal point.
+    seen in perspective. Exact on that plane; elsewhere the error is the share (Z − Z₀)/Z₀ of the
+    distance between the true image and the principal point.
 
     Parameters
     ----------
@@ -110,13 +110,13 @@ def project_affine(points: ArrayLike, camera: ArrayLike) -> tuple[Floats, Mask]:
     Returns
     -------
     pixels : (..., 2), NaN where invalid.
-    valid : (...,) bool, False where a coordinate is not finite or the pixel is too far off.
-        Whatever its depth, also a negative one, a finite point has an image.
+    valid : (...,) bool, False if a coordinate is not finite or the pixel overflows. Finite points
+        have an image at any depth, even a negative one.
 
     Raises
     ------
     ValueError
-        If the last row is another: such a camera divides by depth.
+        If the last row is different: such a camera divides by depth.
     """
     matrix = np.asarray(camera, float)
     if matrix.shape != (3, 4) or matrix[2].tolist() != [0.0, 0.0, 0.0, 1.0]:

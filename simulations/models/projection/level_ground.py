@@ -17,7 +17,7 @@ from simulations.models.projection.pinhole import camera_matrix, look_at, rigid_
 from simulations.models.require import require, require_positive
 
 STEEPEST_RAD = 1.5
-"""Of a pitch, up or down: straight down, a turn to the side and a roll are the same."""
+"""Largest pitch, up or down: straight down, yaw and roll are the same."""
 
 
 def pose_above_ground(height: float, yaw: float, pitch: float, roll: float = 0.0) -> Floats:
@@ -52,24 +52,24 @@ def ground_to_image(pose: ArrayLike, K: ArrayLike) -> Floats:
 def height_by_horizon(
     foot: ArrayLike, top: ArrayLike, horizon: ArrayLike, vertical: ArrayLike
 ) -> tuple[Floats, Mask]:
-    """How tall things on the ground are, in heights of the camera, from their image alone.
+    """Height of things on the ground, in heights of the camera, from their image alone.
 
-    The horizon is the image of all that is as high as the camera, and uprights vanish in one point.
-    The four points of an upright (foot, top, horizon, vanishing point) have the cross-ratio
-    height : height of the camera. Where the camera looks level, that is foot to top over foot to
-    horizon.
+    The horizon is the image of all points as high as the camera, and vertical lines meet in one
+    vanishing point. The four points of a vertical line (foot, top, horizon, vanishing point) have
+    the cross-ratio height : height of the camera. For a level camera, that is foot to top over foot
+    to horizon.
 
     Parameters
     ----------
     foot, top : (..., 2) pixels
     horizon : (3,) line, of any scale.
-    vertical : (3,) homogeneous vanishing point of the uprights; (x, y, 0) where they are parallel.
+    vertical : (3,) homogeneous vanishing point of vertical lines; (x, y, 0) if they are parallel.
 
     Returns
     -------
     ratio : (...), NaN where invalid.
-    valid : (...,) bool, False for a foot on the horizon, a top in the vanishing point, and where
-        a number is not finite.
+    valid : (...,) bool, False for a foot on the horizon, a top in the vanishing point, or a number
+        that is not finite.
     """
     line = as_array("horizon", horizon, 3)
     vanishing = as_array("vertical", vertical, 3)

@@ -3,10 +3,9 @@
 Camera frame: x right, y down, z forward along the optical axis; right-handed. Pixel (0, 0) is
 centred at (0, 0). Poses are (4, 4) matrices ``world_to_camera`` = [R t; 0 1].
 
-A point is imaged only where it lies in front of the camera, Z > 0. On the plane Z = 0 the ray is
-parallel to the image, and behind it the equation x = f X / Z still yields a number, but no light
-takes that path. Such points come back as NaN and ``valid`` False, so that a forgotten mask is
-noticed at once.
+A point is imaged only if it is in front of the camera, Z > 0. On the plane Z = 0 the ray is
+parallel to the image; behind it the equation x = f X / Z still yields a number, but no light takes
+that path. Such points are NaN with ``valid`` False, so that a forgotten mask is noticed.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.4–2.1.5.
 """
@@ -30,8 +29,8 @@ def intrinsics(
     Parameters
     ----------
     focal_px : distance from the centre of projection to the image plane in pixels, or (fx, fy)
-        where pixels are not square. A lens's focal length is that only when it is focused at
-        infinity; see `thin_lens.principal_distance_mm`.
+        where pixels are not square. It equals a lens's focal length only for a focus at infinity;
+        see `thin_lens.principal_distance_mm`.
     principal_point : (cx, cy), where the optical axis meets the image, in pixels.
     skew : pixels that x gains per unit of normalised y; 0 where the pixel axes are orthogonal.
 
@@ -60,8 +59,8 @@ def project(points_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, Mask]:
     -------
     pixels : (..., 2), NaN where invalid.
     valid : (...,) bool. False where Z ≤ 0, where a coordinate is NaN, and where the quotient is
-        not a finite number. A finite point at Z = ∞ is valid: it meets the principal point.
-        Points at infinity in other directions go through `project_homogeneous`.
+        not a finite number. A finite point at Z = ∞ is valid: its image is the principal point. For
+        points at infinity in other directions, use `project_homogeneous`.
     """
     X, Y, Z = np.moveaxis(as_vectors("points_camera", points_camera, 3), -1, 0)
     matrix = np.asarray(K, float)
@@ -77,15 +76,15 @@ def project(points_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, Mask]:
 def project_homogeneous(points: ArrayLike, camera_matrix: ArrayLike) -> tuple[Floats, Mask]:
     """Pixels of homogeneous world points (X, Y, Z, W) through P = K [R | t], or any c P, c ≠ 0.
 
-    With W = 0 the point lies at infinity in direction (X, Y, Z): its pixel is where parallel
-    lines of that direction meet. (X, Y, Z, W) and its negative are the same point when W ≠ 0,
-    but opposite directions when W = 0, and only the one in front of the camera is seen.
+    With W = 0 the point lies at infinity in direction (X, Y, Z): its pixel is where parallel lines
+    of that direction meet. (X, Y, Z, W) and its negative are the same point when W ≠ 0, but
+    opposite directions when W = 0, and only the one in front of the camera is seen.
 
     Parameters
     ----------
     points : (..., 4)
-    camera_matrix : (3, 4) from `camera_matrix`, whose last row measures depth. That of c P does
-        so in other units; where c is negative, det(K R) is, and the sign is turned back.
+    camera_matrix : (3, 4) from `camera_matrix`, whose last row measures depth, or a multiple c P;
+        the sign of c is that of det(K R).
 
     Returns
     -------
@@ -117,7 +116,7 @@ def camera_matrix(K: ArrayLike, pose: ArrayLike) -> Floats:
 def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike) -> Floats:
     """The pose ``world_to_camera`` (4, 4) of a camera at ``eye`` that looks at ``target``.
 
-    ``up`` is any world direction that shall point up in the image, such as (0, 1, 0).
+    ``up`` is a world direction that points up in the image, such as (0, 1, 0).
 
     Raises
     ------
@@ -147,7 +146,7 @@ def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike) -> Floats:
 def _length_and_direction(vector: Floats) -> tuple[float, Floats]:
     """Length and unit vector; the largest entry is divided out, so that no square overflows.
 
-    What is zero or not finite has itself as its direction, and 0, ∞ or NaN as its length.
+    Vectors that are zero or not finite are returned unchanged, with the length 0, ∞ or NaN.
     """
     largest = float(np.abs(vector).max())
     if not 0.0 < largest < math.inf:
@@ -175,8 +174,8 @@ def invert_pose(pose: ArrayLike) -> Floats:
 def world_to_camera(points: ArrayLike, pose: ArrayLike) -> Floats:
     """Camera coordinates R p + t of world points (..., 3), in float64.
 
-    Rounding is about 1e-16 of the distance from the world's origin, not from the camera. Far
-    from the origin use `relative_to_camera`. Points that are not finite come back so, or as NaN.
+    Rounding is about 1e-16 of the distance from the world's origin, not from the camera. Far from
+    the origin use `relative_to_camera`. Points that are not finite stay so, or become NaN.
     """
     matrix = np.asarray(pose, float)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -184,7 +183,7 @@ def world_to_camera(points: ArrayLike, pose: ArrayLike) -> Floats:
 
 
 def relative_to_camera(points: ArrayLike, R: ArrayLike, centre: ArrayLike) -> Floats:
-    """R (p − c) for world points (..., 3): exact near the camera, however far off the origin.
+    """R (p − c) for world points (..., 3): exact near the camera, at any distance from the origin.
 
     In R p + t two large numbers cancel. Subtracting first, in float64, loses nothing: the
     difference of two nearby floating-point numbers is exact.
@@ -207,9 +206,9 @@ def pixel_rays(K: ArrayLike, width: int, height: int) -> Floats:
 def field_of_view_rad(focal_mm: float, sensor_mm: float) -> float:
     """Full angle that a sensor of this width sees: 2 atan(sensor / 2 focal).
 
-    ``focal_mm`` is its distance from the centre of projection, as in `intrinsics`: for a lens
-    that is focused, `thin_lens.principal_distance_mm`. Any one unit of length does, pixels
-    included. An infinite focal length sees angle 0.
+    ``focal_mm`` is its distance from the centre of projection, as in `intrinsics`: for a lens that
+    is focused, `thin_lens.principal_distance_mm`. Both lengths are in the same unit, such as
+    pixels. For an infinite focal length the angle is 0.
     """
     if not (focal_mm > 0.0 and 0.0 < sensor_mm < math.inf):
         raise ValueError(f"focal_mm {focal_mm}, sensor_mm {sensor_mm}; legal: positive")

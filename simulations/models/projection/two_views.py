@@ -1,4 +1,4 @@
-"""Two cameras that see the same point: the line to search for a match, and the depth it tells.
+"""Two cameras that see the same point: epipolar lines and depth.
 
 Camera frames and pixels as in `simulations.models.projection.pinhole`. The motion X' = R X + t
 takes points from the first camera's frame to the second's; the second camera's centre is −Rᵀt in
@@ -20,8 +20,8 @@ from simulations.models.require import require, require_positive
 def essential_matrix(R: ArrayLike, t: ArrayLike) -> Floats:
     """E = [t]ₓ R, (3, 3): rays d and d' of one point fulfil d'ᵀ E d = 0.
 
-    Both rays and the baseline lie in one plane. Raises `ValueError` where t is zero or not finite:
-    without a baseline any two rays do.
+    Both rays and the baseline are in one plane. Raises `ValueError` if t is zero or not finite:
+    without a baseline any two rays fulfil the equation.
     """
     rotation, offset = check_rotation(as_array("R", R, 3, 3)), as_array("t", t, 3)
     require("t", offset, np.isfinite(offset).all() and offset.any(), "finite, not zero")
@@ -38,7 +38,7 @@ def fundamental_matrix(
 
 
 def epipolar_lines(F: ArrayLike, pixels: ArrayLike) -> tuple[Floats, Mask]:
-    """Lines of the second picture on which the matches of pixels of the first one lie: F x.
+    """Epipolar lines in the second picture, which contain the matches of pixels of the first: F x.
 
     Parameters
     ----------
@@ -49,8 +49,8 @@ def epipolar_lines(F: ArrayLike, pixels: ArrayLike) -> tuple[Floats, Mask]:
     -------
     lines : (..., 3) with a² + b² = 1, so that a x + b y + c is a distance in pixels; NaN where
         invalid.
-    valid : (...,) bool, False for the epipole, the image of the other camera, which tells no line,
-        and where a number is not finite.
+    valid : (...,) bool, False for the epipole, the image of the other camera, which has no line,
+        and if a number is not finite.
     """
     matrix, points = as_array("F", F, 3, 3), as_vectors("pixels", pixels, 2)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
@@ -72,7 +72,7 @@ def depth_of_match(
     R: ArrayLike,
     t: ArrayLike,
 ) -> tuple[Floats, Mask]:
-    """Depth before the first camera at which the ray of a pixel is seen nearest to its match.
+    """Depth from the first camera at which the image of a pixel's ray is nearest to the match.
 
     The ray's image a + Z b, a = K₂ t and b = K₂ R K₁⁻¹ x, is the epipolar line; the match is taken
     to the nearest point of that. The first pixel counts as exact.
@@ -84,9 +84,9 @@ def depth_of_match(
     Returns
     -------
     depth : (...), ∞ for the vanishing point of the ray, NaN where invalid.
-    valid : (...,) bool, False where the match is beyond infinity: no point in front of the first
-        camera is seen there; for the epipole, whose ray is seen as a point; and where a number is
-        not finite.
+    valid : (...,) bool, False if the match is beyond infinity, where no point in front of the first
+        camera is seen; for the epipole, whose ray is seen as a point; and if a number is not
+        finite.
     """
     x, q = as_vectors("first", first, 2), as_vectors("second", second, 2)
     essential_matrix(R, t)
@@ -110,17 +110,17 @@ def depth_of_match(
 def depth_from_disparity(
     disparity: ArrayLike, focal_px: float, baseline: float
 ) -> tuple[Floats, Mask]:
-    """Z = f b / d of two equal cameras side by side that look the same way.
+    """Z = f b / d of two equal, parallel cameras side by side.
 
     Parameters
     ----------
-    disparity : (...) pixels, x of the left picture less x of the right one.
+    disparity : (...) pixels, x in the left picture minus x in the right one.
     focal_px, baseline : positive.
 
     Returns
     -------
     depth : (...) in the unit of the baseline, ∞ where d = 0, NaN where invalid.
-    valid : (...,) bool, False where d is negative or NaN: no point has such a match.
+    valid : (...,) bool, False if d is negative or NaN: no point has such a match.
     """
     require_positive("focal_px", focal_px)
     require_positive("baseline", baseline)
@@ -134,9 +134,9 @@ def depth_from_disparity(
 def depth_error(
     depth: ArrayLike, focal_px: float, baseline: float, disparity_error: ArrayLike
 ) -> Floats:
-    """ΔZ = Z² Δd / (f b): by how much a depth (...) is wrong, to first order.
+    """ΔZ = Z² Δd / (f b): the error of a depth (...), to first order.
 
-    A disparity without error leaves no depth in doubt, infinity included.
+    Without an error of the disparity it is 0, even at infinity.
     """
     require_positive("focal_px", focal_px)
     require_positive("baseline", baseline)

@@ -1,4 +1,4 @@
-"""Where parallel lines and planes end in the image: vanishing points and horizons.
+"""Vanishing points of parallel lines, and horizons of planes.
 
 Camera frame as in `simulations.models.projection.pinhole`. Source: Szeliski, 2nd ed., §2.1.4 and
 §7.4.3.
@@ -64,7 +64,7 @@ def angle_between(points: ArrayLike, others: ArrayLike, K: ArrayLike) -> Floats:
 
     Returns
     -------
-    angle : NaN for (0, 0, 0), which is no point, and where an entry is not finite.
+    angle : NaN for (0, 0, 0), which is not a point, and if an entry is not finite.
     """
     inverse = np.linalg.inv(np.asarray(K, float))
     first, second = (_scaled(_scaled(these) @ inverse.T) for these in (points, others))
@@ -74,7 +74,8 @@ def angle_between(points: ArrayLike, others: ArrayLike, K: ArrayLike) -> Floats:
 
 
 def _scaled(directions: ArrayLike) -> Floats:
-    """Directions (..., 3) by their largest component, lest products overflow; else zero."""
+    """Directions (..., 3) divided by their largest component, so that products cannot overflow;
+    zero if that is not finite."""
     vectors = as_vectors("directions", directions, 3)
     largest = np.abs(vectors).max(axis=-1, keepdims=True)
     usable = (largest > 0.0) & np.isfinite(largest)

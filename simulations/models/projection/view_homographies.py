@@ -1,12 +1,11 @@
-"""From the pixels of one picture to those of another: where one homography says it all.
+"""Homographies from the pixels of one picture to those of another.
 
-It does for a camera that only turns about its centre, whatever it sees, and for a scene that is
-flat, however the camera moves. For anything else the depth of each pixel decides.
+They exist for a camera that only rotates about its centre, and for a flat scene. In all other cases
+the map depends on the depth of each pixel.
 
-Pixels and frames as in `simulations.models.projection.pinhole`. The matrices go through
-`transforms.apply_homography`. It would map what lies behind the second camera too, as any multiple
-of H would. The two made here are scaled so that w is the depth before the second camera over the
-depth before the first, whose sign is what `in_front` asks for.
+Pixels and frames as in `simulations.models.projection.pinhole`. Use the matrices with
+`transforms.apply_homography`, which also maps points behind the second camera. They are scaled so
+that w is the depth in the second camera over the depth in the first; `in_front` tests its sign.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.4 (mapping from one camera to another), §8.2.3.
 
@@ -25,8 +24,8 @@ from simulations.models.require import require
 def turned_camera(K_first: ArrayLike, K_second: ArrayLike, R: ArrayLike) -> Floats:
     """H = K₂ R K₁⁻¹, (3, 3): both pictures from the same place, at any depth.
 
-    ``R`` (3, 3) takes directions in the first camera's frame to the second's. With R = I it is
-    what a change of the lens or of the sensor does to the pixels.
+    ``R`` (3, 3) takes directions in the first camera's frame to the second's. With R = I it is the
+    effect of a change of the lens or of the sensor.
     """
     return _between(K_first, K_second, check_rotation(R))
 
@@ -45,8 +44,8 @@ def plane_between_views(
     Raises
     ------
     ValueError
-        Where the plane passes through the first camera's centre, so that it is seen as a line,
-        or is none.
+        If the plane is invalid, or passes through the first camera's centre, so that it is seen as
+        a line.
     """
     pose = np.asarray(first_to_second, float)
     numbers = as_vectors("plane", plane, 4)
@@ -62,9 +61,9 @@ def plane_between_views(
 
 
 def in_front(H: ArrayLike, pixels: ArrayLike) -> Mask:
-    """Whether what the first picture has at pixels (..., 2) is before the second camera, (...).
+    """Whether the points at pixels (..., 2) of the first picture are in front of the second camera.
 
-    ``H`` (3, 3) is one of this module, with its sign: −H maps alike and would say the opposite.
+    ``H`` (3, 3) is one of this module, with its sign: −H is the same map, but reverses the answer.
     """
     return np.asarray(sign_of_w(H, pixels) > 0.0)
 

@@ -1,7 +1,7 @@
-"""Sampling and aliasing: what a grid of samples makes of detail that is too fine for it.
+"""Sampling and aliasing of detail that is too fine for the grid of samples.
 
-Frequencies are in cycles per sample spacing (or per whatever the rate is given in); Nyquist
-is half the rate. Szeliski, 2nd ed., sections 2.3.1 and 3.5.
+Frequencies are in cycles per sample spacing (or per whatever the rate is given in); Nyquist is half
+the rate. Szeliski, 2nd ed., sections 2.3.1 and 3.5.
 """
 
 import numpy as np
@@ -12,16 +12,16 @@ from simulations.models.require import require, require_positive
 from simulations.models.whole_numbers import as_whole
 
 LARGEST_SIGMA = 1e6
-"""Eight million taps: wider than any picture."""
+"""Largest sigma of a kernel: eight million taps, wider than any picture."""
 
 
 def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Floats:
     """The signed frequency (...) in [-rate/2, rate/2) that has the same samples.
 
-    Negative means that the wave seems to run backwards. Exactly at Nyquist both signs have
-    the same samples; the tie goes to the negative one. The remainder of a division is exact
-    in floating point, so that the result is right however large the frequency. Raises
-    `ValueError` for a rate that is not positive and for values that are not finite.
+    Negative means that the wave seems to run backwards. Exactly at Nyquist both signs have the same
+    samples; the negative one is returned. The remainder of a division is exact in floating point,
+    so that the result is right however large the frequency. Raises `ValueError` for a rate that is
+    not positive and for values that are not finite.
     """
     require_positive("rate", rate)
     f = np.asarray(frequency, float)  # in float32 the rate itself would be rounded
@@ -37,8 +37,8 @@ def apparent_wheel_speed(
 ) -> tuple[Floats, Mask]:
     """Turns per second that a filmed wheel seems to make, and whether its direction is certain.
 
-    A wheel looks the same after one spoke spacing, so that ``spokes * turns`` aliases at the
-    frame rate. A turn of exactly half a spacing per frame could be either way: not certain.
+    A wheel looks the same after one spoke spacing, so that ``spokes * turns`` aliases at the frame
+    rate. For a turn of exactly half a spacing per frame the direction is uncertain.
     """
     spokes = as_whole("spokes", spokes, 1)
     with np.errstate(over="ignore"):
@@ -51,9 +51,9 @@ def apparent_wheel_speed(
 def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     """Rings that get finer outwards, in [0, 1]: ``(1 + cos(pi r^2 / scale)) / 2``.
 
-    At distance ``r`` from the centre their frequency is ``r / scale`` cycles per unit, so
-    that samples one unit apart start to alias at ``r = scale / 2``. Where the phase is beyond
-    all numbers, the rings are infinitely fine and show their mean, 1/2.
+    At distance ``r`` from the centre their frequency is ``r / scale`` cycles per unit, so that
+    samples one unit apart start to alias at ``r = scale / 2``. Where the phase overflows, the rings
+    are infinitely fine and have their mean, 1/2.
     """
     require_positive("scale", scale)
     with np.errstate(over="ignore"):
@@ -68,9 +68,9 @@ def gaussian_kernel(sigma: float) -> Floats:
     """Normalised samples of a Gaussian out to 4 sigma; sigma 0 is the single tap 1.
 
     Convention: ``sigma`` is the standard deviation of the taps themselves, as weights on whole
-    numbers; what is cut off leaves them 0.1 % short of it at most. From 1 on these are the samples
-    of the Gaussian of that sigma. Narrower ones fall between the samples: at 0.3 theirs would have
-    a standard deviation of 0.09. Their place is taken by samples of a Gaussian wide enough.
+    numbers; truncation makes it at most 0.1 % too small. From 1 on the taps are samples of the
+    Gaussian of that sigma. Samples of a narrower one would be too narrow: at 0.3 their standard
+    deviation would be 0.09. They are therefore samples of a wider Gaussian.
 
     Raises `ValueError` for a sigma that is negative or above `LARGEST_SIGMA`.
     """
@@ -88,8 +88,8 @@ def gaussian_kernel(sigma: float) -> Floats:
 def _ratio_of_neighbours(sigma: float) -> float:
     """The q for which taps q^(n²), samples of a Gaussian, have the variance sigma² below 1.
 
-    Newton's method on ``2 Σ (n² − σ²) q^(n²) = σ²``, which is convex in q: from a start that is
-    too large it comes down to the root and never passes it.
+    Newton's method for ``2 Σ (n² − σ²) q^(n²) = σ²``, which is convex in q: from a start that is
+    too large it descends to the root without passing it.
     """
     squares = np.arange(1.0, 7.0) ** 2
     weights = 2 * (squares - sigma**2)
@@ -116,7 +116,7 @@ def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Floats
 
 
 def _filter_axis(image: Floats, taps: Floats, factor: int, axis: int) -> Floats:
-    """Filter along one axis, only at the samples that are kept."""
+    """Filter along one axis, only at the samples that remain."""
     reach = taps.size // 2
     pad = [(reach, reach) if at == axis else (0, 0) for at in range(image.ndim)]
     padded = np.moveaxis(np.pad(image, pad, mode="symmetric"), axis, 0)
@@ -129,8 +129,8 @@ def _filter_axis(image: Floats, taps: Floats, factor: int, axis: int) -> Floats:
 
 
 def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Floats:
-    """Contrast that a pixel so wide leaves of a sine: ``|sinc(f width)|``, 2/pi at Nyquist."""
-    # Clipped where the contrast is 0 to all digits, short of where the sine is undefined.
+    """Contrast of a sine after averaging over a pixel: ``|sinc(f width)|``, 2/pi at Nyquist."""
+    # Clipped where the contrast is 0 to all digits, as the sine of infinity is undefined.
     cycles = np.clip(_cycles(frequency, width), -1e300, 1e300)
     return np.abs(np.sinc(cycles))
 

@@ -1,11 +1,11 @@
-"""Cubic B-splines: the smoothest curves of cubic pieces, through the samples of a picture.
+"""Interpolation by cubic B-splines.
 
-A B-spline is a bump four samples wide. Bumps as high as the samples would add up to a blurred
-picture. `coefficients` finds how high they must be for their sum to meet each sample: the
-pre-filter undoes the weights 1/6, 4/6 and 1/6 that the bumps have on the samples.
+A B-spline is a bump four samples wide. The sum of bumps as high as the samples is a blurred
+picture. `coefficients` computes the heights for which the sum meets each sample: the pre-filter
+inverts the weights 1/6, 4/6 and 1/6 that the bumps have at the samples.
 
-M. Unser, A. Aldroubi, M. Eden, *B-spline signal processing*, IEEE Transactions on Signal
-Processing 41 (1993). Szeliski, 2nd ed., section 3.5.1.
+M. Unser, A. Aldroubi, M. Eden, *B-spline signal processing*, IEEE Transactions on Signal Processing
+41 (1993). Szeliski, 2nd ed., section 3.5.1.
 """
 
 import numpy as np
@@ -27,13 +27,13 @@ def weigh(x: Floats) -> Floats:
 def coefficients(samples: Floats) -> Floats:
     """Heights (H, W) of the bumps whose sum passes through ``samples`` (H, W).
 
-    Beyond the border the samples at the border repeat, without end. float32 stays float32.
+    Beyond the border the samples at the border repeat. float32 stays float32.
     """
     return _unsmoothed(_unsmoothed(samples).T).T
 
 
 def _unsmoothed(samples: Floats) -> Floats:
-    """Along the first axis: both one-sided sums, which share the sample itself."""
+    """Filter along the first axis: both one-sided sums, which share the sample itself."""
     heights = _one_sided(samples)
     heights += _one_sided(samples[::-1])[::-1]
     heights -= samples
@@ -44,13 +44,13 @@ def _unsmoothed(samples: Floats) -> Floats:
 def _one_sided(samples: Floats) -> Floats:
     """The sum over k = 0, 1, 2 … of POLE^k times the sample k places before.
 
-    1 / (1 − z) is (1 + z) (1 + z²) (1 + z⁴) …, so that each step doubles the terms that are in.
+    1 / (1 − z) is (1 + z) (1 + z²) (1 + z⁴) …, so that each step doubles the number of terms.
     """
     total = samples.copy()
     reach, factor = 1, POLE
     while abs(factor) > np.finfo(samples.dtype).eps:
         weight = samples.dtype.type(factor)
-        # Before the first row all rows are like it, and so are their sums.
+        # All rows before the first are equal to it, and so are their sums.
         first, earlier = weight * total[0], weight * total[:-reach]
         total[:reach] += first
         total[reach:] += earlier

@@ -1,8 +1,8 @@
-"""Pictures read at other places, by cubic interpolation: a warp fast enough to follow a hand.
+"""Warps of pictures by cubic interpolation, fast enough for dragging.
 
 The same values as `resampling.sample` with the kernel ``bicubic``, for planar pictures (C, H, W) of
-float32. Where each output comes from is worked out once for all pictures; the kernel is kept apart
-into a row of four weights and a column of four, which is a quarter of the work of sixteen.
+float32. The places are computed once for all pictures. The kernel is stored as a row and a column
+of four weights, which takes less work than sixteen weights.
 
 Pixel (column, row) is centred at x = column, y = row. Szeliski, 2nd ed., section 3.5.1; R. G. Keys,
 *Cubic convolution interpolation for digital image processing*, 1981.
@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from simulations.models.arrays import Floats, Planes
 
 TAPS = 4
-"""Pixels per axis that take part in a value."""
+"""Pixels per axis that contribute to a value."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,9 +24,9 @@ class CubicWarp:
     """Where each output pixel comes from."""
 
     source_shape: tuple[int, int]
-    """(H, W) of the pictures that it fits."""
+    """(H, W) of the source pictures."""
     corner: NDArray[np.intp]
-    """(h, w) flat index of the upper left of the 4 x 4 pixels that take part."""
+    """(h, w) flat index of the upper left of the 4 x 4 contributing pixels."""
     across: Planes
     """(4, h, w) weights of their columns; they sum to 1."""
     down: Planes
@@ -37,7 +37,7 @@ def cubic_warp(x_px: ArrayLike, y_px: ArrayLike, source_shape: tuple[int, int]) 
     """The warp that reads pictures of ``source_shape`` = (H, W) at ``x_px``, ``y_px`` (h, w).
 
     All 4 x 4 neighbours must lie on the picture: x from 1 to W − 2, and y likewise. Raises
-    `ValueError` elsewhere, for NaN too, and for pictures that have not so many pixels.
+    `ValueError` elsewhere, for NaN too, and for pictures that are too small.
     """
     if min(source_shape) < TAPS:
         raise ValueError(f"source_shape {source_shape}; legal: {TAPS} x {TAPS} or more")
@@ -63,7 +63,7 @@ def _taps(name: str, position: Floats, size: int) -> tuple[NDArray[np.intp], Pla
 
 
 def warp(table: CubicWarp, planes: Planes) -> Planes:
-    """``planes`` (C, H, W) read where the table says: (C, h, w)."""
+    """``planes`` (C, H, W) interpolated at the places of the table: (C, h, w)."""
     height, width = table.source_shape
     if planes.ndim != 3 or planes.shape[1:] != table.source_shape:
         raise ValueError(f"planes {planes.shape}; legal: (channels, {height}, {width})")

@@ -1,9 +1,9 @@
-"""How much fine detail a picture has, and how much of it is in its place.
+"""How much fine detail a picture has, and how much of it is in the right place.
 
-A difference of pixels cannot tell detail that is gone from detail that has moved. The strength of
-a picture's waves can: it does not depend on where a wave has its crests, so it stays as it is when
-the picture is shifted, and falls when the picture is blurred. Bracewell, *The Fourier Transform
-and Its Applications*, 3rd ed., 2000, chapter 6: the shift theorem, and Rayleigh's.
+A difference of pixels cannot distinguish lost detail from displaced detail. The amplitude of a
+picture's waves can: it stays the same if the picture is shifted, and falls if the picture is
+blurred. Bracewell, *The Fourier Transform and Its Applications*, 3rd ed., 2000, chapter 6: the
+shift theorem, and Rayleigh's.
 """
 
 from dataclasses import dataclass
@@ -15,25 +15,25 @@ from simulations.models.arrays import Floats
 from simulations.models.require import require
 
 FINE = 1 / 6
-"""Cycles per pixel: waves of less than six pixels count as fine, up to Nyquist's frequency."""
+"""Cycles per pixel: waves shorter than six pixels count as fine, up to the Nyquist frequency."""
 
 
 @dataclass(frozen=True, slots=True)
 class FineDetail:
-    """Of the fine detail of the true picture, as shares of its contrast."""
+    """Fine detail relative to the true picture, as shares of its contrast."""
 
     present: float
-    """Contrast of all fine waves, wherever they lie: 1 if none was lost, more if some are false."""
+    """Contrast of all fine waves: 1 if none was lost, more if some are false."""
     in_place: float
-    """The part of it that agrees with the truth: 1 if nothing was lost or moved."""
+    """The part that agrees with the truth: 1 if nothing was lost or displaced."""
 
 
 def fine_detail(picture: ArrayLike, truth: ArrayLike, finest: float = FINE) -> FineDetail:
     """Compare pictures (H, W) in the waves from ``finest`` to 1/2 cycle per pixel.
 
-    The spectrum takes a picture to go on at its other side, so both should fade to one grey at
-    their borders. Raises `ValueError` for shapes that differ, values that are not finite, and a
-    truth that has no such waves.
+    The spectrum treats a picture as periodic, so both should fade to the same grey at their
+    borders. Raises `ValueError` for shapes that differ, values that are not finite, and a truth
+    that has no such waves.
     """
     seen, true = (np.asarray(each, np.float64) for each in (picture, truth))
     if seen.shape != true.shape or seen.ndim != 2:
@@ -51,7 +51,7 @@ def fine_detail(picture: ArrayLike, truth: ArrayLike, finest: float = FINE) -> F
 
 
 def without_fine_detail(picture: ArrayLike, finest: float = FINE) -> Floats:
-    """A picture (H, W) from which every wave of ``finest`` cycles per pixel or more was taken."""
+    """A picture (H, W) without its waves of ``finest`` cycles per pixel or more."""
     values = np.asarray(picture, np.float64)
     waves = np.fft.fft2(values)
     waves[_frequency(*values.shape) >= finest] = 0

@@ -1,4 +1,4 @@
-"""A picture in another size, on the same grid."""
+"""Magnification of a picture on the same grid."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +11,8 @@ from simulations.models.sampling.resampling import KERNELS
 def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
     """A plane (H, W) scaled about its centre by bicubic interpolation, one axis after the other.
 
-    It keeps its shape: what grows beyond it is lost. Raises `ValueError` for a scale that is not
-    above 0 and finite.
+    The shape stays the same; parts outside are lost. Raises `ValueError` unless the scale is above
+    0 and finite.
     """
     require_positive("scale", scale)
     if scale == 1.0:

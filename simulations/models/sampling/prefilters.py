@@ -1,9 +1,9 @@
-"""What a picture is averaged with before it is sampled, and what that leaves of a wave.
+"""Pre-filters for sampling, and their effect on waves.
 
-A pre-filter is a symmetric kernel along one axis, held as a quadrature rule: places in pixels
-and weights that add up to 1. In two dimensions it is applied along both axes. Waves are complex
-exponentials, whose phase may be quadratic, so that stripes and the zone plate are filtered by
-the same sum. Szeliski, 2nd ed., sections 2.3.1 and 3.5.2.
+A pre-filter is a symmetric kernel along one axis, as a quadrature rule: places in pixels and
+weights with sum 1. In two dimensions it is applied along both axes. Waves are complex exponentials,
+whose phase may be quadratic, so that stripes and the zone plate are filtered by the same sum.
+Szeliski, 2nd ed., sections 2.3.1 and 3.5.2.
 """
 
 from dataclasses import dataclass
@@ -18,13 +18,13 @@ from simulations.models.whole_numbers import as_whole
 type Complexes = NDArray[np.complex128]
 
 KINDS = ("none", "box", "box-2", "box-4", "box-8", "gaussian", "sinc")
-"""What `prefilter` knows."""
+"""The kinds of `prefilter`."""
 GAUSSIAN_SIGMA_PX = 0.5
-"""Blur of the Gaussian pre-filter: about that of a sharp lens."""
+"""Standard deviation of the Gaussian pre-filter: about the blur of a sharp lens."""
 LOBES = 4
 """Zero crossings on each side before the windowed sinc ends."""
 INTERVALS = 128
-"""Of Simpson's rule; for waves of up to 1.5 cycles per pixel its error is below 1e-4."""
+"""Intervals of Simpson's rule; its error is below 1e-4 for waves of up to 1.5 cycles per pixel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +34,12 @@ class Prefilter:
     offsets_px: Floats
     """(n,) places relative to the sample."""
     weights: Floats
-    """(n,) that add up to 1: grey stays as it is."""
+    """(n,) with sum 1, so that grey is unchanged."""
 
 
 def prefilter(kind: str) -> Prefilter:
-    """One of `KINDS`: a point, the pixel's area or points that stand for it, and two bells."""
+    """The pre-filter of a kind: a point, the pixel's area, points that approximate it, or two bell
+    curves."""
     match kind:
         case "none":
             return supersample(1)
@@ -59,8 +60,8 @@ def prefilter(kind: str) -> Prefilter:
 def supersample(factor: int) -> Prefilter:
     """The mean of ``factor`` points, each in the middle of an equal part of the pixel.
 
-    A stand-in for the box that is itself a sampling, ``factor`` times as dense: waves of
-    ``factor`` cycles per pixel pass it whole.
+    An approximation of the box that is itself a sampling, ``factor`` times as dense: waves of
+    ``factor`` cycles per pixel pass unchanged.
     """
     factor = as_whole("factor", factor, 1)
     places = (np.arange(factor) + 0.5) / factor - 0.5
@@ -80,8 +81,8 @@ def transfer(kernel: Prefilter, frequency: ArrayLike) -> Floats:
     """Factor (...) on the amplitude of waves of ``frequency`` (...) cycles per pixel.
 
     Negative where the filter turns crests into troughs, as the box does between 1 and 2. See
-    `INTERVALS` for how far the kernels that are held as a quadrature can be trusted. Raises
-    `ValueError` for frequencies above 1e9, whose phase is lost to rounding.
+    `INTERVALS` for the accuracy of the kernels that are quadratures. Raises `ValueError` for
+    frequencies above 1e9, whose phase is lost to rounding.
     """
     cycles = np.asarray(frequency, float)
     require("frequency", cycles, np.all(np.abs(cycles) <= 1e9), "at most 1e9 in size")
@@ -90,12 +91,12 @@ def transfer(kernel: Prefilter, frequency: ArrayLike) -> Floats:
 
 
 def _half(kernel: Prefilter) -> tuple[Floats, Floats]:
-    """Places of 0 or more and weights for both sides: opposite ones add up to a cosine."""
+    """Places of 0 or more with the weights of both sides: opposite places sum to a cosine."""
     count = kernel.offsets_px.size
     offsets = kernel.offsets_px[count // 2 :]
     weights = 2 * kernel.weights[count // 2 :]
     if count % 2:
-        weights[0] /= 2  # the middle is there once
+        weights[0] /= 2  # the middle counts once
     return offsets, weights
 
 
@@ -104,9 +105,9 @@ def filtered_wave(
 ) -> Complexes:
     """The wave exp(iπ(2 f x + c x²)) after the filter, at places ``x`` (...) in pixels.
 
-    Its local frequency is ``frequency + chirp * x`` cycles per pixel. What the filter does to it
-    is a factor: `transfer` where there is no chirp, one number for all places, and otherwise
-    the same sum with weights that are turned by exp(iπ c o²) at the offset o.
+    Its local frequency is ``frequency + chirp * x`` cycles per pixel. The filter multiplies it by a
+    factor: without chirp by `transfer`, the same at all places, otherwise by the same sum with
+    weights times exp(iπ c o²) at the offset o.
     """
     for name, value in (("frequency", frequency), ("chirp", chirp)):
         require(name, value, abs(value) <= 1e9, "at most 1e9 in size")
@@ -116,7 +117,7 @@ def filtered_wave(
         return wave * transfer(kernel, frequency)
     offsets, weights = _half(kernel)
     cosines = np.cos(2 * np.pi * (frequency + chirp * place)[..., None] * offsets)
-    # A matrix product would wake the threads of a linear algebra library for a few thousand sums.
+    # A matrix product would start the threads of a linear algebra library for a few thousand sums.
     turned = weights * np.exp(1j * np.pi * chirp * offsets * offsets)
     wave *= np.einsum("...n,n->...", cosines, turned)
     return wave

@@ -1,8 +1,8 @@
-"""Values of a picture between its pixels, and at another size.
+"""Interpolation between the pixels of a picture, and resizing.
 
-Pixel (column, row) is centred at x = column, y = row; a picture of width W covers x from −0.5 to
-W − 0.5. Coordinates are (x, y) = (right, down), while arrays are indexed [row, column].
-Szeliski, 2nd ed., §3.5.1–3.5.2; R. G. Keys, *Cubic convolution interpolation*, 1981.
+Pixel (column, row) is centred at x = column, y = row; a picture of width W covers x from −0.5 to W
+− 0.5. Coordinates are (x, y) = (right, down), while arrays are indexed [row, column]. Szeliski, 2nd
+ed., §3.5.1–3.5.2; R. G. Keys, *Cubic convolution interpolation*, 1981.
 """
 
 from collections.abc import Callable
@@ -23,13 +23,13 @@ class Kernel:
 
     weigh: Callable[[Floats], Floats]
     radius: float
-    """The weight is zero from this distance on."""
+    """Distance from which on the weight is zero."""
     prefiltered: bool = False
-    """Whether it weighs not the pixels but `bspline.coefficients` made of them."""
+    """Whether the weights are for `bspline.coefficients` of the picture instead of its pixels."""
 
     @property
     def taps(self) -> int:
-        """Pixels per axis that take part."""
+        """Pixels per axis that contribute."""
         return round(2.0 * self.radius)
 
 
@@ -60,7 +60,7 @@ KERNELS = {
     "spline": Kernel(bspline.weigh, 2.0, prefiltered=True),
     "lanczos3": Kernel(_lanczos3, 3.0),
 }
-"""Cheap to dear: 1, 4, 16, 16 and 36 pixels are read for each value."""
+"""From cheap to expensive: 1, 4, 16, 16 and 36 pixels are read for each value."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +70,7 @@ class GatherTable:
     shape: tuple[int, ...]
     """Shape of the output, without channels."""
     source_shape: tuple[int, int]
-    """(H, W) of the pictures that it fits."""
+    """(H, W) of the source pictures."""
     kernel: Kernel
     corner: NDArray[np.intp]
     """(N,) flat index of the first of taps × taps pixels, in a picture with `margin` around it."""
@@ -95,9 +95,9 @@ def gather_table(
 ) -> GatherTable:
     """Indices and weights to sample pictures of ``source_shape`` = (H, W) at ``xy_px`` (..., 2).
 
-    Weights of float64 are right for any picture, those of float32 for pictures of float32 alone,
-    and quicker for them. Beyond the border the border pixels repeat. Coordinates off the picture,
-    huge or NaN (which counts as 0) are legal; ``inside`` tells which.
+    Weights of float64 are right for any picture; those of float32 only for pictures of float32, for
+    which they are faster. Beyond the border the border pixels repeat. Coordinates off the picture,
+    huge or NaN (treated as 0) are legal; ``inside`` is False for them.
     """
     positions = as_vectors("xy_px", xy_px, 2)
     return gather_table_at(positions[..., 0], positions[..., 1], source_shape, kernel, dtype)
@@ -110,7 +110,7 @@ def gather_table_at(
     kernel: str = "bilinear",
     dtype: type[np.floating] = np.float64,
 ) -> GatherTable:
-    """`gather_table` of coordinates that lie apart, (...) each."""
+    """`gather_table` for separate arrays of x and y, (...) each."""
     chosen = _kernel(kernel)
     height, width = source_shape
     if height < 1 or width < 1:
@@ -125,17 +125,17 @@ def gather_table_at(
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A picture made ready for many tables of one kernel."""
+    """A picture prepared for many tables of one kernel."""
 
     shape: tuple[int, ...]
-    """Of the picture: (H, W) or (H, W, C)."""
+    """Shape of the picture: (H, W) or (H, W, C)."""
     kernel: Kernel
     planes: tuple[Floats, ...]
-    """A channel each, its border repeated as far as the kernel reaches, filtered for it."""
+    """The channels, filtered for the kernel, with the border repeated as far as it reaches."""
 
 
 def gather_source(image: ArrayLike, kernel: str = "bilinear") -> Source:
-    """What `gather` reads of a picture (H, W) or (H, W, C), where several tables are to read it.
+    """Prepare a picture (H, W) or (H, W, C) for `gather` with several tables.
 
     float32 pictures stay float32, everything else becomes float64.
     """
@@ -147,7 +147,7 @@ def _source(picture: NDArray[Any], kernel: Kernel) -> Source:
         raise ValueError(f"image of shape {picture.shape}; legal: (H, W) or (H, W, channels)")
     dtype = np.float32 if picture.dtype == np.float32 else np.float64
     channels = picture.astype(dtype, copy=False).reshape(*picture.shape[:2], -1)
-    planes = [  # each in one piece
+    planes = [  # each contiguous
         np.pad(channels[..., channel], kernel.taps // 2, mode="edge")
         for channel in range(channels.shape[2])
     ]
@@ -157,10 +157,10 @@ def _source(picture: NDArray[Any], kernel: Kernel) -> Source:
 
 
 def gather(table: GatherTable, image: ArrayLike | Source, fill: float | None = 0.0) -> Floats:
-    """Apply a table to a picture (H, W) or (H, W, C), or to what `gather_source` made of one.
+    """Apply a table to a picture (H, W) or (H, W, C), or to the result of `gather_source`.
 
-    ``fill`` is the value off the picture; None repeats the border. float32 pictures stay
-    float32, everything else is weighed in float64.
+    ``fill`` is the value off the picture; None repeats the border. float32 pictures stay float32,
+    everything else is computed in float64.
     """
     picture = image if isinstance(image, Source) else np.asarray(image)
     if picture.shape[:2] != table.source_shape or len(picture.shape) not in (2, 3):
@@ -185,7 +185,7 @@ def gather(table: GatherTable, image: ArrayLike | Source, fill: float | None = 0
 
 
 def _weighed(framed: Floats, corner: NDArray[np.intp], across: Floats, down: Floats) -> Floats:
-    """Values (N,): each row of taps is summed first, which takes taps more products, not taps²."""
+    """Values (N,): the rows of taps are summed first, for taps instead of taps² more products."""
     width, flat = framed.shape[1], np.ascontiguousarray(framed).reshape(-1)
     if len(across) == 1:  # a single tap has weight 1
         return flat[corner]
@@ -195,7 +195,7 @@ def _weighed(framed: Floats, corner: NDArray[np.intp], across: Floats, down: Flo
         into = row if down_by else total
         for column, weight in enumerate(across):
             # Shifting the picture instead of the indices needs one index per output. It is never
-            # out of range; "clip" only spares a copy that "raise" makes to be safe.
+            # out of range; "clip" only avoids a copy that "raise" makes.
             read = tap if column else into
             np.take(flat[down_by * width + column :], corner, out=read, mode="clip")
             read *= weight
@@ -220,9 +220,9 @@ def sample(
 def resize(image: ArrayLike, height: int, width: int, kernel: str = "bilinear") -> Floats:
     """A picture (H, W[, C]) at another size, low-pass filtered where it shrinks.
 
-    Both sizes cover the same area. Shrinking widens the kernel by the same factor, so that
-    every input pixel counts and nothing aliases; at the border the kernel is cut off and its
-    weights brought back to a sum of 1.
+    Both sizes cover the same area. Shrinking widens the kernel by the same factor, so that every
+    input pixel counts and nothing aliases; at the border the kernel is cut off and its weights are
+    scaled to a sum of 1.
     """
     chosen = _kernel(kernel)
     if chosen.prefiltered:

@@ -1,9 +1,9 @@
-"""The contrast that a camera leaves of each wave, measured with one picture of a slanted edge.
+"""The MTF of a camera, measured with one picture of a slanted edge.
 
 Rows of pixels meet a slanted edge at places that differ by parts of a pixel. Sorted by their
-distance from the edge, the pixels of all rows give the edge far more finely than one row does: the
-edge spread function, ESF. Its slope is the line spread function, LSF, and the size of that one's
-Fourier transform is the MTF. P. D. Burns, *Slanted-edge MTF for digital camera and scanner
+distance from the edge, the pixels of all rows sample the edge far more finely than one row does:
+the edge spread function, ESF. Its slope is the line spread function, LSF, and the size of that
+one's Fourier transform is the MTF. P. D. Burns, *Slanted-edge MTF for digital camera and scanner
 analysis*, 2000; ISO 12233. Lengths are in pixels, frequencies in cycles per pixel.
 """
 
@@ -19,24 +19,24 @@ from simulations.models.pixel_grid import centred
 from simulations.models.require import require
 
 BINS = 4
-"""To a pixel, across the edge."""
+"""Bins per pixel, across the edge."""
 STRIPE, FINENESS = 512, 64
-"""The true edge is one of many stripes this wide, so that its spectrum is a sum; and how many
-values of it are worked out to a pixel."""
+"""The true edge is one of many stripes this wide, so that its spectrum is a sum; and how many of
+its values are computed per pixel."""
 
 
 @dataclass(frozen=True, slots=True)
 class EdgeReading:
-    """What one picture says of its edge."""
+    """The measurements of one picture of an edge."""
 
     distance: Floats
-    """(N,) of each pixel from the edge, along its normal; positive on the lighter side."""
+    """(N,) distance of each pixel from the edge, along its normal; positive on the lighter side."""
     value: Floats
-    """(N,) of each pixel, with 0 and 1 for the darkest and the lightest."""
+    """(N,) value of each pixel, with 0 and 1 for the darkest and the lightest."""
     place: Floats
     """(B,) middles of the bins."""
     spread: Floats
-    """(B,) ESF: the mean of each bin; NaN where no pixel fell into it."""
+    """(B,) ESF: the mean of each bin; NaN for a bin without pixels."""
     between: Floats
     """(B − 1,) places of the LSF, half-way from bin to bin."""
     slope: Floats
@@ -44,13 +44,13 @@ class EdgeReading:
 
     @property
     def complete(self) -> bool:
-        """Whether each bin has pixels. If not, the rows repeat each other and tell too little."""
+        """Whether each bin has pixels. If not, the rows repeat each other."""
         return bool(np.isfinite(self.spread).all())
 
     def transfer(self, frequency: ArrayLike) -> Floats:
         """MTF (F,) at frequencies (F,) below `BINS`; NaN where the reading is not `complete`.
 
-        A mean over a bin and a difference of two bins weaken fine waves; both are made good.
+        Corrected for the loss of fine waves by the means over bins and the differences of bins.
         """
         cycles = np.asarray(frequency, float)
         require("frequency", cycles, np.all(np.abs(cycles) < BINS), f"below {BINS} in size")
@@ -64,8 +64,8 @@ class EdgeReading:
 def read_edge(picture: ArrayLike, reach: float = 20.0) -> EdgeReading:
     """Measure an upright edge (H, W), less than 45° from its columns, dark on its left.
 
-    Values must be proportional to the light. Pixels within ``reach`` of the edge take part.
-    Raises `ValueError` where a row does not get lighter from its first pixel to its last.
+    Values must be proportional to the light. Pixels within ``reach`` of the edge take part. Raises
+    `ValueError` if a row is not lighter at its last pixel than at its first.
     """
     values = np.asarray(picture, float)
     if values.ndim != 2 or min(values.shape) < 2:
@@ -103,11 +103,12 @@ def _crossings(values: Floats, level: float) -> Floats:
 def edge_picture(
     height: int, width: int, angle_rad: float, lens: Callable[[Floats], Floats]
 ) -> Floats:
-    """(H, W) light of an edge through the middle, slanted to the right, as pixels measure it.
+    """(H, W) picture of an edge through the middle, slanted to the right.
 
-    ``lens`` is the lens's factor at frequencies (F,); what it passes beyond `FINENESS` / 2 is lost.
-    Dark is 0 and light 1. A pixel's mean over its square is a factor too (`edge_transfer`), so each
-    value follows from its distance alone. Raises `ValueError` for more than 45° either way.
+    ``lens`` is the lens's factor at frequencies (F,); frequencies beyond `FINENESS` / 2 are
+    ignored. Dark is 0 and light 1. A pixel's mean over its square is a factor too
+    (`edge_transfer`), so each value follows from its distance alone. Raises `ValueError` for more
+    than 45° either way.
     """
     require("angle_rad", angle_rad, abs(angle_rad) <= np.pi / 4, "at most π/4 in size")
     x, y = centred(width), centred(height)[:, None]
@@ -120,7 +121,7 @@ def edge_picture(
 
 
 def edge_transfer(frequency: ArrayLike, angle_rad: float) -> Floats:
-    """Factor (...) that the square of a pixel leaves of waves across an edge at this angle."""
+    """Transfer factor (...) of a square pixel for waves across an edge at this angle."""
     cycles = np.asarray(frequency, float)
     factor: Floats = np.sinc(cycles * np.cos(angle_rad)) * np.sinc(cycles * np.sin(angle_rad))
     return factor

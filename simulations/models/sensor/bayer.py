@@ -1,7 +1,7 @@
-"""The Bayer filter mosaic: which colour each pixel of a sensor sees.
+"""The Bayer filter mosaic: the colour of each pixel of a sensor.
 
-A pattern names the filters of the top left 2x2 pixels, row by row. Szeliski, 2nd ed.,
-section 2.3.2 (colour filter arrays).
+A pattern names the filters of the top left 2x2 pixels, row by row. Szeliski, 2nd ed., section 2.3.2
+(colour filter arrays).
 """
 
 import numpy as np
@@ -26,7 +26,7 @@ def filter_colours(height: int, width: int, pattern: str = "RGGB") -> NDArray[np
 
 
 def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Floats:
-    """What the sensor keeps of a picture (H, W, 3): one colour per pixel, (H, W).
+    """The mosaic of a picture (H, W, 3): one colour per pixel, (H, W).
 
     Raises `ValueError` for another shape or an unknown pattern. Any size from 1x1 is legal.
     """
@@ -41,7 +41,7 @@ def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Floats:
 
 
 def through_filters(cfa: ArrayLike, pattern: str = "RGGB") -> Floats:
-    """The mosaic as one would see it through the filters: (H, W, 3), two of three values 0."""
+    """The mosaic in the colours of its filters: (H, W, 3), two of three values 0."""
     values = np.asarray(cfa)
     seen = np.zeros((*values.shape, 3), values.dtype)
     for index, letter in enumerate(_checked(pattern)):

@@ -1,8 +1,8 @@
 """A Bayer mosaic as four planes, one per place in the quad of 2x2 pixels.
 
-Whatever the pattern, the red pixels lie on every second row and column. Mirrored outwards
-until it starts with a red pixel, every mosaic is the same: one formula per missing colour
-serves all four patterns, and a plane has a quarter of the pixels.
+Whatever the pattern, the red pixels lie on every second row and column. Mirrored outwards until it
+starts with a red pixel, every mosaic has the same pattern: all four patterns need only one formula
+per missing colour, and a plane has a quarter of the pixels.
 """
 
 from dataclasses import dataclass
@@ -13,16 +13,16 @@ from simulations.models.arrays import Floats
 from simulations.models.sensor.bayer import red_position
 
 MARGIN = 8
-"""Quads of mirrored mosaic on each side: more than any demosaicing method looks out."""
+"""Quads of mirrored mosaic on each side: more than any demosaicing method reaches."""
 
 
 @dataclass(frozen=True, slots=True)
 class Quads:
     """A mosaic cut into its four colours, each a plane of one value per quad of 2x2 pixels.
 
-    Within a quad: ``red`` top left, ``green_red`` beside it in the red row, ``green_blue``
-    below it in the blue row, ``blue`` bottom right. The planes reach `MARGIN` quads beyond
-    the mosaic on every side.
+    Within a quad: ``red`` top left, ``green_red`` next to it in the red row, ``green_blue`` below
+    it in the blue row, ``blue`` bottom right. The planes reach `MARGIN` quads beyond the mosaic on
+    every side.
     """
 
     red: Floats
@@ -34,8 +34,8 @@ class Quads:
 def to_quads(cfa: Floats, pattern: str) -> Quads:
     """Mirror the mosaic (H, W >= 2) outwards until it starts and ends with whole quads.
 
-    Mirroring about the edge pixel keeps the order of the filters, so that a flat colour
-    stays flat up to the border.
+    Mirroring about the edge pixel preserves the order of the filters, so that a flat colour stays
+    flat up to the border.
     """
     top, left = red_position(pattern)
     height, width = cfa.shape
@@ -60,7 +60,8 @@ def from_quads(planes: Floats, shape: tuple[int, int], pattern: str) -> Floats:
 
 
 def left(plane: Floats) -> Floats:
-    """At each quad, the value of the quad to its left. What wraps around ends in the margin."""
+    """At each quad, the value of the quad to its left. Values that wrap around end in the
+    margin."""
     return np.roll(plane, 1, axis=1)
 
 

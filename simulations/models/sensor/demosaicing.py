@@ -1,11 +1,9 @@
-"""Demosaicing: guess the two colours that each pixel of a Bayer mosaic did not see.
-
-Six methods, cheap to costly. Szeliski, 2nd ed., section 10.3.1. The mosaic itself is in
-`simulations.models.sensor.bayer`; the methods that let the colours help one another are in
+"""Demosaicing: estimate the two missing colours of each pixel of a Bayer mosaic. Six methods, from
+cheap to expensive. Szeliski, 2nd ed., section 10.3.1. The mosaic itself is in
+`simulations.models.sensor.bayer`; the methods that use correlations between the colours are in
 `simulations.models.sensor.malvar` and `simulations.models.sensor.menon`.
 
-A sensor counts light, so a mosaic is linear, and so is what comes out. `encode_srgb` of the result
-is what a display is sent.
+A sensor counts light, so mosaic and result are linear; use `encode_srgb` on the result for display.
 """
 
 from collections.abc import Callable
@@ -33,7 +31,8 @@ __all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic"]
 
 
 def nearest(quads: Quads) -> Floats:
-    """Copy the missing colours from within the quad: (3, 2, 2, h, w). Green comes from its row."""
+    """Copy the missing colours from within the quad: (3, 2, 2, h, w). Green is from the same
+    row."""
     q = quads
     return np.array(
         [
@@ -63,15 +62,15 @@ def bilinear(quads: Quads) -> Floats:
 
 
 def menon_encoded(quads: Quads) -> Floats:
-    """`menon_unrefined` of the values as a display would be sent them: (3, 2, 2, h, w).
+    """`menon_unrefined` of sRGB-encoded values: (3, 2, 2, h, w).
 
-    Where the light on one surface changes, its three colours change by a common *factor*. The
-    curve makes such edges more nearly alike in all three than they are in linear light, whose
-    differences the methods compare.
+    Where the light on one surface changes, its three colours change by a common *factor*. The sRGB
+    curve makes the differences across such edges, which the methods compare, more similar in the
+    three colours than they are in linear light.
     """
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     guessed = decode_srgb(menon_unrefined(Quads(*(encode_srgb(each) for each in (r, gr, gb, b)))))
-    # What was measured need not go through the curve and back.
+    # Measured values stay exactly as they are.
     guessed[0, 0, 0], guessed[1, 0, 1], guessed[1, 1, 0], guessed[2, 1, 1] = r, gr, gb, b
     return guessed
 
@@ -84,7 +83,7 @@ METHODS: dict[str, Callable[[Quads], Floats]] = {
     "menon": menon,
     "menon-encoded": menon_encoded,
 }
-"""From name to method, in the order of their work."""
+"""The methods by name, in the order of their work."""
 
 
 def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Floats:
@@ -92,10 +91,10 @@ def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") ->
 
     The mosaic is mirrored at its borders, so that a flat colour survives: to the last bit with
     `nearest`, `bilinear` and `malvar`, to a few units in the last place with the others. The
-    gradient-corrected methods can overshoot: clip before showing. A mosaic of a single row
-    or column is interpolated along it; a colour that it does not hold at all is taken to
-    be the mean of those it holds, so that a single pixel comes out grey. Values that are not
-    finite spread to the pixels guessed from them, without a warning.
+    gradient-corrected methods can overshoot: clip before showing. A mosaic of a single row or
+    column is interpolated along it; a colour that it lacks is the mean of those that it has, so
+    that a single pixel becomes grey. Values that are not finite spread to the pixels estimated from
+    them, without a warning.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""The mean of a moving picture over the time that the shutter is open, by single moments of it.
+"""The mean of a moving picture over the exposure, from pictures at single moments.
 
-Time runs from 0 to 1, the exposure. Where a closed form of the mean is known it is quicker and
-exact; these need nothing but the picture at one moment. Szeliski, 2nd ed., section 2.3.1.
+The exposure lasts from time 0 to 1. A closed form of the mean, if known, is faster and exact; these
+methods need only the picture at a moment. Szeliski, 2nd ed., section 2.3.1.
 """
 
 from collections.abc import Callable, Iterator
@@ -15,7 +15,7 @@ from simulations.models.whole_numbers import as_whole
 def mean_of_instants(picture_at: Callable[[float], Floats], count: int) -> Floats:
     """Mean of ``count`` pictures, each for the middle of an equal share of the exposure.
 
-    The error falls with 1/count and shows as that many ghosts of every edge that moves.
+    The error falls with 1/count and shows as ``count`` ghosts of every moving edge.
     """
     count = as_whole("count", count, 1)
     times = (np.arange(count) + 0.5) / count
@@ -28,10 +28,11 @@ def mean_of_random_instants(
     shape: tuple[int, ...],
     rng: np.random.Generator,
 ) -> Floats:
-    """Mean of ``count`` pictures for which every pixel draws its own time, uniform and independent.
+    """Mean of ``count`` pictures in which every pixel has its own random time, uniform and
+    independent.
 
-    ``picture_at`` takes the times of all pixels, of ``shape``. The error falls with the root of
-    the count only, and shows as grain instead of ghosts.
+    ``picture_at`` takes the times of all pixels, of ``shape``. The error falls only with the root
+    of the count, and shows as grain instead of ghosts.
     """
     count = as_whole("count", count, 1)
     return _mean(picture_at(rng.random(shape)) for _ in range(count))
@@ -43,7 +44,7 @@ def mean_of_jittered_instants(
     shape: tuple[int, ...],
     rng: np.random.Generator,
 ) -> Floats:
-    """Mean of ``count`` pictures: each pixel draws a time of its own in each equal share of it all.
+    """Mean of ``count`` pictures: each pixel has a random time in each equal share of the exposure.
 
     ``picture_at`` takes the times of all pixels, of ``shape``. Grain as from independent times, but
     less of it. Cook, Porter and Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
@@ -53,7 +54,7 @@ def mean_of_jittered_instants(
 
 
 def _mean(pictures: Iterator[Floats]) -> Floats:
-    """Of one picture or more, of which only one is kept at a time."""
+    """Mean of pictures, of which only one is in memory at a time."""
     total, count = as_floats(next(pictures)).copy(), 1  # sums of whole codes would wrap around
     for picture in pictures:
         total += picture

@@ -1,9 +1,9 @@
 """Demosaicing with gradient-corrected linear filters.
 
-Malvar, He and Cutler: High-quality linear interpolation for demosaicing of Bayer-patterned
-color images, ICASSP 2004. Edges lie at the same place in all three colours, so the bilinear
-guess is corrected by how much the colour that *was* measured here departs from its own
-surroundings. The weights, in eighths, are those of the paper's figure 2.
+Malvar, He and Cutler: High-quality linear interpolation for demosaicing of Bayer-patterned color
+images, ICASSP 2004. Edges are at the same place in all three colours, so the bilinear estimate is
+corrected by the difference of the measured colour from its surroundings. The weights, in eighths,
+are those of the paper's figure 2.
 """
 
 import numpy as np
@@ -22,7 +22,7 @@ def malvar(quads: Quads) -> Floats:
     aside_gr, upright_gr = left(gr) + right(gr), above(gr) + gr_below
     aside_gb, upright_gb = left(gb) + gb_right, above(gb) + below(gb)
 
-    # Each is a mean plus a difference that is 0, without rounding, where the picture is flat.
+    # Each is a mean plus a difference that is exactly 0 where the picture is flat.
     r_excess, b_excess = (4 * plane - _cross(plane) for plane in (r, b))
     gr_excess, gb_excess = 4 * gr - corners_gr, 4 * gb - corners_gb
     green_at_red = ((left(gr) + gr) + (above(gb) + gb)) / 4 + r_excess / 8
@@ -46,5 +46,5 @@ def malvar(quads: Quads) -> Floats:
 
 
 def _cross(plane: Floats) -> Floats:
-    """Sum of the four next pixels of the same colour, two pixels away."""
+    """Sum of the four nearest pixels of the same colour, two pixels away."""
     return (left(plane) + right(plane)) + (above(plane) + below(plane))

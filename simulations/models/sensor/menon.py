@@ -1,9 +1,10 @@
 """Demosaicing along edges instead of across them.
 
-Menon, Andriani and Calvagno: Demosaicing with directional filtering and a posteriori
-decision, IEEE Transactions on Image Processing 16(1), 2007 (DDFAPD). Green is estimated twice,
-along rows and along columns; where the colour differences are calmer, that direction is kept.
-Red and blue follow from green, and a last pass, the refinement, smooths the colour differences.
+Menon, Andriani and Calvagno: Demosaicing with directional filtering and a posteriori decision, IEEE
+Transactions on Image Processing 16(1), 2007 (DDFAPD). Green is estimated twice, along rows and
+along columns; at each pixel the direction with smaller variation of the colour differences is
+chosen. Red and blue follow from green, and a last pass, the refinement, smooths the colour
+differences.
 
 Names: ``g_r`` is green at the red pixels, ``r_gb`` is red at the green pixels of blue rows.
 """
@@ -21,7 +22,7 @@ type Step = Callable[[Floats], Floats]
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """The eight guessed planes, each (h, w), and the direction that was kept."""
+    """The eight estimated planes, each (h, w), and the chosen direction."""
 
     g_r: Floats
     g_b: Floats
@@ -32,9 +33,9 @@ class Estimate:
     r_b: Floats
     b_r: Floats
     by_row_r: Mask
-    """Whether rows were kept at the red pixels."""
+    """Whether rows were chosen at the red pixels."""
     by_row_b: Mask
-    """Likewise at the blue pixels."""
+    """Whether rows were chosen at the blue pixels."""
 
 
 def menon(quads: Quads) -> Floats:
@@ -48,7 +49,8 @@ def menon_unrefined(quads: Quads) -> Floats:
 
 
 def _estimate(quads: Quads) -> Estimate:
-    """Green in the calmer direction, then red and blue from their differences to green."""
+    """Green in the direction of less variation, then red and blue from their differences to
+    green."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     along_rows, along_columns = _green_along_rows(quads), _green_along_columns(quads)
     by_row_r, by_row_b = _calmer_along_rows(r, b, along_rows, along_columns)
@@ -63,7 +65,7 @@ def _estimate(quads: Quads) -> Estimate:
 
 
 def _refined(quads: Quads, first: Estimate) -> Estimate:
-    """Smooth the differences from green, at the pixels where green was guessed ..."""
+    """Smooth the differences from green, at the pixels where green was estimated ..."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     by_row_r, by_row_b = first.by_row_r, first.by_row_b
     g_r = r - _mean_of_3(r - first.g_r, first.r_gr - gr, left, first.r_gb - gb, above, by_row_r)
@@ -102,10 +104,10 @@ def _green_along_columns(quads: Quads) -> tuple[Floats, Floats]:
 def _calmer_along_rows(
     r: Floats, b: Floats, along_rows: tuple[Floats, Floats], along_columns: tuple[Floats, Floats]
 ) -> tuple[Mask, Mask]:
-    """At the red and at the blue pixels: where colour differences vary less along rows.
+    """Whether colour differences vary less along rows, at the red and at the blue pixels.
 
-    The variation is summed over a window of five by five pixels; the pixel's own row (or
-    column) counts threefold. A tie goes to the rows.
+    The variation is summed over a window of five by five pixels; the pixel's own row (or column)
+    counts threefold. A tie goes to the rows.
     """
     rows_r, rows_b = (_step(c - g, right) for c, g in zip((r, b), along_rows, strict=True))
     columns_r, columns_b = (_step(c - g, below) for c, g in zip((r, b), along_columns, strict=True))
@@ -128,7 +130,8 @@ def _window(change: Floats, back: Step, aside: Step, other_side: Step) -> Floats
 def _at_greens(
     red_less_green: Floats, blue_less_green: Floats, gr: Floats, gb: Floats
 ) -> tuple[Floats, Floats, Floats, Floats]:
-    """Red at both kinds of green pixel, then blue: green plus the mean difference beside it."""
+    """Red at both kinds of green pixel, then blue: green plus the mean of the adjacent
+    differences."""
     d_r, d_b = red_less_green, blue_less_green
     return (
         gr + (d_r + right(d_r)) / 2,
@@ -141,6 +144,6 @@ def _at_greens(
 def _mean_of_3(
     centre: Floats, in_row: Floats, aside: Step, in_column: Floats, upright: Step, by_row: Mask
 ) -> Floats:
-    """Mean of a difference at a pixel and at its two neighbours in the direction kept."""
+    """Mean of a difference at a pixel and at its two neighbours in the chosen direction."""
     ends = np.where(by_row, in_row + aside(in_row), in_column + upright(in_column))
     return (centre + ends) / 3

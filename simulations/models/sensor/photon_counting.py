@@ -20,11 +20,11 @@ from simulations.models.sensor.poisson_quantile import poisson_from_normal
 type ShotModel = Literal["poisson", "quantile", "skewed", "gaussian"]
 
 SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "quantile", "poisson")
-"""Rough to exact."""
+"""Models of shot noise, from rough to exact."""
 
 LARGEST_WELL_E = 1e13
-"""Electrons up to which samplers work: numpy's draws a variance that is 2 % too large at 3e13 and
-10 % at 3e14, although float64 counts every single electron up to 9e15."""
+"""Largest mean count for samplers: the variance of numpy's is 2 % too large at 3e13 and 10 % at
+3e14, although float64 represents every count up to 9e15."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +36,7 @@ class Sensor:
     read_noise_e: float = 3.0
     """Standard deviation of the amplifier's noise, in electrons."""
     dark_current_e_per_s: float = 0.1
-    """Electrons per second that warmth frees without any light."""
+    """Electrons per second that heat frees without light."""
     gain_e_per_dn: float = 5.0
     """Conversion gain, in electrons per code: twice the amplification (the ISO) halves it."""
     bits: int = 12
@@ -51,7 +51,7 @@ class Sensor:
         noise, dark, gain = self.read_noise_e, self.dark_current_e_per_s, self.gain_e_per_dn
         require("read_noise_e", noise, 0 <= noise <= 1e15, "0 to 1e15")
         require("dark_current_e_per_s", dark, 0 <= dark <= 1e30, "0 to 1e30")
-        # Also in float32 its reciprocal is a number.
+        # Its reciprocal is finite in float32 too.
         require("gain_e_per_dn", gain, 1e-30 <= gain <= 1e30, "1e-30 to 1e30")
         _check_bits(self.bits)
         black, top = self.black_level_dn, self.highest_dn
@@ -68,23 +68,23 @@ class Sensor:
 def with_iso(sensor: Sensor, iso: float, base_iso: float = 100.0) -> Sensor:
     """The sensor at another ISO: twice the ISO, half the electrons per code.
 
-    The well does not shrink, but the converter now tops out before it is full.
+    The well stays the same, but the converter saturates before it is full.
     """
     require("iso", iso, iso > 0, "above 0")
     return replace(sensor, gain_e_per_dn=sensor.gain_e_per_dn * base_iso / iso)
 
 
 def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Floats:
-    """Mean electrons (...) that each pixel frees: light and warmth, over the exposure.
+    """Mean electrons (...) freed in each pixel by light and heat during the exposure.
 
-    Not yet held to the full well: see `shot_noise`. Raises `ValueError` for light that is
+    Not yet limited to the full well: see `shot_noise`. Raises `ValueError` for light that is
     negative or undefined, and for an exposure that is negative or infinite.
     """
     require("exposure_s", exposure_s, 0 <= exposure_s < np.inf, "0 or more, finite")
-    # Infinite light times no time would be undefined.
+    # Infinite light times zero time would be undefined.
     rate = np.minimum(_light("photons_per_s", photons_per_s), 1e30)
     freed = rate * sensor.quantum_efficiency + sensor.dark_current_e_per_s
-    with np.errstate(over="ignore"):  # infinite light is legal, and fills every well
+    with np.errstate(over="ignore"):  # infinite light is legal and fills every well
         return freed * exposure_s
 
 
@@ -96,17 +96,16 @@ def shot_noise(
 ) -> Floats:
     """Electrons counted (...), where the mean is ``mean_e``: whole numbers, at most the full well.
 
-    ``poisson`` is exact: electrons arrive independently, the variance equals the mean.
-    ``quantile`` makes each count of one normal deviate, see `poisson_from_normal`: nobody can
-    tell its counts from exact ones, and the same deviates keep their grain in any light.
-    ``gaussian`` rounds a normal of the same mean and variance, and is visibly wrong below
-    some 20 electrons; ``skewed`` adds the second term of the Cornish-Fisher expansion,
-    ``(z^2 - 1) / 6``, which gives the normal the Poisson's lean to the right. Below one
-    electron it invents light: 0.047 electrons where next to none are expected.
+    ``poisson`` is exact: electrons arrive independently, the variance equals the mean. ``quantile``
+    makes each count of one normal deviate, see `poisson_from_normal`: its counts are
+    indistinguishable from exact ones, and the same deviates have the same grain in any light.
+    ``gaussian`` rounds a normal of the same mean and variance, and is visibly wrong below some 20
+    electrons; ``skewed`` adds the second term of the Cornish-Fisher expansion, ``(z^2 - 1) / 6``,
+    which gives the normal the Poisson's skew to the right. Below one electron its mean is too
+    large: 0.047 electrons where almost none are expected.
 
-    Nothing is drawn where the mean lies ten standard deviations above the full well: every
-    sample from there spills anyhow, and a sampler fails for huge means. So a pixel in any
-    light, infinite light too, comes out full and free of noise.
+    If the mean is ten standard deviations above the full well, the result is the full well without
+    sampling, as samplers fail for huge means.
     """
     cap = _brightest_mean(full_well_e)
     mean = np.minimum(_light("mean_e", mean_e), cap)
@@ -124,7 +123,7 @@ def shot_noise(
 def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float = np.inf) -> Floats:
     """The ``quantile`` model of `shot_noise`, from standard normals ``z`` (...) drawn beforehand.
 
-    A picture whose light changes then keeps its grain, and nothing need be drawn again.
+    The grain of a picture then stays the same as its light changes, and no new samples are needed.
     """
     mean = np.minimum(_light("mean_e", mean_e), _brightest_mean(full_well_e))
     counted = poisson_from_normal(mean, as_floats(z))
@@ -134,7 +133,7 @@ def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float =
 def _brightest_mean(full_well_e: float) -> float:
     """The mean from which on every sample fills the well."""
     _check_well(full_well_e)
-    # A plain float: a numpy one would widen float32 pictures.
+    # A Python float: a numpy one would convert float32 pictures to float64.
     well = min(float(full_well_e), LARGEST_WELL_E)
     return well + 10 * math.sqrt(well) + 100
 
@@ -145,7 +144,7 @@ def _normal_counts(mean: Floats, z: Floats, full_well_e: float, *, skewed: bool)
     if skewed:
         counted += (z * z - 1) / 6
     np.clip(np.rint(counted, out=counted), 0, full_well_e, out=counted)
-    # No light frees no electron, whatever the approximation says of the tails.
+    # Without light no electron is freed, even if the approximation has tails.
     counted[mean == 0] = 0
     return counted
 
@@ -153,7 +152,7 @@ def _normal_counts(mean: Floats, z: Floats, full_well_e: float, *, skewed: bool)
 def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Floats:
     """The amplified signal (...) in codes, not yet rounded: read noise, conversion, black level."""
     e = as_floats(electrons)
-    with np.errstate(over="ignore"):  # the converter takes ∞ for its top code
+    with np.errstate(over="ignore"):  # the converter maps ∞ to its top code
         if sensor.read_noise_e > 0:
             kind = np.float32 if e.dtype == np.float32 else np.float64
             e = e + sensor.read_noise_e * rng.standard_normal(e.shape, kind)
@@ -161,10 +160,10 @@ def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> 
 
 
 def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
-    """Nearest whole code (...), held to the converter's range [0, 2^bits - 1].
+    """Nearest whole code (...), clipped to the converter's range [0, 2^bits - 1].
 
-    NaN becomes 0: a cast of NaN is undefined and differs between processors. Rounding adds
-    an error of variance 1/12 to a signal that spans several codes.
+    NaN becomes 0: a cast of NaN is undefined and differs between processors. Rounding adds an error
+    of variance 1/12 to a signal that spans several codes.
     """
     _check_bits(bits)
     top = 2 ** int(bits) - 1
@@ -187,7 +186,7 @@ def capture(
 
 
 def develop(raw_dn: ArrayLike, sensor: Sensor) -> Floats:
-    """Codes (...) back to linear light: 0 at the black level, 1 at the top; noise may dip below."""
+    """Codes (...) to linear light: 0 at the black level, 1 at the top; noise may be below 0."""
     span = sensor.highest_dn - sensor.black_level_dn
     return (as_floats(raw_dn) - sensor.black_level_dn) / span
 
@@ -195,8 +194,8 @@ def develop(raw_dn: ArrayLike, sensor: Sensor) -> Floats:
 def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Floats:
     """Mean over standard deviation (...) of one pixel: shot, read and quantisation noise together.
 
-    Rises with the square root of the light once shot noise prevails. No light gives 0, infinite
-    light ∞.
+    Rises with the square root of the light once shot noise prevails. It is 0 without light and ∞
+    for infinite light.
     """
     mean = _light("mean_e", mean_e)
     fixed = math.hypot(sensor.read_noise_e, sensor.gain_e_per_dn / math.sqrt(12))

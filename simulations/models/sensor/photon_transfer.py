@@ -1,4 +1,4 @@
-"""The photon-transfer curve: what the noise of flat fields says of a sensor.
+"""The photon-transfer curve: a sensor's gain from the noise of flat fields.
 
 With the black level taken off, a field that frees λ electrons in each pixel has the mean λ / g and
 the variance λ / g² + floor, in codes, g being the conversion gain in electrons per code: a straight
@@ -17,18 +17,18 @@ from simulations.models.sensor.photon_counting import Sensor, quantise, read_out
 from simulations.models.whole_numbers import as_whole
 
 SATURATED_SHARE = 0.7
-"""Of the mean whose variance is largest: EMVA 1288 fits the line up to there."""
+"""Share of the mean of the largest variance, up to which EMVA 1288 fits the line."""
 
 LEAST_VARIANCE_DN2 = 0.5
-"""Above it rounding adds 1/12 to a variance, to a thousandth of the whole. Below, the sum depends
-on where between two codes the mean lies, and soon all pixels have the same code."""
+"""Least variance: above it rounding adds 1/12, to a thousandth of the whole. Below, the sum depends
+on the position of the mean between two codes, and soon all pixels have the same code."""
 
 FEWEST_E = 10.0
-"""Electrons from which on that holds without read noise too. Fewer fall on few codes, and rounding
-them adds several times as much, or takes away: gains would come out 2 % off."""
+"""Least count of electrons for which this holds without read noise too. With fewer, rounding
+changes the variance several times as much, and gains would be 2 % off."""
 
 LARGEST_ERROR = 0.1
-"""Standard error of a gain, as a share of it, from which on it is refused."""
+"""Largest standard error of a gain, as a share of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +38,7 @@ class Gain:
     e_per_dn: float
     """Electrons per code."""
     error_e_per_dn: float
-    """One standard error, by chance alone."""
+    """One standard error, from random noise alone."""
 
 
 def photon_transfer(
@@ -62,13 +62,12 @@ def photon_transfer(
 
 
 def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> Mask:
-    """Which levels (N,) of a transfer curve a line may be fitted to.
+    """Which levels (N,) of a transfer curve can be used to fit a line.
 
-    A well or a converter that is nearly full cuts the variance, and means alone do not tell: left
-    out are levels above 70 % of the one of largest variance. So are those whose variance is below
-    0.5 DN², for which a code is too coarse a step, and those of fewer than 10 electrons by a first
-    fit to all the others. Raises `ValueError` for other shapes than (N,) and for numbers that are
-    not finite.
+    Not the levels above 70 % of the one of largest variance, as a nearly full well or converter
+    reduces the variance; not those with a variance below 0.5 DN², which is too small for the step
+    of a code; and not those of fewer than 10 electrons by a first fit to all the others. Raises
+    `ValueError` for other shapes than (N,) and for numbers that are not finite.
     """
     mean, variance = as_floats(mean_dn), as_floats(variance_dn)
     if mean.ndim != 1 or mean.shape != variance.shape:
@@ -88,17 +87,16 @@ def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> Mask:
 def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike, samples: int = 20_000) -> Gain:
     """The gain from a transfer curve (N,): one over the slope of its straight part.
 
-    A line is fitted with weight 1 / variance² of each point, since a variance of ``samples``
-    values is known to a fraction of itself, sqrt(2 / (samples − 1)). From twenty even levels
-    of 20 000 samples the gain comes out to about half a per cent, as long as most of them have
-    a variance above 0.5 DN²: with a well of 20 000 electrons, up to some 50 electrons per code.
+    A line is fitted with weight 1 / variance² of each point, since the relative error of a variance
+    of ``samples`` values is sqrt(2 / (samples − 1)). From twenty even levels of 20 000 samples the
+    error of the gain is about half a per cent, as long as most of them have a variance above 0.5
+    DN²: with a well of 20 000 electrons, up to some 50 electrons per code.
 
     Raises
     ------
     ValueError
-        For fewer than two levels on the straight part, and where they tell the gain to worse
-        than 10 % (one standard error): they are too near each other, or too noisy, or their
-        variance does not rise with the mean.
+        For fewer than two levels on the straight part, and if the standard error exceeds 10 %: the
+        levels are too near each other, or too noisy, or their variance does not rise with the mean.
     """
     straight = straight_part(mean_dn, variance_dn)
     mean, variance = (as_floats(part)[straight].astype(float) for part in (mean_dn, variance_dn))
@@ -122,7 +120,7 @@ def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike, samples: int = 20_
 def _line(mean: Floats, variance: Floats, samples: int) -> tuple[float, float]:
     """Slope of the weighted fit, and its standard error as a share of it."""
     samples = as_whole("samples", samples, 2)
-    spread, largest = float(np.ptp(mean)), float(variance.max())  # so that no square overflows
+    spread, largest = float(np.ptp(mean)), float(variance.max())  # to avoid overflow of squares
     x, y = mean / spread, variance / largest
     weight = y**-2
     x = x - np.average(x, weights=weight)

@@ -1,7 +1,7 @@
-"""The Poisson distribution itself, to judge what is drawn from it.
+"""The Poisson distribution, and the distance of samples from it.
 
-The probability of a count k where ``mean`` are expected is e^-mean mean^k / k!. Neither power
-nor factorial is ever formed: each probability is the one before times mean / k.
+The probability of a count k where ``mean`` are expected is e^-mean mean^k / k!. Without powers and
+factorials: each probability is the previous one times mean / k.
 """
 
 import math
@@ -14,7 +14,7 @@ from simulations.models.require import require
 
 
 def poisson_cumulative(mean: float) -> tuple[int, Floats]:
-    """P(N <= k) for k = first, first + 1, … and so on, as far as it rises.
+    """P(N <= k) for k = first, first + 1, … until it reaches 1.
 
     Returns
     -------
@@ -24,16 +24,16 @@ def poisson_cumulative(mean: float) -> tuple[int, Floats]:
     Raises
     ------
     ValueError
-        If the mean is negative, undefined, or above 1e10, where the counts would fill a memory.
+        If the mean is negative, undefined, or above 1e10, for which the array would be too large.
     """
     require("mean", mean, 0 <= mean <= 1e10, "0 to 1e10")
     reach = 10 * np.sqrt(mean) + 30  # ten standard deviations, and more where the mean is small
     first, last = max(0, int(mean - reach)), int(mean + reach)
     if mean == 0:
         return 0, np.ones(1)
-    with np.errstate(divide="ignore"):  # a mean that is hardly a number: nothing but 0 is counted
+    with np.errstate(divide="ignore"):  # a tiny mean: only 0 is counted
         steps = np.log(mean / np.arange(first + 1, last + 1, dtype=float))
-    # Beside the first term the largest is e^155 at most, where the first count is still 0.
+    # Relative to the first term the largest is at most e^155, if the first count is 0.
     terms = np.exp(np.concatenate(([0.0], np.cumsum(steps))))
     return first, np.cumsum(terms) / terms.sum()
 
@@ -44,9 +44,9 @@ def gap_from_poisson(counted: ArrayLike, mean: float, full_well: float = np.inf)
     Parameters
     ----------
     counted : (n,)
-        Whole numbers, drawn with this mean and held to the full well, itself a whole number.
+        Whole numbers, drawn with this mean and limited to the full well, itself a whole number.
     mean : float
-        Of the Poisson distribution that they are held against.
+        Mean of the Poisson distribution that they are compared with.
 
     Returns
     -------
@@ -57,17 +57,17 @@ def gap_from_poisson(counted: ArrayLike, mean: float, full_well: float = np.inf)
         raise ValueError("no counts, or undefined ones; legal: one number or more")
     first, cumulative = poisson_cumulative(mean)
     expected = np.where(first + np.arange(cumulative.size) >= full_well, 1.0, cumulative)
-    # What lies beyond either end is counted at it: the cumulatives differ by all of it there.
+    # Counts beyond either end are counted at the end.
     place = np.clip(counts - first, 0, cumulative.size - 1).astype(np.int64)
     share = np.cumsum(np.bincount(place.ravel(), minlength=cumulative.size)) / counts.size
     return float(np.abs(share - expected).max())
 
 
 def largest_chance_gap(distributions: int, samples: int) -> float:
-    """The largest gap that as many exact samples of each distribution show in half of all tries.
+    """The median of the largest gap of exact samples from as many distributions.
 
     Kolmogorov's limit: sqrt(samples) times the gap exceeds x with probability 2 exp(-2 x^2), as
-    long as that is small. Whole numbers stay a little below it.
+    long as that is small. For whole numbers it is a little less.
     """
     if min(distributions, samples) < 1:
         raise ValueError(f"{distributions} distributions of {samples} samples; legal: 1 or more")

@@ -1,9 +1,9 @@
 """Counts of a Poisson distribution, one from each standard normal deviate.
 
 The count for a deviate z is the quantile of the distribution at the probability of a normal below
-z. It grows with z and with the mean, so that a picture which keeps its deviates keeps its grain
-as the light changes; only where the mean passes `FEW` does one count in 800 fall, by one. A sampler
-by rejection reshuffles the grain at every touch.
+z. It grows with z and with the mean, so that a picture with the same deviates has the same grain as
+the light changes; only where the mean passes `FEW` does one count in 800 fall by one. A sampler by
+rejection would change the grain at every change.
 """
 
 import math
@@ -13,10 +13,10 @@ import numpy as np
 from simulations.models.arrays import Floats
 
 FEW = 10.0
-"""Mean from which on the expansion is used. Its distribution is off by less than 3e-4 there."""
+"""Mean from which on the expansion is used, where its distribution is off by less than 3e-4."""
 
 ROUNDING = 16
-"""Units in the last place of 1 that the sums of probabilities may be off by, with room to spare."""
+"""Bound on the error of sums of probabilities, in units in the last place of 1."""
 
 TAIL = (
     -1.26551223, 1.00002368, 0.37409196, 0.09678418, -0.18628806,
@@ -28,8 +28,8 @@ TAIL = (
 def poisson_from_normal(mean: Floats, z: Floats) -> Floats:
     """Whole numbers (...), 0 or more, for means ``mean`` (...) of 0 or more and deviates ``z``.
 
-    In float32 for two arrays of float32. Below `FEW` the probabilities are summed; above, the
-    quantile is expanded in powers of 1 / sqrt(mean).
+    The result is float32 for two arrays of float32. Below `FEW` the probabilities are summed;
+    above, the quantile is expanded in powers of 1 / sqrt(mean).
     """
     shape, kind = np.broadcast_shapes(np.shape(mean), np.shape(z)), np.result_type(mean, z)
     mean, z = (np.atleast_1d(part).astype(kind, copy=False) for part in (mean, z))
@@ -45,8 +45,8 @@ def _expanded(mean: Floats, z: Floats) -> Floats:
     """M. B. Giles, *Algorithm 955: approximation of the inverse Poisson cumulative distribution
     function*, ACM Transactions on Mathematical Software 42 (2016): the first three terms.
 
-    The first is the normal, the second gives it the Poisson's lean to the right, and the third
-    narrows both tails a little.
+    The first is the normal, the second adds the Poisson's skew to the right, and the third narrows
+    both tails a little.
     """
     root = np.sqrt(np.maximum(mean, FEW))
     lean = z / root
@@ -62,14 +62,14 @@ def _expanded(mean: Floats, z: Floats) -> Floats:
 def _summed(mean: Floats, z: Floats) -> Floats:
     """The exact quantile (n,) of means below `FEW`: how many tails are larger than the normal's.
 
-    What is held against each other are the probabilities *above* a count and a deviate. Those
-    below lie so close to 1 in the dark that an electron in 10¹² pixels would be rounded away.
+    The probabilities *above* a count and above a deviate are compared. Those below are so close to
+    1 in the dark that an electron in 10¹² pixels would be lost to rounding.
     """
     counted = np.zeros_like(mean)
     chance = np.exp(-mean)  # of a count of 0
     above, tail = -np.expm1(-mean), normal_tail(z)
     more = np.flatnonzero(tail < above)
-    # Of tails as small as rounding the sums can tell no more than that there is an electron.
+    # For tails as small as rounding the sums are inaccurate: the count is 1.
     tail = np.maximum(tail, ROUNDING * np.finfo(tail.dtype).eps)
     place, count = more, 0
     while more.size:

@@ -1,7 +1,7 @@
-"""What the width of a pixel and a plate before it leave of a wave, and what is left in all.
+"""Transfer functions of a pixel and of an anti-aliasing plate, and the resolution of a whole chain.
 
-Frequencies in cycles per millimetre of the sensor, lengths in micrometres. Transfer functions of
-links that come one after the other are multiplied. Szeliski, 2nd ed., sections 2.3.1 and 3.4.
+Frequencies are in cycles per millimetre of the sensor, lengths in micrometres. The transfer
+function of a chain is the product of those of its links. Szeliski, 2nd ed., sections 2.3.1 and 3.4.
 """
 
 import numpy as np
@@ -18,20 +18,21 @@ def nyquist_per_mm(pitch_um: float) -> float:
 
 
 def pixel_transfer(frequency_per_mm: ArrayLike, width_um: float) -> Floats:
-    """Factor (...) that the mean over a pixel of this width leaves: sinc(f w), with its sign."""
+    """Transfer factor (...) of the mean over a pixel of this width: sinc(f w), with its sign."""
     return np.sinc(_cycles("width_um", width_um, frequency_per_mm))
 
 
 def plate_transfer(frequency_per_mm: ArrayLike, separation_um: float) -> Floats:
-    """Factor (...) of a plate that doubles the picture, half to either side: cos(π f s)."""
+    """Transfer factor (...) of a plate that doubles the picture, half to either side: cos(π f
+    s)."""
     return np.cos(np.pi * _cycles("separation_um", separation_um, frequency_per_mm))
 
 
 def first_fall(frequency: ArrayLike, contrast: ArrayLike, level: float) -> float:
     """The lowest frequency at which a curve (n,) falls to ``level``, between its samples.
 
-    At level ½ of what all links leave together it is called MTF50. Infinite where the curve stays
-    above; raises `ValueError` where it begins below.
+    At level ½ of the whole chain it is called MTF50. Infinite if the curve stays above; raises
+    `ValueError` if it begins below.
     """
     along, curve = np.asarray(frequency, float), np.asarray(contrast, float)
     require("contrast at the start", curve[0], curve[0] > level, f"above {level:g}")
@@ -44,7 +45,7 @@ def first_fall(frequency: ArrayLike, contrast: ArrayLike, level: float) -> float
 
 
 def _cycles(name: str, length_um: float, frequency_per_mm: ArrayLike) -> Floats:
-    """Over a length."""
+    """Cycles over a length."""
     require(name, length_um, 0 <= length_um < np.inf, "0 or more, finite")
     frequency = np.asarray(frequency_per_mm, float)
     require(

@@ -1,8 +1,8 @@
-"""How much the fine detail of one colour of a picture tells about that of another.
+"""Correlation of the fine detail of the colours of a picture.
 
-Every demosaicing method that lets the colours help one another assumes that it is much. Gunturk,
-Altunbasak and Mersereau: Color plane interpolation using alternating projections, IEEE
-Transactions on Image Processing 11(9), 2002, measured it on photographs.
+Demosaicing methods that combine the colours assume that it is high. Gunturk, Altunbasak and
+Mersereau: Color plane interpolation using alternating projections, IEEE Transactions on Image
+Processing 11(9), 2002, measured it on photographs.
 """
 
 import numpy as np
@@ -23,7 +23,7 @@ def shared_detail(linear: ArrayLike) -> tuple[float, float]:
     Returns
     -------
     red, blue : float
-        NaN where one of the two colours has no fine detail.
+        NaN if one of the two colours has no fine detail.
 
     Raises
     ------
