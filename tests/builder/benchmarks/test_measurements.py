@@ -7,14 +7,12 @@ from typing import Any
 
 import pytest
 from support.html_outline import read_html
-from support.little_book import diagnostics
+from support.little_book import diagnostics, rendered
 from support.toy_ladder import ERRORS, FILE, toy_data, toy_ladder, toy_measurements
 
 from simulations.engine.ladder import Ladder
-from site_builder.build import Options, check_site, render_site
-from site_builder.diagnostics import BuildError
+from site_builder.build import Options
 from site_builder.markdown.roles.measured import LEGAL, measured_text
-from site_builder.output.assets import content_bytes
 
 type Find = Callable[..., list[str]]
 
@@ -31,83 +29,97 @@ def find(make_book: Callable[..., Options]) -> Find:
     return find
 
 
+def entry(**changes: object) -> Any:
+    """Measurements whose ladder has been changed."""
+    data = toy_data()
+    data["ladders"]["toy"] |= changes
+    return data
+
+
+def lacking(part: str) -> Any:
+    data = toy_data()
+    del data["ladders"]["toy"][part]
+    return data
+
+
+LADDER = ":::{ladder} toy\n:default: Good.\n:::\n"
+AGAIN = "run `make bench LADDER=toy`"
+STALE = f"{FILE} is out of date: the "
+NONE: Any = {"machine": {}, "ladders": {}}
+TOY = toy_data()["ladders"]["toy"]
+TWO: Any = {**toy_data(), "ladders": {"toy": TOY, "lost": TOY}}
+TABLE = ":::{ladder-table} All\n:::\n"
+
+
 def test_a_page_in_order_has_no_mistakes(find: Find) -> None:
-    assert (
-        find(
-            "{measured}`toy fine native`\n\n:::{ladder} toy\n:default: Good.\n:::\n\n"
-            ":::{ladder} toy\n:metric: psnr\n:::\n\n:::{ladder-table} All\n:::\n"
-        )
-        == []
-    )
+    psnr = ":::{ladder} toy\n:metric: psnr\n:::\n"
+    assert find(f"{{measured}}`toy fine native`\n\n{LADDER}\n{psnr}\n{TABLE}") == []
 
 
 @pytest.mark.parametrize(
-    ("body", "message"),
+    ("line", "body", "message"),
     [
-        (":::{ladder}\n:::\n", "{ladder} names no ladder; legal: ':::{ladder} id'"),
-        (":::{ladder} tyo\n:::\n", "unknown ladder 'tyo'; legal: toy"),
-        (":::{ladder} toy\n:metric: mrs\n:::\n", "unknown metric 'mrs' of 'toy'; legal: rms, psnr"),
+        (5, ":::{ladder}\n:::\n", "{ladder} names no ladder; legal: ':::{ladder} id'"),
+        (5, ":::{ladder} tyo\n:::\n", "unknown ladder 'tyo'; legal: toy"),
+        (5, ":::{ladder} toy\n:metric: mrs\n:::\n", "unknown metric 'mrs' of 'toy'; legal: rms"),
+        (5, ":::{ladder} toy\n:::\n", "ladder 'toy' judged by 'rms' does not explain its default"),
+        (6, LADDER.replace("Good.", "{measured}`toy fnie rms`"), "unknown tier of toy 'fnie'; did"),
         (
-            ":::{ladder} toy\n:::\n",
-            "ladder 'toy' judged by 'rms' does not explain its default; "
-            "legal: a line ':default: …', why its figures settle in 'fine'",
+            7,
+            LADDER.replace(":d", ":metric: psnr\n:d"),
+            "ladder 'toy' judged by 'psnr' explains its",
         ),
-        ("{measured}`toy fnie native`\n", "unknown tier of toy 'fnie'; did you mean 'fine'?"),
-        ("{measured}`toy fine natvie`\n", "unknown number of toy 'natvie'; did you mean 'native'?"),
-        (
-            "{measured}`toy fine over exact rms`\n",
-            "rms of 'fine' over 'exact': the second has no error",
-        ),
-        ("{measured}`browsr`\n", "unknown measured thing 'browsr'; did you mean 'browser'?"),
-        ("{measured}`toy fine`\n", f"{{measured}} 'toy fine'; {LEGAL}"),
-        (
-            ":::{ladder-table}\n:::\n",
-            "{ladder-table} has no caption; legal: ':::{ladder-table} Caption'",
-        ),
-        (
-            ":::{ladder-table} All\nMore.\n:::\n",
-            "{ladder-table} with a body; legal: a caption behind its name, no more",
-        ),
-    ],
-)  # fmt: skip
-def test_a_mistake_is_reported_at_its_line(find: Find, body: str, message: str) -> None:
-    assert find(body) == [f"content/00-first.md:5: {message}"]
-
-
-@pytest.mark.parametrize(
-    ("entry", "what"),
-    [
-        (
-            {"workload": "two numbers"},
-            "the workload of ladder 'toy' changed from two numbers to a number",
-        ),
-        ({"metrics": {"rms": "codes", "psnr": "dB"}}, "the metrics of ladder 'toy' changed from"),
-        ({"tiers": {}}, "the tiers of ladder 'toy' changed from [] to ['exact',"),
+        (5, "{measured}`toy fnie native`\n", "unknown tier of toy 'fnie'; did you mean 'fine'?"),
+        (5, "{measured}`toy fine natvie`\n", "unknown number of toy 'natvie'; did you mean 'na"),
+        (5, "{measured}`toy fine over exact rms`\n", "rms of 'fine' over 'exact': the second has"),
+        (5, "{measured}`browsr`\n", "unknown measured thing 'browsr'; did you mean 'browser'?"),
+        (5, "{measured}`toy fine`\n", f"{{measured}} 'toy fine'; {LEGAL}"),
+        (5, ":::{ladder-table}\n:::\n", "{ladder-table} has no caption; legal: ':::{ladder-table}"),
+        (5, ":::{ladder-table} All\nMore.\n:::\n", "{ladder-table} with a body; legal: "),
     ],
 )
-def test_what_has_changed_since_it_was_measured_is_refused(
-    find: Find, entry: dict[str, Any], what: str
+def test_a_mistake_is_reported_at_its_line(find: Find, line: int, body: str, message: str) -> None:
+    (found,) = find(body)
+    assert found.startswith(f"content/00-first.md:{line}: {message}")
+
+
+@pytest.mark.parametrize(
+    ("body", "data", "message"),
+    [
+        (LADDER, NONE, f"ladder 'toy' is not in {FILE}; {AGAIN}"),
+        (TABLE, TWO, "unknown ladder 'lost'; legal: toy"),
+        (
+            LADDER,
+            entry(workload="two numbers"),
+            f"{STALE}workload of ladder 'toy' changed from two",
+        ),
+        (LADDER, entry(metrics={"rms": "codes"}), f"{STALE}metrics of ladder 'toy' changed from"),
+        (LADDER, entry(tiers={}), f"{STALE}tiers of ladder 'toy' changed from [] to ['exact',"),
+        (LADDER, lacking("workload"), f"{FILE}: ladder 'toy' is not as `make bench` writes it"),
+        (LADDER, lacking("metrics"), f"{FILE}: ladder 'toy' is not as `make bench` writes it"),
+        (LADDER, lacking("tiers"), f"{FILE}: ladder 'toy' is not as `make bench` writes it"),
+    ],
+)
+def test_measurements_that_do_not_fit_the_ladders_are_reported(
+    find: Find, body: str, data: object, message: str
 ) -> None:
-    data = toy_data()
-    data["ladders"]["toy"] |= entry
-    (message,) = find(":::{ladder} toy\n:default: Good.\n:::\n", data)
-    assert message.startswith(f"content/00-first.md:5: {FILE} is out of date: {what}")
-    assert message.endswith("run `make bench LADDER=toy`")
+    (found,) = find(body, data)
+    assert found.startswith(f"content/00-first.md:5: {message}")
+    assert FILE not in message or found.endswith(AGAIN)
 
 
-def test_a_ladder_without_measurements_is_reported_where_it_is_shown(find: Find) -> None:
-    found = find(":::{ladder} toy\n:default: Good.\n:::\n", {"machine": {}, "ladders": {}})
-    assert found == [
-        f"content/00-first.md:5: ladder 'toy' is not in {FILE}; run `make bench LADDER=toy`"
-    ]
-
-
-def test_a_table_of_ladders_needs_them_all_to_be_measured(find: Find) -> None:
-    data = toy_data()
-    data["ladders"]["lost"] = data["ladders"]["toy"]
-    assert find(":::{ladder-table} All\n:::\n", data) == [
-        "content/00-first.md:5: unknown ladder 'lost'; legal: toy"
-    ]
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ('{\n"machine": }', "2: malformed JSON: Expecting value; run `make bench`"),
+        *(
+            (content, "1: no 'machine' or no 'ladders'; run `make bench`")
+            for content in ("[]", "{}", '{"machine": {}}')
+        ),
+    ],
+)
+def test_a_file_of_another_shape_is_reported(find: Find, content: str, message: str) -> None:
+    assert find("Text.\n", content) == [f"{FILE}:{message}"]
 
 
 def test_a_ladder_whose_own_code_fails_is_reported_with_its_reason(
@@ -117,32 +129,8 @@ def test_a_ladder_whose_own_code_fails_is_reported_with_its_reason(
         raise ImportError("no module")
 
     options = make_book(":::{ladder} toy\n:::\n", {FILE: json.dumps(toy_data())})
-    with pytest.raises(BuildError) as raised:
-        check_site(replace(options, load_ladder=load))
-    assert [str(found) for found in raised.value.diagnostics] == [
-        "content/00-first.md:5: ladder 'toy' cannot be loaded: ImportError: no module"
-    ]
-
-
-def test_a_malformed_file_is_reported_at_its_line(find: Find) -> None:
-    assert find("Text.\n", '{\n"machine": }') == [
-        f"{FILE}:2: malformed JSON: Expecting value; run `make bench`"
-    ]
-
-
-@pytest.mark.parametrize("content", ["[]", "{}", '{"machine": {}}'])
-def test_a_file_of_another_shape_is_reported(find: Find, content: str) -> None:
-    assert find("Text.\n", content) == [f"{FILE}:1: no 'machine' or no 'ladders'; run `make bench`"]
-
-
-@pytest.mark.parametrize("lost", ["workload", "metrics", "tiers"])
-def test_an_entry_that_lacks_a_part_says_how_to_measure_again(find: Find, lost: str) -> None:
-    data = toy_data()
-    del data["ladders"]["toy"][lost]
-    assert find("A {measured}`toy fine rms`.\n", data) == [
-        f"content/00-first.md:5: {FILE}: ladder 'toy' is not as `make bench` writes it "
-        f"(KeyError: '{lost}'); run `make bench LADDER=toy`"
-    ]
+    (found,) = diagnostics(replace(options, load_ladder=load))
+    assert found.message == "ladder 'toy' cannot be loaded: ImportError: no module"
 
 
 @pytest.mark.parametrize(
@@ -172,8 +160,7 @@ def test_a_ladder_s_page_is_complete_without_scripts(make_book: Callable[..., Op
         ":::{ladder} toy\n:metric: psnr\n:::\n"
     )
     options = make_book(body, {FILE: json.dumps(toy_data())})
-    site = render_site(replace(options, load_ladder=toy_ladder))
-    markup = content_bytes(site["first/index.html"])
+    markup = rendered(replace(options, load_ladder=toy_ladder))["first/index.html"]
     page = read_html(markup)
     rows = [e.attributes["data-tier"] for e in page.elements if "data-tier" in e.attributes]
     assert rows == [*ERRORS] * 2

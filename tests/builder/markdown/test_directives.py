@@ -5,11 +5,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from markdown_it.token import Token
 
 from simulations.registry import load_scene
 from site_builder.diagnostics import Diagnostics
-from site_builder.markdown.bodies import CAPTION, no_body
+from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import (
     Argument,
     Directive,
@@ -118,15 +117,3 @@ def test_options_are_what_their_directive_says(context: ParseContext) -> None:
         "a.md:2: unknown option of {film} 'spede'; did you mean 'speed'?",
         "a.md:1: {film} has no ':alt:'; legal: what it shows",
     ]
-
-
-def test_options_that_only_the_reader_can_judge_are_left_to_it(context: ParseContext) -> None:
-    expected = checked(film(more_options="any"), use(anything="x"), context)
-    assert expected is not None
-    assert expected.text("anything") == "x"
-    assert reported(context) == []
-
-
-def test_a_directive_without_a_body_says_what_is_legal_instead(context: ParseContext) -> None:
-    no_body("an argument").read(use(), [Token("inline", "", 0)], context)
-    assert reported(context) == ["a.md:1: {film} with a body; legal: an argument"]

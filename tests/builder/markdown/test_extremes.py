@@ -3,9 +3,10 @@
 from collections.abc import Callable
 
 import pytest
+from support.little_book import rendered
 
 from simulations.engine.hard_cases import HardCase, HardCases, LibraryAnswer, near, refused
-from site_builder.build import Options, render_site
+from site_builder.build import Options
 from site_builder.markdown.directives import extremes
 
 
@@ -44,9 +45,7 @@ TABLE = HardCases(
 def page(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> str:
     """With this file's table, as if it lay where a book has its tables."""
     monkeypatch.setitem(extremes.MODULES, "halves", __name__)
-    html = render_site(make_book(":::{extremes} halves\n:::\n"))["first/index.html"]
-    assert isinstance(html, bytes)
-    return html.decode()
+    return rendered(make_book(":::{extremes} halves\n:::\n"))["first/index.html"].decode()
 
 
 def test_a_table_shows_every_case_and_what_is_asked(page: str) -> None:

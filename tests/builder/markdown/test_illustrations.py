@@ -5,11 +5,12 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
+from support.little_book import rendered
 
 from simulations.engine.drawing import polygon
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from site_builder.build import Options, render_site
+from site_builder.build import Options
 from site_builder.markdown.directives import illustration
 
 NAME = "similar-triangles"
@@ -29,30 +30,16 @@ def _of_the_book(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(illustration.MODULES, NAME, __name__)
 
 
-@pytest.fixture
-def page(make_book: Callable[..., Options]) -> Callable[[str], str]:
-    def render(body: str) -> str:
-        html = render_site(make_book(body))["first/index.html"]
-        assert isinstance(html, bytes)
-        return html.decode()
-
-    return render
-
-
-def test_a_page_shows_the_drawing_its_words_and_its_caption(page: Callable[[str], str]) -> None:
-    html = page(f":::{{illustration}} {NAME}\n{CAPTION}")
+def test_a_page_shows_the_drawing_its_words_and_its_caption(
+    make_book: Callable[..., Options],
+) -> None:
+    body = f":::{{illustration}} {NAME}\n{CAPTION}"
+    html = rendered(make_book(body))["first/index.html"].decode()
     drawn = draw()
     assert f'id="figure-{NAME}"' in html
     assert drawn.panels[0].overlay in html
     assert f'aria-label="{drawn.description}"' in html
     assert "Two <em>triangles</em>." in html
-
-
-def test_an_author_may_give_an_id_and_other_words(page: Callable[[str], str]) -> None:
-    options = ":label: my-triangles\n:alt: A & B.\n"
-    html = page(f":::{{illustration}} {NAME}\n{options}{CAPTION}")
-    assert 'id="my-triangles"' in html
-    assert 'aria-label="A &amp; B."' in html
 
 
 @pytest.mark.parametrize(

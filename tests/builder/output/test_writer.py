@@ -75,17 +75,12 @@ def test_what_others_did_to_a_written_site_is_put_right(tmp_path: Path) -> None:
     assert {file.name: file.read_bytes() for file in out.iterdir()} == files
 
 
-def test_a_folder_that_holds_something_else_is_never_replaced(tmp_path: Path) -> None:
+@pytest.mark.parametrize("out", [".", "thesis.tex"])
+def test_what_is_no_site_is_never_replaced(tmp_path: Path, out: str) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
     with pytest.raises(ValueError, match="holds no site"):
-        write_site({"book.json": b"{}"}, tmp_path)
-    assert (tmp_path / "thesis.tex").is_file()
-
-
-def test_a_file_is_never_replaced_by_a_site(tmp_path: Path) -> None:
-    (tmp_path / "thesis.tex").write_text("years of work")
-    with pytest.raises(ValueError, match="holds no site"):
-        write_site({"book.json": b"{}"}, tmp_path / "thesis.tex")
+        write_site({"book.json": b"{}"}, tmp_path / out)
+    assert (tmp_path / "thesis.tex").read_text() == "years of work"
 
 
 def test_what_has_changed_is_told(tmp_path: Path) -> None:

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 from support.html_outline import read_html
+from support.little_book import rendered
 
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import Diagnostics
-from site_builder.output.assets import content_bytes
 from site_builder.references.bibliography import Bibliography, read_bibliography
 
 type MakeBook = Callable[..., Options]
@@ -72,9 +72,14 @@ def test_works_of_the_same_authors_and_year_are_told_apart(tmp_path: Path) -> No
     assert [work.year for work in works.values()] == ["1984a", "1984b"]
 
 
+def cited(make_book: MakeBook) -> dict[str, bytes]:
+    return rendered(make_book(CITES, {"content/references.bib": BIB}))
+
+
 def test_a_citation_is_a_link_that_tells_its_work(make_book: MakeBook) -> None:
-    site = render_site(make_book(CITES, {"content/references.bib": BIB}))
-    page = read_html(content_bytes(site["first/index.html"]))
+    page = read_html(
+        rendered(make_book(CITES, {"content/references.bib": BIB}))["first/index.html"]
+    )
     links = page.all("a", "citation")
     assert [link.text for link in links] == [
         "Hartley and Zisserman 2004",
@@ -91,8 +96,9 @@ def test_a_citation_is_a_link_that_tells_its_work(make_book: MakeBook) -> None:
 
 
 def test_each_work_is_listed_with_the_places_that_cite_it(make_book: MakeBook) -> None:
-    site = render_site(make_book(CITES, {"content/references.bib": BIB}))
-    page = read_html(content_bytes(site["references/index.html"]))
+    page = read_html(
+        rendered(make_book(CITES, {"content/references.bib": BIB}))["references/index.html"]
+    )
     works = [item.attributes["id"] for item in page.all("li") if "main" in item.inside]
     assert works == ["hartley2004", "zhang2000"]
     addresses = [str(link.attributes["href"]) for link in page.all("a") if "li" in link.inside]
