@@ -92,16 +92,3 @@ def test_the_contents_open_and_close_by_keyboard(plain_reader: Reader) -> None:
     plain_reader.page.keyboard.press("Escape")
     assert not plain_reader.page.locator("#contents").is_visible()
     assert button.evaluate("button => button === document.activeElement")
-
-
-def test_on_paper_there_is_nothing_to_press_and_nothing_shut(
-    plain_reader: Reader, book: Any
-) -> None:
-    plain_reader.page.emulate_media(media="print")
-    for address in plain_reader.leaf_through(
-        ["", *(chapter["url"] for chapter in book["chapters"])]
-    ):
-        pressed = plain_reader.page.locator("button:visible, select:visible, [type=range]:visible")
-        assert pressed.count() == 0, address
-        tables = plain_reader.page.locator(":is(.extremes, .ladder-table) tbody tr")
-        assert tables.locator("visible=true").count() == tables.count(), address

@@ -26,40 +26,9 @@ def phone(telephone: Reader) -> Iterator[Reader]:
     telephone.assert_no_complaints()
 
 
-def pages(book: Any) -> list[str]:
-    """The cover and every chapter that has figures."""
-    return ["", *(chapter["url"] for chapter in book["chapters"] if chapter["simulations"])]
-
-
 def open_page(reader: Reader, address: str) -> None:
     reader.open(address, live=False)
     reader.page.evaluate("document.fonts.ready")
-
-
-OUTSIDE = """() => {
-  const outside = [];
-  for (const figure of document.querySelectorAll("simulation-figure")) {
-    const panel = figure.querySelector(".panel");
-    const all = [...figure.querySelectorAll(".control")];
-    const controls = all.filter((one) => one.checkVisibility());
-    if (controls.length < 2) outside.push(`${figure.dataset.simulation}: too few controls`);
-    panel.scrollIntoView({ behavior: "instant" });
-    for (const one of [panel, ...controls]) {
-      const { left, right, top, bottom } = one.getBoundingClientRect();
-      if (left < 0 || top < 0 || right > innerWidth || bottom > innerHeight) {
-        outside.push(`${figure.dataset.simulation}: ${one.className}`);
-      }
-    }
-  }
-  return outside;
-}"""
-
-
-def test_a_phone_shows_the_first_panel_and_the_main_controls_at_once(
-    phone: Reader, book: Any
-) -> None:
-    for address in phone.leaf_through(pages(book)):
-        assert phone.page.evaluate(OUTSIDE) == [], address
 
 
 def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) -> None:
@@ -85,74 +54,6 @@ def test_an_address_that_names_a_folded_control_unfolds_it(phone: Reader, book: 
     camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
     open_page(phone, f"{camera}?figure-camera.noise_sigma=9")
     phone.figure("camera").locator("[name=noise_sigma]").wait_for(state="visible")
-
-
-def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: Any) -> None:
-    phone.page.set_viewport_size({"width": 1280, "height": 900})
-    for address in phone.leaf_through(pages(book)):
-        controls = phone.page.locator("simulation-figure .control")
-        assert controls.locator("visible=true").count() == controls.count(), address
-
-
-TOO_SMALL = """() => {
-  for (const fold of document.querySelectorAll(".more-controls")) fold.open = true;
-  const controls = ":is(input[type=range], select, button, summary, .toggle label)";
-  const touched = `.controls ${controls}, .panel-dots > button`;
-  return [...document.querySelectorAll(touched)]
-    .filter((one) => one.getBoundingClientRect().height < 43.9)
-    .map((one) => one.name ?? one.textContent);
-}"""
-
-
-def test_what_a_finger_touches_is_44_pixels_high(phone: Reader, book: Any) -> None:
-    for address in phone.leaf_through(pages(book)):
-        assert phone.page.evaluate(TOO_SMALL) == [], address
-
-
-MOVED = """() => {
-  const moved = [];
-  for (const fold of document.querySelectorAll(".more-controls")) fold.open = true;
-  for (const form of document.querySelectorAll("form.controls")) {
-    const before = form.getBoundingClientRect().height;
-    for (const slider of form.querySelectorAll("input[type=range]")) {
-      for (const value of [slider.min, slider.max]) {
-        slider.value = value;
-        slider.dispatchEvent(new Event("input", { bubbles: true }));
-        const text = slider.parentElement.querySelector(".control-value");
-        const room = slider.getBoundingClientRect().right + 1;
-        const cut = text.getBoundingClientRect().right > room;
-        if (cut || form.getBoundingClientRect().height !== before) moved.push(slider.id);
-      }
-    }
-  }
-  return moved;
-}"""
-
-
-def test_values_at_their_longest_are_whole_and_move_nothing(phone: Reader, book: Any) -> None:
-    for address in phone.leaf_through(pages(book)):
-        for width in (390, 320):
-            phone.page.set_viewport_size({"width": width, "height": 800})
-            assert phone.page.evaluate(MOVED) == [], f"{address} at {width}"
-
-
-SMALL_LABELS = """(least) => [...document.querySelectorAll(
-    ":is(simulation-figure, .drawing) svg.overlay"
-  )]
-  .flatMap((svg) => [...svg.querySelectorAll("text")].map((label) => {
-    const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
-    return [label.textContent, parseFloat(getComputedStyle(label).fontSize) * scale];
-  }))
-  .filter(([, size]) => size < least)"""
-
-
-def test_labels_in_pictures_are_large_enough_to_read(plain_reader: Reader, book: Any) -> None:
-    urls = ["", *(chapter["url"] for chapter in book["chapters"])]
-    for address in plain_reader.leaf_through(urls):
-        for width, least_px in ((1920, 12.5), (1440, 12.5), (390, 10.5)):
-            plain_reader.page.set_viewport_size({"width": width, "height": 900})
-            small = plain_reader.page.evaluate(SMALL_LABELS, least_px)
-            assert small == [], f"{address} at {width}"
 
 
 def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(

@@ -10,13 +10,6 @@ pytestmark = pytest.mark.browser
 
 SCROLL_TO = "top => scrollTo({top, behavior: 'instant'})"
 SIZES = ((1440, 900), (1024, 768), (320, 640))
-COVERED = """() => {
-  const side = document.querySelector('#contents').getBoundingClientRect();
-  const shown = [...document.querySelectorAll('main figure, main .equation, main .table-wrapper')];
-  return shown
-    .filter((one) => one.checkVisibility() && one.getBoundingClientRect().left < side.right - 1)
-    .map((one) => one.id || one.className);
-}"""
 
 
 def chapter_with_sections(book: Any) -> str:
@@ -34,12 +27,6 @@ def test_the_section_that_is_read_is_marked(plain_reader: Reader, book: Any) -> 
         assert page.locator("#contents .sections a[aria-current]").count() == 1
     page.evaluate(SCROLL_TO, page.evaluate("document.body.scrollHeight"))  # past all headings
     expect(links.last).to_have_attribute("aria-current", "location")
-
-
-def test_contents_beside_the_text_cover_no_figure(plain_reader: Reader, book: Any) -> None:
-    plain_reader.page.set_viewport_size({"width": 1280, "height": 900})
-    for url in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
-        assert plain_reader.page.evaluate(COVERED) == [], url
 
 
 def test_on_a_narrow_screen_the_sections_are_in_a_fold(plain_reader: Reader, book: Any) -> None:

@@ -9,48 +9,6 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-def test_every_prediction_hides_its_answer_until_a_guess_is_made_and_keeps_it(
-    plain_reader: Reader, book: Any
-) -> None:
-    urls = [chapter["url"] for chapter in book["chapters"]]
-    for chapter, _ in zip(book["chapters"], plain_reader.leaf_through(urls), strict=True):
-        for item in asked_in(book, chapter):
-            seen, verdict, still_hidden = form_of(plain_reader, item).evaluate(GUESS, right(item))
-            assert (seen, verdict, still_hidden) == (0, "correct", 0), item["id"]
-    for chapter, _ in zip(book["chapters"], plain_reader.leaf_through(urls), strict=True):
-        kept = plain_reader.page.evaluate(KEPT)
-        for item in asked_in(book, chapter):
-            verdict, said = kept[item["id"]]
-            assert verdict == "correct", item["id"]
-            assert said
-
-
-GUESS = """(form, right) => {
-  const answers = [...document.querySelectorAll(`[data-answers="${form.dataset.predict}"]`)];
-  const seen = () =>
-    answers.filter((answer) => answer.querySelector('.answer-body').checkVisibility()).length;
-  const before = seen();
-  const guesses = [...form.querySelectorAll('input[name=guess]')];
-  if (right === null) {
-    const {sketch} = JSON.parse(form.querySelector('script.predict-data').textContent);
-    guesses.forEach((slider, index) => {
-      slider.value = sketch.truth[index];
-      slider.dispatchEvent(new Event('input', {bubbles: true}));
-    });
-  } else if (guesses[0].type === 'radio') guesses.find(({value}) => value === right).checked = true;
-  else guesses[0].value = right;
-  form.requestSubmit();
-  return [before, form.dataset.answered, answers.length - seen()];
-}"""
-"""Answers that are seen before the guess, the verdict, and answers that are not seen after it.
-Hands guess in the tests below."""
-KEPT = """() => {
-  const forms = [...document.querySelectorAll('form[data-predict]')];
-  return Object.fromEntries(forms.map((form) =>
-    [form.dataset.predict, [form.dataset.answered, form.querySelector('.feedback').innerText]]));
-}"""
-
-
 def test_a_wrong_number_stands_beside_the_computed_one_with_its_reply(
     plain_reader: Reader, book: Any
 ) -> None:
@@ -164,21 +122,6 @@ def test_without_scripts_every_answer_is_at_hand(chromium: Any, server: Any) -> 
     assert page.locator(".answer-body").first.is_visible()
     assert page.locator("form[data-predict] noscript, form[data-predict] details").count() > 0
     context.close()
-
-
-def right(item: Any) -> str | None:
-    """The right guess: the number or the place of the option; of a curve only the page knows."""
-    match item["kind"]:
-        case "number":
-            return repr(next(option["value"] for option in item["options"] if option["correct"]))
-        case "choice":
-            return str([option["correct"] for option in item["options"]].index(True))
-        case _:
-            return None
-
-
-def asked_in(book: Any, chapter: Any) -> list[Any]:
-    return [item for item in book["predictions"] if item["chapter"] == chapter["id"]]
 
 
 def form_of(reader: Reader, item: Any) -> Locator:

@@ -12,27 +12,6 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-def test_numbers_right_wrong_and_known_mistakes_are_told_apart(
-    plain_reader: Reader, book: Any
-) -> None:
-    """Hands answer in the tests below."""
-    urls = (chapter["url"] for chapter in book["chapters"])
-    for place, _ in zip(book["chapters"], plain_reader.leaf_through(urls), strict=True):
-        for quiz in questions(book, "number", place["id"]):
-            values = [repr(option.get("value", 12345.6789)) for option in quiz["options"]]
-            told = form_of(plain_reader, quiz).evaluate(ANSWER_EACH, values)
-            verdicts = ["correct" if option["correct"] else "wrong" for option in quiz["options"]]
-            assert [verdict for verdict, _ in told] == verdicts, quiz["id"]
-            assert len({reply for _, reply in told}) == len(told), f"{quiz['id']}: one reply twice"
-
-
-ANSWER_EACH = """(form, values) => values.map((value) => {
-  form.elements.answer.value = value;
-  form.requestSubmit();
-  return [form.dataset.answered, form.querySelector('.explanation').innerText];
-})"""
-
-
 def test_a_number_is_asked_for_and_given_by_keyboard(plain_reader: Reader, book: Any) -> None:
     quiz = questions(book, "number")[0]
     form = open_question(plain_reader, book, quiz)
