@@ -6,9 +6,7 @@ from site_builder.build import Options, check_site, render_site
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.output.assets import content_bytes
 
-OUTLINE = (
-    'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
-)
+OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 """Of two chapters, and no figure on the cover."""
 FRONT = "---\ntitle: First\nsummary: The first chapter.\n---\n"
 

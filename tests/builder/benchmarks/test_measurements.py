@@ -67,7 +67,7 @@ def test_a_page_in_order_has_no_mistakes(find: Find) -> None:
         (
             7,
             LADDER.replace(":d", ":metric: psnr\n:d"),
-            "ladder 'toy' judged by 'psnr' explains its",
+            "ladder 'toy' judged by 'psnr' explains",
         ),
         (5, "{measured}`toy fnie native`\n", "unknown tier of toy 'fnie'; did you mean 'fine'?"),
         (5, "{measured}`toy fine natvie`\n", "unknown number of toy 'natvie'; did you mean 'na"),
@@ -91,7 +91,7 @@ def test_a_mistake_is_reported_at_its_line(find: Find, line: int, body: str, mes
         (
             LADDER,
             entry(workload="two numbers"),
-            f"{STALE}workload of ladder 'toy' changed from two",
+            f"{STALE}workload of ladder 'toy' changed from",
         ),
         (LADDER, entry(metrics={"rms": "codes"}), f"{STALE}metrics of ladder 'toy' changed from"),
         (LADDER, entry(tiers={}), f"{STALE}tiers of ladder 'toy' changed from [] to ['exact',"),

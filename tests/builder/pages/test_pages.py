@@ -91,9 +91,9 @@ def test_all_pages_are_well_formed(pages: Mapping[str, Page]) -> None:
 def test_every_relative_address_leads_to_a_file_or_an_element(
     site: Mapping[str, bytes], pages: Mapping[str, Page]
 ) -> None:
-    ids = {
-        path: {item.attributes.get("id") for item in page.elements} for path, page in pages.items()
-    }
+    def ids(path: str) -> set[str | None]:
+        return {element.attributes.get("id") for element in pages[path].elements}
+
     for path in pages.keys() - {"404.html"}:
         for address in pages[path].addresses():
             if not address.startswith(("https://", "data:")):
