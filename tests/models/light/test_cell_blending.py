@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from numpy.typing import DTypeLike
 from scipy.interpolate import RegularGridInterpolator
 
 from simulations.models.arrays import Floats
@@ -28,11 +27,6 @@ def test_it_is_scipys_linear_interpolation_between_corners(
     np.testing.assert_allclose(blend_cells(corners, height, width), oracle, atol=1e-12)
 
 
-def test_corners_that_fall_on_pixels_are_kept() -> None:
-    corners = grid(4, 3)
-    np.testing.assert_allclose(blend_cells(corners, 13, 9)[::4, ::4], corners, atol=1e-15)
-
-
 @pytest.mark.parametrize("trailing", [(), (1,), (2, 3)])
 def test_whatever_stands_at_a_corner_is_blended_entry_by_entry(trailing: tuple[int, ...]) -> None:
     corners = grid(3, 4, int(np.prod(trailing))).reshape(3, 4, *trailing)
@@ -42,22 +36,6 @@ def test_whatever_stands_at_a_corner_is_blended_entry_by_entry(trailing: tuple[i
     np.testing.assert_allclose(blended[1, 2], (corners[0, 1] + corners[1, 1]) / 2, atol=1e-15)
 
 
-def test_a_plane_is_reproduced_and_a_parabola_missed_by_an_eighth_of_its_curvature() -> None:
-    x = np.linspace(0, 1, 5)
-    plane = np.add.outer(2 * x, 3 * x)
-    fine = np.linspace(0, 1, 33)
-    np.testing.assert_allclose(
-        blend_cells(plane, 33, 33), np.add.outer(2 * fine, 3 * fine), atol=1e-14
-    )
-    bowl = blend_cells(np.add.outer(x**2, 0 * x), 33, 33) - np.add.outer(fine**2, 0 * fine)
-    assert bowl.max() == pytest.approx(2 * 0.25**2 / 8)
-
-
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_the_precision_of_the_corners_is_kept(dtype: DTypeLike) -> None:
-    assert blend_cells(grid(3, 3).astype(dtype), 8, 8).dtype == dtype
-
-
 def test_blended_normals_have_length_one_and_halve_the_angle_between_two() -> None:
     tilt = np.radians(40)
     corners = np.array([[[0, 0, 1.0], [np.sin(tilt), 0, np.cos(tilt)]]] * 2)
@@ -65,18 +43,6 @@ def test_blended_normals_have_length_one_and_halve_the_angle_between_two() -> No
     np.testing.assert_allclose(np.linalg.norm(blended, axis=-1), 1, atol=1e-15)
     np.testing.assert_allclose(blended[0, 2], [np.sin(tilt / 2), 0, np.cos(tilt / 2)], atol=1e-15)
     np.testing.assert_allclose(blended[:, [0, -1]], corners, atol=1e-15)
-
-
-@pytest.mark.parametrize("shape", [(1, 4), (4, 1, 3), (5,)])
-def test_fewer_corners_than_a_cell_has_are_refused(shape: tuple[int, ...]) -> None:
-    with pytest.raises(ValueError, match=r"corners of shape .*; legal: two or more each way"):
-        blend_cells(np.zeros(shape), 4, 4)
-
-
-@pytest.mark.parametrize("size", [(1, 4), (4, 1)])
-def test_fewer_pixels_than_corners_of_a_cell_are_refused(size: tuple[int, int]) -> None:
-    with pytest.raises(ValueError, match="pixels; legal: two or more each way"):
-        blend_cells(np.zeros((3, 3)), *size)
 
 
 @pytest.mark.parametrize("wild", [np.inf, np.nan, 1e308])

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +15,6 @@ from simulations.models.light.reflectance import (
     PointLight,
     attenuation,
     blinn_phong,
-    cosine,
     irradiance,
     lambert,
     normalise,
@@ -30,28 +28,6 @@ FRONT = np.array([0.0, 0.0, 1.0])
 def test_lambert_is_the_cosine_until_the_horizon_then_dark(theta: float) -> None:
     light = [math.sin(theta), 0, math.cos(theta)]
     assert lambert(FRONT, light, 0.8) == pytest.approx(0.8 * max(0, math.cos(theta)))
-
-
-def test_a_surface_without_normal_is_dark() -> None:
-    assert lambert([0, 0, 0], FRONT) == 0
-
-
-def test_float32_never_exceeds_one() -> None:
-    normals = normalise(np.random.default_rng(0).normal(size=(2000, 3)).astype(np.float32))
-    assert max(float(lambert(n, n)) for n in normals) <= 1
-
-
-@pytest.mark.parametrize("scale", [1e-200, 1.0, 1e200])
-def test_normalise_neither_overflows_nor_vanishes(scale: float) -> None:
-    np.testing.assert_allclose(normalise(scale * np.array([3.0, 0, 4])), [0.6, 0, 0.8])
-
-
-@pytest.mark.parametrize("model", [phong, blinn_phong])
-@pytest.mark.parametrize("shininess", [0, 1, 1e6])
-def test_no_highlight_where_the_light_is_below_the_horizon(
-    model: Callable[..., Floats], shininess: float
-) -> None:
-    assert model(FRONT, -FRONT, FRONT, shininess=shininess) == 0
 
 
 @pytest.mark.parametrize("shininess", [0, 0.5, 128, 1e6])
@@ -83,33 +59,50 @@ def test_what_both_lengths_may_be_off_is_no_halfway_direction_and_a_little_more_
     )
 
 
-def test_a_degree_beside_the_opposite_direction_blinn_has_its_highlight() -> None:
-    """Lamp at 179°: h at 89.5°, where the surface is both lit and seen."""
-    light = [math.sin(math.radians(179)), 0, math.cos(math.radians(179))]
-    halfway = [math.sin(math.radians(89.5)), 0, math.cos(math.radians(89.5))]
-    shade = blinn_phong(halfway, light, FRONT, 0.0, specular=0.4, shininess=1e4)
-    assert shade == pytest.approx(0.4)
+NONE, ALONG = np.zeros(3), np.array([1.0, 0, 0])
+ABOVE_ONE = np.array([1 + np.finfo(np.float32).eps, 0, 0], np.float32)
+SIDE, SLANTED = np.array([0, 1.0, 0]), np.array([math.sin(1), 0, math.cos(1)])
 
 
 @pytest.mark.parametrize("model", [phong, blinn_phong])
-def test_an_ulp_above_one_is_not_blown_up_by_a_large_shininess(
+@pytest.mark.parametrize(
+    ("normal", "light", "view", "shininess", "shade"),
+    [
+        *((FRONT, -FRONT, FRONT, shininess, 0) for shininess in (0, 1, 1e6)),  # from below
+        *((NONE, FRONT, FRONT, shininess, 0) for shininess in (0, 1, 64)),
+        (ABOVE_ONE, ALONG, ALONG, 1e7, 0.25),  # an ulp above one is not blown up
+        (FRONT, SLANTED, SIDE, 0, 0.25),  # all over the lit side
+    ],
+)
+def test_highlights_at_the_edge_of_what_there_is(
     model: Callable[..., Floats],
+    normal: Floats,
+    light: Floats,
+    view: Floats,
+    shininess: float,
+    shade: float,
 ) -> None:
-    above = np.array([1 + np.finfo(np.float32).eps, 0, 0], np.float32)
-    along = np.array([1.0, 0, 0])
-    assert model(above, along, along, 0.0, specular=0.25, shininess=1e7) == 0.25
+    found = model(normal, light, view, 0.0, specular=0.25, shininess=shininess)
+    assert found == pytest.approx(shade, abs=1e-15)
 
 
 @pytest.mark.parametrize("model", [phong, blinn_phong])
-@pytest.mark.parametrize("shininess", [0, 1, 64])
-def test_what_has_no_direction_adds_no_highlight(
-    model: Callable[..., Floats], shininess: float
-) -> None:
-    nothing = np.zeros(3)
-    normals, lights, views = (np.array(each) for each in ([FRONT] * 3, [FRONT] * 3, [FRONT] * 3))
-    normals[0], lights[1], views[2] = nothing, nothing, nothing
-    shade = model(normals, lights, views, 0.0, shininess=shininess)
-    assert shade.tolist() == [0, 0, 0]
+def test_of_a_field_what_has_no_direction_adds_no_highlight(model: Callable[..., Floats]) -> None:
+    lights, views = np.array([NONE, FRONT]), np.array([FRONT, NONE])
+    for shininess in (0, 1, 64):
+        assert model(FRONT, lights, views, 0.0, shininess=shininess).tolist() == [0, 0]
+
+
+def test_fields_are_shaded_one_by_one() -> None:
+    normals, lights, views = normalise(np.random.default_rng(2).normal(size=(3, 4, 5, 3)))
+    for model in (phong, blinn_phong):
+        field = model(normals, lights, views, 0.5, ambient=0.1)
+        each = model(normals[2, 3], lights[2, 3], views[2, 3], 0.5, ambient=0.1)
+        assert field.shape == (4, 5)
+        assert field[2, 3] == pytest.approx(each)
+    found = irradiance([0, 0, 0], normals, [DirectionalLight((0.6, 0, 0.8), (0.5, 1, 2))])
+    cosines = np.maximum(normals @ [0.6, 0, 0.8], 0)
+    np.testing.assert_allclose(found, cosines[..., None] * [0.5, 1, 2], atol=1e-15)
 
 
 @given(
@@ -173,14 +166,6 @@ def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square() -
     np.testing.assert_allclose(found, expected, atol=1e-15)
 
 
-def test_points_and_normals_are_paired_over_a_field() -> None:
-    normals = normalise(np.random.default_rng(1).normal(size=(4, 5, 3)))
-    found = irradiance([0, 0, 0], normals, [DirectionalLight((0.6, 0, 0.8), (0.5, 1, 2))])
-    assert found.shape == (4, 5, 3)
-    cosines = np.maximum(normals @ [0.6, 0, 0.8], 0)
-    np.testing.assert_allclose(found, cosines[..., None] * [0.5, 1, 2], atol=1e-15)
-
-
 def test_phong_is_the_sum_of_its_three_parts_by_hand() -> None:
     """Light at 30° to the normal; the eye 10° beside its mirror image."""
     light = [math.sin(math.radians(30)), 0, math.cos(math.radians(30))]
@@ -198,96 +183,11 @@ def test_the_usual_highlights_are_half_as_bright_as_white_and_fourfold_for_blinn
     assert blinn_phong(FRONT, FRONT, view) == pytest.approx(1 + 0.5 * math.cos(0.1) ** 128)
 
 
-def test_shininess_zero_spreads_the_highlight_over_the_lit_side() -> None:
-    light, side = [math.sin(1), 0, math.cos(1)], [0, 1.0, 0]
-    for model in (phong, blinn_phong):
-        assert model(FRONT, light, side, 0.0, specular=0.3, shininess=0) == pytest.approx(0.3)
-
-
-def test_fields_of_normals_lights_and_eyes_are_shaded_one_by_one() -> None:
-    rng = np.random.default_rng(2)
-    normals, lights, views = normalise(rng.normal(size=(3, 4, 5, 3)))
-    for model in (phong, blinn_phong):
-        field = model(normals, lights, views, 0.5, ambient=0.1)
-        each = model(normals[2, 3], lights[2, 3], views[2, 3], 0.5, ambient=0.1)
-        assert field.shape == (4, 5)
-        assert field[2, 3] == pytest.approx(each)
-    np.testing.assert_allclose(
-        lambert(normals, lights), np.maximum((normals * lights).sum(-1), 0), atol=1e-15
-    )
-
-
-def test_vectors_without_direction_become_zero_and_spoil_no_other() -> None:
-    found = normalise([[0.0, 0, 0], [np.inf, 0, 0], [np.nan, 1, 0], [0, -3e200, 4e200]])
-    np.testing.assert_allclose(found, [[0.0, 0, 0], [0.0, 0, 0], [0.0, 0, 0], [0, -0.6, 0.8]])
-
-
-@pytest.mark.parametrize(("off", "legal"), [(0.9e-4, True), (1.05e-4, False), (-1.05e-4, False)])
-def test_a_direction_is_of_length_one_to_a_ten_thousandth(off: float, legal: bool) -> None:
-    light = (1 + off) * FRONT
-    if legal:
-        assert lambert(FRONT, light) == pytest.approx(1)
-        return
-    with pytest.raises(ValueError, match="light"):
-        lambert(FRONT, light)
-    with pytest.raises(ValueError, match="view"):
-        phong(FRONT, FRONT, light)
-
-
-def test_the_ends_of_the_ranges_are_legal_and_what_is_beyond_is_not() -> None:
-    assert lambert(FRONT, FRONT, [0.0, 1.0]).tolist() == [0, 1]
-    assert attenuation(0.0, 1.0) == 1
-    assert attenuation(1.0, 1e-15) == 1
-    with pytest.raises(ValueError, match="radius"):
-        attenuation(1.0, 0.9e-15)
-    for albedo in (-0.01, 1.01, math.nan):
-        with pytest.raises(ValueError, match="albedo"):
-            lambert(FRONT, FRONT, [0.5, albedo])
-    for shininess in (-0.1, math.inf, math.nan):
-        with pytest.raises(ValueError, match="shininess"):
-            blinn_phong(FRONT, FRONT, FRONT, shininess=shininess)
-    for distance in ([1.0, -0.1], [1.0, math.nan]):
-        with pytest.raises(ValueError, match="distance"):
-            attenuation(distance)
-
-
-UP = (0.0, 0.0, 1.0)
-
-
-@pytest.mark.parametrize("model", [phong, blinn_phong])
-@pytest.mark.parametrize("name", ["specular", "shininess", "ambient"])
-def test_shares_of_light_are_finite_and_not_negative(
-    model: Callable[..., Floats], name: str
-) -> None:
-    assert np.isfinite(model(UP, UP, UP, **{name: 0.0}))
-    for wrong in (-0.1, np.inf, np.nan):
-        with pytest.raises(ValueError, match=f"^{name} .*; legal: 0 or more, finite"):
-            model(UP, UP, UP, **{name: wrong})
-
-
-@pytest.mark.parametrize(
-    "colour", [(1.0, np.nan, 1.0), (np.inf, 1.0, 1.0), (1.0, -1.0, 1.0), (1.0, 1.0)]
-)
-def test_light_has_three_colours_that_are_amounts(colour: Any) -> None:
-    with pytest.raises(ValueError, match=r"^irradiance .*; legal: three numbers from 0 to 1e\+30"):
-        DirectionalLight(UP, colour)
-    with pytest.raises(ValueError, match=r"^intensity .*; legal: three numbers from 0 to 1e\+30"):
-        PointLight(UP, colour)
-
-
 def test_the_brightest_lights_still_have_a_number_for_every_pixel() -> None:
     lights: list[Light] = [
-        DirectionalLight(UP, (1e30, 0.0, 1.0)),
-        PointLight(UP, (1e30, 1e30, 1e30)),
+        DirectionalLight((0, 0, 1), (1e30, 0.0, 1.0)),
+        PointLight((0, 0, 1), (1e30, 1e30, 1e30)),
     ]
     for kind in (np.float32, np.float64):
-        light = irradiance(np.zeros((2, 3), kind), np.tile(np.array(UP, kind), (2, 1)), lights)
+        light = irradiance(np.zeros((2, 3), kind), np.tile(FRONT.astype(kind), (2, 1)), lights)
         assert light[0] == pytest.approx([2e30, 1e30, 1e30])
-
-
-@pytest.mark.parametrize("shape", [(4, 2), (4, 4)])
-def test_directions_have_three_components(shape: tuple[int, int]) -> None:
-    with pytest.raises(ValueError, match=r"legal: both \(\.\.\., 3\)"):
-        cosine(np.ones(shape), np.ones(shape))
-    with pytest.raises(ValueError, match=r"legal: both \(\.\.\., 3\)"):
-        lambert(np.ones(shape), UP)

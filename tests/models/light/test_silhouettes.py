@@ -41,29 +41,18 @@ def test_covered_area_of_a_sphere_is_the_area_of_its_ellipse() -> None:
     assert coverage.sum() == pytest.approx(math.pi * math.sqrt(np.linalg.det(shape)), rel=1e-3)
 
 
-def test_covered_area_of_a_box_face_is_exact() -> None:
-    K = pinhole.intrinsics(100.0, (63.5, 63.5))
-    rays = unit(pinhole.pixel_rays(K, 128, 128))
-    hit = intersect(Box((0, 0, 4), (2.03, 1.57, 1)), ORIGIN, rays)
-    area = (100 / 3.5) ** 2 * 2.03 * 1.57
-    assert edge_coverage(hit.margin).sum() == pytest.approx(area, rel=2e-3)
-
-
-def test_a_ray_past_a_sphere_is_measured_at_its_closest_approach() -> None:
-    hit = intersect(Sphere((0.0, 5.0, 3.0), 2.0), ORIGIN, AHEAD)
-    assert not hit.valid
-    assert hit.distance == pytest.approx(5.0)
-    assert hit.points == pytest.approx([0, 5, 0])
-    assert hit.margin == pytest.approx(2.0**2 - 3.0**2)
-    assert hit.normals == pytest.approx([0, 0, -1])
-
-
 def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord() -> None:
     hit = intersect(Sphere((0.0, 5.0, 1.0), 2.0), ORIGIN, AHEAD)
     assert hit.margin == pytest.approx(2.0**2 - 1.0**2)
     assert hit.distance == pytest.approx(5 - math.sqrt(3))
     behind = intersect(Sphere((0.0, -5.0, 1.0), 3.0), ORIGIN, AHEAD)
     assert behind.margin == pytest.approx(3.0**2 - 26.0)
+    missed = intersect(Sphere((0.0, 5.0, 3.0), 2.0), ORIGIN, AHEAD)  # at its closest approach
+    assert not missed.valid
+    assert missed.distance == pytest.approx(5.0)
+    assert missed.points == pytest.approx([0, 5, 0])
+    assert missed.margin == pytest.approx(2.0**2 - 3.0**2)
+    assert missed.normals == pytest.approx([0, 0, -1])
 
 
 def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette() -> None:
@@ -90,7 +79,7 @@ def test_straight_edges_on_the_grid_are_covered_by_their_distance() -> None:
     np.testing.assert_allclose(edge_coverage(slanted), behind, atol=1e-12)
 
 
-@pytest.mark.parametrize("radius", [0.15, 0.35, 0.8])
+@pytest.mark.parametrize("radius", [0.15, 0.8])
 def test_each_pixel_of_a_ball_s_outline_is_covered_as_far_as_many_rays_say(radius: float) -> None:
     """14 to 80 pixels across. A distance alone would be off by 4 % where the edge is slanted."""
     size, fine = 96, 16
@@ -107,16 +96,10 @@ def test_each_pixel_of_a_ball_s_outline_is_covered_as_far_as_many_rays_say(radiu
     assert np.abs(ours - counted).max() < 0.03
 
 
-@pytest.mark.parametrize("shape", [(1, 5), (5, 1), (5,), (2, 2, 2)])
-def test_coverage_needs_two_pixels_each_way(shape: tuple[int, ...]) -> None:
-    with pytest.raises(ValueError, match=r"legal: \(H, W\)"):
-        edge_coverage(np.ones(shape))
-    assert edge_coverage(np.ones((2, 2))).tolist() == [[1, 1], [1, 1]]
-
-
 def test_an_endless_margin_covers_its_pixel_or_is_unknown_without_a_warning() -> None:
     margin = np.full((4, 5), np.inf)
     margin[:, :2] = -1.0
     coverage = edge_coverage(margin)
     assert coverage[0, 0] == 0
     assert np.isnan(coverage[0, 4])
+    assert edge_coverage(np.ones((2, 2))).tolist() == [[1, 1], [1, 1]]

@@ -1,27 +1,18 @@
 """What solids hide of a lamp and of the sky: penumbrae, bounds, and form factors."""
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
+from support.rays import unit
 
-from simulations.models.arrays import Floats
-from simulations.models.light.raycasting import Box, Sphere, intersect
+from simulations.models.light.raycasting import Box, Sphere
 from simulations.models.light.soft_shadows import (
     bounding_radius,
     shadow_bounds,
     sphere_occlusion,
     visibility,
 )
-
-ORIGIN = np.zeros(3)
-
-
-def unit(values: ArrayLike) -> Floats:
-    vectors = np.asarray(values, float)
-    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
 @pytest.mark.parametrize("solid", [Sphere((0, 0, 2), 0.5), Box((0, 0, 2), (1, 1, 1))])
@@ -31,36 +22,8 @@ def test_shadow_is_full_below_and_absent_aside(solid: Box | Sphere) -> None:
     assert seen == pytest.approx([0, 1, 1])
 
 
-def test_half_of_the_lamp_is_seen_where_its_centre_grazes_the_sphere() -> None:
-    seen = visibility(Sphere((0, 0, 2), 0.5), (0.5, 0, 0), (0, 0, 1.0), math.radians(3))
-    assert seen == pytest.approx(0.5)
-
-
-def test_no_shadow_falls_outside_its_bounds() -> None:
-    light = tuple(unit([0.5, -0.6, 0.8]))
-    low, high = shadow_bounds(Sphere((0, 3, 0.4), 0.4), light, math.radians(5))
-    x, y = np.meshgrid(np.linspace(-4, 4, 161), np.linspace(-1, 7, 161))
-    floor = np.stack((x, y, np.zeros_like(x)), axis=-1)
-    shaded = visibility(Sphere((0, 3, 0.4), 0.4), floor, light, math.radians(5)) < 1
-    assert shaded.any()
-    assert (floor[shaded][:, :2] >= low[:2]).all()
-    assert (floor[shaded][:, :2] <= high[:2]).all()
-
-
-def test_sphere_hides_its_form_factor() -> None:
-    """Straight above, the form factor is (R / d)²; checked against cosine-weighted rays."""
-    rng = np.random.default_rng(1)
-    radius, angle = np.sqrt(rng.random(40_000)), 2 * np.pi * rng.random(40_000)
-    sky = np.stack(
-        (radius * np.cos(angle), radius * np.sin(angle), np.sqrt(1 - radius**2)), axis=-1
-    )
-    centre = (0.6, 0.0, 1.6)
-    share = intersect(Sphere(centre, 0.7), ORIGIN, sky).valid.mean()
-    assert sphere_occlusion(centre, 0.7, ORIGIN, (0, 0, 1.0)) == pytest.approx(share, abs=0.006)
-
-
 @pytest.mark.parametrize(
-    ("offset", "share"), [(-1.0, 0.0), (-0.5, 0.15625), (0.5, 0.84375), (1.0, 1.0)]
+    ("offset", "share"), [(-1.0, 0.0), (-0.5, 0.15625), (0.0, 0.5), (0.5, 0.84375), (1.0, 1.0)]
 )
 def test_the_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(
     offset: float, share: float
@@ -103,20 +66,6 @@ def test_turning_box_points_and_lamp_together_changes_no_shadow(turn: float) -> 
     assert visibility(turned, points @ R.T, R @ light, 0.05) == pytest.approx(seen, abs=1e-9)
 
 
-def test_a_ball_less_than_a_metre_away_casts_its_shadow_too() -> None:
-    assert visibility(Sphere((0, 0, 0.8), 0.3), ORIGIN, (0, 0, 1.0), 0.05) == 0
-
-
-def test_a_lamp_may_fill_almost_half_the_sky() -> None:
-    assert 0 < visibility(Sphere((0, 0, 2), 0.5), ORIGIN, (0, 0, 1.0), 1.5) < 1
-
-
-@pytest.mark.parametrize("angle", [0.0, -0.1, math.pi / 2, math.nan])
-def test_a_lamp_has_a_size_below_half_the_sky(angle: float) -> None:
-    with pytest.raises(ValueError, match="light_radius_rad"):
-        visibility(Sphere((0, 0, 2), 0.5), ORIGIN, (0, 0, 1.0), angle)
-
-
 def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone() -> None:
     """Ball of 0.5 at height 2: the shadow falls 2.5 m and widens by 2.5 tan α."""
     spread = 2.5 * math.tan(math.radians(5))
@@ -132,9 +81,6 @@ def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone() -> None:
     assert slanted[1][0] == pytest.approx(
         max(0.5, -0.6 * length + 0.5 + length * math.tan(math.radians(5)))
     )
-    for z in (0.0, -0.5):
-        with pytest.raises(ValueError, match="to_light"):
-            shadow_bounds(box, (1.0, 0.0, z), 0.1)
 
 
 def test_a_sphere_hides_its_form_factor_from_each_point() -> None:
@@ -144,40 +90,5 @@ def test_a_sphere_hides_its_form_factor_from_each_point() -> None:
     assert hidden == pytest.approx(by_hand)
 
 
-@pytest.mark.parametrize("radius", [0.0, -1.0, np.inf, np.nan, 1.1e100])
-def test_a_ball_and_what_hides_the_sky_have_a_radius(radius: float) -> None:
-    with pytest.raises(ValueError, match=r"legal: above 0, to 1e\+100"):
-        Sphere((0.0, 0.0, 0.0), radius)
-    with pytest.raises(ValueError, match=r"legal: above 0, to 1e\+100"):
-        sphere_occlusion((0.0, 0.0, 9.0), radius, [[0.0, 0.0, 0.0]], [[0.0, 0.0, 1.0]])
-
-
 def test_a_ball_as_large_as_all_space_hides_the_whole_sky() -> None:
     assert sphere_occlusion((0.0, 0.0, 1.0), 1e100, [[0.0, 0.0, 0.0]], [[0.0, 0.0, 1.0]]) == 1
-
-
-@pytest.mark.parametrize("light", [(0, 0, 2.0), (0, 0, 0.0), (math.nan, 0, 1), (0, math.inf, 1)])
-def test_a_light_has_a_direction_of_unit_length(light: tuple[float, float, float]) -> None:
-    for call in (
-        lambda: visibility(Sphere((0, 0, 2), 0.5), ORIGIN, light, 0.1),
-        lambda: shadow_bounds(Box((0, 0, 2), (1, 1, 1)), light, 0.1),
-    ):
-        with pytest.raises(ValueError, match=r"to_light .*; legal: a unit vector"):
-            call()
-
-
-@pytest.mark.parametrize("angle", [0.0, -0.1, 1.6, math.nan])
-def test_the_bounds_of_a_shadow_need_a_lamp_of_some_width(angle: float) -> None:
-    with pytest.raises(ValueError, match=r"light_radius_rad .*; legal: above 0, below pi/2"):
-        shadow_bounds(Sphere((0, 0, 2), 0.5), (0, 0, 1.0), angle)
-
-
-@pytest.mark.parametrize("far", [math.nan, math.inf, 1e101])
-def test_points_that_are_nowhere_are_refused(far: float) -> None:
-    calls: tuple[Callable[[], object], ...] = (
-        lambda: visibility(Sphere((0, 0, 2), 0.5), [[0.0, 0, 0], [far, 0, 0]], (0, 0, 1.0), 0.1),
-        lambda: sphere_occlusion((0, 0, 2.0), 0.5, [0, far, 0], (0, 0, 1.0)),
-    )
-    for call in calls:
-        with pytest.raises(ValueError, match=r"points as far as .*; legal: to 1e\+100"):
-            call()
