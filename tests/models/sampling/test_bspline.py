@@ -8,7 +8,7 @@ from scipy import ndimage
 from scipy.interpolate import BSpline
 
 from simulations.models.sampling.bspline import coefficients, weigh
-from simulations.models.sampling.resampling import gather, gather_table, sample
+from simulations.models.sampling.resampling import sample
 
 RNG = np.random.default_rng(4)
 PICTURE = RNG.normal(size=(33, 41))
@@ -47,17 +47,3 @@ def test_values_between_pixels_are_scipy_s_at_the_border_too() -> None:
     np.testing.assert_allclose(
         sample(PICTURE, ANYWHERE[inner], "spline"), oracle[inner], atol=1e-12
     )
-
-
-def test_float32_stays_single_and_near() -> None:
-    single = coefficients(PICTURE.astype(np.float32))
-    assert single.dtype == np.float32
-    np.testing.assert_allclose(single, coefficients(PICTURE), rtol=1e-6, atol=5e-6)
-
-
-def test_a_level_and_the_picture_that_was_given_stay_as_they_are() -> None:
-    level = np.full((5, 6), 0.7)
-    np.testing.assert_allclose(coefficients(level), 0.7, atol=1e-15)
-    given = PICTURE.copy()
-    gather(gather_table(ANYWHERE, given.shape, "spline"), given)
-    np.testing.assert_array_equal(given, PICTURE)

@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-import scipy.ndimage
 
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
@@ -27,29 +26,6 @@ def test_a_shifted_picture_keeps_its_detail_though_not_in_its_place(
     assert moved.in_place < 0.8
 
 
-@EACH
-def test_a_blurred_picture_loses_detail_and_what_is_left_is_in_its_place(
-    picture: Picture,
-) -> None:
-    truth = picture(X, Y)
-    blurred = fine_detail(scipy.ndimage.gaussian_filter(truth, 1.0), truth)
-    assert blurred.present < 0.5
-    assert blurred.in_place == pytest.approx(blurred.present, rel=0.25)
-
-
-@EACH
-def test_false_detail_is_present_and_not_in_place(picture: Picture) -> None:
-    """Fine waves of equal strength in random places, in place of the true ones."""
-    truth = picture(X, Y)
-    fine = truth - without_fine_detail(truth)
-    other = np.random.default_rng(3).standard_normal(truth.shape)
-    noise = other - without_fine_detail(other)
-    noise *= np.linalg.norm(fine) / np.linalg.norm(noise)
-    false = fine_detail(without_fine_detail(truth) + noise, truth)
-    assert false.present > 0.7
-    assert abs(false.in_place) < 0.1
-
-
 def test_a_wave_s_share_in_place_is_the_cosine_of_how_far_it_moved() -> None:
     x, _ = np.meshgrid(np.arange(64.0), np.arange(64.0))
     wave, moved = (np.cos(2 * np.pi * 0.25 * (x - s)) for s in (0.0, 0.5))
@@ -69,17 +45,3 @@ def test_without_fine_detail_none_is_present_and_coarse_waves_stay() -> None:
     np.testing.assert_allclose(without_fine_detail(coarse + fine), coarse, atol=1e-12)
     assert fine_detail(coarse, coarse + fine).present == pytest.approx(0, abs=1e-12)
     assert 0.125 < FINE < 0.25
-
-
-@pytest.mark.parametrize(
-    ("picture", "truth", "message"),
-    [
-        (np.zeros((4, 4)), np.zeros((4, 5)), "legal: equal"),
-        (np.zeros(4), np.zeros(4), r"legal: equal, \(H, W\)"),
-        (np.full((8, 8), np.nan), np.eye(8), "picture"),
-        (np.zeros((8, 8)), np.ones((8, 8)), "above 0"),
-    ],
-)
-def test_what_cannot_be_compared_is_refused(picture: Floats, truth: Floats, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        fine_detail(picture, truth)

@@ -11,27 +11,16 @@ from simulations.models.sampling import aliasing, prefilters
 FREQUENCIES = np.linspace(0, 1.2, 25)
 
 
-@pytest.mark.parametrize("kind", prefilters.KINDS)
-def test_grey_stays_as_it_is(kind: str) -> None:
-    assert prefilters.transfer(prefilters.prefilter(kind), 0) == pytest.approx(1, abs=1e-14)
-
-
-def test_a_point_passes_everything() -> None:
-    np.testing.assert_array_equal(
-        prefilters.transfer(prefilters.prefilter("none"), FREQUENCIES), np.ones(25)
-    )
-
-
 def test_the_box_has_the_transfer_of_a_pixel() -> None:
     found = prefilters.transfer(prefilters.prefilter("box"), FREQUENCIES)
     np.testing.assert_allclose(found, np.sinc(FREQUENCIES), atol=1e-6)
     np.testing.assert_allclose(np.abs(found), aliasing.box_mtf(FREQUENCIES), atol=1e-6)
 
 
-def test_the_gaussian_has_a_gaussian_transfer() -> None:
-    found = prefilters.transfer(prefilters.prefilter("gaussian"), FREQUENCIES)
-    expected = np.exp(-2 * np.square(np.pi * prefilters.GAUSSIAN_SIGMA_PX * FREQUENCIES))
-    np.testing.assert_allclose(found, expected, atol=2e-6)
+def test_the_gaussian_has_a_gaussian_transfer_of_half_a_pixel() -> None:
+    found = prefilters.transfer(prefilters.prefilter("gaussian"), FREQUENCIES.reshape(5, 5))
+    expected = np.exp(-2 * np.square(np.pi * 0.5 * FREQUENCIES))
+    np.testing.assert_allclose(found, expected.reshape(5, 5), atol=2e-6)
 
 
 @pytest.mark.parametrize("frequency", [0.1, 0.37, 0.5, 0.8, 1.2])
@@ -45,11 +34,6 @@ def test_the_windowed_sinc_is_integrated_well_enough(frequency: float) -> None:
     )
     found = prefilters.transfer(prefilters.prefilter("sinc"), frequency)
     assert found == pytest.approx(wave[0] / area, abs=1e-4)
-
-
-def test_the_windowed_sinc_parts_what_samples_hold_from_what_they_cannot() -> None:
-    passed = prefilters.transfer(prefilters.prefilter("sinc"), np.array([0.3, 0.5, 0.7, 1.0]))
-    np.testing.assert_allclose(passed, [1, 0.5, 0, 0], atol=0.04)
 
 
 def test_a_pure_wave_only_changes_its_amplitude() -> None:
@@ -69,29 +53,11 @@ def test_a_chirp_is_averaged_over_the_pixel() -> None:
     assert wave.imag == pytest.approx(over_pixel(np.imag, x), abs=1e-6)
 
 
-def test_an_unknown_filter_is_refused() -> None:
-    with pytest.raises(ValueError, match=r"'median'; legal: none, box"):
-        prefilters.prefilter("median")
-
-
 @pytest.mark.parametrize(("kind", "reach"), [("box", 0.5), ("gaussian", 2.5), ("sinc", 4.0)])
 def test_each_filter_reaches_as_far_as_it_says_on_both_sides(kind: str, reach: float) -> None:
     kernel = prefilters.prefilter(kind)
     np.testing.assert_allclose(kernel.offsets_px, np.linspace(-reach, reach, 129), atol=1e-14)
     np.testing.assert_allclose(kernel.weights, kernel.weights[::-1], atol=1e-16)
-
-
-def test_the_gaussian_has_the_width_of_a_sharp_lens() -> None:
-    kernel = prefilters.prefilter("gaussian")
-    assert kernel.weights @ kernel.offsets_px**2 == pytest.approx(0.5**2, rel=1e-4)
-
-
-def test_the_weights_are_simpsons() -> None:
-    """One, four, two, four, ..., one thirds of the step: cubics are integrated exactly."""
-    weights = prefilters.prefilter("box").weights * 3 * 128
-    np.testing.assert_allclose(weights[[0, 1, 2, 3, -2, -1]], [1, 4, 2, 4, 4, 1])
-    np.testing.assert_allclose(weights[1::2], 4)
-    np.testing.assert_allclose(weights[2:-1:2], 2)
 
 
 def test_a_chirp_has_the_local_frequency_it_says() -> None:
@@ -101,14 +67,6 @@ def test_a_chirp_has_the_local_frequency_it_says() -> None:
     )
     turns = np.angle(after / before) / (2 * np.pi * 2 * step)
     np.testing.assert_allclose(turns, 0.2 + 0.05 * x, atol=1e-7)
-
-
-def test_frequencies_and_places_may_have_any_shape() -> None:
-    kernel, table = prefilters.prefilter("sinc"), FREQUENCIES.reshape(5, 5)
-    each = [[prefilters.transfer(kernel, f) for f in row] for row in table]
-    np.testing.assert_allclose(prefilters.transfer(kernel, table), each, atol=1e-14)
-    waves = [[prefilters.filtered_wave(kernel, x, 0.3, 0.1) for x in row] for row in table]
-    np.testing.assert_allclose(prefilters.filtered_wave(kernel, table, 0.3, 0.1), waves, atol=1e-14)
 
 
 @pytest.mark.parametrize("factor", [1, 2, 4, 8])
@@ -128,29 +86,10 @@ def test_a_wave_as_fine_as_the_points_passes_them_whole(factor: int) -> None:
     assert kernel.offsets_px.size == factor
 
 
-@pytest.mark.parametrize("factor", [2, 4, 8])
-def test_points_give_what_a_mean_over_blocks_of_samples_gives(factor: int) -> None:
-    centres = np.arange(16.0)
-    fine = (centres[:, None] + (np.arange(factor) + 0.5) / factor - 0.5).ravel()
-    waves = np.cos(np.pi * 0.02 * fine**2)
-    blocks = waves.reshape(-1, factor).mean(axis=1)
-    ours = prefilters.filtered_wave(prefilters.supersample(factor), centres, 0.0, 0.02).real
-    np.testing.assert_allclose(ours, blocks, atol=1e-13)
-
-
-def test_no_point_is_refused() -> None:
-    with pytest.raises(ValueError, match="factor 0; legal: whole numbers, 1 or more"):
-        prefilters.supersample(0)
-
-
 def test_a_point_passes_all_waves_that_have_a_phase() -> None:
-    assert prefilters.transfer(prefilters.supersample(1), [-1e9, 1e7, 1e9]).tolist() == [1, 1, 1]
-
-
-@pytest.mark.parametrize("frequency", [np.inf, np.nan, 1.001e9, -1.001e9])
-def test_frequencies_without_a_phase_are_refused(frequency: float) -> None:
-    with pytest.raises(ValueError, match=r"legal: at most 1e9"):
-        prefilters.transfer(prefilters.prefilter("box"), [0.5, frequency])
+    waves = [-1e9, 0.0, 0.3, 1e7, 1e9]
+    for point in (prefilters.supersample(1), prefilters.prefilter("none")):
+        assert prefilters.transfer(point, waves).tolist() == [1] * 5
 
 
 @pytest.mark.parametrize(("frequency", "chirp"), [(1e9, -1e9), (-1e9, 1e9)])
@@ -158,12 +97,3 @@ def test_any_wave_of_up_to_a_billion_cycles_is_1_where_it_starts(
     frequency: float, chirp: float
 ) -> None:
     assert prefilters.filtered_wave(prefilters.supersample(1), 0.0, frequency, chirp) == 1
-
-
-@pytest.mark.parametrize(
-    ("frequency", "chirp"),
-    [(np.inf, 0.0), (0.1, np.nan), (1.001e9, 0.0), (-1.001e9, 0.0), (0.1, 1.001e9), (0.1, -2e9)],
-)
-def test_a_wave_has_a_frequency(frequency: float, chirp: float) -> None:
-    with pytest.raises(ValueError, match=r"^(frequency|chirp) .+; legal: at most 1e9"):
-        prefilters.filtered_wave(prefilters.prefilter("box"), 0.0, frequency, chirp)

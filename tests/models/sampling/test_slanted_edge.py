@@ -58,30 +58,3 @@ def test_an_upright_edge_meets_every_row_alike_and_says_nothing() -> None:
     reading = read_edge(edge_picture(45, 60, 0.0, gaussian))
     assert not reading.complete
     assert np.isnan(reading.transfer([0.1])).all()
-
-
-def test_values_after_a_display_s_curve_give_another_transfer() -> None:
-    light = edge_picture(90, 60, ANGLE, gaussian)
-    curved = read_edge(np.clip(light, 0, 1) ** (1 / 2.2)).transfer([0.25])
-    assert abs(curved - read_edge(light).transfer([0.25])) > 0.03
-
-
-@pytest.mark.parametrize(
-    ("picture", "reason"),
-    [
-        (np.zeros((1, 8)), "shape"),
-        (np.full((4, 8), np.nan), "finite"),
-        (np.zeros((4, 8)), "dark to light"),
-        (np.tile(np.linspace(1, 0, 8), (4, 1)), "dark to light"),
-    ],
-)
-def test_what_is_no_picture_of_an_edge_is_refused(picture: Floats, reason: str) -> None:
-    with pytest.raises(ValueError, match=reason):
-        read_edge(picture)
-
-
-def test_more_than_half_a_right_angle_and_waves_finer_than_the_bins_are_refused() -> None:
-    with pytest.raises(ValueError, match="angle_rad"):
-        edge_picture(4, 4, 1.0, sharp)
-    with pytest.raises(ValueError, match="frequency"):
-        read_edge(edge_picture(45, 60, ANGLE, gaussian)).transfer([4.0])
