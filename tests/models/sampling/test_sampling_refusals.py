@@ -51,7 +51,11 @@ def kept(factor: int, shape: Any = (8, 9), kernel: Any = (1.0,)) -> Any:
     (r"legal: equal", lambda pair: fine_detail(*pair), UNEQUAL),
     ("picture", lambda pair: fine_detail(*pair), NO_DETAIL),
     ("above 0", lambda truth: fine_detail(np.zeros((8, 8)), truth), [np.ones((8, 8))]),
-    ("scale .*; legal: above 0, finite", lambda scale: magnify(PICTURE, scale), NO_SIZE),
+    (
+        "scale .*; legal: above 0, finite",
+        lambda scale: magnify(PICTURE.astype(np.float32), scale),
+        NO_SIZE,
+    ),
     ("'median'; legal: none, box", prefilters.prefilter, ["median"]),
     ("factor 0; legal: whole numbers, 1 or more", prefilters.supersample, [0]),
     ("legal: at most 1e9", lambda f: prefilters.transfer(BOX, [0.5, f]), NO_PHASE),

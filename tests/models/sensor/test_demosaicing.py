@@ -3,7 +3,6 @@
 import warnings
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import numpy as np
 import pytest
@@ -11,8 +10,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb
-from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.bayer import filter_colours, red_position, through_filters
 from simulations.models.sensor.demosaicing import METHODS, PATTERNS, demosaic, mosaic
 
@@ -41,11 +38,8 @@ BORDER = {"bilinear": 1, "malvar": 2, "menon-unrefined": 6, "menon": 6, "menon-e
 
 @pytest.mark.parametrize("pattern", PATTERNS)
 @pytest.mark.parametrize("method", ORACLES)
-@pytest.mark.parametrize("shape", [(37, 42), (40, 31)])
-def test_interior_equals_the_published_method(
-    pattern: str, method: str, shape: tuple[int, int]
-) -> None:
-    cfa = mosaic(np.random.default_rng(1).random((*shape, 3)), pattern)
+def test_interior_equals_the_published_method(pattern: str, method: str) -> None:
+    cfa = mosaic(np.random.default_rng(1).random((40, 31, 3)), pattern)
     inner = (slice(BORDER[method], -BORDER[method]),) * 2
     ours, theirs = demosaic(cfa, pattern, method), ORACLES[method](cfa, pattern)
     if method == "menon-encoded":  # the oracle continues the toe below 0, where we mirror it
@@ -61,20 +55,6 @@ def test_where_rows_and_columns_are_equally_calm_menon_keeps_the_rows(method: st
     np.testing.assert_allclose(
         demosaic(cfa, "RGGB", method)[6:-6, 6:-6], theirs[6:-6, 6:-6], atol=1e-12
     )
-
-
-def test_edges_of_a_shadow_are_better_guessed_after_the_curve() -> None:
-    """A shadow multiplies all colours alike: its edge differs between them in linear light."""
-    y, x = np.mgrid[:64, :64]
-    shadow = np.where(x + 2 * y > 96, 1.0, 0.1)[..., None] * np.array([0.8, 0.5, 0.2])
-    shadow = (shadow + np.roll(shadow, 1, 1) + np.roll(shadow, -1, 1)) / 3
-    linear, curved = (
-        psnr_db(
-            encode_srgb(np.clip(demosaic(mosaic(shadow), "RGGB", m), 0, 1)), encode_srgb(shadow)
-        )
-        for m in ("menon-unrefined", "menon-encoded")
-    )
-    assert curved > linear + 2
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -105,32 +85,6 @@ def test_a_line_of_grey_stays_grey(method: str, shape: tuple[int, int]) -> None:
     np.testing.assert_allclose(demosaic(np.full(shape, 0.3), "GRBG", method), 0.3, atol=1e-15)
 
 
-def test_a_row_is_interpolated_along_itself() -> None:
-    rgb = demosaic(np.array([[0.0, 0.1, 0.4, 0.3]]), "RGGB")
-    np.testing.assert_allclose(rgb[0, :, 0], [0.0, 0.2, 0.4, 0.4])
-    np.testing.assert_allclose(rgb[0, :, 1], [0.1, 0.1, 0.2, 0.3])
-
-
-def test_float32_stays_float32() -> None:
-    cfa = np.random.default_rng(3).random((16, 16)).astype(np.float32)
-    assert {demosaic(cfa, "RGGB", method).dtype for method in METHODS} == {np.dtype(np.float32)}
-
-
-@pytest.mark.parametrize(
-    ("cfa", "pattern", "method", "message"),
-    [
-        (np.zeros((0, 3)), "RGGB", "bilinear", r"\(0, 3\)"),
-        (np.zeros((4, 4)), "RGBG", "bilinear", "RGBG"),
-        (np.zeros((4, 4)), "RGGB", "magic", "magic"),
-    ],
-)
-def test_what_cannot_be_demosaiced_is_refused_with_the_reason(
-    cfa: Floats, pattern: str, method: str, message: str
-) -> None:
-    with pytest.raises(ValueError, match=message):
-        demosaic(cfa, pattern, method)
-
-
 @pytest.mark.parametrize("pattern", PATTERNS)
 def test_each_pixel_has_the_filter_that_the_pattern_names(pattern: str) -> None:
     expected = [["RGB".index(pattern[2 * (y % 2) + x % 2]) for x in range(7)] for y in range(5)]
@@ -155,23 +109,6 @@ def test_red_first_is_the_default() -> None:
     np.testing.assert_array_equal(demosaic(cfa), demosaic(cfa, "RGGB", "bilinear"))
 
 
-@pytest.mark.parametrize("shape", [(4, 4), (4, 4, 4), (3, 4), (0, 4, 3), (4, 0, 3), (2, 2, 2, 3)])
-def test_what_is_no_picture_has_no_mosaic(shape: tuple[int, ...]) -> None:
-    with pytest.raises(ValueError, match=r"legal: \(H, W, 3\), not empty"):
-        mosaic(np.zeros(shape))
-
-
-@pytest.mark.parametrize("shape", [(1, 1, 3), (1, 5, 3), (5, 1, 3)])
-def test_thin_pictures_have_mosaics_too(shape: tuple[int, int, int]) -> None:
-    assert mosaic(np.ones(shape)).shape == shape[:2]
-
-
-@pytest.mark.parametrize("shape", [(4,), (4, 4, 3), (4, 0)])
-def test_what_is_no_mosaic_is_refused(shape: tuple[int, ...]) -> None:
-    with pytest.raises(ValueError, match=r"legal: \(H, W\), not empty"):
-        demosaic(np.zeros(shape))
-
-
 def test_nearest_copies_from_within_the_quad() -> None:
     cfa = np.array([[1.0, 2, 5, 6], [3, 4, 7, 8]])
     result = demosaic(cfa, "RGGB", "nearest")
@@ -186,9 +123,3 @@ def test_a_line_copies_the_nearest_sample_and_greys_what_it_lacks() -> None:
     np.testing.assert_allclose(result[:, 1], [0.8, 0.8, 0.6, 0.6, 0.2])
     np.testing.assert_allclose(result[:, 2], [0.1, 0.1, 0.1, 0.3, 0.3])
     np.testing.assert_allclose(result[:, 0], result[:, 1:].mean(axis=1))
-
-
-@pytest.mark.parametrize("shape", [(0, 4), (4, 0), (2.5, 4), (4, np.nan)])
-def test_a_sensor_has_whole_rows_and_columns(shape: tuple[Any, Any]) -> None:
-    with pytest.raises(ValueError, match=r"(height|width) .*; legal: whole numbers, 1 or more"):
-        filter_colours(*shape)

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import Sensor
@@ -47,18 +46,6 @@ def test_a_gain_is_within_a_few_standard_errors_of_the_truth_or_refused(
         assert not told
 
 
-@pytest.mark.parametrize("gain", [0.5, 5.0, 50.0])
-def test_twenty_even_levels_tell_the_gain_to_half_a_per_cent(gain: float) -> None:
-    sensor = Sensor(gain_e_per_dn=gain, bits=16)
-    offs = []
-    for seed in range(12):
-        found = estimate_gain(*photon_transfer(LEVELS["even"], sensor, np.random.default_rng(seed)))
-        offs.append((found.e_per_dn - gain) / gain)
-        assert found.error_e_per_dn / gain == pytest.approx(0.004, abs=0.0012)
-    assert np.sqrt(np.mean(np.square(offs))) < 0.006
-    assert abs(np.mean(offs)) < 0.003  # no bias: the standard error of this mean is 0.0013
-
-
 @pytest.mark.parametrize("gain", [0.31, 0.62, 1.24, 2.48])
 def test_few_electrons_on_few_codes_do_not_bend_the_gain(gain: float) -> None:
     """Nothing but shot noise spreads them, and whole electrons meet whole codes."""
@@ -87,19 +74,11 @@ def test_the_photon_transfer_curve_has_the_variances_of_its_sources() -> None:
     np.testing.assert_allclose(mean, levels / 2, atol=0.2)
     np.testing.assert_allclose(variance, (levels + 100) / 4 + 1 / 12, rtol=0.02)
     assert photon_transfer(5.0, sensor, rng(), samples=2)[0].shape == (1,)
-    with pytest.raises(ValueError, match=r"^samples 1; legal: whole numbers, 2 or more$"):
-        photon_transfer(levels, sensor, rng(), samples=1)
 
 
 def test_the_gain_is_one_over_the_slope_whatever_the_offset() -> None:
     mean = np.array([10.0, 20.0, 50.0])
-    found = estimate_gain(mean, 3.0 + mean / 4)
-    assert found.e_per_dn == pytest.approx(4.0)
-    with pytest.raises(ValueError, match="1 of 2 levels on the straight part"):
-        estimate_gain(mean[:2], mean[:2])
-    for levels in ([5.0], [5.0, 5.0]):
-        with pytest.raises(ValueError, match="levels"):
-            estimate_gain(levels, levels)
+    assert estimate_gain(mean, 3.0 + mean / 4).e_per_dn == pytest.approx(4.0)
 
 
 def test_a_fit_trusts_small_variances_more() -> None:
@@ -126,50 +105,9 @@ def test_both_exposures_of_a_transfer_curve_count() -> None:
     assert variance.mean() == pytest.approx(400, rel=0.05)
 
 
-def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherwise() -> None:
-    levels = [50.0, 400.0]
-    usual, stated = (
-        photon_transfer(levels, Sensor(), rng()),
-        photon_transfer(levels, Sensor(), rng(), 20_000),
-    )
-    np.testing.assert_array_equal(usual, stated)
-
-
-@pytest.mark.parametrize(
-    ("mean", "variance", "message"),
-    [
-        ([1.0, 2.0, 9.0], [3.0, 3.0, 3.5], "variance does not rise with the mean"),
-        ([1.0, 2.0, 9.0], [3.0, 2.0, 3.5], "variance does not rise with the mean"),
-        ([100.0, 100.1, 900.0], [3.0, 3.001, 30.0], r"tell the gain to \d+ % only; legal: 10 % or"),
-        ([1.0, 2.0], [3.0, 3.0], "0 of 2 levels on the straight part"),
-        ([1.0, 2.0, 9.0], [0.1, 0.2, 0.4], "0 of 3 levels on the straight part"),
-        ([], [], "0 of 0 levels"),
-        ([1.0, np.nan], [1.0, 2.0], "not finite"),
-        ([1.0, 2.0], [1.0, np.inf], "not finite"),
-        ([1.0, 2.0, 3.0], [1.0, 2.0], r"both \(N,\)"),
-        ([[1.0, 2.0]], [[1.0, 2.0]], r"both \(N,\)"),
-    ],
-)
-def test_a_curve_without_shot_noise_has_no_gain(
-    mean: ArrayLike, variance: ArrayLike, message: str
-) -> None:
-    with pytest.raises(ValueError, match=message):
-        estimate_gain(mean, variance)
-
-
 @pytest.mark.parametrize("scale", [40.0, 1e5, 1e150, 1e300])
 def test_no_scale_of_the_mean_overflows(scale: float) -> None:
     """Warnings are errors here."""
     mean = scale * np.array([1.0, 2.0, 4.0, 7.0])
     found = estimate_gain(mean, [100.0, 200.0, 400.0, 700.0])
     assert found.e_per_dn == pytest.approx(scale / 100, rel=1e-12)
-
-
-def test_a_variance_of_one_sample_is_refused() -> None:
-    with pytest.raises(ValueError, match="samples 1; legal: whole numbers, 2 or more"):
-        estimate_gain([20.0, 40.0, 100.0], [20.0, 40.0, 100.0], samples=1)
-
-
-def test_two_samples_a_level_are_legal_and_tell_nothing() -> None:
-    with pytest.raises(ValueError, match=r"tell the gain to \d+ % only"):
-        estimate_gain([20.0, 40.0, 100.0], [20.0, 40.0, 100.0], samples=2)

@@ -1,24 +1,18 @@
 """Counted electrons: their distribution, their well, and quicker models of both."""
 
-from collections.abc import Callable
-from typing import cast
-
 import numpy as np
 import pytest
 from numpy.typing import DTypeLike
 from scipy import stats
 
-from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import (
     LARGEST_WELL_E,
     SHOT_MODELS,
     Sensor,
     ShotModel,
     expose,
-    read_out,
     shot_noise,
     shot_noise_from_normal,
-    signal_to_noise,
 )
 
 
@@ -26,46 +20,12 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(7)
 
 
-def ks_distance(samples: Floats, mean: float) -> float:
-    """Largest gap between the samples' distribution and the Poisson's, at whole numbers."""
-    codes = np.arange(0, samples.max() + 1)
-    empirical = np.searchsorted(np.sort(samples), codes, side="right") / samples.size
-    return np.abs(empirical - stats.poisson.cdf(codes, mean)).max()
-
-
-@pytest.mark.parametrize("mean", [0.5, 4.0, 60.0])
-def test_shot_noise_follows_the_poisson_distribution(mean: float) -> None:
-    samples = shot_noise(np.full(50_000, mean), rng())
-    assert ks_distance(samples, mean) < 1.63 / np.sqrt(50_000)  # the 1 % bound of the test
-
-
-def test_no_light_frees_no_electron_and_any_light_is_held_by_the_well() -> None:
-    for model in SHOT_MODELS:
-        held = shot_noise([0.0, 1e300, np.inf], rng(), 1000.0, model)
-        np.testing.assert_array_equal(held, [0, 1000, 1000])
-
-
-def test_signal_to_noise_of_shot_noise_is_the_root_of_the_electrons() -> None:
-    bare = Sensor(read_noise_e=0, gain_e_per_dn=1e-6, black_level_dn=0)
-    assert signal_to_noise(10_000, bare) == pytest.approx(100)
-    assert signal_to_noise(0, Sensor()) == 0
-
-
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: shot_noise([-1.0], rng()), "mean_e"),
-        (lambda: shot_noise([np.nan], rng()), "mean_e"),
-        (lambda: shot_noise([1.0], rng(), model=cast(ShotModel, "fast")), "fast"),
-        (lambda: Sensor(bits=4), "black_level_dn"),
-        (lambda: expose(1.0, -1.0, Sensor()), "exposure_s"),
-    ],
-)
-def test_meaningless_parameters_are_refused_by_name(
-    call: Callable[[], object], message: str
-) -> None:
-    with pytest.raises(ValueError, match=message):
-        call()
+@pytest.mark.parametrize("model", SHOT_MODELS)
+def test_no_light_frees_no_electron_and_any_light_is_held_by_the_well(model: ShotModel) -> None:
+    held = shot_noise([0.0, 1e9, 1e300, np.inf], rng(), 1000.0, model)
+    np.testing.assert_array_equal(held, [0, 1000, 1000, 1000])
+    # Without a well, as much as a sampler can draw.
+    assert shot_noise([1e300, np.inf], rng(), model=model) == pytest.approx([1e13, 1e13], rel=1e-5)
 
 
 @pytest.mark.parametrize("model", SHOT_MODELS)
@@ -93,22 +53,6 @@ def test_a_well_spills_what_it_cannot_hold() -> None:
     assert np.mean(counted == 100) == pytest.approx(stats.poisson.sf(99, 100), abs=0.01)
 
 
-def test_the_cap_is_too_far_above_the_well_to_be_noticed() -> None:
-    for well in (1.0, 1000.0):
-        assert shot_noise(np.full(100_000, 1e9), rng(), well).min() == well
-
-
-def test_single_precision_stays_single() -> None:
-    few = np.full(4, 10.0, np.float32)
-    for model in SHOT_MODELS:
-        assert shot_noise(few, rng(), model=model).dtype == np.float32
-    assert shot_noise(few, rng(), 1000.0).dtype == np.float32
-    assert shot_noise_from_normal(few, np.ones_like(few), 1000.0).dtype == np.float32
-    assert shot_noise_from_normal(few, np.zeros_like(few)).dtype == np.float32
-    assert read_out(few, Sensor(), rng()).dtype == np.float32
-    assert read_out(few.astype(float), Sensor(), rng()).dtype == np.float64
-
-
 def test_normals_drawn_beforehand_give_the_counts_of_the_same_draws() -> None:
     mean = np.linspace(0, 1500, 4000, dtype=np.float32)
     z = rng().standard_normal(mean.shape, np.float32)
@@ -126,32 +70,12 @@ def test_the_second_term_leans_counts_to_the_right() -> None:
     np.testing.assert_array_equal(drawn, expected)
 
 
-def test_a_pixel_that_never_fills_counts_any_light_up_to_what_a_sampler_can_draw() -> None:
-    for model in SHOT_MODELS:
-        counted = shot_noise([1e300, np.inf], rng(), model=model)
-        assert counted == pytest.approx([1e13, 1e13], rel=1e-5)
-
-
 @pytest.mark.parametrize("mean", [1e9, 1e11, LARGEST_WELL_E])
 def test_up_to_the_largest_well_the_variance_is_the_mean(mean: float) -> None:
     """Above it the sampler loses digits: 2 % at 3e13. A million counts tell 0.14 %."""
     counted = shot_noise(np.full(1_000_000, mean), rng()) - mean
     assert counted.var() / mean == pytest.approx(1, abs=0.006)
     assert abs(counted.mean()) < 4e-3 * np.sqrt(mean)
-
-
-@pytest.mark.parametrize("well", [0.0, -1.0, np.nan, 2e13])
-def test_a_well_that_holds_nothing_or_more_than_can_be_counted_is_refused(well: float) -> None:
-    with pytest.raises(ValueError, match=f"^full_well_e {well}; legal: above 0, to 1e\\+13, or"):
-        shot_noise([1.0], rng(), well)
-    with pytest.raises(ValueError, match=r"^full_well_e"):
-        shot_noise_from_normal([1.0], [0.0], well)
-
-
-def test_the_models_of_shot_noise_are_listed_from_rough_to_exact() -> None:
-    assert SHOT_MODELS == ("gaussian", "skewed", "quantile", "poisson")
-    even = stats.norm.ppf((np.arange(100_000) + 0.5) / 100_000)
-    assert ks_distance(shot_noise_from_normal(np.full(even.shape, 9.0), even), 9.0) < 2e-5
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
@@ -168,9 +92,3 @@ def test_nothing_is_drawn_for_wells_that_are_sure_to_be_full() -> None:
     np.testing.assert_array_equal(counted[:, 0], [10_000, 10_000])
     np.testing.assert_array_equal(counted[:, 1], shot_noise([9.0, 80.0], dim))
     assert mixed.bit_generator.state == dim.bit_generator.state
-
-
-def test_a_well_that_overflows_on_average_is_not_always_full() -> None:
-    """One standard deviation above a well of a million: a sixth of the samples lie below it."""
-    counted = shot_noise(np.full(20_000, 1_001_000.0), rng(), 1e6)
-    assert np.mean(counted < 1e6) == pytest.approx(stats.norm.cdf(-1), abs=0.01)
