@@ -1,1 +1,1 @@
-"""Tables of hard cases, one file per model: executed by the tests, printed in the book."""
+"""Tables of hard cases, one file per model, run by the tests and printed in the book."""

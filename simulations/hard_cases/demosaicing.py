@@ -24,7 +24,7 @@ def spread(method: str, pattern: str, height: int, width: int) -> float:
 
 
 def edge(method: str) -> np.ndarray:
-    """Range of what a method makes of a sharp grey edge between 0 and 1."""
+    """Range of the values that a method returns for a sharp grey edge between 0 and 1."""
     grey = np.repeat(np.repeat([[0.0, 1.0]], 6, axis=1), 12, axis=0)[..., None] * np.ones(3)
     restored = demosaicing.demosaic(bayer.mosaic(grey), "RGGB", method)
     return np.array([restored.min(), restored.max()])

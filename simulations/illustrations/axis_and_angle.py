@@ -1,4 +1,4 @@
-"""A rotation about an axis: the part along it stays, the part across it goes round a circle."""
+"""A rotation about an axis: the part along it stays, the part across it moves on a circle."""
 
 import math
 

@@ -16,7 +16,7 @@ LENSES = (
     ("pincushion", "Pincushion", 0.15, 0.0, 1.0),
     ("moustache", "Moustache", -0.5, 0.21, 1.25),
 )
-"""Name, title, k1 and k2, and by how much it is enlarged."""
+"""Name, title, k1 and k2, and magnification."""
 LINES = np.linspace(-0.9, 0.9, 7)
 ALONG = np.linspace(-0.9, 0.9, 49)
 

@@ -1,4 +1,4 @@
-"""The Bayer mosaic, what each colour was measured at, and how a missing green is filled in."""
+"""The Bayer mosaic, the cells of each colour, and the interpolation of a missing green."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,14 +13,14 @@ WIDTH, HEIGHT = 300.0, 250.0
 CELLS, PITCH, EDGE = 6, 40.0, 30.0
 LETTERS = "RGB"
 FILTERS = ((0.86, 0.36, 0.30), (0.42, 0.70, 0.36), (0.34, 0.48, 0.84))
-"""How the filters are shown."""
+"""Colours of the filters in the drawing."""
 RED_CELL = (2, 2)
-"""Row and column of the cell whose green is asked for."""
+"""Row and column of the cell whose green is interpolated."""
 NEIGHBOURS = ((-1, 0), (1, 0), (0, -1), (0, 1))
 
 
 def colours() -> NDArray[np.uint8]:
-    """What each cell sees: 0 red, 1 green, 2 blue."""
+    """Colour of each cell: 0 red, 1 green, 2 blue."""
     return filter_colours(CELLS, CELLS, "RGGB")
 
 

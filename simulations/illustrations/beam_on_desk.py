@@ -14,7 +14,7 @@ from simulations.models.geometry.lines_and_planes import plane_through, signed_d
 WIDTH, HEIGHT = 400.0, 226.0
 SCALE = 74.0
 CORNERS = np.array([(0.0, 1.0, 3.0), (2.0, 1.0, 3.0), (0.0, 0.0, 4.0)])
-"""Of the desk, in the camera's axes, in metres: the numbers of the chapter's example."""
+"""Corners of the desk, in the camera's axes, in metres, as in the chapter's example."""
 PLANE = plane_through(*CORNERS)[0]
 BEAM = np.array([0.0, 0.0, 1.0])
 
@@ -24,7 +24,7 @@ def at(y: float, z: float) -> tuple[float, float]:
 
 
 def spot() -> float:
-    """How far along the beam it meets the desk, in metres."""
+    """Distance along the beam to the desk, in metres."""
     normal, distance = PLANE[:3], PLANE[3]
     return float(-distance / (normal @ BEAM))
 

@@ -12,7 +12,7 @@ WIDTH, HEIGHT = 400.0, 214.0
 CENTRE = (24.0, 150.0)
 UNITS_PER_M = 60.0
 FOCAL_M = 1.2
-"""Of a camera drawn many times too large."""
+"""Focal length of a camera drawn many times too large."""
 PEOPLE = ((1.2, 3.2, "child"), (1.8, 4.8, "adult"))
 """Height and distance in metres."""
 
@@ -22,7 +22,7 @@ def at(height: float, distance: float) -> tuple[float, float]:
 
 
 def image_height(height: float, distance: float) -> float:
-    """On an image plane at the distance `FOCAL_M`."""
+    """Height of the image on a plane at the distance `FOCAL_M`."""
     K = np.diag([FOCAL_M, FOCAL_M, 1.0])
     return float(project(np.array([0.0, height, distance]), K)[0][1])
 

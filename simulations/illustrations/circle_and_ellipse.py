@@ -1,4 +1,4 @@
-"""A circle on a tiled road and its image: an ellipse, whose middle is not the circle's."""
+"""A circle on a tiled road and its image: an ellipse with a different centre."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ WIDTH, HEIGHT = 320.0, 236.0
 H = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.0, 1.0]])
 """The road of the chapter's example."""
 UNIT = 52.0
-"""Of the drawing, for one of the plane."""
+"""Units of the drawing per unit of the plane."""
 COLUMNS, ROWS = np.linspace(-1.0, 3.0, 9), np.linspace(-1.0, 1.0, 5)
 TURN = np.linspace(0.0, 2 * np.pi, 97)[:-1]
 CIRCLE = np.stack([np.cos(TURN), np.sin(TURN)], axis=-1)
@@ -35,7 +35,7 @@ def _tiles() -> list[Floats]:
 
 
 def _placed(points: Floats, left: float) -> Floats:
-    """In units of a drawing whose left border is at ``left`` in the plane."""
+    """Places in units of a drawing whose left border is at ``left`` in the plane."""
     return (np.asarray(points) - (left, 0.0)) * (UNIT, -UNIT) + (0.0, HEIGHT / 2)
 
 

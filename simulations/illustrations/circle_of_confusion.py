@@ -1,4 +1,4 @@
-"""The circle of confusion: a near point's cone is cut by the sensor before its tip."""
+"""The circle of confusion: the sensor cuts a near point's cone before its tip."""
 
 from simulations.engine.drafting import dimension, glass, label
 from simulations.engine.drawing import dot, line, polygon, polyline
@@ -13,7 +13,7 @@ from simulations.models.lens.thin_lens import (
 WIDTH, HEIGHT = 400.0, 268.0
 LENS, AXIS = 214.0, 118.0
 FOCAL, F_NUMBER, FOCUS, NEAR = 66.0, 0.74, 190.0, 128.0
-"""All lengths in units of the drawing, taken for millimetres."""
+"""All lengths are in units of the drawing, as millimetres."""
 
 
 def tip() -> float:

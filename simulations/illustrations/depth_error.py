@@ -1,4 +1,4 @@
-"""Two cameras and their pixels: the farther a point, the longer the stretch it may lie in."""
+"""Two cameras and their pixels: the farther a point, the larger the uncertainty of its depth."""
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line, path, polygon
@@ -9,7 +9,7 @@ from simulations.models.geometry.lines_and_planes import intersection, line_thro
 
 WIDTH, HEIGHT = 400.0, 222.0
 BASELINE, FOCAL_PX, HALF_PX = 0.8, 45.0, 0.5
-"""Metres, pixels, and how far a match may be wrong."""
+"""Metres, pixels, and the largest error of a match."""
 EYES = (BASELINE / 2, -BASELINE / 2)
 AXIS, LEFT, UNITS_PER_M, SIDEWAYS = 112.0, 20.0, 46.0, 3.0
 DEPTHS = (2.4, 3.7, 5.6)
@@ -31,7 +31,7 @@ def edges(centre: float, depth: float) -> tuple[Floats, Floats]:
 
 
 def diamond(depth: float) -> list[Floats]:
-    """The corners (x, z) of all that both cameras may be looking at."""
+    """The corners (x, z) of the region that is consistent with both pixels."""
     left, right = edges(-BASELINE / 2, depth), edges(BASELINE / 2, depth)
     return [intersection(left[i], right[j])[0] for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
 

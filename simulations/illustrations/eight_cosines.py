@@ -1,4 +1,4 @@
-"""The eight waves that JPEG writes a row of eight values with."""
+"""The eight waves by which JPEG represents a row of eight values."""
 
 import math
 

@@ -9,7 +9,7 @@ WIDTH, HEIGHT = 400.0, 132.0
 FOCAL_MM = 50.0
 STOPS = tuple(2 ** (step / 2) for step in range(1, 7))
 NAMES = ("1.4", "2", "2.8", "4", "5.6", "8")
-"""As they are engraved; the true ones are powers of the root of two."""
+"""The engraved f-numbers; the true ones are powers of √2."""
 UNITS_PER_MM = 2.3
 
 

@@ -1,4 +1,4 @@
-"""The five families of plane transformations, each at work on one card."""
+"""The five families of plane transformations, each applied to a card."""
 
 import math
 
@@ -23,7 +23,7 @@ FAMILIES = (
 LINES = np.linspace(0, 1, 5)
 LETTER = np.array([(1, 0.8), (1, 3.2), (3, 3.2), (3, 2.7), (1.6, 2.7), (1.6, 2.2), (2.6, 2.2),
                    (2.6, 1.7), (1.6, 1.7), (1.6, 0.8)]) / 4  # fmt: skip
-"""An F, which is its own mirror image in no direction."""
+"""An F, which has no symmetry."""
 
 
 def mapped(H: Floats, points: Floats) -> Floats:
@@ -33,7 +33,7 @@ def mapped(H: Floats, points: Floats) -> Floats:
 
 
 def grid(H: Floats) -> list[Floats]:
-    """The lines of the card, by their ends: all five families keep lines straight."""
+    """The lines of the card, by their ends, as all five families preserve straight lines."""
     rows = [np.array([(0.0, c), (1.0, c)]) for c in LINES]
     columns = [np.array([(c, 0.0), (c, 1.0)]) for c in LINES]
     return [mapped(H, ends) for ends in (*rows, *columns)]

@@ -1,4 +1,4 @@
-"""One rounding step, read back as an angle: wide where the cosine is flat, narrow on the sine."""
+"""One rounding step, converted to an angle: wide where the cosine is flat, narrow on the sine."""
 
 import math
 
@@ -14,11 +14,11 @@ from simulations.engine.plotting.plot import Plot
 WIDTH, HEIGHT = 320.0, 230.0
 PLOT = Plot(Axis(0.0, 1.0, 30, 306), Axis(0.0, 1.1, 178, 10))
 STEP = 0.08
-"""Drawn coarse: what is rounded to one number."""
+"""Width of a rounding step, drawn coarse."""
 
 
 def angles(kind: str) -> tuple[float, float]:
-    """The least and the greatest angle in radians that cannot be told from 0.1, and from 0."""
+    """The range of angles in radians that round to the same value as 0.1, and as 0."""
     if kind == "cosine":
         return 0.0, math.acos(1 - STEP)
     return 0.0, math.asin(STEP)

@@ -9,7 +9,7 @@ from simulations.engine.plotting.axis import Axis
 WIDTH, HEIGHT, FOOT = 400.0, 128.0, 66.0
 AXIS = Axis(0.0, 8.0, 14, 386)
 BITS, LOWEST, HIGHEST = 3, -2, 3
-"""Bits behind the leading one, and the exponents from the least normal one up to the end."""
+"""Bits after the leading one, and the exponents from the least normal one up to the end."""
 
 
 def numbers() -> list[float]:

@@ -13,7 +13,7 @@ CENTRE = (169.0, 98.0)
 UNITS_PER_MM = 1.2
 SENSOR_MM = 36.0
 LENSES = ((24.0, "image"), (50.0, "world"), (135.0, "light"))
-"""Focal length in mm, and the colour that tells the lenses apart."""
+"""Focal length in mm, and the colour of the lens."""
 REACH = 118.0
 
 

@@ -23,7 +23,7 @@ SEEN, NOWHERE = 0.6, 0.75
 
 
 def ideal_radii(seen: float) -> list[float]:
-    """All radii up to the end of the axis that the polynomial sends to ``seen``."""
+    """All radii up to the end of the axis that the polynomial maps to ``seen``."""
     k1 = LENS.numerator[0]
     roots = np.roots([k1, 0.0, 1.0, -seen])
     return sorted(

@@ -1,4 +1,4 @@
-"""An evenly lit wall in four exposures: what chance alone makes of it."""
+"""Shot noise: an evenly lit wall in four exposures."""
 
 import math
 
@@ -14,7 +14,7 @@ from simulations.models.sensor.photon_counting import shot_noise
 SIDE, CELLS, PITCH = 190.0, 12, 14.0
 MEANS_E = (3, 30, 300, 3000)
 GREY = 0.3
-"""How bright the mean is shown, in linear light."""
+"""Displayed brightness of the mean, in linear light."""
 SEED = 6
 
 

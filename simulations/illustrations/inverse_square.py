@@ -18,7 +18,7 @@ LAMP = PointLight((0.0, 0.0, 0.0))
 
 
 def light_at(distance: float) -> float:
-    """On a surface that faces the lamp at that distance, beside what it is at 1."""
+    """Irradiance of a surface that faces the lamp at a distance, relative to that at 1."""
     return float(irradiance(np.array([distance, 0.0, 0.0]), np.array([-1.0, 0.0, 0.0]), [LAMP])[0])
 
 

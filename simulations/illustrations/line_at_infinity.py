@@ -16,7 +16,7 @@ H = np.array([[85.5, 10.5, 160.0], [13.5, 13.5, 226.0], [0.3, 0.3, 1.0]])
 and (0, 0, 1)."""
 TILES = 5
 WAYS = (("world", (1.0, 0.0)), ("image", (0.0, 1.0)), ("ray", (1.0, 1.0)))
-"""How the lines in each direction are drawn: both sides of the tiles, and their diagonals."""
+"""Role and direction of the lines: both sides of the tiles, and their diagonals."""
 TILE = np.array([(1, 1), (2, 1), (2, 2), (1, 2)], float)
 
 

@@ -14,11 +14,11 @@ WIDTH, HEIGHT = 400.0, 282.0
 PLOT = Plot(Axis(0.62, 1.06, 24, 392), Axis(0.55, 0.72, 240, 14))
 LENS = RadialProfile((-0.3,))
 SEEN, STEPS = 0.68, 4
-"""The distorted radius that is to be undone, and how many steps are drawn."""
+"""The distorted radius, and the number of steps drawn."""
 
 
 def guesses() -> list[float]:
-    """The first guess, the seen radius itself, and those that follow."""
+    """The first guess, which is the distorted radius, and the following ones."""
     found = [SEEN]
     for _ in range(STEPS):
         r = found[-1]

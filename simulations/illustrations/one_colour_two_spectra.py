@@ -1,4 +1,4 @@
-"""The three curves of the standard observer, and two surfaces that they cannot tell apart."""
+"""The three curves of the standard observer, and two surfaces of the same colour."""
 
 import numpy as np
 
@@ -21,7 +21,7 @@ NM = Axis(380.0, 730.0, 34, 308)
 CURVES = Plot(NM, Axis(0.0, 2.0, 186, 12))
 SHARES = Plot(NM, Axis(0.0, 0.6, 186, 12))
 LETTERS = (("x̄", "error", 616.0, 9), ("ȳ", "world", 536.0, -18), ("z̄", "image", 468.0, 9))
-"""Each curve's name, its colour here, the wavelength beside which it is written, and how far."""
+"""Each curve's name and colour, and the wavelength and offset of its label."""
 DAYLIGHT_K = 6504.0
 TICKS = (400, 500, 600, 700)
 SEEN = NM.high >= WAVELENGTHS_NM

@@ -1,4 +1,4 @@
-"""The same modules, run twice: by the author's Python for the page, and by the reader's in it."""
+"""The same modules run twice: by the author's Python for the page, and in the reader's browser."""
 
 from simulations.engine.drafting import box, label
 from simulations.engine.drawing import arrow, line
@@ -10,7 +10,7 @@ COLUMNS = (104.0, 296.0)
 BOX_WIDTH, BOX_HEIGHT = 168.0, 42.0
 ROWS = (92.0, 166.0, 240.0)
 SOURCE = ("scenes and models", "camera")
-"""What both run."""
+"""The modules that both run."""
 ROWS_OF_WORDS = (
     (("CPython", "world"), ("CPython in WebAssembly", "world")),
     (("frame at the first settings", "image"), ("frame at your settings", "image")),

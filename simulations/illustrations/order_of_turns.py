@@ -26,12 +26,12 @@ POSTS_RAD = np.radians(np.arange(-20, 81, 10))
 
 
 def elevation_deg(axes: Floats) -> float:
-    """How far above the horizon the camera looks: y points down."""
+    """Elevation of the camera's view above the horizon; y points down."""
     return math.degrees(math.asin(-axes[1, 2]))
 
 
 def slant_deg(axes: Floats) -> float:
-    """How far its horizon slants."""
+    """Slant of the horizon."""
     a, b, _ = horizon(axes.T @ DOWN, K)[0]
     return math.degrees(math.atan(-a / b))
 

@@ -16,11 +16,11 @@ from simulations.models.light.reflectance import lambert
 WIDTH, HEIGHT = 300.0, 236.0
 SPACE = View(axes_towards((0.25, -2.4, 1.0)), (150.0, 158.0), 104.0)
 SUN, ALBEDO = 1000.0, 0.8
-"""W/m² on a surface that faces the sun, and the share that the page gives back."""
+"""Irradiance in W/m² of a surface that faces the sun, and the page's albedo."""
 SUN_DEG, VIEW_DEG, CONE_DEG = -60.0, 30.0, 12.0
 """Directions from the normal, positive to the right, and half the opening of the cone."""
 REACH = 1.45
-"""Of the cone, in sides of the square."""
+"""Length of the cone, in sides of the square."""
 
 
 def towards(angle_deg: float) -> tuple[float, float, float]:
@@ -30,23 +30,23 @@ def towards(angle_deg: float) -> tuple[float, float, float]:
 
 
 def solid_angle() -> float:
-    """Of the cone, sr: the cap that it cuts out of a sphere of radius 1."""
+    """Solid angle of the cone, sr: the cap that it cuts out of a sphere of radius 1."""
     return 2 * math.pi * (1 - math.cos(math.radians(CONE_DEG)))
 
 
 def irradiance() -> float:
-    """Of the page, W/m²."""
+    """Irradiance of the page, W/m²."""
     return SUN * float(lambert((0.0, 0.0, 1.0), towards(SUN_DEG)))
 
 
 def radiance() -> float:
-    """Of the page towards the camera, W/(m² sr)."""
+    """Radiance of the page towards the camera, W/(m² sr)."""
     cosines = (math.cos(math.radians(each)) for each in (SUN_DEG, VIEW_DEG, VIEW_DEG - SUN_DEG))
     return irradiance() * float(reflected("lambert", Material(ALBEDO, 0.0, 1.0), *cosines))
 
 
 def power() -> float:
-    """Watts that a square metre of the page sends into the cone, which is narrow."""
+    """Power in W from a square metre of the page into the cone, which is narrow."""
     return radiance() * math.cos(math.radians(VIEW_DEG)) * solid_angle()
 
 

@@ -13,20 +13,20 @@ from simulations.models.color.srgb import decode_srgb
 
 WIDTH, HEIGHT = 400.0, 268.0
 PLOT = Plot(Axis(0, 4, 48, 392), Axis(0, 1, 222, 14))
-"""Light that arrives, in units of the lamp's on a wall that faces it, and albedo."""
+"""Irradiance, in units of the lamp's on a wall that faces it, and albedo."""
 VALUE = 149
 OTHERS = ((75, 1.8), (220, 2.6))
-"""Other pixel values, and where along the axis their curves are named."""
+"""Other pixel values, and the places of their labels along the axis."""
 WALLS = (
     (0.38, "white wall, in the shade"),
     (1.0, "grey wall, by the lamp"),
     (2.6, "dark wall, in the sun"),
 )
-"""Light, and whose it is."""
+"""Light, and its source."""
 
 
 def albedo(value: float, light: float) -> float:
-    """The paint that has the pixel value in that much light."""
+    """The albedo that has the pixel value in that light."""
     return float(decode_srgb(value / 255)) / light
 
 

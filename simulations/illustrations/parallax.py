@@ -1,4 +1,4 @@
-"""A camera steps aside: points of one ray, which had one image, come apart by their depth."""
+"""Parallax: points on one ray have one image, which a step aside separates by depth."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from simulations.models.projection.pinhole import intrinsics, project
 WIDTH, HEIGHT = 320.0, 200.0
 FOCAL_PX, STEP_M = 800.0, 0.1
 PIXEL = 30.0
-"""Of the first picture, to the right of its middle: all the points were there."""
+"""Column of the points in the first picture, from its middle to the right."""
 DEPTHS_M = (2.0, 4.0, 8.0)
 K = intrinsics(FOCAL_PX, (0.0, 0.0))
 COLUMNS = Axis(-15.0, 35.0, 20, 300)
@@ -21,17 +21,17 @@ ROW = 96.0
 
 
 def point(depth_m: float) -> Floats:
-    """On the pixel's ray, in the first camera's axes."""
+    """A point on the pixel's ray, in the first camera's axes."""
     return np.array([PIXEL / FOCAL_PX, 0.0, 1.0]) * depth_m
 
 
 def column(depth_m: float) -> float:
-    """Where the second camera sees it."""
+    """Column of the point at a depth in the second picture."""
     return float(project(point(depth_m) - (STEP_M, 0.0, 0.0), K)[0][0])
 
 
 def at(x: float, z: float) -> tuple[float, float]:
-    """From above, sideways drawn some fifteen times too wide."""
+    """A place in the view from above, drawn some fifteen times too wide."""
     return 76 + 26 * z, 48 + 420 * x
 
 

@@ -1,4 +1,4 @@
-"""The way from photons to a code, and what each step adds by chance."""
+"""The chain from photons to a code, and the noise of each step."""
 
 import math
 
@@ -19,7 +19,7 @@ def mean_electrons() -> float:
 
 
 def stations() -> tuple[tuple[str, str, str, str], ...]:
-    """What is held at each station, its unit, and what enters on the way to it by chance."""
+    """The quantity after each step, its unit, and the noise of the step."""
     mean = mean_electrons()
     code = int(quantise(mean / SENSOR.gain_e_per_dn + SENSOR.black_level_dn, SENSOR.bits))
     photons = PHOTONS_PER_S * EXPOSURE_S

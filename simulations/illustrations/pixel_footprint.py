@@ -1,4 +1,4 @@
-"""Cells that are nearly as wide as a stripe: each takes a mean, and a weak false wave is left."""
+"""Cells nearly as wide as a stripe: their means form a weak false wave."""
 
 import numpy as np
 
@@ -19,7 +19,7 @@ FREQUENCY = 0.8
 
 
 def cell_means() -> Floats:
-    """What each cell makes of the wave: its mean over the width of the cell."""
+    """The value of each cell: the mean of the wave over its width."""
     return filtered_wave(prefilter("box"), np.arange(CELLS, dtype=float), FREQUENCY).real
 
 

@@ -1,4 +1,4 @@
-"""Where a surface sends the light: lobes of chalk, satin paint and glazed china."""
+"""Directions of reflected light: lobes of chalk, satin paint and glazed china."""
 
 import math
 
@@ -14,7 +14,7 @@ from simulations.models.light.reflectance import phong
 WIDTH, HEIGHT = 300.0, 190.0
 SPOT, UNITS = (150.0, 158.0), 132.0
 LIGHT_RAD = math.radians(50)
-"""From the normal, on the left."""
+"""Angle of the light from the normal, on the left."""
 SURFACES = (
     ("chalk", "Chalk: matte", 0.75, 0.0, 1.0),
     ("satin", "Satin paint: matte and a wide lobe", 0.45, 0.55, 10.0),
@@ -29,7 +29,7 @@ def directions(angles_rad: Floats) -> Floats:
 
 
 def brightness(angles_rad: Floats, albedo: float, specular: float, shininess: float) -> Floats:
-    """As seen from each angle, with the light at `LIGHT_RAD` on the left."""
+    """Brightness seen from each angle, with the light at `LIGHT_RAD` on the left."""
     views = directions(angles_rad)
     normals = np.broadcast_to(np.array([0.0, 0.0, 1.0]), views.shape)
     light = directions(np.array([-LIGHT_RAD]))[0]

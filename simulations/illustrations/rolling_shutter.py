@@ -1,4 +1,4 @@
-"""A rolling shutter: each row is exposed a little later, and what moves leans."""
+"""A rolling shutter: each row is exposed a little later, so that moving things lean."""
 
 import math
 
@@ -12,20 +12,20 @@ WIDTH, HEIGHT = 320.0, 212.0
 ROWS, READ_MS = 1080, 20.0
 EXPOSURE_MS = 8.0
 SPEED_PX_PER_S = 9600.0
-"""Ten times as fast as the bus of the chapter's example, which leans too little to be drawn."""
+"""Ten times the speed of the bus in the chapter's example, whose slant is too small to draw."""
 SHOWN = 12
-"""Rows that stand for all."""
+"""Rows that are drawn."""
 TIME = Axis(0.0, READ_MS + EXPOSURE_MS, 26, 300)
 DOWN = Axis(0.0, 1.0, 30, 170)
 
 
 def delay_ms(row: float) -> float:
-    """How much later than the first row this one begins."""
+    """Delay of a row after the first."""
     return READ_MS * row / ROWS
 
 
 def shift_px(row: float) -> float:
-    """How far the bus has moved by then."""
+    """Distance that the bus has moved by then."""
     return SPEED_PX_PER_S * delay_ms(row) / 1000.0
 
 

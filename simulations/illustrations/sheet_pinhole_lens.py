@@ -1,4 +1,4 @@
-"""What a bare sheet, a pinhole and a lens make of two points: fog, a dim picture, a bright one."""
+"""Two points imaged by a bare sheet, a pinhole and a lens: fog, a dim picture, a bright one."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ WIDTH, HEIGHT, MIDDLE = 320.0, 210.0, 104.0
 SOURCE, OPENING, FOCAL = 24.0, 190.0, 70.0
 """Columns of the points and of the opening, and the focal length, in view box units."""
 SHEET = OPENING + float(thin_lens_image_distance(FOCAL, OPENING - SOURCE))
-"""Where the lens brings the light of the points together."""
+"""Column of the image, where the lens focuses the light of the points."""
 POINTS = (("world", -46.0), ("light", 40.0))
 """Heights of the two points below the axis."""
 HALF_LENS, HALF_SHEET = 56.0, 92.0

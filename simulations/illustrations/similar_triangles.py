@@ -1,4 +1,4 @@
-"""Similar triangles: why a place in the image is f times X over Z."""
+"""Similar triangles: why the image place is f X / Z."""
 
 import numpy as np
 
@@ -21,7 +21,7 @@ def at(x: float, z: float) -> tuple[float, float]:
 
 
 def image_of(x: float, z: float) -> float:
-    """Where the pinhole puts the point on the image plane."""
+    """The image of the point on the image plane."""
     return float(project(np.array([x, 0.0, z]), np.diag([FOCAL, FOCAL, 1.0]))[0][0])
 
 

@@ -1,4 +1,4 @@
-"""How small is small: errors from a visible one down to the last bit, on one axis."""
+"""Sizes of errors, from a visible one down to the last bit, on one axis."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ SIZES = (
     (float(np.spacing(np.float32(1))) / 2, "float32, half a last digit", "camera"),
     (float(np.spacing(1.0)) / 2, "float64, half a last digit", "camera"),
 )
-"""As a share of the whole range, what it is, and its colour."""
+"""Each error as a share of the range, its name and colour."""
 
 
 def draw() -> Illustration:

@@ -1,4 +1,4 @@
-"""Steps back through a lens, by two methods: what each costs, and how far off it still is."""
+"""Two methods to invert a lens: cost and error after each step."""
 
 import numpy as np
 
@@ -14,11 +14,12 @@ from simulations.models.distortion.undistortion import undistort_fixed_point, un
 
 WIDTH, HEIGHT = 400.0, 284.0
 PLOT = Plot(Axis(0.8, 24, 62, 388, log=True), Axis(1e-17, 0.1, 236, 12, log=True))
-"""Polynomials worked out, and the largest error in focal lengths."""
+"""Number of polynomials evaluated, and the largest error in focal lengths."""
 LENS = Distortion(k1=-0.15)
 STEPS = {"fixed point": (1, 2, 3, 5, 8, 12, 20), "Newton": (1, 2, 3, 4)}
 POLYNOMIALS = {"fixed point": lambda steps: steps, "Newton": lambda steps: 1 + 2 * steps}
-"""That steps work out: Newton's need the slope too, and start from the first order's answer."""
+"""Number of polynomials that steps evaluate: Newton's need the slope too, and start from the
+first-order inverse."""
 
 
 def points() -> list[tuple[int, float, str]]:
@@ -34,7 +35,7 @@ def points() -> list[tuple[int, float, str]]:
 
 
 def front() -> list[tuple[int, float, str]]:
-    """Those that no other beats in both."""
+    """The Pareto front of cost and error."""
     all_points = points()
     kept = [
         p

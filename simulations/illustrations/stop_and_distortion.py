@@ -13,9 +13,10 @@ from simulations.models.lens.stop_position import ChiefRays, chief_rays, chief_r
 WIDTH, HEIGHT, UNITS_PER_MM = 190.0, 226.0, 1.85
 LENS_X, AXIS_Y, SQUARE_Y = 68.0, 46.0, 156.0
 APART_MM, CORNER = 10.0, 0.36
-"""From stop to lens, and the tangent of the angle to the axis of the ray and of the corners."""
+"""Distance from stop to lens, and the tangent of the angle to the axis of the ray and of the
+corners."""
 ENLARGED = 3.0
-"""How many times as strongly the squares are bent as by the lenses."""
+"""Exaggeration of the squares' distortion."""
 ALONE, OF_TWO = Singlet(1 / 50, -1 / 50, 6.0, 1.5), Singlet(1 / 100, -1 / 100, 6.0, 1.5)
 HALF_MM = 14.0
 SLOPES = np.linspace(0.001, 0.5, 500)
@@ -37,7 +38,7 @@ CASES: tuple[tuple[str, str, ChiefRays, Singlet, tuple[float, ...], float], ...]
         0.0,
     ),
 )
-"""Name, title, rays, the glass, where its pieces stand and where the stop is."""
+"""Name, title, rays, the glass, and the places of its pieces and of the stop."""
 
 
 def factor(rays: ChiefRays, radius: Floats) -> Floats:
@@ -51,7 +52,7 @@ def _at(places: Floats) -> Floats:
 
 
 def _section(rays: ChiefRays, glass: Singlet, stands: tuple[float, ...], stop: float) -> list[str]:
-    """The ray of a corner through glass and stop, and where a thin lens would have sent it."""
+    """The ray of a corner through glass and stop, and its path through a thin lens."""
     nearest = int(np.nanargmin(np.abs(rays.tan_field - CORNER)))
     ways, tangent = rays.places[nearest], float(rays.tan_field[nearest])
     start = ways[0] - 22.0 * np.array([1.0, tangent])

@@ -1,4 +1,4 @@
-"""One beam on a level and on a tilted table: the same light on more ground."""
+"""One beam on a level and on a tilted table: the same light on a larger area."""
 
 import math
 
@@ -15,7 +15,7 @@ TILTS_DEG = (0.0, 60.0)
 
 
 def share(tilt_deg: float) -> float:
-    """Of the light that a square metre of the level table gets."""
+    """Irradiance of the tilted table, as a share of the level one's."""
     tilt = math.radians(tilt_deg)
     return float(lambert((math.sin(tilt), 0.0, math.cos(tilt)), (0.0, 0.0, 1.0)))
 

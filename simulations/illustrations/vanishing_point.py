@@ -1,4 +1,4 @@
-"""Why a straight rail ends in the picture: the rays to it turn towards its own direction."""
+"""Why a straight rail ends in the picture: the rays to it approach its own direction."""
 
 import math
 
@@ -16,7 +16,7 @@ CENTRE, UNITS_PER_M = (128.0, 262.0), 36.0
 FOCAL = 2.0
 """Distance of the image plane, in the metres of the drawing."""
 START, ANGLE_RAD = (-2.0, 2.9), math.radians(32)
-"""Where the rail begins, X and Z; its angle with the optical axis, to the right."""
+"""Start of the rail, X and Z, and its angle with the optical axis, to the right."""
 STEPS_M = (0.0, 1.0, 2.2, 3.8, 7.0, 15.0)
 K = np.diag([FOCAL, FOCAL, 1.0])
 
@@ -27,7 +27,7 @@ def at(x: float, z: float) -> tuple[float, float]:
 
 
 def on_rail(metres: float) -> tuple[float, float]:
-    """X and Z after a walk along the rail."""
+    """X and Z at a distance along the rail."""
     return START[0] + metres * math.sin(ANGLE_RAD), START[1] + metres * math.cos(ANGLE_RAD)
 
 
@@ -37,7 +37,7 @@ def image(metres: float) -> float:
 
 
 def end() -> float:
-    """Where the rail ends in the picture."""
+    """The vanishing point of the rail."""
     return float(vanishing_point((math.sin(ANGLE_RAD), 0.0, math.cos(ANGLE_RAD)), K)[0][0])
 
 

@@ -27,9 +27,9 @@ def worst_codes(result: Floats, truth: Floats, _blocks: Floats) -> float:
 
 
 def changed_per_million(result: Floats, truth: Floats, _blocks: Floats) -> float:
-    """Of a million coefficients, those that quality 50 rounds to another whole number.
+    """Coefficients per million that quality 50 rounds to a different whole number.
 
-    Whole codes give many sums that lie exactly between two numbers. There both are right.
+    Whole codes have many sums exactly between two numbers. There both are right.
     """
     quotient = truth / LUMINANCE_TABLE
     tie = np.abs(quotient - np.floor(quotient) - 0.5) < 1e-9

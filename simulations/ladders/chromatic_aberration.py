@@ -1,7 +1,7 @@
-"""Lateral colour: how many wavelengths a picture needs before its fringes are smooth.
+"""Lateral colour: how many wavelengths a picture needs for smooth fringes.
 
-Each wavelength forms its own picture, a little larger or smaller than the next. A pixel adds
-them up by its sensitivity. Three pictures give hard coloured ghosts; the truth is a smear.
+Each wavelength forms its own picture, a little larger or smaller than the next. A pixel sums them
+by its sensitivity. Three pictures show sharp coloured ghosts; the reference is a smear.
 """
 
 from dataclasses import dataclass
@@ -23,14 +23,14 @@ PIXEL = np.float32(1.0)
 LENS = Glass(index_d=1.62, abbe_number=36.4)
 """Flint, F2."""
 FOCAL_MM, STOP_MM = 50.0, 60.0
-"""A magnifier with its stop far out: red and blue part by three pixels at the sides."""
+"""A magnifier with its stop far from the lens: red and blue are three pixels apart at the sides."""
 
 PEAKS_UM = (0.60, 0.54, 0.46)
-"""Of the red, green and blue sensitivities, bell curves on white light."""
+"""Peaks of the red, green and blue sensitivities, bell curves on white light."""
 WIDTH_UM = 0.03
 """Standard deviation of each."""
 FIRST_UM, LAST_UM = 0.345, 0.715
-"""Nearly four standard deviations beyond the outer peaks."""
+"""Range of wavelengths: nearly four standard deviations beyond the outer peaks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,7 @@ def prepare() -> Workload:
 
 
 def _chequers(workload: Workload, scale: float) -> Floats:
-    """The target as a lens of this magnification shows it, each pixel its mean: (192, 192)."""
+    """The target magnified by a lens, averaged over each pixel: (192, 192)."""
     zoom = np.float32(1.0 / scale)
     x, y = workload.x * zoom, workload.y * zoom
     return checker(x, y, TILE_PX, PIXEL * zoom, PIXEL * zoom)
@@ -71,7 +71,7 @@ def _per_channel(workload: Workload, *, nodes: int) -> Floats:
 
 
 def _spread(workload: Workload, *, count: int) -> Floats:
-    """``count`` wavelengths in even steps, each seen by all three colours."""
+    """``count`` evenly spaced wavelengths, shared by all three colours."""
     bands = even_wavelengths(PEAKS_UM, WIDTH_UM, FIRST_UM, LAST_UM, count)
     shares = np.stack([band.shares for band in bands]).astype(np.float32)
     colours = np.zeros((3, SIZE, SIZE), np.float32)
@@ -83,8 +83,8 @@ def _spread(workload: Workload, *, count: int) -> Floats:
 def reference(workload: Workload) -> Floats:
     """Simpson's rule over ±6 standard deviations, 801 wavelengths a colour, in float64.
 
-    Cauchy's law, the lens and the target are written out here, and the target as an overlap of
-    intervals: x and y are judged apart, for all wavelengths at once.
+    Cauchy's law, the lens and the target are written out here, the target as overlaps of intervals
+    along x and along y, for all wavelengths at once.
     """
     steps = np.linspace(-6.0, 6.0, 801)
     simpson = np.where(np.arange(801) % 2, 4.0, 2.0)
@@ -105,7 +105,8 @@ def _magnification(wavelength_um: Floats) -> Floats:
 
 
 def _weighted_chequers(at: Floats, magnification: Floats, weights: Floats) -> Floats:
-    """Mean of chequers under each magnification: a product of light and dark along x and y."""
+    """Mean of the chequerboard for each magnification: a product of light and dark along x and
+    y."""
     sign = _sign_along(at, magnification)
     return 0.5 + 0.5 * np.einsum("w,wy,wx->yx", weights, sign, sign, optimize=True)
 
@@ -113,7 +114,7 @@ def _weighted_chequers(at: Floats, magnification: Floats, weights: Floats) -> Fl
 def _sign_along(at: Floats, magnification: Floats) -> Floats:
     """(W, N) mean over a pixel of +1 on tiles centred on even multiples of 14, −1 on odd."""
     low, high = ((at + edge) / magnification[:, None] / 14.0 + 0.5 for edge in (-0.5, 0.5))
-    border = np.floor(high)  # no pixel holds more than one border
+    border = np.floor(high)  # no pixel has more than one border
     first = np.where(np.floor(low) % 2 == 0, 1.0, -1.0)
     after = np.clip((high - border) / (high - low), 0.0, 1.0)
     crossed = border > np.floor(low)

@@ -1,9 +1,8 @@
-"""Demosaicing: six ways to guess the missing colours, tried on three kinds of picture.
+"""Demosaicing: six ways to estimate the missing colours, on three kinds of picture.
 
-The mosaics hold linear light, as a sensor's do. The pictures made of them are judged as a display
-shows them, and one also in light. The methods that let the colours help one another win where
-edges lie at the same place in all three, as they do in most photographs, and lose where they do
-not.
+The mosaics are in linear light, as a sensor's. The results are compared as a display shows them,
+and one also in linear light. The methods that combine the colours are best if edges are at the same
+place in all three, as in most photographs, and worst if they are not.
 """
 
 from collections.abc import Callable
@@ -22,12 +21,12 @@ from simulations.pictures.mosaic_subjects import SUBJECTS
 
 PICTURES = ("room", "balloon", "soft")
 CROP = 8
-"""Pixels at each border that are not judged: there every method guesses from a mirror."""
+"""Pixels at each border that are left out, as they depend on the mirrored mosaic."""
 
 
 @dataclass(frozen=True, slots=True)
 class Workload:
-    """The pictures, and what a Bayer sensor kept of them."""
+    """The pictures and their mosaics."""
 
     pictures: tuple[Floats, ...]
     """Each (192, 240, 3), linear, float32, in the order of `PICTURES`."""
@@ -41,7 +40,7 @@ def prepare() -> Workload:
 
 
 def _reconstruct(workload: Workload, *, method: str) -> tuple[Floats, ...]:
-    """Each mosaic in full colour, in linear light, clipped to what a display can show."""
+    """Each mosaic in full colour, in linear light, clipped to [0, 1]."""
     return tuple(np.clip(demosaic(cfa, method=method), 0.0, 1.0) for cfa in workload.mosaics)
 
 

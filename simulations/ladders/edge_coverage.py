@@ -1,4 +1,4 @@
-"""Smooth edges: by counting samples inside the shape, or by working out the covered area."""
+"""Smooth edges, by counting samples inside the shape or by computing the covered area."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,17 +21,18 @@ class Disc:
     """A disc on a square of pixels, seen from its centre."""
 
     x: Floats
-    """(n,) pixel centres to the right; no symmetry of the grid helps any method."""
+    """(n,) pixel centres to the right, without symmetry of the grid, which would favour some
+    methods."""
     y: Floats
     """(n,) pixel centres down."""
     radius: float
-    """Pixels."""
+    """Radius in pixels."""
 
 
 type Workload = tuple[Disc, Disc]
 """A large one, whose edge is nearly straight in each pixel, and a small one."""
 type Result = list[Floats]
-"""Coverage (n, n) of each."""
+"""Coverage (n, n) of each disc."""
 
 
 def disc_on(size: int, radius: float, centre: tuple[float, float]) -> Disc:
@@ -54,9 +55,9 @@ def _sub_pixels(factor: int) -> Floats:
 
 
 def _supersample(disc: Disc, *, factor: int) -> Floats:
-    """Share of ``factor`` × ``factor`` points of every pixel that lie in the disc.
+    """Share of ``factor`` × ``factor`` points of every pixel that are in the disc.
 
-    Summed down the rows in bytes, which a count of at most 255 fits.
+    Summed over the rows in bytes, as counts are at most 255.
     """
     squares_x = np.square((disc.x[:, None] + _sub_pixels(factor)).ravel())
     squares_y = np.square((disc.y[:, None] + _sub_pixels(factor)).ravel())
@@ -69,17 +70,17 @@ def _supersample(disc: Disc, *, factor: int) -> Floats:
 
 
 def _distance(disc: Disc) -> Floats:
-    """From each pixel's centre to the edge (n, n), positive inside."""
+    """Distance (n, n) from each pixel's centre to the edge, positive inside."""
     return disc.radius - np.hypot(disc.x, disc.y[:, None])
 
 
 type OnEdge = Callable[[Floats, Floats, Floats, float], Floats]
-"""Coverage of the pixels that the edge may cross: from the places right and down of the disc's
-centre and the distance to its edge, (m,) each, and the radius."""
+"""A function for the coverage of the pixels that the edge may cross, of their places right and down
+from the disc's centre and their distances to its edge, (m,) each, and the radius."""
 
 
 def _on_the_edge(disc: Disc, coverage: OnEdge) -> Floats:
-    """All or nothing where the edge is half a diagonal away, ``coverage`` in between."""
+    """0 or 1 where the edge is more than half a diagonal away, else ``coverage``."""
     distance = _distance(disc)
     rows, columns = np.nonzero(np.abs(distance) < np.sqrt(0.5))
     covered = (distance > 0).astype(float)
@@ -129,7 +130,7 @@ def _exact(disc: Disc) -> Floats:
 def _area_to(x: Floats, y: Floats, radius: float) -> Floats:
     """Area of the disc within the rectangle from its centre to (x, y); odd in both."""
     a, b = np.minimum(np.abs(x), radius), np.minimum(np.abs(y), radius)
-    flat = np.minimum(a, np.sqrt(radius**2 - b**2))  # up to here the rectangle is the lower
+    flat = np.minimum(a, np.sqrt(radius**2 - b**2))  # up to here the rectangle is lower
     under_arc = _under_arc(a, radius) - _under_arc(flat, radius)
     return np.sign(x) * np.sign(y) * (b * flat + under_arc)
 
@@ -140,7 +141,7 @@ def _under_arc(x: Floats, radius: float) -> Floats:
 
 
 def rms(result: Result, truth: Result, _workload: Workload, *, which: int) -> float:
-    """In those pixels that the edge of the disc passes through, percent of a pixel."""
+    """RMS error in the pixels that the edge of the disc crosses, percent of a pixel."""
     edge = (truth[which] > 1e-9) & (truth[which] < 1 - 1e-9)
     return 100 * root_mean_square((result[which] - truth[which])[edge])
 

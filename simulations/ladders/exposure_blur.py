@@ -1,4 +1,4 @@
-"""Motion blur: many instants averaged, one picture smeared, or the time integral itself."""
+"""Motion blur: the mean of many instants, a blurred picture, or the time integral."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ from simulations.pictures import moving_ball
 type OwnInstants = Callable[
     [Callable[[Floats], Floats], int, tuple[int, ...], np.random.Generator], Floats
 ]
-"""A mean of so many pictures, given the picture at the times of all pixels."""
+"""A mean of ``count`` pictures, given the picture as a function of the times of all pixels."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +34,7 @@ class Workload:
 
 @dataclass(frozen=True, slots=True)
 class Truth:
-    """The exposure, and where it is worth judging."""
+    """The exposure, and the pixels that are compared."""
 
     picture: Floats
     """(96, 160)."""
@@ -54,7 +54,7 @@ def _instants(workload: Workload, *, count: int) -> Floats:
 
 
 def _own_instants(workload: Workload, *, mean: OwnInstants, count: int) -> Floats:
-    """Every pixel sees instants of its own."""
+    """Every pixel has its own random instants."""
     shape = (moving_ball.HEIGHT, moving_ball.WIDTH)
     rng = np.random.default_rng(11)
     behind = moving_ball.wall(workload.x, workload.y)
@@ -64,9 +64,9 @@ def _own_instants(workload: Workload, *, mean: OwnInstants, count: int) -> Float
 
 
 def _smear(workload: Workload) -> Floats:
-    """The picture at half time, averaged along the motion wherever it shows the ball.
+    """The picture at half time, averaged along the motion where it shows the ball.
 
-    The mean of a stretch of pixels is a difference of running sums, taken between pixels too.
+    The mean over a range of pixels is a difference of running sums, interpolated between pixels.
     """
     behind = moving_ball.wall(workload.x, workload.y)
     still = moving_ball.instant(workload.x, workload.y, 0.5, behind)
@@ -92,7 +92,8 @@ def _integral(workload: Workload) -> Floats:
 
 
 def reference(_workload: Workload) -> Truth:
-    """Every moment at which a pixel changes, in order; between two of them it is constant."""
+    """The exact mean, from all moments in order at which a pixel changes; it is constant in
+    between."""
     x, y = (np.arange(size, dtype=float) for size in (moving_ball.WIDTH, moving_ball.HEIGHT))
     offset, height = np.broadcast_arrays(x - 58.1, y[:, None] - 47.3)
     half_chord = np.sqrt(np.clip(30.7**2 - height**2, 0.0, None))

@@ -1,4 +1,4 @@
-"""Undoing lens distortion: where each pixel of a barrel photograph would be without the lens."""
+"""Inverse lens distortion: where each pixel of a barrel photograph would be without distortion."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -17,7 +17,7 @@ WIDTH, HEIGHT = 640, 480
 
 @dataclass(frozen=True, slots=True)
 class Workload:
-    """Points to be undone, and the lens that bent them."""
+    """Distorted points and the lens."""
 
     seen: Floats
     """(N, 2) normalised distorted coordinates."""
@@ -38,11 +38,11 @@ def prepare() -> Workload:
 
 
 def reference(workload: Workload) -> Floats:
-    """Bisection of the radius until floats run out: slow, and it cannot miss.
+    """Bisection of the radius to the last digit: slow but safe.
 
-    The polynomial is written out here, so that the tiers and their judge share no code. With
-    k₁ = −0.3 and k₂ = 0.1, as with k₁ > 0 alone, the map increases everywhere: the root is unique.
-    With k₁ < 0 alone it does so up to r = √(−1/(3 k₁)), where the search ends.
+    The polynomial is written out here, so that the tiers and the reference share no code. With k₁ =
+    −0.3 and k₂ = 0.1, as with k₁ > 0 alone, the map increases everywhere: the root is unique. With
+    k₁ < 0 alone it does so up to r = √(−1/(3 k₁)), where the search ends.
     """
     k1, k2 = workload.lens.k1, workload.lens.k2
     seen_radius: Floats = np.linalg.norm(workload.seen, axis=-1)
@@ -69,7 +69,7 @@ def worst_px(result: Floats, truth: Floats, workload: Workload) -> float:
 
 
 def _run(workload: Workload, *, inverse: Inverse) -> Floats:
-    """A lens never seen before: a table that is kept for it is made anew in every run."""
+    """A lens that is not cached: a table is made anew in every run."""
     inverse_table.cache_clear()
     return inverse(workload.seen, workload.lens)
 
@@ -97,7 +97,7 @@ TIERS = tuple(
         ),
     )
 )
-"""Cheap to dear, for a mild lens."""
+"""The tiers from cheap to expensive, for a mild lens."""
 
 METRICS = (
     Metric("rms", "RMS error", "px", rms_px),

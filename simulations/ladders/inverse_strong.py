@@ -1,8 +1,8 @@
-"""The same ways to undo a lens, on two lenses that forgive nothing, and a formula for them.
+"""The methods of `inverse_distortion`, and the closed form, for two difficult lenses.
 
-In a strong pincushion the most common method runs away from the answer. A barrel that is seen
-nearly out to its fold takes many steps: the slope there almost vanishes. Both have k₁ alone, so
-that the closed form, which knows no other lens, can be compared.
+In a strong pincushion the most common method diverges. A barrel seen nearly out to its fold needs
+many steps, as the slope there almost vanishes. Both have k₁ alone, so that the closed form, which
+exists only for such lenses, can be compared.
 """
 
 from collections.abc import Callable
@@ -27,7 +27,7 @@ def prepare() -> Lenses:
     """The pincushion's corners lie at r = 2 in the picture, and at 0.9 without the lens.
 
     There k₁ r² exceeds 1, and a step of the fixed point enlarges the error. The barrel's corners
-    lie at 99.9 % of the largest radius it has an image at.
+    are at 99.9 % of its largest image radius.
     """
     lenses = (Distortion(k1=1.5), 200.0), (Distortion(k1=-0.3), 569.0)
     pincushion, barrel = (workload_of(lens, focal_px) for lens, focal_px in lenses)
@@ -54,11 +54,11 @@ CLOSED_FORM = Tier(
     _formula,
 )
 ALL_TIERS = (*TIERS[:-2], CLOSED_FORM, *TIERS[-2:])
-"""The formula holds for these two lenses, the last two tiers for every lens."""
+"""The formula is for these two lenses, the last two tiers are for every lens."""
 
 
 def rms_px(result: Points, truth: Points, workload: Lenses) -> float:
-    """Over the points of both pictures."""
+    """The error over the points of both pictures."""
     each = [inverse_distortion.rms_px(*part) for part in zip(result, truth, workload, strict=True)]
     return root_mean_square(each)
 

@@ -1,4 +1,4 @@
-"""Far from the origin: what float32 and float64 leave of a projection near the camera."""
+"""Precision of a projection in float32 and float64, near the origin and far from it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ type Whole = NDArray[np.int64]
 COUNT = 20_000
 FOCAL_PX = 1000.0
 UNIT_M = 2.0**-20
-"""All coordinates are multiples of this (a micrometre), so that float64 holds them exactly."""
+"""All coordinates are multiples of this (a micrometre), which float64 represents exactly."""
 TURN = np.array([[-11, -2, 10], [10, -5, 10], [2, 14, 5]])
 """Fifteen times the rotation of the quaternion (1, 1, 2, 3)/√15: in whole numbers."""
 CENTRES_M = {"near": (3.0, -2.0, 5.0), "far": (2_710_000.0, -4_320_000.0, 3_890_000.0)}
@@ -25,7 +25,7 @@ CENTRES_M = {"near": (3.0, -2.0, 5.0), "far": (2_710_000.0, -4_320_000.0, 3_890_
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A camera, and points before it."""
+    """A camera, and points in front of it."""
 
     centre: Floats
     """(3,) metres, world frame."""
@@ -35,7 +35,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Workload:
-    """The same view twice: near the origin, and far from it."""
+    """The same view, near the origin and far from it."""
 
     steps: Whole
     """(N, 3) from the camera centre to the points, in `UNIT_M`, world axes: exact."""
@@ -67,7 +67,7 @@ def reference(workload: Workload) -> Floats:
 
 def _pixels(camera: Floats) -> Floats:
     pixels: Floats = camera[:, :2] / camera[:, 2:]
-    pixels *= FOCAL_PX  # in place: a float32 array stays one
+    pixels *= FOCAL_PX  # in place: a float32 array stays float32
     return pixels
 
 
@@ -83,9 +83,9 @@ def _turned(rotation: Floats, points: Floats) -> Floats:
 
 
 def _float32(place: Place, rotation: Floats) -> Floats:
-    """As on graphics hardware: R p + t, all in float32."""
+    """R p + t in float32, as on graphics hardware."""
     t = -_turned(rotation, place.centre).astype(np.float32)
-    # Points so far off are rounded to half a metre: some land on the camera itself.
+    # Points that far away are rounded to half a metre: some coincide with the camera.
     with np.errstate(divide="ignore", invalid="ignore"):
         return _pixels(_turned(rotation, place.points.astype(np.float32)) + t)
 
@@ -113,7 +113,7 @@ def _both(
 
 
 def _rms_px(pixels: Floats, truth: Floats) -> float:
-    """RMS distance. A point that is lost, or thrown out of the picture, counts as 1000 px off."""
+    """RMS distance. A lost point, or one outside the picture, counts as 1000 px."""
     distance = np.linalg.norm(pixels.astype(np.float64) - truth, axis=-1)
     return root_mean_square(np.fmin(distance, FOCAL_PX))
 

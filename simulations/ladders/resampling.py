@@ -1,9 +1,9 @@
-"""Resampling: pictures turned twelve times by an angle that never brings the grid back.
+"""Resampling: pictures rotated twelve times by an angle that never maps the grid to itself.
 
-The angle matters. Three turns of 30°, or two of 45°, take the grid onto itself. A pixel that the
-nearest neighbour has put back in its own place is then put there again with each further round,
-and the sum of twelve displacements is smaller than it would be by chance. With 33° nothing
-returns: the displacements add up like steps in random directions.
+The angle matters. Three rotations by 30°, or two by 45°, map the grid to itself: the nearest
+neighbour then returns pixels to their own place, again in each further round, and the sum of twelve
+displacements is smaller than by chance. With 33° the displacements add up like steps in random
+directions.
 """
 
 from collections.abc import Callable
@@ -27,7 +27,7 @@ TURN_RAD = np.deg2rad(33.0)
 
 @dataclass(frozen=True, slots=True)
 class Workload:
-    """Pictures, and where each pixel of the turned ones comes from."""
+    """Pictures, and the source place of each pixel of the rotated ones."""
 
     pictures: Floats
     """(128, 128, 3) float32, in [0, 1]: waves, rings and discs."""
@@ -39,7 +39,7 @@ class Workload:
 
 @dataclass(frozen=True, slots=True)
 class Turned:
-    """The pictures on their way round, (128, 128, 3) each."""
+    """The pictures after some rotations, (128, 128, 3) each."""
 
     once: Floats
     often: Floats
@@ -47,14 +47,14 @@ class Turned:
 
 
 def prepare(turn_rad: float = TURN_RAD) -> Workload:
-    """The ladder's workload; tests ask for other angles too."""
+    """The ladder's workload; tests use other angles too."""
     pictures = np.stack([picture(*_places(0.0)) for picture in PICTURES], axis=-1)
     source = np.stack(_places(turn_rad), axis=-1) + CENTRE
     return Workload(pictures.astype(np.float32), source, turn_rad)
 
 
 def _places(angle_rad: float) -> tuple[Floats, Floats]:
-    """(128, 128) each: where in the picture a turn by the angle finds each pixel."""
+    """(128, 128) each: the source places of a rotation by the angle."""
     along = centred(SIZE)
     x, y = np.meshgrid(along, along)
     cos, sin = np.cos(angle_rad), np.sin(angle_rad)
@@ -62,8 +62,8 @@ def _places(angle_rad: float) -> tuple[Floats, Floats]:
 
 
 def _turn(workload: Workload, *, kernel: str) -> Turned:
-    """One table, used twelve times over. In it rows and columns have weights of their own, so that
-    every kernel takes as few products as it can."""
+    """One table, applied twelve times, with separate weights for rows and columns, which needs the
+    fewest products."""
     table = gather_table(workload.source_px, (SIZE, SIZE), kernel, np.float32)
     once = gather(table, workload.pictures, fill=0.5)
     pictures = once
@@ -73,7 +73,7 @@ def _turn(workload: Workload, *, kernel: str) -> Turned:
 
 
 def reference(workload: Workload) -> Turned:
-    """The formulae of the pictures at places turned once and twelve times as far."""
+    """The formulae of the pictures at places rotated by one and by twelve angles."""
 
     def at(angle_rad: float) -> Floats:
         return np.stack([picture(*_places(angle_rad)) for picture in PICTURES], axis=-1)
@@ -82,13 +82,13 @@ def reference(workload: Workload) -> Turned:
 
 
 def psnr_each(pictures: Floats, truth: Floats) -> list[float]:
-    """Of each picture, within the window only."""
+    """The error of each picture, within the window."""
     inside = np.hypot(*_places(0.0)) < RADIUS_PX
     return [psnr_db(pictures[inside, n], truth[inside, n]) for n in range(len(PICTURES))]
 
 
 def detail_each(result: Turned, truth: Turned) -> list[FineDetail]:
-    """What all turns have left of the fine detail of each picture."""
+    """The fine detail of each picture that is left after all rotations."""
     return [fine_detail(result.often[..., n], truth.often[..., n]) for n in range(len(PICTURES))]
 
 

@@ -1,4 +1,5 @@
-"""Between two orientations: even speed along the great circle, with and without sines."""
+"""Interpolation of orientations at constant speed along the great circle, with and without
+sines."""
 
 from dataclasses import dataclass
 
@@ -15,7 +16,7 @@ SMALL_DEG = 10.0
 
 @dataclass(frozen=True, slots=True)
 class Workload:
-    """Pairs of orientations, and how far to go from the first to the second."""
+    """Pairs of orientations, and the shares to interpolate by."""
 
     start: Floats
     """(pairs, 1, 4) unit quaternions."""

@@ -1,4 +1,4 @@
-"""A glossy dome: light computed at the corners of a grid and blended, or anew in every pixel."""
+"""A glossy dome: light interpolated from the corners of a grid, or computed in every pixel."""
 
 from functools import partial
 
@@ -11,7 +11,7 @@ from simulations.models.light.cell_blending import blend_cells, blend_normals
 from simulations.models.light.reflectance import blinn_phong, phong
 
 INTERVALS = 256
-"""The picture has one pixel more each way, so that every grid's corners fall on pixels."""
+"""The picture has one pixel more each way, so that the corners of all grids are on pixels."""
 SHININESS, SPECULAR, ALBEDO = 32.0, 0.5, 0.5
 LIGHT = (0.48, -0.36, 0.8)
 """Unit vector towards the light, 37° off the camera's axis."""
@@ -23,8 +23,8 @@ GRIDS = (8, 16, 32, 64)
 def prepare() -> Floats:
     """Unit normals (257, 257, 3), float32, of a cap of a ball; its corners tilt by 64°.
 
-    There the light falls at grazing angles or not at all, so the picture has smooth shading,
-    a highlight and the edge of a shadow.
+    There the light is grazing or below the horizon, so the picture has smooth shading, a highlight
+    and the edge of a shadow.
     """
     x = np.linspace(-0.636, 0.636, INTERVALS + 1)
     flat = np.stack(np.meshgrid(x, x), axis=-1)
@@ -54,16 +54,16 @@ def blinn_phong_pixels(normals: Floats) -> Floats:
 
 
 def gouraud(normals: Floats, *, grid: int) -> Floats:
-    """Phong's light at the grid's corners, blended across each cell (Gouraud 1971)."""
+    """Phong's light at the grid's corners, interpolated across each cell (Gouraud 1971)."""
     corners = normals[:: INTERVALS // grid, :: INTERVALS // grid]
     return blend_cells(phong_pixels(corners), *normals.shape[:2])
 
 
 def blended_normals(normals: Floats, *, grid: int) -> Floats:
-    """Normals blended across each cell and lit in every pixel (Phong 1975).
+    """Normals interpolated across each cell and lit in every pixel (Phong 1975).
 
-    A mesh has normals at its corners only. This workload has them in every pixel, so that here
-    the blend is work on top: what the tier shows is how little it errs.
+    A mesh has normals only at its corners. This workload has them in every pixel, so the
+    interpolation is extra work here: the tier shows its error, not its savings.
     """
     corners = normals[:: INTERVALS // grid, :: INTERVALS // grid]
     return phong_pixels(blend_normals(corners, *normals.shape[:2]))

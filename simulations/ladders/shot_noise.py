@@ -1,4 +1,4 @@
-"""Counting electrons: the Poisson distribution, and what is made of a normal in its stead."""
+"""Shot noise: the Poisson distribution, and approximations by a normal one."""
 
 import math
 from dataclasses import dataclass
@@ -10,9 +10,10 @@ from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import ShotModel, shot_noise
 
 LEVELS_E = (0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0)
-"""Mean electrons, from next to darkness to a well lit wall, where the tiers are all alike."""
+"""Mean electrons, from near darkness to a well-lit wall, for which all tiers agree."""
 HIGHEST = 1400
-"""Counts that the cumulatives reach up to: more than 12 standard deviations above the brightest."""
+"""End of the cumulative distributions: more than 12 standard deviations above the brightest
+mean."""
 SAMPLES = 65_536
 """Pixels of each level. An exact sampler's own distance is about 0.87 / √65 536 = 0.003."""
 SEED = 20
@@ -56,7 +57,7 @@ def worst_distance(result: Floats, truth: Floats, _workload: Workload) -> float:
 
 
 def worst_bias_percent(result: Floats, _truth: Floats, _workload: Workload) -> float:
-    """The mean of a Poisson distribution is its parameter: what was asked for."""
+    """The mean of a Poisson distribution is its parameter."""
     means = result.mean(axis=1, dtype=np.float64)
     return float(100.0 * np.abs(means / np.array(LEVELS_E) - 1.0).max())
 

@@ -1,4 +1,4 @@
-"""The same ways to a picture out of focus, with discs as wide as the book's figures draw any."""
+"""The tiers of the ladder `depth-of-field`, with discs as wide as the book's figures draw them."""
 
 from functools import partial
 

@@ -1,1 +1,1 @@
-"""Pictures drawn by our own models, in linear light: nothing photographed, nothing borrowed."""
+"""Pictures drawn by the models, in linear light, without photographs."""

@@ -1,7 +1,7 @@
-"""A balloon over rows of tulips: smooth sky, sharp coloured edges, detail that ends too fine.
+"""A balloon over rows of tulips, a test picture for demosaicing.
 
-The picture that the Bayer mosaic is tried on. Its gores narrow towards the balloon's rim and
-its rows towards the horizon, so that somewhere in it every method must fail.
+It has a smooth sky, sharp coloured edges, and detail that becomes too fine for any method: gores
+that narrow towards the balloon's rim, and rows that narrow towards the horizon.
 """
 
 from collections.abc import Callable
@@ -39,11 +39,11 @@ class Window:
 WHOLE = Window(0, 0, HEIGHT, WIDTH)
 
 
-@cache  # two figures show it, and drawing it takes longer than all else that they do
+@cache  # two figures show it, and drawing it takes most of their time
 def balloon(window: Window = WHOLE) -> NDArray[np.float32]:
     """The picture (192, 240, 3) or a part of it, linear RGB in [0, 1]. Read-only.
 
-    The same on every machine. Raises `ValueError` for a window that is empty or reaches out.
+    The same on every machine. Raises `ValueError` for a window that is empty or extends outside.
     """
     bottom, right = window.top + window.height, window.left + window.width
     if not (0 <= window.top < bottom <= HEIGHT and 0 <= window.left < right <= WIDTH):
@@ -54,7 +54,7 @@ def balloon(window: Window = WHOLE) -> NDArray[np.float32]:
     for paint, (top, low, first, last) in LAYERS:
         rows, columns = slice(*y.searchsorted((top, low))), slice(*x.searchsorted((first, last)))
         paint(picture[rows, columns], *np.meshgrid(x[columns], y[rows]))
-    # Rows first, whole: a mean over both axes at once takes three times as long.
+    # Rows first: a mean over both axes at once takes three times as long.
     lines = picture.reshape(window.height, SAMPLES, -1).mean(axis=1)
     pixels = lines.reshape(window.height, window.width, SAMPLES, 3)
     mean: NDArray[np.float32] = pixels.mean(axis=2).astype(np.float32)
@@ -89,7 +89,7 @@ def _tulips(picture: Floats, x: Floats, y: Floats) -> None:
 
 
 def _fence(picture: Floats, x: Floats, y: Floats) -> None:
-    """White pickets two pixels apart: as fine as a grey mosaic can hold, too fine for a colour."""
+    """White pickets two pixels apart: the limit for grey, too fine for a colour of the mosaic."""
     top = 121 + 1.5 * np.abs((x % 4) - 2)
     _paint(picture, (x < 104) & (x % 4 < 2) & (y > top) & (y < 134), _colour("#fbf7ec"))
     _paint(picture, (x < 104) & (np.abs(y - 128) < 0.8), _colour("#fbf7ec"))
@@ -142,7 +142,7 @@ def _colours(srgb: tuple[str, ...]) -> Floats:
 
 
 type Paint = Callable[[Floats, Floats, Floats], None]
-"""Called with samples (h, w, 3) to be painted in place, and their x and y (h, w)."""
+"""A function that paints samples (h, w, 3) in place, given their x and y (h, w)."""
 
 LAYERS: tuple[tuple[Paint, tuple[float, float, float, float]], ...] = (
     (_sky, (0, HORIZON, 0, WIDTH)),
@@ -152,4 +152,4 @@ LAYERS: tuple[tuple[Paint, tuple[float, float, float, float]], ...] = (
     (_balloon, (14, 114, 104, 196)),
     (_basket, (111, 133, 135, 165)),
 )
-"""From the back to the front, each with the part that holds it: top, bottom, left, right."""
+"""The painters from back to front, each with its part: top, bottom, left, right."""

@@ -1,8 +1,8 @@
 """Three round cards over a chequered floor before a striped wall, through any point of a lens.
 
-Made for judging depth of field: near cards hide what only part of the lens can see, and the
-floor runs through every depth. Camera axes: x right, y down, z forward, in metres; the lens lies
-in z = 0. All edges and patterns are mean values over a pixel.
+A test picture for depth of field: near cards hide things that only part of the lens can see, and
+the floor has every depth. Camera axes: x right, y down, z forward, in metres; the lens lies in z =
+0. All edges and patterns are mean values over a pixel.
 """
 
 from dataclasses import dataclass
@@ -14,23 +14,23 @@ from simulations.models.pixel_grid import centred
 from simulations.pictures.patterns import checker, stripes
 
 type Place = Floats | float
-"""A point of the lens, the same for all pixels or one (H, W) for each; metres from its centre."""
+"""A coordinate on the lens, one for all pixels or one (H, W) for each; metres from its centre."""
 
 HORIZON = 0.3
-"""Of the picture's height, from its top."""
+"""The horizon, as a share of the picture's height from its top."""
 FOCAL_WIDTHS = 75 / 80
-"""From lens to sensor, in widths of the picture."""
+"""Distance from lens to sensor, in widths of the picture."""
 FLOOR_Y, WALL_Z = 0.8, 8.0
 TILE, BAR_PERIOD, BAR = 0.5, 1.2, 0.6
-"""Of the floor's chequers and the wall's upright bars."""
+"""Widths of the floor's tiles, and period and width of the wall's vertical bars; metres."""
 TINT = (1.0, 0.95, 0.85)
-"""Linear RGB of floor and wall where they are white."""
+"""Linear RGB of the light parts of floor and wall."""
 DARK_TILE, LIGHT_TILE, DARK_BAR, LIGHT_BAR = 0.15, 0.75, 0.3, 0.8
 FOCUS_Z = 3.0
 STRIPE_SLOPE = 0.4
-"""How far the stripes of a card lean: a step down moves them by this much to the left."""
+"""Slope of a card's stripes: units to the left per unit down."""
 SUBROWS = 3
-"""Of a pixel on the floor, whose tiles recede so fast that no one depth stands for all of it."""
+"""Rows per pixel on the floor, whose depth varies too much within a pixel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Card:
     """Depth along the optical axis."""
     radius: float
     colour: tuple[float, float, float]
-    """Linear RGB, and between the stripes half as much."""
+    """Linear RGB; half as bright between the stripes."""
 
 
 CARDS = (
@@ -51,7 +51,7 @@ CARDS = (
     Card(0.05, 0.10, 3.0, 0.42, (0.90, 0.70, 0.15)),
     Card(-0.32, 0.12, 1.6, 0.26, (0.85, 0.15, 0.12)),
 )
-"""Farthest first: behind the focus, in it, before it."""
+"""Farthest first: behind the focus, in focus, in front of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ class Pixels:
     y: Floats
     """(H, 1)."""
     focal_px: float
-    """From lens to sensor, in pixels."""
+    """Distance from lens to sensor, in pixels."""
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -72,7 +72,8 @@ class Pixels:
 
 
 def pixels(width: int, dtype: type[np.floating]) -> Pixels:
-    """A picture of ``width`` columns; its directions as ``dtype``, in which all is computed."""
+    """The pixels of ``width`` columns; ``dtype`` is that of the directions and of the
+    computation."""
     height, focal_px = width * 3 // 4, FOCAL_WIDTHS * width
     x = centred(width) / focal_px
     y = (np.arange(height) - HORIZON * height) / focal_px
@@ -92,7 +93,7 @@ def radiance(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
 
 
 def background(seen: Pixels, lens_x: Place = 0.0, lens_y: Place = 0.0) -> tuple[Floats, Floats]:
-    """Floor and wall: light (3, H, W), and the depth (H, W) of what is seen."""
+    """Floor and wall: light (3, H, W) and depth (H, W)."""
     wall_x, wall_y = _at_depth(seen.x, seen.y, lens_x, lens_y, WALL_Z)
     pixel = seen.x.dtype.type(WALL_Z / seen.focal_px)
     bars = stripes(wall_x, BAR_PERIOD, BAR, pixel) + 0 * wall_y
@@ -105,7 +106,7 @@ def background(seen: Pixels, lens_x: Place = 0.0, lens_y: Place = 0.0) -> tuple[
 
 
 def _tiles(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
-    """Share (H, W) of light tiles in each pixel of the floor, as if it went on behind the wall."""
+    """Share (H, W) of light tiles in each pixel of the floor, continued behind the wall."""
     step = 1.0 / (SUBROWS * seen.focal_px)
     middle = (SUBROWS - 1) / 2
     total = np.zeros((), seen.x.dtype)
@@ -119,7 +120,7 @@ def _tiles(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
 
 
 def _floor_depth(y: Floats, lens_y: Place) -> Floats:
-    """Where the rays meet the floor, but the wall's depth where that comes first."""
+    """Depth where the rays meet the floor, or the wall's if that is nearer."""
     falling = np.maximum(y - lens_y / FOCUS_Z, FLOOR_Y / 50.0)
     return np.clip((FLOOR_Y - lens_y) / falling, 0.1, WALL_Z)
 
@@ -140,6 +141,7 @@ def card_light(
 def _at_depth(
     x: Floats, y: Floats, lens_x: Place, lens_y: Place, z: Floats | float
 ) -> tuple[Floats, Floats]:
-    """Where the pixel's rays pass the depth ``z``: all meet at the depth in focus."""
+    """Points of the pixels' rays at the depth ``z``; all rays of a pixel meet at the depth in
+    focus."""
     off = 1.0 - z / FOCUS_Z
     return x * z + lens_x * off, y * z + lens_y * off

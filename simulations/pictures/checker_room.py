@@ -1,7 +1,7 @@
 """A room full of straight lines: chequered floor, beams, panels, a window.
 
-Seen from inside a box with walls parallel to the picture's axes. Camera axes: x right, y down,
-z into the picture; lengths in metres; the eye is at the origin. Linear RGB, 1 = paper white.
+It is a box, seen from inside, with walls parallel to the picture's axes. Camera axes: x right, y
+down, z into the picture; lengths in metres; the eye is at the origin. Linear RGB, 1 = paper white.
 """
 
 from collections.abc import Callable
@@ -20,7 +20,7 @@ LOW = (-2.35, -1.75, -1.0)
 HIGH = (2.75, 1.35, 5.2)
 """Right wall, floor, back wall."""
 TRIM_M = 0.09
-"""Mouldings that run along every edge of the room, in one colour on both sides of it."""
+"""Mouldings along every edge of the room, in one colour on both sides."""
 WINDOW = (-1.15, 0.85, -1.2, 0.38)
 """left, right, top, bottom of the window in the back wall."""
 
@@ -32,7 +32,7 @@ SKY_TOP, SKY_LOW = (0.30, 0.55, 0.95), (0.98, 0.95, 0.86)
 
 @dataclass(frozen=True, slots=True)
 class Hits:
-    """Where the rays of some pixels meet one wall."""
+    """The points at which the rays of some pixels meet a wall."""
 
     x: Floats
     y: Floats
@@ -55,7 +55,7 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     require_positive("focal_px", focal_px)
     x = centred(width).astype(np.float32) / focal_px
     y = centred(height).astype(np.float32) / focal_px
-    # Never exactly along a wall, where a ray would meet it nowhere.
+    # Never exactly parallel to a wall, which the ray would not meet.
     ray_x = np.broadcast_to(np.where(x == 0.0, 1e-6, x).astype(np.float32), (height, width))
     ray_y = np.broadcast_to(np.where(y == 0.0, 1e-6, y).astype(np.float32)[:, None], ray_x.shape)
     wall_x = np.where(ray_x < 0.0, LOW[0], HIGH[0]).astype(np.float32)
@@ -93,7 +93,7 @@ def _floor(p: Hits) -> Floats:
     tiles = checker(p.x + 0.25, p.z, 0.5, p.size_x, p.size_z)
     colour = blend(_flat(CREAM, p.x), SLATE, tiles)
     colour = colour * _daylight(p, (0.0, -1.0, 0.0))[..., None]
-    # What the window throws on polished stone: its mirror image, faint and stretched.
+    # The reflection of the window in polished stone: its mirror image, faint and stretched.
     mirror = band(p.x / p.z, -0.17, 0.13, 0.05) * band(1.0 / p.z, 0.235, 0.40, 0.06)
     colour = colour + np.asarray((0.20, 0.21, 0.22), np.float32) * mirror[..., None]
     return _with_trim(colour, p, "xz")
@@ -198,7 +198,7 @@ def _flat(colour: tuple[float, ...], like: Floats) -> Floats:
 
 
 def _daylight(p: Hits, normal: tuple[float, float, float]) -> Floats:
-    """Lambert's law for the window as one small lamp, plus light from everywhere."""
+    """Lambert's law for the window as a small lamp, plus ambient light."""
     to_x, to_y, to_z = -0.3 - p.x, -0.6 - p.y, HIGH[2] - 1.0 - p.z
     distance2 = to_x**2 + to_y**2 + to_z**2 + 0.9
     facing = normal[0] * to_x + normal[1] * to_y + normal[2] * to_z
@@ -216,7 +216,7 @@ def _corner_shade(p: Hits) -> Floats:
 
 
 def _with_trim(colour: Floats, p: Hits, axes: str) -> Floats:
-    """Mouldings along the wall's edges. They hide the seam: both sides have the same colour."""
+    """Mouldings along the wall's edges, of the same colour on both sides to hide the seam."""
     edge = np.zeros_like(p.x)
     for axis, low, high in (("x", LOW[0], HIGH[0]), ("y", LOW[1], HIGH[1]), ("z", -9.0, HIGH[2])):
         if axis in axes:

@@ -1,4 +1,4 @@
-"""What a Bayer mosaic is tried on: three pictures whose colours have more or less in common."""
+"""Test pictures for demosaicing: three pictures with more or less correlated colours."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -14,11 +14,11 @@ ROOM_FOCAL_PX = 170.0
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """A picture to try a mosaic on."""
+    """A test picture."""
 
     label: str
     words: str
-    """What is seen, for a sentence."""
+    """Description of the picture, for a sentence."""
     draw: Callable[[Window], Floats]
     """A part of the picture, (h, w, 3) linear RGB in [0, 1], float32."""
 
@@ -43,4 +43,5 @@ SUBJECTS: Mapping[str, Subject] = MappingProxyType(
         "soft": Subject("Soft colours", "soft waves that run another way in each colour", _soft),
     }
 )
-"""By name: strong colours and very fine detail; edges common to all colours; nothing common."""
+"""The pictures by name: strong colours and very fine detail; edges common to all colours; nothing
+in common."""

@@ -1,7 +1,7 @@
-"""A striped ball that crosses a still, chequered wall while the shutter is open.
+"""A striped ball that crosses a static, chequered wall while the shutter is open.
 
-Values are taken at pixel centres, so that all smoothness comes from the motion. Time runs from 0
-to 1, the exposure; coordinates are pixels, x to the right and y down. Linear light.
+Values are those at pixel centres, so that only the motion smooths them. Time runs from 0 to 1, the
+exposure; coordinates are pixels, x to the right and y down. Linear light.
 """
 
 import numpy as np
@@ -12,9 +12,9 @@ from simulations.pictures.patterns import stripes
 WIDTH, HEIGHT = 160, 96
 RADIUS, CENTRE_Y = 30.7, 47.3
 START_X, TRAVEL = 58.1, 37.3
-"""Where the ball's centre is as the shutter opens, and how far it then moves to the right."""
+"""Position of the ball's centre when the shutter opens, and its motion to the right."""
 BAR = 8.0
-"""Width of the ball's upright stripes; one is centred on it."""
+"""Width of the ball's vertical stripes; one is centred on it."""
 LIGHT_BAR, DARK_BAR = 0.9, 0.25
 TILE, LIGHT_TILE, DARK_TILE = 12.0, 0.55, 0.1
 
@@ -33,7 +33,7 @@ def wall(x: Floats, y: Floats) -> Floats:
 def instant(x: Floats, y: Floats, time: Floats | float, behind: Floats) -> Floats:
     """The picture (H, W) at one moment, or at a moment (H, W) for each pixel.
 
-    ``behind`` is the `wall`, which stands still and need not be drawn anew for every moment.
+    ``behind`` is the `wall`, which is static and drawn only once.
     """
     along = x - START_X - TRAVEL * time
     light = np.floor(along / BAR + 0.5) % 2 == 0
@@ -42,15 +42,15 @@ def instant(x: Floats, y: Floats, time: Floats | float, behind: Floats) -> Float
 
 
 def on_ball(x: Floats, y: Floats, time: float) -> Mask:
-    """Pixels (H, W) that show the ball at one moment."""
+    """Pixels (H, W) that show the ball at a moment."""
     return np.hypot(x - START_X - TRAVEL * time, y - CENTRE_Y) < RADIUS
 
 
 def exposed(x: Floats, y: Floats) -> Floats:
-    """Mean of `instant` over the exposure (H, W), without taking a single one.
+    """Mean of `instant` over the exposure (H, W), in closed form.
 
-    A pixel sees the ball from the time its leading edge arrives until the trailing one leaves,
-    and meanwhile a stretch of stripes, whose mean is known in closed form.
+    A pixel sees the ball from the arrival of its leading edge until the trailing edge leaves. The
+    mean of the stripes that pass meanwhile has a closed form.
     """
     half_chord = np.sqrt(np.maximum(RADIUS**2 - (y - CENTRE_Y) ** 2, 0.0))
     offset = x - START_X

@@ -1,7 +1,7 @@
-"""Exact box-filtered patterns: how much of a pixel's footprint a stripe or a tile covers.
+"""Exact box-filtered patterns: the share of a pixel's footprint that a stripe or a tile covers.
 
-Integrating a pattern over the footprint costs one subtraction and needs no supersampling; details
-finer than a pixel turn into their mean instead of into moiré.
+The integral over the footprint takes one subtraction and no supersampling; details finer than a
+pixel become their mean instead of moiré.
 """
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats
 
 NARROWEST = 1e-6
-"""Pixel width below which a pattern is taken at a point, so that no quotient is infinite."""
+"""Least width of a pixel, to avoid division by zero."""
 
 
 def band(u: Floats, low: ArrayLike, high: ArrayLike, footprint: ArrayLike) -> Floats:
@@ -49,18 +49,18 @@ def checker(
 
 def siemens_star(x: Floats, y: Floats, spokes: int) -> Floats:
     """Share of the light spokes: resolution falls towards the centre, where they blend to grey."""
-    per_rad = spokes / np.pi  # a spoke is 1 wide, and so is its gap
+    per_rad = spokes / np.pi  # a spoke is 1 wide, as is its gap
     pixel = 0.5 * (pixel_width(x) + pixel_width(y))
     footprint = pixel * per_rad / np.maximum(np.hypot(x, y), NARROWEST)
     return stripes(np.arctan2(y, x) * per_rad - 0.5, 2.0, 1.0, footprint)
 
 
 def pixel_width(coordinate: Floats) -> Floats:
-    """How far ``coordinate`` (H, W) runs across one pixel, both ways together."""
+    """Change of ``coordinate`` (H, W) across a pixel, summed over both axes."""
     down, across = np.gradient(coordinate)
     return np.maximum(np.abs(down) + np.abs(across), NARROWEST)
 
 
 def blend(base: Floats, colour: ArrayLike, amount: Floats) -> Floats:
-    """``base`` (..., 3) covered by ``colour`` (3,) or (..., 3) where ``amount`` (...) is 1."""
+    """Blend ``base`` (..., 3) with ``colour`` (3,) or (..., 3) by ``amount`` (...)."""
     return base + (np.asarray(colour, base.dtype) - base) * amount[..., None]

@@ -1,8 +1,7 @@
 """A test chart: chequered border, ruled grid, Siemens stars, line pairs, a slanted edge.
 
 Flat and parallel to the image plane, one metre away, so that its coordinates in metres equal
-normalised image coordinates. Linear luminance as grey RGB; the chart goes on for as far as the
-picture reaches.
+normalised image coordinates. Linear luminance as grey RGB; the chart fills the whole picture.
 """
 
 from dataclasses import dataclass
@@ -46,7 +45,7 @@ def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A piece of the chart, to be painted in place: what is small is drawn where it is."""
+    """A part of the chart, painted in place."""
 
     picture: Floats
     """(h, w, 3)"""

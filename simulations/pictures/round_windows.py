@@ -1,8 +1,8 @@
-"""Three pictures under a round window, known at every place: waves, rings and discs.
+"""Three analytic pictures under a round window: waves, rings and discs.
 
-Each fades to a flat grey well inside its square, so that a turn about the middle loses nothing and
-meets no edge. Places are in pixels from the middle, x to the right and y down; values lie in
-[0, 1], and a flat 0.5 surrounds them.
+Each fades to a flat grey within its square, so that a rotation about the centre loses nothing and
+meets no edge. Coordinates are in pixels from the centre, x to the right and y down; values are in
+[0, 1], surrounded by a flat 0.5.
 """
 
 import numpy as np
@@ -10,24 +10,24 @@ import numpy as np
 from simulations.models.arrays import Floats
 
 SIZE = 128
-"""Pixels along a side that hold the window."""
+"""Pixels along a side."""
 RADIUS_PX, FADE_PX = 52.0, 16.0
-"""The window ends here, and has begun to fade so much farther in."""
+"""Radius of the window, and width over which it fades."""
 FREQUENCIES = np.array([0.02, 0.03, 0.05, 0.08, 0.11, 0.15, 0.21, 0.24, 0.27, 0.30, 0.33, 0.35])
-"""Of the waves: cycles per pixel."""
+"""Frequencies of the waves in cycles per pixel."""
 GOLDEN_RAD = np.pi * (3 - np.sqrt(5))
-"""Angle from one wave, or one disc, to the next: all directions are served evenly."""
+"""Angle between successive waves or discs, which spreads them evenly over all directions."""
 RINGS_AT_PX = (-20.0, 8.0)
-"""Middle of the rings: not that of the window, where a turn would not change them."""
+"""Centre of the rings: not that of the window, as a rotation would not change them there."""
 FINEST = 0.35
-"""Of the rings, at the far side of the window."""
+"""Frequency of the rings at the far side of the window, in cycles per pixel."""
 DISCS = 90
 SOFT_PX = 0.6
-"""Scale of a disc's edge, which is about two pixels wide: pixels can hold it."""
+"""Scale of a disc's edge, which is about two pixels wide, enough for sampling."""
 
 
 def waves(x: Floats, y: Floats) -> Floats:
-    """(...) of twelve plane waves, each in a direction of its own."""
+    """(...) sum of twelve plane waves in different directions."""
     total = np.zeros_like(x)
     for n, frequency in enumerate(FREQUENCIES):
         along = x * np.cos(n * GOLDEN_RAD) + y * np.sin(n * GOLDEN_RAD)
@@ -36,7 +36,7 @@ def waves(x: Floats, y: Floats) -> Floats:
 
 
 def rings(x: Floats, y: Floats) -> Floats:
-    """(...) of a zone plate: the rings get finer outwards, to 0.35 cycles per pixel."""
+    """(...) zone plate: the rings get finer outwards, to 0.35 cycles per pixel."""
     right, down = RINGS_AT_PX
     square = (x - right) ** 2 + (y - down) ** 2
     farthest = RADIUS_PX + np.hypot(right, down)
@@ -44,10 +44,10 @@ def rings(x: Floats, y: Floats) -> Floats:
 
 
 def discs(x: Floats, y: Floats) -> Floats:
-    """(...) of discs with soft edges, laid one over another: things, as in a photograph."""
+    """(...) overlapping discs with soft edges, like objects in a photograph."""
     picture = np.zeros_like(x)
     for n in range(DISCS):
-        # In an order that mixes the places: 37 and 90 have no common divisor.
+        # In mixed order: 37 and 90 have no common divisor.
         at = RADIUS_PX * np.sqrt(((37 * n) % DISCS + 0.5) / DISCS)
         radius, grey = 3.0 + (5 * n) % 9, 0.4 * np.cos(2.4 * n)
         far = np.hypot(x - at * np.cos(n * GOLDEN_RAD), y - at * np.sin(n * GOLDEN_RAD))

@@ -1,4 +1,4 @@
-"""Smooth waves that run another way in each colour: no colour tells anything about the others."""
+"""Smooth waves in a different direction for each colour, so that the colours are uncorrelated."""
 
 import numpy as np
 from numpy.typing import NDArray

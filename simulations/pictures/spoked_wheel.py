@@ -1,9 +1,8 @@
 """A wooden wheel as a film frame records it: exact coverage, and exact blur of the turning spokes.
 
-Along a circle of radius r the spokes are a row of equal bars. What a pixel records of them is
-their mean over the pixel's width on that circle and over the angle swept while the shutter is
-open. Both means are differences of an integral that is known in closed form, so that a blur
-over many spokes costs as much as none.
+Along a circle of radius r the spokes are a row of equal bars. A pixel records their mean over its
+width on that circle and over the angle swept while the shutter is open. Both means are differences
+of an integral in closed form, so that a blur over many spokes costs no more than a sharp picture.
 """
 
 from collections.abc import Callable
@@ -28,22 +27,22 @@ WOOD, DARK = np.array([0.62, 0.43, 0.24]), np.array([0.045, 0.05, 0.056])
 """Linear light of the wheel and of the wall behind it."""
 
 LEVELS = 2048
-"""Steps of coverage that the colours are tabulated at: finer than the codes of the picture."""
+"""Steps of coverage in the table of colours: finer than the codes of the picture."""
 
 NARROWEST = 1e-5
-"""Width in spacings below which a mean is taken at a point; keeps the quotients finite."""
+"""Least width of a mean, in spacings, to avoid division by zero."""
 
 
 @dataclass(frozen=True, slots=True)
 class Canvas:
-    """What of the picture depends on no parameter."""
+    """The parts of the picture that depend on no parameter."""
 
     between: Mask
     """(H, W) pixels that lie, at least in part, between hub and rim."""
     angle_rad: Floats
-    """(n,) of those pixels, clockwise from the right."""
+    """(n,) angles of those pixels, clockwise from the right."""
     radius: Floats
-    """(n,) in pixels, at least half a hub."""
+    """(n,) radii of those pixels, at least half of the hub's; in pixels."""
     solid: Floats
     """(H, W) share of each pixel that rim or hub cover."""
     colours: NDArray[np.uint8]
@@ -51,7 +50,7 @@ class Canvas:
 
 
 def build_canvas() -> Canvas:
-    """Angles, radii and the parts that look the same however the wheel stands."""
+    """The `Wheel`: angles, radii and the parts that do not change as the wheel turns."""
     x = centred(WIDTH)
     y = centred(HEIGHT)[:, None]
     radius = np.hypot(x, y)
@@ -71,7 +70,7 @@ def _inside(radius: Floats, edge: float) -> Floats:
 
 @dataclass(frozen=True, slots=True)
 class Bars:
-    """The spokes as each pixel between hub and rim sees them; lengths in spacings of two spokes."""
+    """The spokes at each pixel between hub and rim; lengths are in spacings between spokes."""
 
     place: Floats
     """(n,) from the middle of the first spoke as the shutter opens, clockwise."""
@@ -80,7 +79,7 @@ class Bars:
     pixel: Floats
     """(n,) width of the pixel."""
     swept: float
-    """How far the spokes turn while the shutter is open, of either sign."""
+    """Rotation of the spokes while the shutter is open, of either sign."""
 
 
 type Exposure = Callable[[Bars], Floats]

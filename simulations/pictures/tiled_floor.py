@@ -1,7 +1,7 @@
 """A tiled floor to the horizon under a pale sky, and a box on it.
 
 World frame as in `simulations.models.light.raycasting`: x right, y away, z up, in metres; the floor
-is z = 0 and the box stands along its tiles. Linear RGB, 1 = paper white.
+is z = 0 and the box is aligned with its tiles. Linear RGB, 1 = paper white.
 """
 
 from collections.abc import Sequence
@@ -23,18 +23,18 @@ SKY_COLOURS = np.array([SKY_LOW, SKY_TOP], np.float32)
 SKY_RISE = 0.7
 """Tangent of the angle above the horizon at which the sky is bluest."""
 FARTHEST = 1e-4
-"""One over the depth in metres at which the floor ends, in haze."""
+"""Inverse of the depth in metres at which the floor ends, in haze."""
 HAZE_M = 45.0
-"""Distance at which the floor has e⁻¹ of its colour left."""
+"""Distance at which the floor's colour has fallen to e⁻¹."""
 BOX_PAINT = (0.52, 0.13, 0.055)
 LIGHT = {"x0": 0.95, "x1": 0.34, "y0": 0.50, "y1": 0.60, "top": 1.25}
-"""How bright each side of the box is under a lamp to the left."""
+"""Brightness of each side of the box, lit by a lamp to the left."""
 SHADOW_PER_M = (0.7, 0.3)
-"""Where the shadow of a point falls, metres right and nearer for each metre of its height."""
+"""Offset of a point's shadow, metres right and nearer per metre of height."""
 SHADE = 0.42
-"""What is left of the light in the shadow."""
+"""Share of the light in the shadow."""
 EDGE_ON_M = 1e-6
-"""Before the plane of a side: within it, the side is a line and not to be seen."""
+"""Distance from the plane of a side within which the side is seen as a line and not drawn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,12 +49,12 @@ class Box:
 
     @property
     def spans(self) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
-        """From and to along x, y and z."""
+        """Start and end along x, y and z."""
         half = self.width / 2.0
         return (self.x - half, self.x + half), (self.y - half, self.y + half), (0.0, self.height)
 
     def seen_from(self, eye: ArrayLike) -> tuple[str, ...]:
-        """Names of the sides that are turned to the eye (3,): x0, x1, y0, y1, top."""
+        """Names of the sides visible from the eye (3,): x0, x1, y0, y1, top."""
         x, y, z = np.asarray(eye, float)
         (x0, x1), (y0, y1), (_, top) = self.spans
         before = {"x0": x0 - x, "x1": x - x1, "y0": y0 - y, "y1": y - y1, "top": z - top}
@@ -85,7 +85,7 @@ class Box:
 def tiled_floor(pose: ArrayLike, K: ArrayLike, width: int, height: int) -> NDArray[np.float32]:
     """The floor and the sky, (height, width, 3).
 
-    ``pose`` (4, 4) is that of a camera above the floor that looks less than straight up or down.
+    ``pose`` (4, 4) is that of a camera above the floor, not looking straight up or down.
     """
     to_floor = np.linalg.inv(ground_to_image(pose, K)).astype(np.float32)
     across, away, nearness = (_over_pixels(row, width, height) for row in to_floor)
@@ -104,7 +104,7 @@ def tiled_floor(pose: ArrayLike, K: ArrayLike, width: int, height: int) -> NDArr
 
 
 def _rows(these: Mask) -> slice:
-    """Rows that are all above or all below a line: one run."""
+    """The run of rows that are above or below a line."""
     found = np.flatnonzero(these)
     return slice(int(found[0]), int(found[-1]) + 1) if found.size else slice(0, 0)
 
@@ -129,7 +129,7 @@ def _sky(tangent: Floats) -> Floats:
 def with_box(
     floor: NDArray[np.float32], pose: ArrayLike, K: ArrayLike, box: Box
 ) -> NDArray[np.float32]:
-    """The same picture with the box and its shadow, where they are in front of the camera."""
+    """The picture with the box and its shadow, where they are in front of the camera."""
     rotation, offset = np.asarray(pose, float)[:3, :3], np.asarray(pose, float)[:3, 3]
     picture = floor.copy()
     _shade(picture, world_to_camera(box.shadow(), pose), np.asarray(K, float))
@@ -147,9 +147,10 @@ def _shade(picture: NDArray[np.float32], corners: Floats, K: Floats) -> None:
 
 
 def _paint(picture: NDArray[np.float32], sides: Floats, K: Floats, lights: Sequence[float]) -> None:
-    """Cover with sides (M, 4, 3) of the camera frame that do not hide each other.
+    """Draw sides (M, 4, 3) in the camera frame that do not hide each other.
 
-    They are added up before they are laid over the floor, which would shine through their seams.
+    They are summed before they are composited, so that the floor is not visible through their
+    seams.
     """
     rows, columns = _extent(sides.reshape(-1, 3), K, picture.shape)
     part = picture[rows, columns]
@@ -166,14 +167,14 @@ def _paint(picture: NDArray[np.float32], sides: Floats, K: Floats, lights: Seque
 def polygon_coverage(
     corners: Floats, K: Floats, rows: slice, columns: slice
 ) -> NDArray[np.float32]:
-    """About how much of each pixel a convex polygon in space covers.
+    """Approximate share of each pixel that a convex polygon in space covers.
 
-    An edge and the camera's centre span a plane, and a pixel's ray is on one side of it. That
-    holds for corners behind the camera too, so that nothing needs to be clipped.
+    An edge and the camera's centre span a plane, and a pixel's ray is on one side of it. That holds
+    for corners behind the camera too, so that nothing needs to be clipped.
 
     Parameters
     ----------
-    corners : (N, 3) in the camera frame, in order, in one plane beside the centre.
+    corners : (N, 3) in the camera frame, in order, in a plane that does not contain the centre.
     rows, columns : which pixels.
     """
     edges = np.cross(corners, np.roll(corners, -1, axis=0))
@@ -192,7 +193,7 @@ def polygon_coverage(
 
 
 def _extent(corners: Floats, K: Floats, shape: tuple[int, ...]) -> tuple[slice, slice]:
-    """Rows and columns that a polygon may touch; all of them where it is not wholly in front."""
+    """Rows and columns that a polygon may touch; all of them if it is not wholly in front."""
     height, width = shape[:2]
     depth = corners[:, 2]
     if depth.max() <= 0.0:

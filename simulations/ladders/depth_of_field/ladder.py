@@ -23,14 +23,14 @@ from simulations.pictures import cards
 
 @dataclass(frozen=True, slots=True)
 class Workload:
-    """A picture to take, and what to take it through."""
+    """A picture and the lens."""
 
     seen: cards.Pixels
-    """In float32."""
+    """The pixels, in float32."""
     lens_radius: float
-    """Metres: large, as the cards are as large as plates and stand metres away."""
+    """Metres: large, as the cards are large and metres away."""
     crop: int
-    """Pixels of border left out: no filter can know what lies beyond it."""
+    """Pixels of border that are left out, as no filter has the picture beyond it."""
 
 
 def workload_of(width: int, lens_radius: float, crop: int) -> Workload:
@@ -44,7 +44,7 @@ def prepare() -> Workload:
 
 
 def radius_px(workload: Workload, depth: Floats | float) -> Floats:
-    """Of the disc of confusion."""
+    """Radius of the disc of confusion."""
     defocus = np.abs(1.0 / np.asarray(depth) - 1.0 / cards.FOCUS_Z)
     return workload.seen.focal_px * workload.lens_radius * defocus
 
@@ -54,7 +54,7 @@ def pinhole(workload: Workload) -> Planes:
 
 
 def _depth(workload: Workload) -> Floats:
-    """Depth (H, W) of what the pinhole sees."""
+    """Depth (H, W) seen by the pinhole."""
     _, depth = cards.background(workload.seen)
     for card in cards.CARDS:
         _, cover = cards.card_light(card, workload.seen)
@@ -76,7 +76,7 @@ def gather(workload: Workload) -> Planes:
 
 
 def layered(workload: Workload, blur: Blur = disc_blur) -> Planes:
-    """Each card on a layer of its own, complete also where another hides it."""
+    """Each card on its own layer, complete with the parts that others hide."""
     picture, depth = cards.background(workload.seen)
     base = blur_by_depth(picture.astype(np.float32), radius_px(workload, depth), blur)
     layers = []
@@ -88,28 +88,28 @@ def layered(workload: Workload, blur: Blur = disc_blur) -> Planes:
 
 
 def _fibonacci(workload: Workload, *, rays: int) -> Planes:
-    """Every pixel looks through the same points: the error is ghosts."""
+    """All pixels use the same points of the lens: the error is ghosts."""
     return _through(workload, fibonacci_disc(rays).astype(np.float32))
 
 
 def _random(workload: Workload, *, rays: int) -> Planes:
-    """Every pixel looks through points of its own: the error is grain."""
+    """Every pixel uses its own random points of the lens: the error is grain."""
     return _through(workload, random_disc(rays, workload.seen.shape, np.random.default_rng(7)))
 
 
 def _jittered(workload: Workload) -> Planes:
-    """Every pixel looks through a point of its own in each of sixteen cells of the lens."""
+    """Every pixel uses its own random point in each of sixteen cells of the lens."""
     return _through(workload, jittered_disc(2, 8, workload.seen.shape, np.random.default_rng(7)))
 
 
 def _turned(workload: Workload, *, rays: int) -> Planes:
-    """Every pixel looks through the same points, turned by an angle of its own."""
+    """All pixels use the same points of the lens, each rotated by its own random angle."""
     spiral, rng = fibonacci_disc(rays), np.random.default_rng(7)
     return _through(workload, turned_disc(spiral, workload.seen.shape, rng))
 
 
 def _through(workload: Workload, points: Floats) -> Planes:
-    """Mean of what is seen through ``points`` (n, 2) of the unit disc, or (n, 2, H, W)."""
+    """Mean of the pictures through ``points`` (n, 2) of the unit disc, or (n, 2, H, W)."""
     total = np.zeros((3, *workload.seen.shape), np.float32)
     for x, y in np.float32(workload.lens_radius) * points:
         total += cards.radiance(workload.seen, x, y)
@@ -117,7 +117,7 @@ def _through(workload: Workload, points: Floats) -> Planes:
 
 
 def reference(workload: Workload, rays: int = 4096) -> Floats:
-    """Rays of no width that hit or miss, in float64, with code of their own."""
+    """Rays of zero width that hit or miss, in float64, by independent code."""
     _, width = workload.seen.shape
     return depth_of_field_truth.picture(width, workload.lens_radius, rays)
 

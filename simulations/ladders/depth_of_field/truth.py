@@ -1,8 +1,8 @@
-"""The cards through a whole lens by rays of no width: what the ladders of depth of field call true.
+"""The reference of the ladders of depth of field: the cards by rays through the whole lens.
 
-Shares with the tiers what stands where, and no line of how it is seen. A ray hits a card, the
-floor or the wall at one point, which is light or dark. Means over a pixel and over the lens come
-from many rays, each through a place of its own in both.
+It shares the scene with the tiers, but no code that draws it. A ray hits a card, the floor or the
+wall at one point, which is light or dark. Means over a pixel and over the lens are those of many
+rays, each through a different place in both.
 """
 
 import numpy as np
@@ -27,7 +27,7 @@ from simulations.pictures.cards import (
 )
 
 type Ray = tuple[Floats, Floats, Floats, Floats]
-"""Where rays leave the lens, and how far right and down they go per metre forward."""
+"""Coordinates of rays on the lens, and their slopes right and down per metre forward."""
 
 
 def picture(width: int, lens_radius: float, rays: int) -> Floats:
@@ -44,7 +44,7 @@ def picture(width: int, lens_radius: float, rays: int) -> Floats:
 
 
 def spread_evenly(count: int) -> Floats:
-    """(count, 4) places in the unit cube of four dimensions, each as far from the others as can be.
+    """(count, 4) evenly spread places in the four-dimensional unit cube.
 
     Multiples of powers of 1/g, without their whole part, where g⁵ = g + 1: M. Roberts, *The
     unreasonable effectiveness of quasirandom sequences*, 2018.
@@ -54,10 +54,10 @@ def spread_evenly(count: int) -> Floats:
 
 
 def _add_shades(shades: Floats, x: Floats, y: Floats, lens_x: float, lens_y: float) -> None:
-    """Add to the room's or to a card's plane (1 + cards, H, W) how bright what is hit is.
+    """Add the brightness of the hit points to the plane of the room or of a card (1 + cards, H, W).
 
-    The rays leave the lens at one point, for those of directions x (1, W) and y (H, 1) on the
-    plane in focus.
+    The rays leave the lens at one point, towards the points x (1, W) and y (H, 1) of the plane in
+    focus.
     """
     ray = (np.array(lens_x), np.array(lens_y), x - lens_x / FOCUS_Z, y - lens_y / FOCUS_Z)
     free = np.ones(shades.shape[1:], bool)
@@ -74,14 +74,15 @@ def _place(ray: Ray, z: float) -> tuple[Floats, Floats]:
 
 
 def _room(ray: Ray) -> Floats:
-    """Floor where the ray falls below it before the wall, else the wall: brightness (H, W)."""
+    """Brightness (H, W) of the floor where the ray meets it before the wall, else of the wall."""
     wall_x, wall_y = _place(ray, WALL_Z)
     wall = np.where(_striped(wall_x, BAR_PERIOD, BAR), LIGHT_BAR, DARK_BAR)
     room = np.repeat(wall, len(wall_y), axis=0)
     on_floor = slice(np.count_nonzero(wall_y <= FLOOR_Y), None)  # y grows from row to row
     z = (FLOOR_Y - ray[1]) / ray[3][on_floor]
     x = ray[0] + ray[2] * z
-    # Counted from the middle of a tile, which is light; light are those even or odd both ways.
+    # Counted from the middle of a light tile; tiles that are even or odd in both directions are
+    # light.
     same = _is_odd(np.rint(x / TILE)) == _is_odd(np.rint(z / TILE))
     room[on_floor] = np.where(same, LIGHT_TILE, DARK_TILE)
     return room
@@ -92,7 +93,7 @@ def _is_odd(whole: Floats) -> Mask:
 
 
 def _card_light(card: Card, ray: Ray) -> tuple[tuple[slice, slice], Mask, Floats]:
-    """The rows and columns around a card; in these, which rays hit it and how bright it is."""
+    """The rows and columns around a card, which of their rays hit it, and its brightness."""
     x, y = _place(ray, card.z)
     across, down = _within(x - card.x, card.radius), _within(y - card.y, card.radius)
     x, y = x[:, across], y[down]
@@ -102,10 +103,10 @@ def _card_light(card: Card, ray: Ray) -> tuple[tuple[slice, slice], Mask, Floats
 
 
 def _within(along: Floats, radius: float) -> slice:
-    """Those of growing places that are less than a radius away from 0."""
+    """The range of increasing places that are less than a radius away from 0."""
     return slice(*np.searchsorted(along.ravel(), (-radius, radius)))
 
 
 def _striped(along: Floats, period: float, width: float) -> Mask:
-    """Whether a place lies on a stripe; one is centred on 0."""
+    """Whether a place is on a stripe; one is centred on 0."""
     return np.abs(along - period * np.rint(along / period)) < width / 2

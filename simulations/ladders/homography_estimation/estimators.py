@@ -1,7 +1,7 @@
-"""Ways to a homography from matched points (N, 2), which differ in the error that they make small.
+"""Estimators of a homography from matched points (N, 2), which minimise different errors.
 
-All work on arrays alone, without the checks of `models.geometry.homography_estimation`: what is
-timed is the method. Each returns H (3, 3), of any scale and sign.
+They omit the checks of `models.geometry.homography_estimation`, so that only the method is timed.
+Each returns H (3, 3), of any scale and sign.
 
 Source: Hartley and Zisserman, Multiple View Geometry, 2nd ed., §4.1, §4.2 and §4.4.
 """
@@ -13,11 +13,11 @@ import numpy as np
 from simulations.models.arrays import Floats
 
 STEPS = 2
-"""Of Gauss–Newton: from a normalised start the second changes less than the noise does."""
+"""Steps of Gauss–Newton: from a normalised start the second changes less than the noise."""
 
 
 def plain(source: Floats, target: Floats) -> Floats:
-    """Direct linear transform in pixels as they come: columns of 1 beside columns of 10⁷."""
+    """Direct linear transform in pixels, with columns of 1 next to columns of 10⁷."""
     return _null_vector(_system(source, target))
 
 
@@ -28,9 +28,10 @@ def normalised(source: Floats, target: Floats) -> Floats:
 
 
 def squared(source: Floats, target: Floats) -> Floats:
-    """Normalised, by the 9 × 9 matrix AᵀA: one size for any number of points.
+    """Normalised, by the 9 × 9 matrix AᵀA, whose size does not depend on the number of points.
 
-    Squaring halves the digits of an ill-posed problem; normalised, this one is far from that.
+    Squaring halves the digits of an ill-conditioned problem; normalised, this one is
+    well-conditioned.
     """
     before, T, _ = _normalise(source)
     after, _, U_inverse = _normalise(target)
@@ -38,7 +39,7 @@ def squared(source: Floats, target: Floats) -> Floats:
 
 
 def four_points(source: Floats, target: Floats) -> Floats:
-    """Exactly through the four matches farthest out along the diagonals; the rest is ignored."""
+    """Exact for the four matches farthest out along the diagonals; the others are ignored."""
     sums, differences = source.sum(axis=1), source[:, 0] - source[:, 1]
     four = [sums.argmin(), differences.argmax(), sums.argmax(), differences.argmin()]
     before, T, _ = _normalise(source[four])
@@ -57,10 +58,10 @@ def one_sided(source: Floats, target: Floats) -> Floats:
 
 
 def two_sided(source: Floats, target: Floats) -> Floats:
-    """The same, each match weighed by the noise of *both* its points (Sampson's distance).
+    """The same, each match weighted by the noise of *both* its points (Sampson's distance).
 
-    What is found in the first picture is moved, too, and the map enlarges that where it enlarges:
-    by its derivatives J, so that a residual has the covariance I + J Jᵀ in units of the noise.
+    The map enlarges the noise of the first picture by its derivatives J, so that a residual has the
+    covariance I + J Jᵀ in units of the noise.
     """
     return _refined(source, target, source_noise=1.0)
 
@@ -73,7 +74,7 @@ def _refined(source: Floats, target: Floats, *, source_noise: float) -> Floats:
     for _ in range(STEPS):
         residual, slope, J = _linearised(h, before, after)
         if source_noise:
-            # In normalised units, the noise of the two pictures differs as their scales do.
+            # In normalised units, the noise of the two pictures differs by their scales.
             _whiten(residual, slope, J * (source_noise * T[0, 0] / U[0, 0]))
         flat = slope.reshape(-1, 8)
         h[:8] -= np.linalg.solve(flat.T @ flat, flat.T @ residual.reshape(-1))
@@ -81,7 +82,8 @@ def _refined(source: Floats, target: Floats, *, source_noise: float) -> Floats:
 
 
 def _linearised(h: Floats, before: Floats, after: Floats) -> tuple[Floats, Floats, Floats]:
-    """Mapped minus measured, and its derivatives by eight entries of h and by the source point.
+    """Mapped minus measured points, and the derivatives by eight entries of h and by the source
+    point.
 
     (2, N), (2, N, 8) and (2, 2, N).
     """
@@ -101,7 +103,7 @@ def _linearised(h: Floats, before: Floats, after: Floats) -> tuple[Floats, Float
 
 
 def _whiten(residual: Floats, slope: Floats, J: Floats) -> None:
-    """In place, by Cholesky factors of I + J Jᵀ: covariances become those of even noise."""
+    """Whiten residuals in place, by Cholesky factors of I + J Jᵀ."""
     xx, yy = 1.0 + (J * J).sum(axis=1)
     xy = (J[0] * J[1]).sum(axis=0)
     first = 1.0 / np.sqrt(xx)
@@ -114,7 +116,7 @@ def _whiten(residual: Floats, slope: Floats, J: Floats) -> None:
 
 
 def _normalise(points: Floats) -> tuple[Floats, Floats, Floats]:
-    """Points about 0 at a mean distance of √2, the matrix that moves them so, and its inverse."""
+    """Points about 0 at a mean distance of √2, the matrix that maps to them, and its inverse."""
     centre = points.mean(axis=0)
     moved = points - centre
     scale = math.sqrt(2.0) / float(np.sqrt((moved * moved).sum(axis=1)).mean())

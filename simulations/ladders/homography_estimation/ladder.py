@@ -27,11 +27,11 @@ type Estimates = tuple[Floats, ...]
 """(trials, 3, 3) for each view."""
 
 LOST_PX = 1000.0
-"""A point that an estimate sends further away than that counts as this far off."""
+"""Upper bound of the error of a mapped point."""
 
 
 def reference(workload: Workload) -> tuple[Floats, ...]:
-    """Where the true homographies take the judging grids."""
+    """The test grids mapped by the true homographies."""
     return tuple(
         true_map(view, matches.check) for view, matches in zip(VIEWS, workload, strict=True)
     )
@@ -51,7 +51,7 @@ def rms_px(
     *,
     views: tuple[str, ...],
 ) -> float:
-    """RMS distance in the second picture, over the judging grids of these views."""
+    """RMS distance in the second picture, over the test grids of these views."""
     squares = []
     for view, H, true, matches in zip(VIEWS, result, truth, workload, strict=True):
         if view.name in views:

@@ -1,4 +1,4 @@
-"""What the ladder of homography estimates works on: noisy matches, made from known homographies."""
+"""The workload of the ladder of homography estimates: noisy matches of known homographies."""
 
 from dataclasses import dataclass
 
@@ -13,13 +13,13 @@ NOISE_PX = 0.5
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """Matches of one flat thing in two pictures, measured several times over."""
+    """Matches of a flat object in two pictures, measured several times."""
 
     name: str
     homography: tuple[float, ...]
     """h₁₁ … h₃₂ in pixels; h₃₃ = 1."""
     low: tuple[float, float]
-    """Corner of the thing in the first picture that is nearest pixel (0, 0)."""
+    """Corner of the object in the first picture that is nearest to pixel (0, 0)."""
     high: tuple[float, float]
     """The opposite corner."""
     noise_px: float
@@ -28,16 +28,16 @@ class View:
 
 @dataclass(frozen=True, slots=True)
 class Matches:
-    """What a view gives an estimator, and where its estimate is judged."""
+    """The data of a view for an estimator, and the points for comparison."""
 
     exact: Floats
-    """(trials, points, 2) pixels of the first picture, which no estimator gets to see."""
+    """(trials, points, 2) true pixels of the first picture, hidden from the estimators."""
     source: Floats
-    """(trials, points, 2) pixels of the first picture as they were found."""
+    """(trials, points, 2) measured pixels of the first picture."""
     target: Floats
-    """(trials, points, 2) pixels of the second picture as they were found."""
+    """(trials, points, 2) measured pixels of the second picture."""
     check: Floats
-    """(144, 2) pixels of the first picture, a grid over the thing."""
+    """(144, 2) pixels of the first picture, a grid over the object."""
 
 
 FRONTAL = (0.92, -0.17, 310.0, 0.12, 0.88, -140.0, 4e-5, -6e-5)
@@ -49,8 +49,8 @@ VIEWS = (
 )
 """A small poster off the middle, a wall seen at a slant, and that wall without noise.
 
-The second picture shows the wall straightened: its far end is enlarged up to 34 times as much as
-its near end, and what noise the first picture has there is enlarged with it.
+The second picture shows the wall rectified: its far end, with the noise of the first picture, is
+enlarged up to 34 times as much as its near end.
 """
 
 type Workload = tuple[Matches, ...]
@@ -74,12 +74,12 @@ def matches_of(view: View) -> Matches:
 
 
 def true_map(view: View, points: Floats) -> Floats:
-    """Where the second picture has points (..., 2) of the first."""
+    """The places in the second picture of points (..., 2) of the first."""
     return mapped(np.append(view.homography, 1.0), points)
 
 
 def mapped(h: Floats, points: Floats) -> Floats:
-    """The two fractions written out: the judge shares no code with what it judges.
+    """The two fractions written out: the reference shares no code with the estimators.
 
     ``h`` (..., 9) any multiple of the entries, ``points`` (N, 2) or (..., N, 2).
     """

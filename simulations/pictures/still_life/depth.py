@@ -1,4 +1,4 @@
-"""How far what a single ray of the still life meets is: what a camera focuses on."""
+"""The depth that a single ray of the still life meets, for focusing."""
 
 import math
 
@@ -11,10 +11,10 @@ from simulations.pictures.still_life.things import THINGS, depth_along_axis, thi
 
 
 def depth_met(ray_camera: ArrayLike, back: float = 0.0) -> float:
-    """Depth along the optical axis in metres; a whole thing has that of its centre.
+    """Depth along the optical axis in metres; for a thing, that of its centre.
 
-    ``ray_camera`` (3,) in the camera frame, z = 1. What looks over the wall, which is drawn
-    without end, meets the wall.
+    ``ray_camera`` (3,) is in the camera frame, z = 1. Rays above the wall meet it too, as it is
+    drawn infinitely high.
     """
     seen = view(np.asarray(ray_camera, float).reshape(1, 1, 3), back=back)
     for thing in sorted(THINGS, key=thing_depth):

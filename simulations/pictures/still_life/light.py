@@ -1,4 +1,4 @@
-"""Light on the still life: one large distant lamp with soft shadows, and its echo from the room."""
+"""Light on the still life: one large distant lamp with soft shadows, and ambient light."""
 
 import math
 from dataclasses import dataclass
@@ -15,27 +15,27 @@ from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
-"""Half of its angular diameter: the sun's is 0.27°, a photographer's soft box has several."""
+"""Half of the lamp's angular diameter: the sun's is 0.27°, that of a soft box several degrees."""
 LAMP = np.array([0.86, 0.79, 0.68])
-"""Linear RGB that a white surface facing the lamp sends out."""
+"""Linear RGB of a white surface that faces the lamp."""
 ROOM = np.array([0.19, 0.22, 0.27])
-"""The same, from the surroundings above ..."""
+"""Light from the surroundings above ..."""
 BOUNCE = np.array([0.13, 0.11, 0.085])
 """... and from the floor below."""
 
 
 @dataclass(frozen=True, slots=True)
 class LitScene:
-    """Radiance that reaches the lens, in parts that lie at one depth each."""
+    """Radiance at the lens, in layers of one depth each."""
 
     base: Planes
-    """(3, H, W) wall and floor, linear RGB, nothing standing before them."""
+    """(3, H, W) wall and floor without the things, linear RGB."""
     base_depth: Floats
     """(H, W) metres along the optical axis."""
     layers: tuple[Layer, ...]
     """The things, farthest first."""
     depths: tuple[float, ...]
-    """Of the layers, metres."""
+    """Depths of the layers, metres."""
 
 
 def lamp_direction(light_angle_deg: float) -> Vector:
@@ -95,7 +95,7 @@ def _tinted(colour: Floats, strength: Floats) -> Planes:
 
 
 def _lamp_seen(part: Surface, lamp: Vector) -> Floats:
-    """Share of the lamp that the other things leave visible."""
+    """Share of the lamp that the other things do not hide."""
     seen, reached = np.ones(part.coverage.shape), extent(part.points)
     for thing in THINGS:
         if thing is part.thing:

@@ -1,6 +1,6 @@
 """What each ray of the still life meets: places, normals, reflectances, edge coverage.
 
-Nothing here depends on where the light stands.
+Nothing here depends on the light.
 """
 
 import math
@@ -37,14 +37,15 @@ from simulations.pictures.still_life.things import (
 TILE = 0.5
 """Edge of a floor tile, metres."""
 TILE_CENTRE = (0.065, 0.25)
-"""Of a light one: x and y, metres."""
+"""Centre of a light tile: x and y, metres."""
 PANEL = 1.0
 """Spacing of the grooves of the wall panelling, metres."""
 CHART = (0.35, 1.12, 1.9, 1.3)
 """Test chart on the wall: x and z of its centre, width, height; metres."""
 
 OCCLUSION_REACH = 6.0
-"""In radii: from farther off, a ball hides less than 1/36 of the surroundings, which is let go."""
+"""In radii: beyond this distance a ball hides less than 1/36 of the surroundings, which is
+ignored."""
 
 FLOOR_LIGHT, FLOOR_DARK = np.array([0.60, 0.55, 0.47]), np.array([0.17, 0.13, 0.11])
 WALL, GROOVE = np.array([0.33, 0.42, 0.43]), np.array([0.20, 0.26, 0.27])
@@ -57,7 +58,7 @@ INK, PAPER = np.array([0.03, 0.03, 0.035]), np.array([0.80, 0.79, 0.76])
 
 @dataclass(frozen=True, slots=True)
 class Surface:
-    """The visible side of one thing on a window of the picture."""
+    """The visible side of one thing, in a window of the picture."""
 
     thing: Thing | None
     """None for the floor and the wall."""
@@ -134,7 +135,7 @@ def _thing_albedo(thing: Thing, normals: Floats) -> Planes:
     if thing.second_albedo is None:
         colour = np.array(thing.albedo, np.float32)
         return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
-    axis = np.array([0.42, -0.25, 0.87])  # of the stripes, leaning towards the camera
+    axis = np.array([0.42, -0.25, 0.87])  # of the stripes, tilted towards the camera
     latitude = np.arcsin(np.clip(normals @ (axis / np.linalg.norm(axis)), -1.0, 1.0))
     place = latitude * (thing.stripe_count / math.pi)  # a stripe is 1 wide
     share = stripes(place, 2.0, 1.0, pixel_width(place))
@@ -142,13 +143,14 @@ def _thing_albedo(thing: Thing, normals: Floats) -> Planes:
 
 
 def _mix(first: Floats, second: Floats, share: Floats) -> Planes:
-    """(3, H, W): the colour ``first`` where ``share`` (H, W) is 0, ``second`` where it is 1."""
+    """(3, H, W) blend of two colours: ``first`` where ``share`` (H, W) is 0, ``second`` where it is
+    1."""
     start, change = first.astype(np.float32), (second - first).astype(np.float32)
     return start[:, None, None] + change[:, None, None] * share.astype(np.float32)
 
 
 def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> Floats:
-    """Share of the surroundings that the things leave open; boxes count as balls inside them."""
+    """Share of the surroundings that the things do not hide; boxes count as balls inside them."""
     openness, reached = np.ones(points.shape[:2]), extent(points)
     for thing in THINGS:
         if thing is besides:
@@ -168,26 +170,26 @@ def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> 
 
 @dataclass(frozen=True, slots=True)
 class Extent:
-    """The smallest upright box, seen from above, that holds all points of a surface."""
+    """The bounding rectangle of a surface, seen from above."""
 
     low: Floats
     """(2,) x and y, metres."""
     high: Floats
 
     def misses(self, low: Floats, high: Floats) -> bool:
-        """Whether no point can lie between two corners: saves looking at each."""
+        """Whether no point is between two corners, as a fast test for all points."""
         return bool((self.high <= low[:2]).any() or (self.low >= high[:2]).any())
 
 
 def extent(points: Floats) -> Extent:
-    """Of the points (H, W, 3)."""
+    """The bounds of points (H, W, 3)."""
     across, away = points[..., 0], points[..., 1]
     low = np.array([across.min(), away.min()])
     return Extent(low, np.array([across.max(), away.max()]))
 
 
 def within(points: Floats, low: Floats, high: Floats) -> Mask:
-    """(H, W) true where x and y of the points (H, W, 3) lie between two corners."""
+    """(H, W) true where x and y of the points (H, W, 3) are between two corners."""
     x, y = points[..., 0], points[..., 1]
     return (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
 
@@ -200,13 +202,13 @@ def _wall_and_floor(seen: View) -> tuple[Surface, Surface]:
 
 
 def _distance(point: Vector, normal: Vector, seen: View, directions: Floats) -> Floats:
-    """To a plane, metres (...); 0, a number to go on with, where nothing of the plane is seen."""
+    """Distance to a plane, metres (...); 0 where the plane is not visible."""
     distance, meets = intersect_plane(point, normal, seen.eye, directions)
     return np.where(meets, distance, 0.0)
 
 
 def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surface:
-    """A plane, given by a point and its normal, on the band of rows where it covers anything."""
+    """A plane, given by a point and its normal, in the rows where it is visible."""
     rows = np.flatnonzero((share > 0).any(1))
     top, bottom = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
     top, bottom = max(top - 1, 0), max(bottom, top + 2)  # patterns need two rows
@@ -215,7 +217,7 @@ def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surfac
     points = seen.eye + directions * distance[..., None]
     normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
     openness = _sky_seen(points, normals)
-    if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor before it
+    if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor in front of it
         away = np.maximum(WALL_DISTANCE - points[..., 1], 0.0)
         openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))
     return Surface(
@@ -253,13 +255,13 @@ def _to_nearest(coordinate: Floats, spacing: float) -> Floats:
 
 
 def _lay_over(picture: Planes, colour: Floats, share: Floats) -> Planes:
-    """``picture`` (3, H, W) with ``share`` (H, W) of each pixel covered by a colour."""
+    """Blend ``picture`` (3, H, W) with a colour by ``share`` (H, W)."""
     covered, ink = share.astype(np.float32), colour.astype(np.float32)
     return picture * (1 - covered) + ink[:, None, None] * covered
 
 
 def _with_chart(wall: Planes, x: Floats, z: Floats) -> Planes:
-    """A framed sheet with a Siemens star between two columns of bars, hung on ``wall`` in place."""
+    """Draw a framed sheet with a Siemens star between two columns of bars on ``wall``, in place."""
     near = (np.abs(x) < CHART[2] / 2 + 0.1) & (np.abs(z) < CHART[3] / 2 + 0.1)
     window = window_of(near)
     if window is None:

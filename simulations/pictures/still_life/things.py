@@ -1,8 +1,7 @@
 """The still life: balls and boxes on a chequered floor, from 1.7 to 8 metres away.
 
 World axes: x right, y away from the camera, z up, metres; the floor is z = 0. Each thing is ray
-cast and lit on its own, without regard to what stands before it, so that a lens may later blur
-it and show what it hides.
+cast and lit by itself, including its hidden parts, so that blur by a lens can reveal them later.
 """
 
 from dataclasses import dataclass
@@ -23,7 +22,7 @@ class Thing:
     albedo: Vector
     """Linear RGB reflectance."""
     second_albedo: Vector | None = None
-    """Of the stripes, where the thing has any."""
+    """Colour of the stripes, if there are any."""
     stripe_count: int = 0
     gloss: float = 0.0
     """Strength of the highlight."""
@@ -50,12 +49,12 @@ THINGS = (
     Thing("pearl", resting(1.15, 5.1, 0.55), (0.74, 0.71, 0.69), gloss=0.4, shininess=90),
     Thing("plum box", Box((-1.75, 6.5, 0.6), (0.8, 0.7, 1.2), -0.35), (0.33, 0.10, 0.26)),
 )
-"""Nearest first. No two overlap, and each keeps its place in depth order from the camera."""
+"""The things, nearest first. No two overlap."""
 
 WALL_DISTANCE = 8.0
-"""Of the back wall, metres along y."""
+"""Distance of the back wall, metres along y."""
 WALL_HEIGHT = 4.0
-"""How high the wall hides the sky from the floor, metres; it is drawn without end."""
+"""Height up to which the wall hides the sky from the floor, metres; it is drawn infinitely high."""
 
 EYE: Vector = (0.0, 0.0, 0.5)
 TARGET: Vector = (0.0, 4.0, 0.32)
@@ -72,20 +71,20 @@ class View:
     valid: Mask
     """(H, W) false where the lens sends no ray to the pixel."""
     eye: Vector = EYE
-    """Where all of them start: the lens's centre, or another point of its opening."""
+    """Origin of all rays: the lens's centre, or another point of its opening."""
     back: float = 0.0
-    """How far behind `EYE` the lens stands, along its axis: metres."""
+    """Distance of the lens behind `EYE`, along its axis: metres."""
 
 
 def eye(back: float = 0.0, right: float = 0.0, down: float = 0.0) -> Vector:
-    """A point of the lens, metres from its centre, that has stepped back along its axis."""
+    """A point of the lens, metres from its centre, after a step back along the axis."""
     across = WORLD_TO_CAMERA[:3, :3]
     x, y, z = np.asarray(EYE) + right * across[0] + down * across[1] - back * across[2]
     return (float(x), float(y), float(z))
 
 
 def view(rays_camera: Floats, valid: Mask | None = None, back: float = 0.0) -> View:
-    """``rays_camera`` (H, W, 3) with z = 1, turned into the world and made unit length."""
+    """``rays_camera`` (H, W, 3) with z = 1, rotated to the world and scaled to unit length."""
     legal = np.ones(rays_camera.shape[:2], bool) if valid is None else valid
     return View(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal, eye(back), back)
 
@@ -95,8 +94,8 @@ def view_through(
 ) -> View:
     """The view from the point ``at`` = (right, down) of the lens, metres from its centre.
 
-    Every ray meets the one through the lens's centre at the depth ``focus``, metres: so a thin
-    lens sends both to the same pixel.
+    Every ray meets the one through the lens's centre at the depth ``focus``, metres, as a thin lens
+    images both to the same pixel.
     """
     right, down = at
     turned = rays_camera - np.array([right / focus, down / focus, 0.0])
