@@ -1,18 +1,11 @@
 """A small book in a temporary folder, with one small scene, so that no test needs the real one."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
 import pytest
+from support.little_book import FRONT, load_demo
 
-from simulations.engine.drawing import line, text
-from simulations.engine.frame import Frame, Panel, matrix_readout, readout
-from simulations.engine.scene import Scene
-from simulations.engine.settings import action, choice, slider, toggle
-from simulations.engine.stages import Outputs, Stage
-from simulations.registry import UnknownIdError
 from site_builder import site_assets
 from site_builder.build import Options
 from site_builder.output.assets import Content, content_bytes
@@ -20,7 +13,6 @@ from site_builder.output.scripts import Bundle
 from site_builder.search.index import SHARED
 
 STATIC = Path(__file__).parents[2] / "static"
-FRONT_MATTER = "---\ntitle: First\nsummary: The first chapter.\n---\n"
 ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>\n'
 OUTLINE = """\
 title = "Small Book"
@@ -46,54 +38,6 @@ class Doubler:
 SECOND = "---\ntitle: Second\nsummary: The second chapter.\n---\n\n## A section\n\nText.\n"
 
 
-@dataclass(frozen=True, slots=True)
-class Settings:
-    k1: float = slider("Distortion", 0.0, -0.5, 0.5, 0.01, unit="px")
-    kind: str = choice("Kind", {"a": "First", "b": "Second"})
-    on: bool = toggle("On")
-    play: int = action("Play", "Pause", drives="k1", effect="play")
-
-
-def tell(k1: float, tier: str) -> str:
-    return f"Shows k1 of {k1:g} in tier {tier}."
-
-
-def draw_demo(settings: Settings, outputs: Outputs) -> Frame:
-    raster = np.full((4, 6, 4), 255, np.uint8)
-    return Frame(
-        panels=(
-            Panel("picture", "Picture", 400, 300, raster=raster, pixelated=True),
-            Panel("plan", "Plan", 400, 300, overlay=line((0, 0), (10, 10)) + text((1, 1), "a<b")),
-        ),
-        readouts=(
-            readout("k1", "k₁", settings.k1, "px", role="ray"),
-            matrix_readout("H", "Matrix", [[1, 0], [0, 1]]),
-        ),
-        description=outputs["sentence"],
-    )
-
-
-DEMO = Scene(
-    id="demo",
-    title="Demo",
-    settings=Settings,
-    draw=draw_demo,
-    stages=(Stage("sentence", tell),),
-    tiers=("fast", "exact"),
-    default_tier="exact",
-    draft_tier="fast",
-    tier_labels={"fast": "Fast", "exact": "Exact"},
-)
-
-
-def load_demo(scene_id: str) -> Scene[Settings]:
-    if scene_id == "broken":
-        raise ImportError("no module")
-    if scene_id != "demo":
-        raise UnknownIdError(f"unknown simulation {scene_id!r}; legal: demo")
-    return DEMO
-
-
 type MakeBook = Callable[..., Options]
 
 
@@ -115,7 +59,7 @@ def make_book(tmp_path: Path) -> MakeBook:
     def make(body: str = "Text.\n", files: dict[str, str | None] | None = None) -> Options:
         sources: dict[str, str | None] = {
             "content/book.toml": OUTLINE,
-            "content/00-first.md": FRONT_MATTER + body,
+            "content/00-first.md": FRONT + body,
             "content/01-second.md": SECOND,
             "simulations/models/thing.py": THING,
             "static/css/book.css": "body {}\n",
@@ -147,19 +91,3 @@ def run(make_book: MakeBook, monkeypatch: pytest.MonkeyPatch) -> Callable[..., i
         return main(list(words))
 
     return command
-
-
-@pytest.fixture
-def mistakes(make_book: MakeBook) -> Callable[..., list[str]]:
-    """The diagnostics of a book, as printed."""
-    from site_builder.build import check_site
-    from site_builder.diagnostics import BuildError
-
-    def find(body: str = "Text.\n", files: dict[str, str | None] | None = None) -> list[str]:
-        try:
-            check_site(make_book(body, files))
-        except BuildError as error:
-            return [str(diagnostic) for diagnostic in error.diagnostics]
-        return []
-
-    return find

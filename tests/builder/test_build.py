@@ -1,15 +1,11 @@
 """Building: the same bytes from the same sources, and nothing where there is a mistake."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import pytest
 from support.little_book import OUTLINE
 
-from simulations.engine.frame import Frame
-from simulations.engine.scene import Scene
 from site_builder import build
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import BuildError
@@ -38,25 +34,6 @@ def test_a_mistake_writes_nothing(make_book: MakeBook, tmp_path: Path) -> None:
             write=lambda _files, out: written.append(out),
         )
     assert written == []
-
-
-def test_a_scene_that_raises_is_a_mistake_at_its_figure(make_book: MakeBook) -> None:
-    options = make_book("\n:::{simulation} demo\n:::\n")
-
-    def draw(*_: object) -> Frame:
-        raise ZeroDivisionError("division by zero")
-
-    def load(scene_id: str) -> Scene[Any]:
-        return replace(options.load_scene(scene_id), draw=draw)
-
-    with pytest.raises(BuildError) as raised:
-        render_site(replace(options, load_scene=load))
-    assert [str(found) for found in raised.value.diagnostics] == [
-        "content/00-first.md:6: simulation 'demo' cannot be drawn: ZeroDivisionError: "
-        "division by zero",
-        "content/book.toml:4: simulation 'demo' cannot be drawn: ZeroDivisionError: "
-        "division by zero",
-    ]
 
 
 def test_a_book_without_figures_ships_no_interpreter_and_no_editor(make_book: MakeBook) -> None:

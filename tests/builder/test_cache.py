@@ -54,11 +54,6 @@ class Point:
     y: float
 
 
-def test_without_a_cache_a_function_simply_runs() -> None:
-    assert (double(1), double(1)) == (2, 2)
-    assert calls == [1, 1]
-
-
 def test_a_stored_result_serves_the_next_build(tmp_path: Path) -> None:
     for _ in range(2):
         with using(Cache(tmp_path)):

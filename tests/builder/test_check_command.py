@@ -61,13 +61,6 @@ def test_programs_get_the_fields_that_are_promised(
     }
 
 
-def test_a_book_in_order_is_an_empty_list_for_programs(
-    run: Run, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert run("check", "--json") == 0
-    assert json.loads(capsys.readouterr().out)["diagnostics"] == []
-
-
 @pytest.mark.parametrize(
     ("message", "suggestion"),
     [

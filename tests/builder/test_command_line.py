@@ -10,11 +10,6 @@ from site_builder.build import Options
 type Run = Callable[..., int]
 
 
-def test_a_book_in_order_is_said_to_be(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run("check", "--no-runtime") == 0
-    assert capsys.readouterr().out == "no mistakes\n"
-
-
 WARNED = ":::{{quiz}} q\nWhich?\n- [x] {}\n  : Yes.\n- [ ] That\n  : No.\n:::\n".format("long " * 9)
 
 

@@ -6,19 +6,13 @@ and sprinkled with marks. Whatever it is, reading it ends, and ends in diagnosti
 
 import re
 import time
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from support.little_book import load_demo
 
-from simulations.engine.frame import Frame, readout
-from simulations.engine.scene import Scene
-from simulations.engine.settings import slider
-from simulations.engine.stages import Outputs
-from simulations.registry import UnknownIdError
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter, survey
@@ -36,24 +30,6 @@ MARKS = (
     "| a | b |\n|---|---|\n", "> ", "1. ", "\\frac{", "\\begin{matrix}", "}", "{set}`x <k1=1>`",
     "{cite}`a; b`", "{readout}`demo k1`", "{measured}`srgb table browser`", "{term}`x <y>`", "🙂",
 )  # fmt: skip
-
-
-@dataclass(frozen=True, slots=True)
-class Controls:
-    k1: float = slider("k₁", 0.0, -1.0, 1.0, 0.1)
-
-
-def tell(settings: Controls, _outputs: Outputs) -> Frame:
-    return Frame((), (readout("k1", "k₁", settings.k1),), "A number.")
-
-
-DEMO = Scene("demo", "Demo", Controls, tell)
-
-
-def load_demo(scene_id: str) -> Scene[Any]:
-    if scene_id != "demo":
-        raise UnknownIdError(f"unknown simulation {scene_id!r}; legal: demo")
-    return DEMO
 
 
 def fragments() -> list[str]:

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,6 @@ from support.little_book import OUTLINE, diagnostics
 from simulations.engine.frame import Frame, Panel, Readout
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
-from site_builder.blame import place_of
 from site_builder.build import Options
 from site_builder.checks import frames as frame_checks
 
@@ -107,35 +105,3 @@ def test_a_handle_that_would_fail_when_it_is_pulled_is_reported(
     (found,) = told(handles=(replace(sound, **fields),))
     assert found.startswith("content/00-first.md:5: simulation 'demo' cannot be drawn: ")
     assert found.endswith(f"handle 'h': {says}")
-
-
-def module(folder: Path, source: str) -> Path:
-    """A scene's module in a package of its own."""
-    file = folder / "simulations" / "scenes" / "orbit" / "scene.py"
-    file.parent.mkdir(parents=True)
-    for package in (file.parent, *list(file.parents)[1:3]):
-        (package / "__init__.py").write_text("")
-    file.write_text(source)
-    return file
-
-
-def failure_of(file: Path) -> Exception:
-    try:
-        exec(compile(file.read_text(), file, "exec"), {})
-    except Exception as error:
-        return error
-    raise AssertionError("nothing failed")
-
-
-@pytest.mark.parametrize(
-    ("source", "line"),
-    [
-        ("x = 1\ny = 1 / 0\n", 2),
-        ("x = 1\ny = (2\n", 2),
-        ("import json\n\njson.loads('{')\n", 3),
-        ("from simulations.engine.drawing import dot\n\ndot(None, 'ray')\n", 3),
-    ],
-)
-def test_the_line_of_a_scene_that_fails_is_found(tmp_path: Path, source: str, line: int) -> None:
-    error = failure_of(module(tmp_path, source))
-    assert place_of(error) == f"simulations/scenes/orbit/scene.py:{line}"

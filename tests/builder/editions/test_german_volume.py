@@ -1,16 +1,12 @@
 """A book in German is typeset with the words of its interface in German."""
 
-import io
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-from pypdf import PdfReader
 from support.interface_words import phrases
 
 from site_builder.build import Options
 from site_builder.editions.compose import Composed, compose
-from site_builder.editions.pdf import make_pdf
 from site_builder.editions.tree import elements, words
 from site_builder.editions.volume import volume
 from site_builder.languages.words import ENGLISH, load_words
@@ -37,13 +33,3 @@ def test_no_word_of_the_interface_is_english(composed: Composed) -> None:
     assert left == []
     assert whole.get("lang") == "de"
     assert [words(heading) for heading in elements(whole, "h1")][-1] == "Antworten"
-
-
-@pytest.mark.browser
-def test_its_pages_are_german(composed: Composed) -> None:
-    with ThreadPoolExecutor() as aside:  # no two Playwrights in one thread
-        reader = PdfReader(io.BytesIO(aside.submit(make_pdf, composed).result()))
-    text = " ".join(" ".join(page.extract_text().split()) for page in reader.pages)
-    for said in ("Inhalt", "Abbildung 0.1", "Antworten", "Richtig.", "(S. "):
-        assert said in text.replace("\xa0", " "), said
-    assert str(reader.root_object["/Lang"]) == "de"

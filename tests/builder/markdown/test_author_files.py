@@ -91,11 +91,6 @@ def test_a_film_is_found_by_what_it_shows(make_book: MakeBook) -> None:
     assert sum("pans over a checkerboard" in section.figures for section in sections) == 1
 
 
-def test_a_film_without_words_says_so(make_book: MakeBook) -> None:
-    html = page(make_book(FILM.replace(":captions: clips/pan.vtt\n", ""), FILES))
-    assert "<track" not in html
-
-
 @pytest.mark.parametrize(
     ("svg", "size"),
     [

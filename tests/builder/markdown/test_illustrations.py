@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from support.little_book import rendered
+from support.little_book import diagnostics, rendered
 
 from simulations.engine.drawing import polygon
 from simulations.engine.frame import Panel
@@ -15,7 +15,6 @@ from site_builder.markdown.directives import illustration
 
 NAME = "similar-triangles"
 CAPTION = "Two *triangles*.\n:::\n"
-type Find = Callable[..., list[str]]
 
 
 def draw() -> Illustration:
@@ -60,18 +59,20 @@ def test_a_page_shows_the_drawing_its_words_and_its_caption(
     ],
     ids=["unknown", "no caption", "duplicate id"],
 )
-def test_a_mistake_is_told_with_its_line(mistakes: Find, body: str, message: str) -> None:
-    found = mistakes(body)
+def test_a_mistake_is_told_with_its_line(
+    make_book: Callable[..., Options], body: str, message: str
+) -> None:
+    found = [str(one) for one in diagnostics(make_book(body))]
     assert any(message in line for line in found), found
 
 
 def test_a_drawing_that_fails_is_the_author_s_to_see(
-    mistakes: Find, monkeypatch: pytest.MonkeyPatch
+    make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def tell_nothing() -> Illustration:
         return replace(Illustration((Panel("a", "", 1, 1),), "Shows."), description="")
 
     monkeypatch.setattr(sys.modules[__name__], "draw", tell_nothing)
-    found = mistakes(f":::{{illustration}} {NAME}\n{CAPTION}")
+    found = diagnostics(make_book(f":::{{illustration}} {NAME}\n{CAPTION}"))
     assert len(found) == 1
-    assert f"content/00-first.md:5: illustration '{NAME}' cannot be drawn: " in found[0]
+    assert found[0].message.startswith(f"illustration '{NAME}' cannot be drawn: ")

@@ -63,10 +63,6 @@ def test_a_worker_keeps_its_address_and_holds_what_it_imports(bundle: Bundle) ->
     assert b"replied" in bundle.files["js/runtime/worker.js"]
 
 
-def test_another_script_keeps_its_address(bundle: Bundle) -> None:
-    assert b"self.stored=1" in bundle.files["js/offline/service_worker.js"]
-
-
 def test_a_module_that_nothing_imports_is_left_out(bundle: Bundle) -> None:
     assert not any(b"unused" in script for script in bundle.files.values())
 

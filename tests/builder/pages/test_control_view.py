@@ -45,20 +45,3 @@ def test_a_menu_of_long_words_has_a_row_of_a_phone_to_itself() -> None:
     cells, _ = control_cells(still(Settings), ())
     narrow = [cell.spans.partition(";")[0] for cell in cells]
     assert narrow == ["--narrow: 12", "--narrow: 12", "--narrow: 6", "--narrow: 6"]
-
-
-def test_no_control_is_lost_between_those_in_sight_and_those_folded() -> None:
-    @dataclass(frozen=True, slots=True)
-    class Settings:
-        a: float = slider("A", 5, 0, 9, 1)
-        b: float = slider("B", 5, 0, 9, 1)
-        c: float = slider("C", 5, 0, 9, 1)
-        d: float = slider("D", 5, 0, 9, 1)
-        e: float = slider("E", 5, 0, 9, 1)
-        f: float = slider("F", 5, 0, 9, 1)
-        g: float = slider("G", 5, 0, 9, 1)
-
-    shown, folded = control_cells(still(Settings), (("quick", "Quick"),))
-    names = [item.control.name for cell in (*shown, *folded) for item in cell.controls]
-    assert names == list("abcdefg")
-    assert folded[-1].controls == ()

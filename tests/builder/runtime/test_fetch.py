@@ -34,10 +34,6 @@ def fetch(folder: Path, *sources: Source) -> dict[str, bytes]:
     return {name: path.read_bytes() for name, path in paths.items()}
 
 
-def test_files_are_fetched_and_returned_by_name(tmp_path: Path) -> None:
-    assert fetch(tmp_path, source_of(CONTENT)) == CONTENT
-
-
 def test_a_second_fetch_asks_no_source(tmp_path: Path) -> None:
     fetch(tmp_path, source_of(CONTENT))
     assert fetch(tmp_path, offline) == CONTENT

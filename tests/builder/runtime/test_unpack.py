@@ -5,8 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.runtime.fetch import fetch_runtime
-from site_builder.runtime.pinned import NUMPY_WHEEL
 from site_builder.runtime.unpack import WheelError, unpack_for_browser
 
 WASM = b"\0asm\x01\0\0\0"
@@ -36,10 +34,3 @@ def test_extensions_for_another_machine_are_refused_by_name(tmp_path: Path) -> N
     path = wheel(tmp_path, {"lens/fast.cpython-314-x86_64-linux-gnu.so": b"\x7fELF\x02\x01\x01"})
     with pytest.raises(WheelError, match=r"lens-1.0.*: fast.*x86_64.* is not WebAssembly"):
         unpack_for_browser(path, tmp_path / "out")
-
-
-def test_the_pinned_numpy_is_for_the_browser(tmp_path: Path) -> None:
-    wheel = fetch_runtime()[NUMPY_WHEEL.name]
-    folder = unpack_for_browser(wheel, tmp_path / "out")
-    assert (folder / "numpy" / "__init__.py").is_file()
-    assert not list(folder.rglob("test_*.py"))

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.book_root import ENGINE
-from site_builder.server.builds import Builds, is_code
+from site_builder.server.builds import Builds
 from site_builder.server.news import News, State
 
 SCRIPT = """\
@@ -113,19 +112,6 @@ def test_the_next_build_has_its_code_already_unless_that_has_changed(
 
     run(two_builds())
     assert (builds.out / "b.html").read_text() == text
-
-
-@pytest.mark.parametrize(
-    ("path", "code"),
-    [
-        ("simulations/scenes/camera/scene.py", True),
-        ("site_builder/languages/de.toml", True),
-        ("content/book.toml", False),
-        ("static/js/main.ts", False),
-    ],
-)
-def test_what_an_imported_builder_may_have_read_already_is_code(path: str, code: bool) -> None:
-    assert is_code(ENGINE / path) is code
 
 
 def build_with_styles(builds: Builds) -> None:

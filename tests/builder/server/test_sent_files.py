@@ -49,18 +49,6 @@ def test_a_file_has_the_type_that_browsers_insist_on(
     assert client.get(f"/{name}").headers["Content-Type"] == media_type
 
 
-def test_browsers_ask_again_whether_a_file_has_changed(client: TestClient) -> None:
-    first = client.get("/book.json")
-    assert first.headers["Cache-Control"] == "no-cache"
-    again = client.get("/book.json", headers={"If-None-Match": first.headers["ETag"]})
-    assert again.status_code == 304
-
-
-def test_a_part_of_a_file_is_sent_alone(client: TestClient) -> None:
-    part = client.get("/book.json", headers={"Range": "bytes=2-4"})
-    assert (part.status_code, part.text) == (206, "ok.")
-
-
 @pytest.mark.parametrize("path", ["/nothing/here", "/%2e%2e/outside.txt", "/link.txt", "/folder/"])
 def test_what_is_no_file_of_the_site_gets_the_book_s_own_page(
     client: TestClient, path: str
