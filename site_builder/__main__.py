@@ -3,11 +3,13 @@
 import argparse
 import gc
 import json
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 from site_builder.addresses import site_address, source_address
+from site_builder.benchmarks.loading import import_figures
 from site_builder.book import Book
 from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
@@ -58,6 +60,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
         case "build":
             if given.wait:
                 source_hash("site_builder.build")  # cached, for when a line comes
+                import_figures()
                 if not sys.stdin.readline():
                     return 0  # the server has ended
             files = build_site(
@@ -159,4 +162,7 @@ def _parser() -> argparse.ArgumentParser:
 
 if __name__ == "__main__":
     gc.set_threshold(100_000)  # a build makes many objects that stay, and few cycles
-    sys.exit(main())
+    status = main()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(status)  # the system frees a book's objects sooner than Python does, one by one

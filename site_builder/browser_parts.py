@@ -4,10 +4,8 @@ fetched is left out, with a warning."""
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
 from site_builder.book import Book
-from site_builder.browser_python import pack_for_browser
 from site_builder.diagnostics import Diagnostic
 from site_builder.editor.bundle import EditorBundle, bundle_editor
 from site_builder.editor.scene_code import scene_sources
@@ -38,14 +36,12 @@ class BrowserParts:
 
 
 def browser_parts(
-    root: Path, book: Book, warn: Warn, *, runtime: bool, search: bool, reload: bool
+    book: Book, bundle: RuntimeBundle | None, warn: Warn, *, search: bool, reload: bool
 ) -> BrowserParts:
-    """Raises `BuildError` where the browser could not run the book's Python."""
-    bundle = pack_for_browser(root, book, compiled=not reload) if runtime else None
     return BrowserParts(
         *_runtime(bundle, warn, reload=reload),
         bundle or RuntimeBundle({}, Versions()),
-        _editor(warn) if runtime and book.scenes else EditorBundle(),
+        _editor(warn) if bundle and book.scenes else EditorBundle(),
         _search_library(book, warn) if search else SearchLibrary({}),
     )
 

@@ -6,6 +6,7 @@ folder: it returns the site in memory.
 """
 
 from collections.abc import Callable, Mapping
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -17,6 +18,7 @@ from site_builder.benchmarks.measurements import read_measurements
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
 from site_builder.browser_parts import BrowserParts, browser_parts, scene_files
+from site_builder.browser_python import pack_for_browser
 from site_builder.cache import cached_result
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
@@ -35,8 +37,10 @@ from site_builder.publishing.compressed import compressed_copies
 from site_builder.publishing.hosting import host_files
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
+from site_builder.runtime.pack import RuntimeBundle
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of, indexing
+from site_builder.search.library import SearchLibrary
 from site_builder.search.records import make_records
 from site_builder.site_assets import (
     NOW,
@@ -127,11 +131,20 @@ class RenderedSite:
     pages: Mapping[str, bytes]
     files: Files
     """The assets and the browser's Python."""
+    search_index: Future[Files]
 
 
 def render_site(options: Options) -> Files:
-    """Every file of the site. Raises `BuildError` with all mistakes found."""
-    return assemble(render(check_site(options), options))
+    """Every file of the site. Raises `BuildError` with all mistakes found.
+
+    What runs under Node does so beside this process: the browser's Python is packed while figures
+    are drawn, the search index is made while pages are rendered.
+    """
+    with ThreadPoolExecutor() as threads:
+        loaded = load(options)
+        bundle = threads.submit(_pack, loaded.book, options)
+        checked = check(loaded, options)
+        return assemble(render(checked, options, bundle.result(), threads))
 
 
 def check_site(options: Options) -> CheckedBook:
@@ -165,12 +178,19 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     return CheckedBook(book, initial_frames, pictures)
 
 
-def render(checked: CheckedBook, options: Options) -> RenderedSite:
+def _pack(book: Book, options: Options) -> RuntimeBundle | None:
+    if not options.runtime:
+        return None
+    return pack_for_browser(options.root, book, compiled=not options.reload)
+
+
+def render(
+    checked: CheckedBook, options: Options, bundle: RuntimeBundle | None, threads: Executor
+) -> RenderedSite:
     book, initial_frames, pictures = checked
     root, reload = options.root, options.reload
-    parts = browser_parts(
-        root, book, options.warn, runtime=options.runtime, search=options.search, reload=reload
-    )
+    parts = browser_parts(book, bundle, options.warn, search=options.search, reload=reload)
+    search_index = threads.submit(_search_index, checked, root, parts.search)
     made = {
         **(scene_files(book, parts.editor) if options.runtime else {}),
         **{f"{LIBRARY}/{name}": path for name, path in parts.search.scripts.items()},
@@ -196,8 +216,22 @@ def render(checked: CheckedBook, options: Options) -> RenderedSite:
     )
     pages = render_pages(site, _licences(root, parts, book))
     return RenderedSite(
-        checked, options, parts, assets.folder, pages, {**assets.files, **parts.runtime_files}
+        checked,
+        options,
+        parts,
+        assets.folder,
+        pages,
+        {**assets.files, **parts.runtime_files},
+        search_index,
     )
+
+
+def _search_index(checked: CheckedBook, root: Path, library: SearchLibrary) -> Files:
+    if not library.scripts:
+        return {}
+    means = indexing(library, own_or_engine(root, "static"), checked.book.words)
+    records = make_records(checked.book, describing(checked.initial_frames))
+    return {SEARCH_INDEX: index_of(records, means)}
 
 
 def assemble(site: RenderedSite) -> Files:
@@ -228,12 +262,7 @@ def _published(site: RenderedSite, _files: Files) -> Files:
 
 
 def _searched(site: RenderedSite, _files: Files) -> Files:
-    book, library = site.checked.book, site.parts.search
-    if not library.scripts:
-        return {}
-    describe = describing(site.checked.initial_frames)
-    means = indexing(library, own_or_engine(site.options.root, "static"), book.words)
-    return {SEARCH_INDEX: index_of(make_records(book, describe), means)}
+    return site.search_index.result()
 
 
 def _released(site: RenderedSite, files: Files) -> Files:

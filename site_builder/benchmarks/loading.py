@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from importlib import import_module
 from types import ModuleType
@@ -33,6 +34,14 @@ def imported(module: str) -> ModuleType:
     if module not in sys.modules:
         _try_import(module, source_hash(module))
     return import_module(module)
+
+
+def import_figures() -> None:
+    """Import all scenes and ladders before a build asks for them, which then reports their
+    errors."""
+    for module in (*SCENE_MODULES.values(), *LADDER_MODULES.values()):
+        with suppress(Exception):
+            imported(module)
 
 
 @cached
