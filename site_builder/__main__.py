@@ -75,7 +75,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
         case "schema":
             print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
         case "new":
-            from site_builder.scaffold.command import make_new  # needed only here
+            from site_builder.scaffold.pieces import make_new  # needed only here
 
             print(make_new(ROOT, given.kind, given.name))
         case "pdf":

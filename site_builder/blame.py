@@ -1,32 +1,24 @@
-"""What an exception of an author's code says, and the place in that code where it was raised."""
+"""The message of an exception of an author's code, and the line of that code that raised it."""
 
 import sysconfig
 import traceback
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-REMEMBERED = "place_in_the_book"
-REMEMBERED_WORDS = "words_of_the_book"
+REMEMBERED = "place_and_words"
 LIBRARIES = tuple(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib"))
 
 
-def remember_place[E: BaseException](error: E, place: str) -> E:
-    """The error with its place, since a traceback does not pass between processes."""
-    setattr(error, REMEMBERED, place)
-    return error
-
-
-def remember_words[E: BaseException](error: E, words: str) -> E:
-    """The error with its words, likewise."""
-    setattr(error, REMEMBERED_WORDS, words)
+def remember[E: BaseException](error: E, place: str, words: str) -> E:
+    """The error with its place and words, since a traceback does not pass between processes."""
+    setattr(error, REMEMBERED, (place, words))
     return error
 
 
 def words_of(error: BaseException) -> str:
     """What Python prints of it behind its name, with the names that may have been meant."""
-    remembered = getattr(error, REMEMBERED_WORDS, None)
-    if remembered is not None:
-        return str(remembered)
+    if remembered := getattr(error, REMEMBERED, None):
+        return str(remembered[1])
     if type(error).__module__ != "builtins":
         return str(error)
     *_, last = traceback.TracebackException.from_exception(error).format_exception_only()
@@ -36,8 +28,8 @@ def words_of(error: BaseException) -> str:
 def place_of(error: BaseException) -> str:
     """``simulations/scenes/orbit/scene.py:12``: the innermost line that is neither the builder's,
     nor the engine's, nor a library's; nothing where there is none."""
-    if remembered := getattr(error, REMEMBERED, ""):
-        return str(remembered)
+    if remembered := getattr(error, REMEMBERED, None):
+        return str(remembered[0])
     if isinstance(error, SyntaxError) and error.filename:
         file = Path(error.filename)
         return f"{_relative(file) if file.is_absolute() else file}:{error.lineno or 1}"

@@ -57,6 +57,12 @@ class Chapter:
     """Of text and questions, in the order in which they were read."""
     files: frozenset[str] = frozenset()
     """Files below ``content/`` that it hands out, besides pictures."""
+    before: tuple[Need, ...] = ()
+    """What to know before reading it."""
+    after: tuple[Passage, ...] = ()
+    """What its reader can do afterwards."""
+    figures: tuple[str, ...] = ()
+    """Element ids of its simulations, also of those that cannot be shown."""
     cache_key: bytes = b""
     """The hash of all that it was made from, which the cache takes for that of its contents."""
 
@@ -77,14 +83,6 @@ class Chapter:
     @property
     def is_appendix(self) -> bool:
         return self.position.kind == "Appendix"
-
-    before: tuple[Need, ...] = ()
-    """What to know before reading it."""
-    after: tuple[Passage, ...] = ()
-    """What its reader can do afterwards."""
-    figures: tuple[str, ...] = ()
-    """Element ids of its simulations, also of those that cannot be shown."""
-    """Links that lead out of the book."""
 
     @property
     def url(self) -> str:

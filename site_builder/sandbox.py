@@ -19,7 +19,7 @@ from typing import Any, Never
 
 from pebble import ProcessExpired, ProcessPool
 
-from site_builder.blame import place_of, remember_place, remember_words, words_of
+from site_builder.blame import place_of, remember, words_of
 
 GRACE_S = 2.0
 """After which a process that does not react to the alarm, as in a call into numpy, is killed."""
@@ -115,10 +115,10 @@ def _result(pickled: bytes, sandbox: _Sandbox) -> Any:
     try:
         good, value = future.result()
     except TimeoutError:
-        raise remember_place(LimitError(_too_long(limits.seconds)), "") from None
+        raise LimitError(_too_long(limits.seconds)) from None
     except ProcessExpired as error:
         ended = f"its process was ended by {_signal_name(error.exitcode)}"
-        raise remember_place(LimitError(ended), "") from None
+        raise LimitError(ended) from None
     finally:
         sandbox.running.discard(future)
     if not good:
@@ -165,12 +165,13 @@ def _portable(error: Exception) -> Exception:
     """The error as it can be pickled, which is without its traceback: its place, and the words that
     come from there, go with it."""
     place, words = place_of(error), words_of(error)
-    bare = remember_words(remember_place(error.with_traceback(None), place), words)
+    bare = remember(error.with_traceback(None), place, words)
     bare.__cause__ = bare.__context__ = None
     try:
         pickle.loads(pickle.dumps(bare))
     except Exception:  # an error of a scene's own may need arguments to be made again
-        return remember_place(RuntimeError(f"{type(error).__name__}: {error}"), place)
+        said = f"{type(error).__name__}: {error}"
+        return remember(RuntimeError(said), place, said)
     return bare
 
 

@@ -10,7 +10,7 @@ the text claims; expressions below it use both. The block itself is not shown.
 
 import ast
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from math import isfinite
 from types import ModuleType
 from typing import Any
@@ -52,7 +52,7 @@ def number(text: str, line: int, context: ParseContext, **more: object) -> float
     """The finite number that ``text`` stands for, or None and a diagnostic; it may also name what
     ``more`` holds."""
     try:
-        return _finite(text, {**names_for(context), **more})
+        return _as_number(evaluate(text, {**names_for(context), **more}), text)
     except ExpressionError as error:
         context.problem(line, str(error))
         return None
@@ -157,10 +157,6 @@ def _formatted(written: str, context: ParseContext) -> Iterator[tuple[str, str]]
             ) from None
         mantissa, _, exponent = text.partition("e")
         yield re.sub(r"^-(?=[0.]*$)", "", mantissa), exponent
-
-
-def _finite(text: str, names: Mapping[str, object]) -> float:
-    return _as_number(evaluate(text, names), text)
 
 
 def _as_number(value: Any, text: str) -> float:

@@ -1,12 +1,13 @@
 """A new chapter, scene, model, ladder or directive, with its tests: skeletons that work at once."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from site_builder.book import OUTLINE
 from site_builder.scaffold.files import filled, packages, write_new
 from site_builder.scaffold.names import Name, ScaffoldError, read_name
+from site_builder.scaffold.new_book import make_book
 
 type Made = tuple[dict[str, str], str]
 """Files by path, and what is to be done next."""
@@ -35,66 +36,66 @@ def chapter(root: Path, text: str) -> Made:
 
 def scene(root: Path, text: str) -> Made:
     name = read_name("scene", text)
-    home = f"simulations/scenes/{name.module}/scene.py"
-    files = {
-        **packages(root, home),
-        home: _fill("scene/scene.py", name),
-        f"tests/scenes/test_{name.module}_scene.py": _fill("scene/test.py", name),
-    }
     _refuse_taken(root, "simulations/scenes", name)
-    write_new(root, files)
-    return files, f"show it in a chapter, with a caption: :::{{simulation}} {name.text}"
+    files = {
+        f"simulations/scenes/{name.module}/scene.py": "scene/scene.py",
+        f"tests/scenes/test_{name.module}_scene.py": "scene/test.py",
+    }
+    made = _write(root, name, files)
+    return made, f"show it in a chapter, with a caption: :::{{simulation}} {name.text}"
 
 
 def model(root: Path, text: str) -> Made:
-    """``falling`` or, in a room, ``mechanics/falling``."""
-    room, _, last = text.rpartition("/")
+    """``falling`` or, in a folder, ``mechanics/falling``."""
+    folder, _, last = text.rpartition("/")
     name = read_name("model", last)
-    rooms = [read_name("room of models", room).module] if room else []
-    inner = "/".join([*rooms, name.module])
-    home = f"simulations/models/{inner}.py"
-    test = "/".join(["tests/models", *rooms, f"test_{name.module}.py"])
-    module = ".".join(["", *rooms])[1:]
+    folders = [read_name("folder of models", folder).module] if folder else []
     files = {
-        **packages(root, home),
-        home: _fill("model/model.py", name),
-        test: _fill("model/test.py", name, path=f"{module}.{name.module}".strip(".")),
+        "/".join(["simulations/models", *folders, f"{name.module}.py"]): "model/model.py",
+        "/".join(["tests/models", *folders, f"test_{name.module}.py"]): "model/test.py",
     }
-    write_new(root, files)
-    return files, "let a scene or a ladder ask it"
+    made = _write(root, name, files, path=".".join([*folders, name.module]))
+    return made, "use it in a scene or a ladder"
 
 
 def ladder(root: Path, text: str) -> Made:
     name = read_name("ladder", text)
-    home = f"simulations/ladders/{name.module}.py"
-    files = {
-        **packages(root, home),
-        home: _fill("ladder/ladder.py", name),
-        f"tests/ladders/test_{name.module}_ladder.py": _fill("ladder/test.py", name),
-    }
     _refuse_taken(root, "simulations/ladders", name)
-    write_new(root, files)
-    return files, f"make bench LADDER={name.text}; then show it: :::{{ladder}} {name.text}"
+    files = {
+        f"simulations/ladders/{name.module}.py": "ladder/ladder.py",
+        f"tests/ladders/test_{name.module}_ladder.py": "ladder/test.py",
+    }
+    made = _write(root, name, files)
+    return made, f"make bench LADDER={name.text}; then show it: :::{{ladder}} {name.text}"
 
 
 def directive(root: Path, text: str) -> Made:
     """In the builder's own folder: a book that shares its engine gives it to all."""
     name = read_name("directive", text)
-    rooms = "site_builder/markdown/directives"
-    if not (root / rooms).is_dir():
-        raise ScaffoldError(f"{root} has no builder of its own; legal: where {rooms}/ is")
-    index = root / rooms / "__init__.py"
-    listed = index.read_text(encoding="utf-8")
+    folder = "site_builder/markdown/directives"
+    index = root / folder / "__init__.py"
+    if not index.is_file():
+        raise ScaffoldError(f"{root} has no builder of its own; legal: where {folder}/ is")
+    listed = _listed(index.read_text(encoding="utf-8"), name)
     files = {
-        f"{rooms}/{name.module}.py": _fill("directive/directive.py", name),
-        f"site_builder/templates/blocks/{name.text}.html": _fill("directive/block.html", name),
-        f"site_builder/guide/examples/{name.text}.md": _fill("directive/example.md", name),
-        f"tests/builder/markdown/test_{name.module}_directive.py": _fill("directive/test.py", name),
+        f"{folder}/{name.module}.py": "directive/directive.py",
+        f"site_builder/templates/blocks/{name.text}.html": "directive/block.html",
+        f"site_builder/guide/examples/{name.text}.md": "directive/example.md",
+        f"tests/builder/markdown/test_{name.module}_directive.py": "directive/test.py",
     }
-    write_new(root, files)
-    index.write_text(_listed(listed, name), encoding="utf-8")
+    made = _write(root, name, files)
+    index.write_text(listed, encoding="utf-8")
     next_step = f"give it its looks: static/css/{name.text}.css, imported in static/css/book.css"
-    return {**files, f"{rooms}/__init__.py": ""}, next_step
+    return {**made, f"{folder}/__init__.py": ""}, next_step
+
+
+def _write(root: Path, name: Name, templates: Mapping[str, str], **more: str) -> dict[str, str]:
+    """Write the files, with packages around the first, each from its template."""
+    home = next(iter(templates))
+    filled_in = {path: _fill(template, name, **more) for path, template in templates.items()}
+    files = {**(packages(root, home) if home.startswith("simulations/") else {}), **filled_in}
+    write_new(root, files)
+    return files
 
 
 def _listed(text: str, name: Name) -> str:
@@ -131,3 +132,12 @@ PIECES: dict[str, Callable[[Path, str], Made]] = {
     "directive": directive,
 }
 """What ``new`` can make in a book."""
+
+
+def make_new(root: Path, kind: str, name: str) -> str:
+    """Make it; a text that lists what was made and what comes next. Raises `ScaffoldError`."""
+    if kind == "book":
+        files = make_book(Path(name))
+        return f"{name}: {len(files)} files\nnext: cd {name} && make serve"
+    made, after = PIECES[kind](root, name)
+    return "\n".join([*made, f"next: {after}"])

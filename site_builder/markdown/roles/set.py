@@ -14,9 +14,10 @@ from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.loading import loaded
 from site_builder.diagnostics import unknown
+from site_builder.markdown.directive import OptionValue
 from site_builder.markdown.parse_context import ParseContext, Place
 from site_builder.markdown.role import Linked, Role
-from site_builder.markdown.scenes import read_setting, read_tier
+from site_builder.markdown.scenes import read_settings
 
 FORM = "WORDS <[FIGURE] CONTROL=VALUE … [tier=ID]>"
 
@@ -36,12 +37,8 @@ def _attributes(given: str, line: int, context: ParseContext) -> Mapping[str, st
     scene = _load(figure, context) if figure else None
     if figure is None or scene is None:
         return {}
-    values = {
-        control: value
-        for control, text in settings.items()
-        for value in (_read(scene, control, text, line, context),)
-        if value is not None
-    }
+    options = {control: OptionValue(text, line) for control, text in settings.items()}
+    values = read_settings(scene, options, context)
     query = urlencode({f"{figure.id}.{control}": _text(value) for control, value in values.items()})
     return {
         "class": "set",
@@ -76,14 +73,6 @@ def _load(figure: Place, context: ParseContext) -> Scene[Any] | None:
         return loaded("simulation", figure.scene_id, context.shared.load_scene, LookupError)
     except LookupError:
         return None
-
-
-def _read(
-    scene: Scene[Any], control: str, text: str, line: int, context: ParseContext
-) -> Value | None:
-    if control == "tier":
-        return read_tier(scene, text, line, context)
-    return read_setting(scene, control, text, line, context)
 
 
 def _text(value: Value) -> str:

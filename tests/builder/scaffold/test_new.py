@@ -7,10 +7,9 @@ from pathlib import Path
 import pytest
 from filelock import FileLock
 
-from site_builder.scaffold.command import make_new
 from site_builder.scaffold.names import ScaffoldError, read_name
 from site_builder.scaffold.new_book import make_book
-from site_builder.scaffold.pieces import PIECES
+from site_builder.scaffold.pieces import PIECES, make_new
 
 PIECES_MADE = (
     ("chapter", "second-fall"),
