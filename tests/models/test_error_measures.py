@@ -1,85 +1,58 @@
 """PSNR and root mean square against their definitions."""
 
-from typing import Any
-
 import numpy as np
 import pytest
+from support.refusals import Call, assert_refused, each_of
 
 from simulations.models.error_measures import psnr_db, root_mean_square
 
-
-def test_psnr_of_an_error_of_one_code_is_48_decibel() -> None:
-    picture = np.zeros((32, 32, 3))
-    assert psnr_db(picture + 1 / 255, picture) == pytest.approx(48.1308, abs=1e-4)
-    assert psnr_db(picture, picture) == np.inf
-
-
-def test_psnr_leaves_out_just_the_border() -> None:
-    clean = np.zeros((20, 30))
-    for crop, inner in ((8, (slice(8, 12), slice(8, 22))), (3, (slice(3, 17), slice(3, 27)))):
-        spoilt = np.ones((20, 30))
-        spoilt[inner] = 0
-        assert psnr_db(spoilt, clean, crop=crop) == np.inf
-        for corner in ((inner[0].start, inner[1].start), (inner[0].stop - 1, inner[1].stop - 1)):
-            one = clean.copy()
-            one[corner] = 1
-            count = clean[inner].size
-            assert psnr_db(one, clean, crop=crop) == pytest.approx(10 * np.log10(count))
-
-
-def test_psnr_leaves_nothing_out_unless_told() -> None:
-    corner = np.zeros((20, 30))
-    corner[0, 0] = 1
-    assert psnr_db(corner, np.zeros((20, 30))) == pytest.approx(10 * np.log10(600))
-
-
-def test_values_of_a_line_are_compared_as_well() -> None:
-    assert psnr_db([0.1, 0.3, 0.0], [0.0, 0.2, 0.1]) == pytest.approx(20)
-
-
-def test_psnr_counts_in_units_of_the_peak() -> None:
-    picture = np.zeros((20, 20))
-    assert psnr_db(picture + 1, picture, peak=255) == pytest.approx(20 * np.log10(255))
-    assert psnr_db(picture + 1, picture) == pytest.approx(0)
+FLAT = np.zeros((20, 30))
 
 
 @pytest.mark.parametrize(
-    ("a", "b", "crop", "message"),
+    ("picture", "reference", "peak", "score"),
     [
-        ((20, 20), (20, 21), 2, "shapes"),
-        ((), (), 0, "shapes"),
-        ((20, 20), (20, 20), -1, "crop -1"),
-        ((20, 20), (20, 20), 2.5, "crop 2.5; legal: whole numbers"),
-        ((20, 40), (20, 40), 10, "crop 10"),
-        ((40, 20), (40, 20), 10, "crop 10"),
-        ((40, 40, 3), (40, 40, 3), 20, "crop 20"),
+        (FLAT + 1 / 255, FLAT, 1.0, 20 * np.log10(255)),
+        (FLAT + 1, FLAT, 255.0, 20 * np.log10(255)),
+        (FLAT, FLAT, 1.0, np.inf),
+        (FLAT + 0.3, FLAT + 0.2, 1.0, 20.0),
+        ([0.1, 0.3, 0.0], [0.0, 0.2, 0.1], 1.0, 20.0),  # a line of values
+        (np.eye(20), np.zeros((20, 20)), 1.0, 10 * np.log10(20)),  # corners count as well
+        (FLAT + np.inf, FLAT, 1.0, -np.inf),
+        (FLAT + 1e200, FLAT, 1.0, -np.inf),
+        (FLAT + 1e100, FLAT, 1.0, -2000.0),
     ],
 )
-def test_pictures_that_cannot_be_compared_are_refused(
-    a: tuple[int, ...], b: tuple[int, ...], crop: Any, message: str
+def test_psnr_is_the_mean_square_of_the_difference_in_units_of_the_peak(
+    picture: np.ndarray, reference: np.ndarray, peak: float, score: float
 ) -> None:
-    with pytest.raises(ValueError, match=message):
-        psnr_db(np.zeros(a), np.zeros(b), crop=crop)
+    assert psnr_db(picture, reference, peak) == pytest.approx(score)
 
 
-def test_a_crop_that_leaves_a_single_row_is_legal() -> None:
-    assert psnr_db(np.ones((7, 9, 3)), np.zeros((7, 9, 3)), crop=3) == pytest.approx(0)
+@pytest.mark.parametrize("crop", [3, 8, 9])
+def test_psnr_leaves_out_just_the_border(crop: int) -> None:
+    spoilt = np.ones((20, 30))
+    inner = (slice(crop, 20 - crop), slice(crop, 30 - crop))
+    spoilt[inner] = 0
+    assert psnr_db(spoilt, FLAT, crop=crop) == np.inf
+    for corner in ((crop, crop), (19 - crop, 29 - crop)):
+        one = FLAT.copy()
+        one[corner] = 1
+        expected = 10 * np.log10(FLAT[inner].size)
+        assert psnr_db(one, FLAT, crop=crop) == pytest.approx(expected)
 
 
-def test_psnr_is_of_the_difference() -> None:
-    picture = np.random.default_rng(6).random((20, 20))
-    assert psnr_db(picture + 0.1, picture) == pytest.approx(20)
-
-
-@pytest.mark.parametrize(("far", "score"), [(np.inf, -np.inf), (1e200, -np.inf), (1e100, -2000.0)])
-def test_pictures_however_far_apart_have_a_score(far: float, score: float) -> None:
-    assert psnr_db(np.full((20, 20), far), np.zeros((20, 20))) == pytest.approx(score)
-
-
-@pytest.mark.parametrize("peak", [0.0, -1.0, np.inf, np.nan])
-def test_a_score_needs_a_peak(peak: float) -> None:
-    with pytest.raises(ValueError, match=r"peak .*; legal: above 0, finite"):
-        psnr_db(np.ones((20, 20)), np.zeros((20, 20)), peak)
+@each_of(
+    ("shapes", lambda other: psnr_db(FLAT, other), [np.zeros((20, 31)), 0.0]),
+    ("shapes", lambda number: psnr_db(number, number), [0.0]),
+    ("crop .*legal: whole numbers", lambda crop: psnr_db(FLAT, FLAT, crop=crop), [-1, 2.5]),
+    ("crop 10", lambda p: psnr_db(p, p, crop=10), [FLAT, FLAT.T, np.zeros((20, 20, 3))]),
+    ("peak .*above 0, finite", lambda peak: psnr_db(FLAT, FLAT, peak), [0.0, -1.0, np.inf, np.nan]),
+)
+def test_pictures_that_cannot_be_compared_are_refused(
+    message: str, call: Call, value: object
+) -> None:
+    assert_refused(message, call, value)
 
 
 def test_the_root_mean_square_of_three_four_is_that_of_their_hypotenuse() -> None:

@@ -96,14 +96,6 @@ def test_halves_are_told_as_well_as_the_transforms_numbers_can(
     assert (codes == sign * kept).all()
 
 
-@pytest.mark.parametrize("shape", [(8, 8), (13, 30), (1, 1), (24, 7)])
-def test_blocks_give_the_plane_back(shape: tuple[int, int]) -> None:
-    plane = np.arange(np.prod(shape), dtype=float).reshape(shape)
-    np.testing.assert_array_equal(
-        compression.from_blocks(compression.to_blocks(plane), *shape), plane
-    )
-
-
 def test_codes_are_the_coefficients_in_steps() -> None:
     plane = np.random.default_rng(4).normal(0, 40, (8, 16))
     codes = compression.quantise_plane(plane, compression.LUMINANCE_TABLE)

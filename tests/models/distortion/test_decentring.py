@@ -55,31 +55,6 @@ def test_a_point_without_a_solution_is_given_up_and_spoils_no_other() -> None:
     assert_allclose(found[1], [1, 1], atol=1e-14)
 
 
-def squares(x: Floats, y: Floats) -> Linearisation:
-    return x * x, y * y, 2 * x, 0 * x, 2 * y
-
-
-@pytest.mark.parametrize("axis", [0, 1])
-@pytest.mark.parametrize("place", [-1e6, 1e6])
-def test_far_out_a_step_is_judged_against_the_distance(place: float, axis: int) -> None:
-    """One of 0.0003 at a million is worth no further one; at 0.1 it would be."""
-    calls = []
-
-    def counted(x: Floats, y: Floats) -> Linearisation:
-        calls.append(x.size)
-        return squares(x, y)
-
-    root = np.ones((1, 2))
-    root[0, axis] = place
-    start = root.copy()
-    start[0, axis] += 3e-4
-    assert_allclose(solve_in_plane(counted, root**2, start), root, rtol=1e-15)
-    assert len(calls) == 1
-    start[0, axis] += 0.1
-    assert_allclose(solve_in_plane(counted, root**2, start), root, rtol=1e-15)
-    assert len(calls) == 3
-
-
 def test_a_solution_on_another_sheet_is_left_for_that_on_the_axis_s() -> None:
     """y + 0.3 y² turns at y = −1.67: −3 is sent where −1/3 is."""
     lens = DecentredLens(RadialProfile(), 0.1, 0.0)

@@ -95,15 +95,6 @@ def test_a_model_does_not_see_its_largest_angle_itself(model: str, edge: list[fl
     assert project_fisheye(edge, Fisheye())[1] == (edge[2] == 0.0)
 
 
-def test_the_axis_and_the_directions_around_it_keep_their_azimuth() -> None:
-    directions = np.array([(0, 0, 3), (1, 0, 1), (0, 2, 2), (-1, 0, 1), (0, -1, 1)])
-    image, valid = project_ideal(directions, "equidistant")
-    assert valid.all()
-    quarter = np.pi / 4
-    expected = quarter * np.array([(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)])
-    np.testing.assert_allclose(image, expected, atol=1e-15)
-
-
 @pytest.mark.parametrize("size", [3e-323, 1e-300, 1.0, 1e300])
 def test_the_length_of_a_direction_does_not_matter(size: float) -> None:
     image, valid = project_ideal(size * np.array([3.0, 4.0, 5.0]), "perspective")

@@ -33,26 +33,6 @@ def test_without_a_fold_the_cells_run_outwards_from_the_axis_to_the_reach(
     np.testing.assert_allclose(ends, [0.0, reach], rtol=1e-13, atol=1e-14)
 
 
-def test_before_a_fold_cells_are_equal_steps_of_the_root_of_the_distance_to_it() -> None:
-    image_squared = np.linspace(0.0, 0.25, 9)
-    x = np.sqrt(1 - image_squared / (4 / 9))
-    expected = 100 * (x - x[-1]) / (1 - x[-1])
-    cell = cell_of(grid_of(BARREL, 0.25, 100), image_squared)
-    np.testing.assert_allclose(cell, expected, atol=1e-12)
-
-
-@pytest.mark.parametrize(("profile", "bend"), [(PINCUSHION, 4 / 9), (HARDLY, 2.0)])
-def test_without_a_fold_cells_are_equal_steps_of_the_root_of_one_and_a_root(
-    profile: RadialProfile, bend: float
-) -> None:
-    """From the nearest bend of the inverse, or as if it bent at the reach, if that is nearer."""
-    image_squared = np.linspace(0.0, 2.0, 9)
-    x = np.sqrt(1 + np.sqrt(1 + image_squared / bend))
-    expected = 100 * (x - x[0]) / (x[-1] - x[0])
-    cell = cell_of(grid_of(profile, 2.0, 100), image_squared)
-    np.testing.assert_allclose(cell, expected, atol=1e-12)
-
-
 @pytest.mark.parametrize(("profile", "reach"), CASES)
 @pytest.mark.parametrize("cells", [1, 256])
 def test_each_place_is_found_in_its_cell(profile: RadialProfile, reach: float, cells: int) -> None:

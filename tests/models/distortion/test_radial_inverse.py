@@ -9,7 +9,7 @@ from support.radial_profiles import PROFILES
 
 from simulations.models.arrays import Floats
 from simulations.models.distortion import radial_inverse
-from simulations.models.distortion.radial_inverse import furthest_radius, invert_bracketed
+from simulations.models.distortion.radial_inverse import invert_bracketed
 from simulations.models.distortion.radial_profile import (
     RadialProfile,
     evaluate,
@@ -52,25 +52,6 @@ def test_what_has_a_radius_is_valid_however_far_and_the_rest_is_not(
     assert known.tolist() == [valid] * len(images)
     if valid or fold_radius(profile) < 10 or profile.neutral:
         np.testing.assert_allclose(found, radii, rtol=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("profile", "wanted", "radius"),
-    [
-        (RadialProfile((0.5,)), [], 1.0),
-        (RadialProfile((0.5,)), [0.3, 1.4], 1.0),
-        (RadialProfile((0.5,)), [1.5], 2.0),  # the image of 1 itself
-        (RadialProfile((0.5,)), [50.0, 0.3], 8.0),  # 4 + 32 falls short, 8 + 256 does not
-        (RadialProfile((-1 / 300,)), [0.5, 0.99], 1.0),  # folds at 10
-        (RadialProfile((-1 / 300,)), [6.0], 8.0),
-        (RadialProfile((-1 / 300,)), [6.66], 10.0),
-        (RadialProfile((-100 / 3,)), [0.01], 0.1),
-    ],
-)
-def test_the_search_ends_at_the_fold_or_at_a_power_of_two_whose_image_lies_beyond(
-    profile: RadialProfile, wanted: list[float], radius: float
-) -> None:
-    assert furthest_radius(profile, fold_radius(profile), np.array(wanted)) == pytest.approx(radius)
 
 
 def test_the_search_goes_on_for_as_long_as_sixth_powers_are_numbers() -> None:

@@ -4,18 +4,14 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from support.radial_profiles import bisect
 
 from simulations.models.arrays import Floats
-from simulations.models.distortion import radial_inverse, radial_table
+from simulations.models.distortion import radial_table
 from simulations.models.distortion.lens_model import (
     Distortion,
     undistort,
-    undistort_clamped,
 )
-from simulations.models.distortion.radial_inverse import invert_bracketed
 from simulations.models.distortion.radial_profile import (
     RadialProfile,
     evaluate,
@@ -99,62 +95,6 @@ def test_away_from_folds_a_table_errs_by_so_many_times_the_condition(
     assert most / 5 < units.max() <= most
 
 
-PROFILES = [
-    RadialProfile((-0.3,)),
-    RadialProfile((0.5,)),
-    RadialProfile((), (-0.25,)),
-    RadialProfile((0.1, 0.02), (0.3, 0.05)),
-    RadialProfile(),
-]
-AWKWARD = [0.0, -0.0, 1e-200, 5e-324, -0.1, -1e300, 1e-9, 0.702, 0.7027, 0.7028, 0.75, 2.0, 7.9]
-AWKWARD += [8.1, 30.0, 1e5, 1e160, 1e300, np.inf, -np.inf, np.nan]
-
-
-@pytest.mark.parametrize("profile", PROFILES)
-def test_many_radii_are_judged_as_few_are(profile: RadialProfile) -> None:
-    few = np.array(AWKWARD)
-    many = np.concatenate((few, np.linspace(0.0, 0.5, 4000)))
-    expected, expected_valid = invert_bracketed(profile, few)
-    radius, valid = invert(profile, many)
-    assert valid[: few.size].tolist() == expected_valid.tolist()
-    assert valid[few.size :].all()
-    # Just before the fold a rounding error of the image comes back multiplied.
-    np.testing.assert_allclose(radius[: few.size], expected, rtol=1e-11)
-
-
-@pytest.fixture
-def solved(monkeypatch: pytest.MonkeyPatch) -> list[float]:
-    """How many points each call of the bracket was asked to solve."""
-    sizes: list[float] = []
-    solve = radial_inverse._solve
-
-    def noted(profile: RadialProfile, wanted: Floats, upper: float) -> Floats:
-        sizes.append(wanted.size)
-        return solve(profile, wanted, upper)
-
-    monkeypatch.setattr(radial_inverse, "_solve", noted)
-    return sizes
-
-
-def test_a_fold_far_out_does_not_coarsen_the_table_of_a_picture() -> None:
-    """The last term folds the curve beyond r = 10⁸; those before make a wiggle at r = 0.3."""
-    profile = RadialProfile((0.0, 1.0, 1000.0, -1e-14), (0.0, 0.0, 1000.0))
-    assert 1e8 < fold_radius(profile) < 1e9
-    assert shrinkage(profile, np.linspace(0.0, 0.99, 3000) ** 2)[1].all()
-
-
-def test_past_the_fold_points_are_put_on_its_circle_without_being_solved_for(
-    solved: list[float],
-) -> None:
-    lens = Distortion(k1=-0.5)
-    seen = np.linspace((-0.9, -0.9), (0.9, 0.9), 5000)
-    ideal, valid = undistort_clamped(seen, lens)
-    radius = np.hypot(*seen.T)
-    assert solved == [0]
-    np.testing.assert_array_equal(valid, radius < largest_image_radius(lens.radial))
-    np.testing.assert_allclose(np.hypot(*ideal[~valid].T), fold_radius(lens.radial), rtol=1e-14)
-
-
 def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all_the_same() -> None:
     """The slope 1 − 0.9 s + 0.2025001 s² comes within 4e-7 of zero, at r² = 2.22."""
     profile, flat = RadialProfile((-0.3, 0.04050002)), np.sqrt(0.9 / 0.405)
@@ -196,57 +136,3 @@ def test_a_table_is_made_for_2048_points_and_more(count: int, tables: int) -> No
         inverse_table.cache_clear()
         undo()
         assert inverse_table.cache_info().misses == tables
-
-
-def test_pictures_of_one_lens_share_a_table_and_its_answers() -> None:
-    profile, images = RadialProfile((0.25,)), np.linspace(0.0, 0.6, 3000)
-    inverse_table.cache_clear()
-    first = invert(profile, images)[0]
-    again = invert(RadialProfile((0.25,)), 1.5 * images)[0]
-    assert inverse_table.cache_info().misses == 1
-    np.testing.assert_array_equal(first, invert(profile, images)[0])
-    inverse_table.cache_clear()
-    np.testing.assert_array_equal(again, invert(profile, 1.5 * images)[0])
-    with pytest.raises(ValueError, match="read-only"):
-        inverse_table(profile, 1.0).coefficients[0, 0] = 1.0
-
-
-@pytest.mark.parametrize(
-    ("furthest", "reach"),
-    [(1e-3, 1.0), (1.1, 2.0), (2.5, 8.0), (5.0, 32.0), (8.0, 64.0), (50.0, 64.0)],
-)
-def test_a_table_without_a_fold_reaches_the_next_power_of_two_beyond_the_furthest_point(
-    furthest: float, reach: float
-) -> None:
-    images = np.linspace(0.0, furthest, 3000)
-    inverse_table.cache_clear()
-    known = shrinkage(RadialProfile((0.1,)), images**2)[1]
-    assert known[images**2 < reach].all()
-    table = inverse_table(RadialProfile((0.1,)), reach)
-    assert inverse_table.cache_info().hits == 1
-    assert reach <= table.reach < 1.03 * reach
-
-
-coefficients = st.lists(
-    st.floats(-2.0, 2.0) | st.sampled_from([0.0, 1e-9, -1e-9, 1e3, -1e3, 1e9, -1e9]), max_size=4
-).map(tuple)
-
-
-@given(coefficients, coefficients, st.floats(1e-3, 1e3))
-@settings(max_examples=60, deadline=None)
-def test_for_any_coefficients_the_table_agrees_with_the_bracket(
-    numerator: tuple[float, ...], denominator: tuple[float, ...], furthest: float
-) -> None:
-    profile = RadialProfile(numerator, denominator)
-    images = np.linspace(0.0, min(furthest, 2.0 * largest_image_radius(profile)), 2100)
-    radius, valid = invert(profile, images)
-    expected, expected_valid = invert_bracketed(profile, images)
-    assert np.isfinite(radius).all()
-    fold = fold_radius(profile)
-    assert ((radius >= 0.0) & (radius <= fold)).all()
-    assert not (expected_valid & ~valid).any()
-    both = valid & expected_valid
-    back = evaluate(profile, radius[valid])
-    np.testing.assert_allclose(back, images[valid], rtol=1e-8, atol=1e-300)
-    near_fold = expected > 0.999 * fold
-    np.testing.assert_allclose(radius[both & ~near_fold], expected[both & ~near_fold], rtol=1e-8)

@@ -82,18 +82,6 @@ def test_planes_are_the_null_spaces_of_their_points() -> None:
         assert same(plane, null_space(corners))
 
 
-def test_distances_to_a_plane_are_heights() -> None:
-    corners = RNG.uniform(-5, 5, (3, 3))
-    normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-    normal /= np.linalg.norm(normal)
-    foot = corners.T @ [0.2, 0.5, 0.3]
-    plane, _ = plane_through(*corners)
-    heights = np.array([-2.0, 0.0, 1.5])
-    np.testing.assert_allclose(
-        signed_distance(foot + heights[:, None] * normal, plane), heights, atol=1e-14
-    )
-
-
 @pytest.mark.parametrize(
     ("line", "other"),
     [

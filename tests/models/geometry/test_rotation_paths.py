@@ -47,11 +47,6 @@ def test_the_distance_is_that_of_the_nearest_point_of_the_circle(
     assert rotation_paths.off_great_circle(q, start, end) == pytest.approx(nearest, abs=2e-3)
 
 
-def test_without_a_circle_the_distance_is_from_the_point() -> None:
-    here, turned = np.array([1.0, 0, 0, 0]), quaternions.from_rotation_vector([0, 0.3, 0])
-    assert rotation_paths.off_great_circle(turned, here, here) == pytest.approx(0.3)
-
-
 @pytest.mark.parametrize("sequence", ["ZYX", "xyz"])
 def test_blended_angles_give_the_matrix_of_those_angles(sequence: str) -> None:
     start, end, shares = (0.1, -0.4, 2.0), (1.3, 0.8, -1.0), np.linspace(0, 1, 5)

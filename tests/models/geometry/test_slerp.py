@@ -33,13 +33,6 @@ def test_blending_takes_the_shorter_way_and_meets_both_ends(blend: Callable[...,
         assert same_up_to_sign(blend(start, sign * end, 0.0), start) < 1e-15
 
 
-@pytest.mark.parametrize("angle", [0.0, 1e-12, math.pi])
-def test_slerp_is_defined_for_equal_nearly_equal_and_opposite_orientations(angle: float) -> None:
-    start, end = quaternions.from_rotation_vector([(0, 0, 0), (angle, 0, 0)])
-    middle = quaternions.to_rotation_vector(rotations.slerp(start, end, 0.5))
-    assert middle == pytest.approx((angle / 2, 0, 0), abs=1e-16, rel=1e-12)
-
-
 @pytest.mark.parametrize("sign", [1, -1])
 def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign: int) -> None:
     middle = rotations.slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)

@@ -52,12 +52,6 @@ def test_what_is_sent_to_infinity_is_invalid() -> None:
     assert np.isnan(images[[1, 3, 4]]).all()
 
 
-def test_w_that_is_rounding_is_no_w() -> None:
-    H = np.eye(4)
-    H[3] = [1e9, -1e9, 0.0, 1e-6]
-    assert apply_transform(H, [[1.0, 1.0, 0.0], [1.0, 0.5, 0.0]])[1].tolist() == [False, True]
-
-
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_w_is_judged_beside_all_the_terms_that_it_is_the_sum_of(sign: float) -> None:
     """1 − (1 − 1.5e−12) is rounding beside 2, though not beside 1."""
@@ -126,14 +120,9 @@ def test_points_a_hair_off_a_line_determine_a_rotation(off: float, enough: bool)
     assert estimate_similarity(line, line @ R.T)[1] == enough
 
 
-def test_points_as_far_off_as_squares_allow_are_aligned() -> None:
-    far = POINTS / np.abs(POINTS).max() * 1e100
-    found, valid = estimate_similarity(far, far @ R.T * 0.5)
-    assert valid
-    np.testing.assert_allclose(found[:3, :3], 0.5 * R, atol=1e-14)
-
-
-@pytest.mark.parametrize(("small", "large"), [(1e-200, 1.0), (1e-300, 1e-300), (1e-100, 1e99)])
+@pytest.mark.parametrize(
+    ("small", "large"), [(1e-200, 1.0), (1e-300, 1e-300), (1e-100, 1e99), (4e99, 1e99)]
+)
 def test_points_whose_squares_vanish_are_aligned(small: float, large: float) -> None:
     found, valid = estimate_similarity(POINTS * small, POINTS @ R.T * large)
     assert valid

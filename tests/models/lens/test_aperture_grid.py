@@ -29,11 +29,3 @@ def test_the_points_are_the_centres_of_square_cells_and_x_comes_first(across: in
     first = aperture_grid(across)[0]  # the upper left of those inside: left of the centre, above
     assert first[1] == pytest.approx(centres[0])
     assert first[0] < 0
-
-
-def test_the_order_steps_on_by_a_golden_section_of_all() -> None:
-    """Of the 32 points in six by six cells, 19 is the coprime number next to 32 / 1.618."""
-    points = aperture_grid(6)
-    places = sorted(points, key=lambda point: (point[1], point[0]))
-    assert len(points) == 32
-    assert [places.index(point) for point in points[:4]] == [0, 19, 38 - 32, 57 - 32]

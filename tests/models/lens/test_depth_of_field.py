@@ -10,11 +10,9 @@ from simulations.models.lens.depth_of_field import (
     Layer,
     blur_by_depth,
     blur_layer,
-    blur_levels,
     composite,
 )
 from simulations.models.lens.disc_blur import NARROW_RADIUS, disc_blur, disc_kernel
-from simulations.models.lens.disc_pyramid import pyramid_blur
 
 
 def point_of_light(size: int = 129) -> Floats:
@@ -45,17 +43,6 @@ def test_blur_by_depth_is_the_disc_where_the_depth_is_uniform(radius: float) -> 
     )
 
 
-@pytest.mark.parametrize("largest", [0.1, 0.61, 0.62, 1.23, 1.24, 4.0, 7.3, 24.0, 1024.0])
-def test_levels_run_from_none_to_the_largest_and_at_most_double(largest: float) -> None:
-    levels = blur_levels(largest)
-    assert levels[0] == 0
-    assert levels[1] == min(largest, NARROW_RADIUS)
-    assert levels[-1] == largest
-    steps = np.array(levels[2:]) / levels[1:-1]
-    assert (steps > 1).all()
-    assert (steps <= 2).all()
-
-
 @pytest.mark.parametrize("largest", [NARROW_RADIUS * 2**k for k in range(5)])
 def test_a_new_level_enters_without_a_jump(largest: float) -> None:
     """What is blurred less stays as it was when the widest disc passes a power of two."""
@@ -78,15 +65,6 @@ def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius() -> None:
     assert mixed[..., :10] == pytest.approx(expected[..., :10], abs=1e-6)
     assert mixed[..., 10:20] == pytest.approx(picture[..., 10:20], abs=1e-6)
     assert mixed[..., 20:] == pytest.approx(disc_blur(picture, 4.0)[..., 20:], abs=1e-6)
-
-
-def test_either_way_of_drawing_a_disc_will_do() -> None:
-    picture = np.random.default_rng(3).random((4, 30, 34)).astype(np.float32)
-    layer = Layer(picture, 0, 0, 9.0)
-    padded = np.pad(picture, ((0, 0), (10, 10), (10, 10)), mode="edge")
-    assert np.array_equal(blur_layer(layer, pyramid_blur).planes, pyramid_blur(padded, 9.0))
-    everywhere = blur_by_depth(picture, np.full((30, 34), 9.0), pyramid_blur)
-    np.testing.assert_allclose(everywhere, pyramid_blur(picture, 9.0), atol=1e-6)
 
 
 def test_layers_are_laid_over_one_another_by_their_coverage() -> None:

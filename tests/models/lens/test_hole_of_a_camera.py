@@ -47,15 +47,6 @@ def test_a_wide_hole_blurs_like_a_disc_of_its_own_width() -> None:
     assert ours == pytest.approx(disc(frequency, 2.0), abs=0.03)
 
 
-def test_a_narrow_hole_blurs_as_if_its_wall_were_in_focus() -> None:
-    hole = 0.05
-    cutoff = 1000.0 * hole / (GREEN_UM * DEPTH_MM)
-    share = np.linspace(0.0, 1.0, 30)
-    in_focus = 2.0 / np.pi * (np.arccos(share) - share * np.sqrt(1.0 - share**2))
-    ours = pinhole_transfer(share * cutoff, hole, DEPTH_MM, GREEN_UM)
-    assert ours == pytest.approx(in_focus, abs=1e-3)
-
-
 def test_of_all_holes_one_about_as_wide_as_its_spread_keeps_fine_waves_best() -> None:
     holes = np.geomspace(0.1, 2.0, 200)
     kept = [float(pinhole_transfer(1.5, hole, DEPTH_MM, GREEN_UM)) for hole in holes]

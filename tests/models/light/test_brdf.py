@@ -3,18 +3,15 @@
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from scipy.integrate import dblquad, quad
+from scipy.integrate import dblquad
 
 from simulations.models.light import brdf
 from simulations.models.light.brdf import (
     MODELS,
-    SMOOTHEST,
     Material,
     parts,
     reflected,
-    schlick,
     sent_back,
-    unhidden,
 )
 from simulations.models.light.reflectance import phong
 
@@ -82,33 +79,6 @@ def test_what_is_sent_back_is_scipys_integral(model: str, roughness: float, angl
     assert sent_back(model, material, light) == pytest.approx(whole, abs=1e-3)
 
 
-def lobe_over_the_hemisphere(shininess: float, slant_rad: float) -> float:
-    """∫ max(0, r · v)^α max(0, n · v) dω, summed in rings about r, at that angle from n."""
-
-    def ring(height: float) -> float:
-        """∫ max(0, n · v) once round r; ``height`` = (r · v)^(α + 1) makes the lobe even."""
-        off = np.arccos(height ** (1 / (shininess + 1)))
-        level, swing = np.cos(off) * np.cos(slant_rad), np.sin(off) * np.sin(slant_rad)
-        end = np.arccos(np.clip(-level / swing, -1, 1)) if swing > 0 else np.pi
-        return float(2 * (level * end + swing * np.sin(end)))
-
-    horizon = np.sin(slant_rad) ** (shininess + 1)
-    return float(quad(ring, 0, 1, points=[horizon], limit=200)[0]) / (shininess + 1)
-
-
-@pytest.mark.parametrize("roughness", [0.15, 0.3, 0.6, 0.89, 0.99])
-@pytest.mark.parametrize("angle", [0.0, 40.0, 80.0, 88.0])
-def test_phong_s_lobes_send_back_within_a_percent_of_their_sum_in_rings(
-    roughness: float, angle: float
-) -> None:
-    lobe, slant = Material(0.0, 1.0, roughness), np.radians(angle)
-    whole = lobe_over_the_hemisphere(lobe.shininess, slant) / np.pi
-    normalised = (lobe.shininess / 2 + 1) * whole
-    assert sent_back("normalised", lobe, np.cos(slant)) == pytest.approx(normalised, rel=0.01)
-    found = sent_back("phong", lobe, np.cos(slant))
-    assert found == pytest.approx(whole / np.cos(slant), rel=0.01)
-
-
 @pytest.mark.parametrize(("roughness", "angle"), [(0.15, 88.0), (0.15, 89.5), (0.3, 89.5)])
 def test_facets_send_back_what_ten_times_as_many_directions_say(
     roughness: float, angle: float, monkeypatch: pytest.MonkeyPatch
@@ -121,20 +91,3 @@ def test_facets_send_back_what_ten_times_as_many_directions_say(
     finer = sent_back("microfacets", metal, cosine)
     brdf._hemisphere.cache_clear()
     assert found == pytest.approx(finer, abs=5e-4)
-
-
-def test_schlick_joins_head_on_and_grazing_and_is_near_fresnel_between() -> None:
-    index = 1.5
-    cosine = np.linspace(0.0, 1.0, 200)
-    inside = np.sqrt(1 - (1 - cosine**2) / index**2)
-    across = ((cosine - index * inside) / (cosine + index * inside)) ** 2
-    along = ((index * cosine - inside) / (index * cosine + inside)) ** 2
-    head_on = ((index - 1) / (index + 1)) ** 2
-    near = schlick(cosine, head_on)
-    assert (near[0], near[-1]) == (1.0, head_on)
-    assert np.abs(near - (across + along) / 2).max() < 0.04
-
-
-def test_what_hides_facets_stays_finite_where_light_and_eye_graze() -> None:
-    grazing = np.array([0.0, 1e-9, 1e-3])
-    assert np.isfinite(unhidden(grazing, grazing, SMOOTHEST)).all()

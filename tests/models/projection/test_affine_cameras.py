@@ -49,16 +49,6 @@ def test_paraperspective_moves_points_along_the_line_of_sight_to_the_reference()
     np.testing.assert_allclose(ours, project(moved, K)[0], rtol=1e-12)
 
 
-def test_paraperspective_has_the_value_and_the_slope_of_perspective_at_the_reference() -> None:
-    reference, h = np.array([1.0, -0.5, 6.0]), 1e-5
-    camera = paraperspective_camera(K, reference)
-    np.testing.assert_allclose(project_affine(reference, camera)[0], project(reference, K)[0])
-    ends = reference + h * np.concatenate([np.eye(3), -np.eye(3)])
-    pixels = project(ends, K)[0]
-    slope = (pixels[:3] - pixels[3:]).T / (2 * h)
-    np.testing.assert_allclose(camera[:2, :3], slope, rtol=1e-7, atol=1e-6)
-
-
 def test_on_the_axis_both_approximations_are_the_same() -> None:
     np.testing.assert_array_equal(
         paraperspective_camera(K, [0.0, 0.0, 3.0]), scaled_orthographic_camera(K, 3.0)

@@ -49,14 +49,6 @@ def test_epipolar_lines_are_those_of_opencv() -> None:
     np.testing.assert_allclose((lines[:, :2] * right).sum(axis=1) + lines[:, 2], 0.0, atol=1e-9)
 
 
-def test_the_epipole_has_no_line() -> None:
-    centre = -R.T @ T
-    epipole = (FIRST @ centre)[:2] / (FIRST @ centre)[2]
-    lines, valid = epipolar_lines(F, [epipole, (math.nan, 1.0), (1.0, 2.0)])
-    assert valid.tolist() == [False, False, True]
-    assert np.isnan(lines[:2]).all()
-
-
 def test_a_match_tells_the_depth() -> None:
     left, right = pair()
     depth, valid = depth_of_match(left, right, FIRST, SECOND, R, T)

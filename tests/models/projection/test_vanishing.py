@@ -80,14 +80,6 @@ def test_all_directions_of_a_plane_vanish_on_its_horizon() -> None:
     assert pixels @ line[:2] + line[2] == pytest.approx(np.zeros(20), abs=1e-8)
 
 
-def test_the_horizon_of_the_ground_lies_level_through_the_principal_point() -> None:
-    line, valid = vanishing.horizon((0, 1, 0), K)
-    assert valid
-    assert line == pytest.approx((0, 1, -240))
-    tilted, _ = vanishing.horizon((0, math.cos(0.1), math.sin(0.1)), K)
-    assert tilted @ (320, 240 - 410 * math.tan(0.1), 1) == pytest.approx(0, abs=1e-9)
-
-
 def test_the_angle_between_lines_is_read_off_where_they_vanish() -> None:
     first, second = RNG.normal(size=(2, 20, 3))
     cosines = (first * second).sum(axis=1) / np.prod(

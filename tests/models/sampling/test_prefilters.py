@@ -79,13 +79,6 @@ def test_points_in_a_pixel_have_the_transfer_of_their_comb(factor: int) -> None:
     np.testing.assert_allclose(found, expected, atol=1e-14)
 
 
-@pytest.mark.parametrize("factor", [2, 4, 8])
-def test_a_wave_as_fine_as_the_points_passes_them_whole(factor: int) -> None:
-    kernel = prefilters.prefilter(f"box-{factor}")
-    assert abs(prefilters.transfer(kernel, factor)) == pytest.approx(1)
-    assert kernel.offsets_px.size == factor
-
-
 def test_a_point_passes_all_waves_that_have_a_phase() -> None:
     waves = [-1e9, 0.0, 0.3, 1e7, 1e9]
     for point in (prefilters.supersample(1), prefilters.prefilter("none")):

@@ -93,13 +93,6 @@ def test_each_kernel_has_its_textbook_weights(
     np.testing.assert_allclose(KERNELS[kernel].weigh(np.array(distances)), weights, atol=1e-7)
 
 
-def test_kernels_read_one_two_four_and_six_pixels_an_axis() -> None:
-    assert {name: kernel.taps for name, kernel in KERNELS.items()} == {
-        "nearest": 1, "bilinear": 2, "bicubic": 4, "spline": 4, "lanczos3": 6,
-    }  # fmt: skip
-    assert [kernel.radius for kernel in KERNELS.values()] == [0.5, 1, 2, 2, 3]
-
-
 @pytest.mark.parametrize("kernel", [name for name in KERNELS if name != "spline"])
 def test_a_value_is_the_weighted_sum_of_the_pixels_around_it(kernel: str) -> None:
     x, y = 20.3, 17.8
@@ -122,17 +115,6 @@ def test_beyond_the_border_the_border_repeats(kernel: str) -> None:
     )
     found = sample(PICTURE, places, kernel, fill=None)
     np.testing.assert_allclose(found, sample(wide, places + 8, kernel), atol=1e-6)
-
-
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_off_the_picture_the_value_at_its_edge_is_repeated(kernel: str) -> None:
-    away, edge = (
-        [[-20.0, 3.3], [70.0, 20.2], [10.1, -1e9]],
-        [[-0.5, 3.3], [49.5, 20.2], [10.1, -0.5]],
-    )
-    found, expected = (sample(PICTURE, places, kernel, fill=None) for places in (away, edge))
-    np.testing.assert_array_equal(found, expected)
-    assert sample(PICTURE, [np.nan, 3], kernel, fill=None) == sample(PICTURE, [0, 3], kernel)
 
 
 def test_half_a_pixel_belongs_to_the_right_also_when_a_picture_shrinks() -> None:

@@ -102,14 +102,3 @@ def test_contrasts_are_those_of_the_textbook() -> None:
     assert aliasing.contrast([1.0, 3.0, 2.0]) == pytest.approx(0.5)
     assert aliasing.contrast([0.0, 0.0]) == 0
     assert aliasing.contrast([0.0, 2.0]) == 1
-
-
-@pytest.mark.parametrize("frequency", [0.25, 2.0, 23.5])
-def test_single_precision_frequencies_are_treated_as_double_ones(frequency: float) -> None:
-    single = np.array([frequency], np.float32)
-    for function in (
-        aliasing.box_mtf,
-        lambda f: aliasing.alias_frequency(f, 24000 / 1001),
-        lambda f: aliasing.apparent_wheel_speed(f, 7, 24000 / 1001)[0],
-    ):
-        np.testing.assert_array_equal(function(single), function([frequency]))

@@ -14,17 +14,6 @@ from simulations.models.sensor.exposure import (
 )
 
 
-def test_each_instant_is_the_middle_of_its_share() -> None:
-    asked: list[float] = []
-
-    def note(time: float) -> Floats:
-        asked.append(time)
-        return np.zeros(1)
-
-    mean_of_instants(note, 4)
-    assert asked == [0.125, 0.375, 0.625, 0.875]
-
-
 def test_a_square_is_short_by_the_midpoint_rules_error() -> None:
     """∫t² dt = 1/3, and n midpoints miss 1/(12 n²) of it."""
     for count in (1, 3, 10):

@@ -53,13 +53,6 @@ def test_each_property_of_a_sensor_has_its_range(
             Sensor(**{field: value})
 
 
-def test_the_usual_sensor_is_that_of_the_chapter() -> None:
-    usual = Sensor()
-    assert (usual.full_well_e, usual.read_noise_e, usual.dark_current_e_per_s) == (20_000, 3, 0.1)
-    assert (usual.gain_e_per_dn, usual.bits, usual.black_level_dn) == (5, 12, 64)
-    assert usual.quantum_efficiency == 0.5
-
-
 def test_iso_divides_the_electrons_per_code() -> None:
     sensor = Sensor(gain_e_per_dn=6.0)
     assert with_iso(sensor, 400).gain_e_per_dn == 1.5

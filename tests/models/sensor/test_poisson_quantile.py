@@ -6,8 +6,6 @@ from scipy import stats
 
 from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import (
-    ShotModel,
-    shot_noise,
     shot_noise_from_normal,
 )
 from simulations.models.sensor.poisson_quantile import FEW, normal_tail, poisson_from_normal
@@ -43,17 +41,6 @@ def test_an_electron_in_a_billion_is_drawn_where_it_is_due() -> None:
     due = stats.norm.isf(-np.expm1(-mean))
     assert poisson_from_normal(mean, due - 1e-3).tolist() == [0, 0, 0, 0]
     assert poisson_from_normal(mean, due + 1e-3).tolist() == [1, 1, 1, 1]
-
-
-@pytest.mark.parametrize("model", ["quantile", "poisson"])
-@pytest.mark.parametrize("mean", [1e-12, 1e-3, 0.05, 0.3])
-def test_next_to_no_light_frees_next_to_no_electrons(model: ShotModel, mean: float) -> None:
-    """The curve that leans, for comparison, frees 0.047 electrons of nothing."""
-    samples = 200_000
-    drawn = shot_noise(np.full(samples, mean), np.random.default_rng(3), model=model)
-    assert drawn.mean() == pytest.approx(mean, abs=5 * np.sqrt(mean / samples))
-    skewed = shot_noise(np.full(samples, 1e-12), np.random.default_rng(3), model="skewed")
-    assert skewed.mean() == pytest.approx(0.047, abs=0.003)
 
 
 def test_more_light_never_takes_electrons_away_and_nothing_jumps() -> None:

@@ -84,11 +84,3 @@ def test_light_beyond_all_numbers_is_infinite_and_fills_the_well(kind: DTypeLike
     assert mean.dtype == kind
     assert np.isinf(mean).all()
     assert (shot_noise(mean, rng(), 20_000.0) == 20_000).all()
-
-
-def test_nothing_is_drawn_for_wells_that_are_sure_to_be_full() -> None:
-    mixed, dim = rng(), rng()
-    counted = shot_noise([[1e30, 9.0], [12_000.0, 80.0]], mixed, 10_000.0)
-    np.testing.assert_array_equal(counted[:, 0], [10_000, 10_000])
-    np.testing.assert_array_equal(counted[:, 1], shot_noise([9.0, 80.0], dim))
-    assert mixed.bit_generator.state == dim.bit_generator.state
