@@ -132,13 +132,6 @@ def test_the_error_by_colour_adds_up_to_the_psnr_read_out(cache: StageCache, met
     assert 10 * np.log10(255**2 / mean_square) == pytest.approx(psnr, abs=0.15)
 
 
-def test_green_is_measured_twice_as_often_and_errs_least(cache: StageCache) -> None:
-    red, green, blue = (
-        float(part) for part in told(cache, demosaic=1, method="bilinear").text.split(", ")
-    )
-    assert green < min(red, blue)
-
-
 def test_the_error_of_a_colour_is_that_of_the_bytes_shown(cache: StageCache) -> None:
     """The error picture shows four times the error. Here none is so large that it is cut off."""
     given: dict[str, object] = {"demosaic": 1, "method": "bilinear", "picture": "soft"}

@@ -235,16 +235,3 @@ def test_values_past_the_ends_are_brought_to_the_ends(swept: Swept) -> None:
         if isinstance(control, Slider):
             for beyond, end in overshoots(control):
                 assert getattr(swept.scene.clamp({control.name: beyond}), control.name) == end
-
-
-def test_the_covering_settings_meet_every_pair() -> None:
-    controls: tuple[Control, ...] = (
-        Slider(name="a", label="A", default=0, minimum=-1, maximum=1, step=0.1),
-        Choice(name="b", label="B", default="x", options={"x": "X", "y": "Y", "z": "Z"}),
-        Toggle(name="c", label="C"),
-    )
-    settings = pairwise_settings(controls)
-    for one, other in itertools.combinations(controls, 2):
-        met = {(setting[one.name], setting[other.name]) for setting in settings}
-        assert met == set(itertools.product(ends(one), ends(other)))
-    assert len(settings) < 12, "fewer than all combinations"

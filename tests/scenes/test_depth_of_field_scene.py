@@ -57,11 +57,6 @@ def detail(raster: Raster, rows: slice, columns: slice) -> float:
     return float(np.diff(raster[rows, columns, 1].astype(float), axis=1).std())
 
 
-def test_the_sensor_stands_where_the_thin_lens_equation_puts_it() -> None:
-    sharp = sharpness(50, 2, 1.0)
-    assert 1 / sharp.image_mm == pytest.approx(1 / 50 - 1 / 1000)
-
-
 def test_at_the_limits_of_depth_of_field_the_disc_is_one_pixel() -> None:
     sharp = sharpness(85, 2.8, 3.0)
     for limit_m in (sharp.near_limit_m, sharp.far_limit_m):

@@ -82,13 +82,6 @@ def test_the_camera_moves_and_what_it_looks_at_stays() -> None:
     assert SCENE.pull(SCENE.check({}), "camera", (46 + 24 * 5.5, 134)) == {"distance": 5.5}
 
 
-def test_the_cameras_distance_moves_the_pixel_and_leaves_the_light() -> None:
-    near, far = travel(2.0, 0.6, 0), travel(8.0, 0.6, 0)
-    assert near.world_m == far.world_m
-    assert near.pixel[0] > far.pixel[0] > 320
-    assert near.mean_e == far.mean_e
-
-
 def test_marker_stands_on_each_station_at_whole_numbers() -> None:
     legs = route(4.0)
     for index, leg in enumerate(legs):

@@ -104,12 +104,6 @@ def test_the_close_up_holds_its_block_at_every_border(row: int, column: int) -> 
     assert np.array_equal(window[top : top + 8, left : left + 8], block)
 
 
-def test_the_original_is_shown_as_it_was() -> None:
-    raster = frame(original="true", quality=1).panels[0].raster
-    assert raster is not None
-    assert np.array_equal(raster[..., :3], np.rint(255 * outputs()["original"]))
-
-
 def test_where_colour_was_kept_nothing_is_filled_in() -> None:
     cache = StageCache()
     first = frame("", cache, subsampling="4:4:4")

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from support.frames import frame_of, texts_at
+from support.frames import frame_of
 
 from simulations.engine.frame import Frame, Raster, Readout
 from simulations.engine.stages import Outputs, StageCache
@@ -43,9 +43,6 @@ def judged(tier: str, cache: StageCache | None = None, **given: object) -> list[
 def final_error(tier: str, cache: StageCache | None = None, **given: object) -> float:
     text = judged(tier, cache, **given)[-1].text
     return 0.0 if text.startswith("under") else float(text)
-
-
-texts = partial(texts_at, SCENE)
 
 
 def outputs(tier: str = "gauss-1", **given: object) -> Outputs:
@@ -94,11 +91,6 @@ def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself() -> None:
     chart = resolution_chart(336, 256, FOCAL_PX).transpose(2, 0, 1)[:, 8:-8, 8:-8]
     assert np.array_equal(planes["channels"], chart)
     assert (planes["vignetting"] == 1).all()
-
-
-def test_one_wavelength_a_colour_is_the_line_it_is_named_by() -> None:
-    for band, line in zip(bands("gauss-1", "crown"), LINES_UM, strict=True):
-        assert (band.wavelengths_um.tolist(), band.shares.tolist()) == ([line], [1.0])
 
 
 def test_even_wavelengths_leave_out_nothing_that_a_channel_sees() -> None:

@@ -82,14 +82,6 @@ def test_parallel_rays_see_a_strip_of_the_same_width_at_every_depth(
     assert float(shown["x"]) == pytest.approx(100 * 2.5 / (metres / 2), abs=0.05)
 
 
-@pytest.mark.parametrize("camera", CAMERAS[1:])
-def test_behind_a_camera_with_parallel_rays_there_is_an_image(camera: str) -> None:
-    shown = frame(camera=camera, depth=-2)
-    assert "in perspective it has no image" in shown.description
-    assert "in perspective it has no image" in shown.panels[1].overlay
-    assert len(solid_dots(shown.panels[1].overlay, "image")) == 1
-
-
 def test_the_ray_of_orthography_is_parallel_to_the_axis() -> None:
     overlay = frame(camera="orthographic", depth=12).panels[0].overlay
     (hit,), (point,) = solid_dots(overlay, "image"), solid_dots(overlay, "world")

@@ -62,15 +62,6 @@ def test_the_sight_stays_under_the_pointer_in_every_tier(tier: str) -> None:
     assert SCENE.pull(start, "sight", (sight.x, sight.y), tier) == {"t": 0.35}
 
 
-def test_the_straight_line_is_seen_to_hurry_and_the_paced_one_is_not() -> None:
-    default, straight = (
-        frame(tier, pan=170, tilt=0, roll=0, t=0.2).panels[0].overlay for tier in ("slerp", "nlerp")
-    )
-    assert default != straight
-    angles = frame("nlerp", blend="euler", t=0.2), frame(blend="euler", t=0.2)
-    assert texts_of(angles[0]) == texts_of(angles[1]), "another way's numbers are untouched"
-
-
 def test_the_error_of_a_straight_line_is_that_of_its_chord() -> None:
     """Half a turn: the places at share s of the chord are seen at atan2(s, 1 - s) of the arc."""
     shares = np.linspace(0, 1, 61)

@@ -10,7 +10,6 @@ from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY
 from simulations.models.color.srgb import encode_srgb
-from simulations.scenes.spectrum_to_rgb.diagram import whites
 from simulations.scenes.spectrum_to_rgb.patches import CELL, GAP, LEFT, ROW, ROWS, TOP, UNIT
 from simulations.scenes.spectrum_to_rgb.scene import SCENE
 from simulations.scenes.spectrum_to_rgb.settings import LIGHTS
@@ -79,13 +78,6 @@ def test_the_patches_show_each_step_of_the_chosen_surface_and_its_twin_below() -
                 np.testing.assert_allclose(shown, expected, atol=0.51, err_msg=ROWS[row])
 
 
-def test_without_twins_both_halves_show_the_surface() -> None:
-    raster = frame().panels[2].raster
-    assert raster is not None
-    top, below = TOP // UNIT + 1, (TOP + ROW) // UNIT - 1
-    np.testing.assert_array_equal(raster[top], raster[below])
-
-
 def test_gains_read_out_make_white_of_the_raw_white() -> None:
     shown = texts(frame(surface="white"))
     red, green, blue = (float(each) for each in shown["raw"].split(" / "))
@@ -97,9 +89,3 @@ def test_daylight_is_never_redder_than_it_was_measured() -> None:
     red, least = (frame(light="daylight", temperature=kelvin) for kelvin in (2000, 4000))
     assert red.readouts == least.readouts
     assert "4000 K" in red.description
-
-
-def test_whites_run_from_red_to_blue() -> None:
-    kelvin, xy = whites("planck")
-    assert (np.diff(kelvin) > 0).all()
-    assert (np.diff(xy[:, 0]) < 0).all()

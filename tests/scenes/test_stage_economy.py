@@ -18,7 +18,6 @@ from simulations.models.lens.aperture import fibonacci_disc
 from simulations.pictures.checker_room import checker_room
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.registry import SCENE_MODULES, load_scene
-from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera import stages as camera_stages
 from simulations.scenes.depth_of_field import stages as depth_stages
 from simulations.scenes.lens_distortion import stages as distortion_stages
@@ -194,14 +193,3 @@ def assert_same(ours: Frame, theirs: Frame, where: object) -> None:
         assert (one.raster is None) == (other.raster is None), where
         if one.raster is not None and other.raster is not None:
             assert np.array_equal(one.raster, other.raster), where
-
-
-def test_dearer_tiers_of_the_camera_are_nearer_to_rays_through_the_whole_lens() -> None:
-    given = camera.SCENE.check({"aperture": 1.4})
-    *_, truth = camera.references(given)
-    errors = {}
-    for tier in camera.SCENE.tiers:
-        outputs = camera.SCENE.run(given, tier, StageCache()).outputs
-        errors[tier] = camera.rms_codes(outputs["noiseless picture"], truth)
-    assert errors["draft"] > 3 * errors["layers"]
-    assert errors["layers"] > 1.4 * errors["aperture-rays"]

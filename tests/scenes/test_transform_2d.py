@@ -127,15 +127,6 @@ def test_a_pulled_homography_keeps_its_image_convex() -> None:
         assert np.all(sides[:, 0] * following[:, 1] > sides[:, 1] * following[:, 0]), pull
 
 
-def test_a_point_that_walks_across_the_line_comes_back_from_the_opposite_side() -> None:
-    before, after = (
-        texts(transform="projective", amount=80, point_x=40, point_y=y) for y in (-25, -26)
-    )
-    assert float(before["w"]) > 0
-    assert after["w"].startswith("−")
-    assert before["x"].startswith("−") != after["x"].startswith("−")
-
-
 def test_a_point_on_the_line_has_no_image_to_grab() -> None:
     given = {"transform": "projective", "amount": 100, "point_x": 60, "point_y": -12}
     assert "image" not in {place.name for place in frame(**given).handles}

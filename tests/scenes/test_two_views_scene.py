@@ -108,12 +108,6 @@ def test_both_cameras_see_the_tile_under_the_post_where_they_see_its_foot() -> N
     assert near < 0.25 * still
 
 
-def test_without_its_line_the_right_picture_still_shows_the_match() -> None:
-    overlay = frame(line=False).panels[2].overlay
-    assert 'class="ray' not in overlay
-    assert "d = 10.0 px" in overlay
-
-
 def test_an_image_outside_the_right_picture_offers_none_to_the_hand() -> None:
     outside = {"depth": 2, "baseline": 1, "left_x": -50}
     assert "right" not in {place.name for place in frame(**outside).handles}

@@ -9,8 +9,7 @@ from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.models.sampling.prefilters import prefilter
-from simulations.scenes.aliasing.own import ideal_weights, own_light, sample_own, weights
+from simulations.scenes.aliasing.own import own_light, sample_own
 from simulations.scenes.aliasing.scene import SCENE
 from simulations.scenes.aliasing.settings import FILTERS
 
@@ -66,18 +65,3 @@ def test_of_a_reader_s_picture_nothing_is_said_that_holds_for_the_patterns_only(
         assert shown.description.startswith("Your own picture at one sample a pixel")
         assert "alias" not in shown.panels[1].overlay
         assert {place.name for place in shown.handles} == {"frequency", "nyquist"}
-
-
-def test_weights_are_those_of_a_mean_and_of_an_ideal_filter() -> None:
-    places = np.array([10.0, 100.0, 310.0])
-    box = weights(places, prefilter("box"), 1.0, 320)
-    assert box.sum(axis=1) == pytest.approx(1, abs=1e-6)
-    assert box @ np.arange(320) == pytest.approx(places, abs=1e-3)
-    spread = box @ np.arange(320) ** 2 - places**2
-    assert spread == pytest.approx(5**2 / 12, abs=0.2)  # between points the light changes evenly
-    ideal_row = ideal_weights(320, 1.0)
-    x = (np.arange(320) + 0.5) * np.pi / 320
-    assert ideal_row @ np.cos(63 * x) == pytest.approx(
-        np.cos(63 * np.pi / 64 * (np.arange(64) + 0.5))
-    )
-    assert ideal_row @ np.cos(64 * x) == pytest.approx(np.zeros(64), abs=1e-9)

@@ -14,7 +14,6 @@ from simulations.scenes.camera.sensor import (
     ADC,
     BYTE_OF_CODE,
     FULL_WELL_E,
-    draw_grain,
     encode,
     quantise,
     read_noise_e,
@@ -89,12 +88,3 @@ def test_more_than_a_full_well_is_white_and_less_than_nothing_black() -> None:
     picture = encode(quantise(electrons))
     assert picture[..., 0].ravel().tolist() == [0, 0, 255, 255]
     assert (picture[..., 3] == 255).all()
-
-
-def test_the_grain_of_light_and_amplifier_is_normal_and_independent() -> None:
-    grain = draw_grain(3)
-    for noise in (grain.shot, grain.read):
-        assert noise.dtype == np.float32
-        assert noise.mean() == pytest.approx(0, abs=0.01)
-        assert noise.std() == pytest.approx(1, abs=0.01)
-    assert np.corrcoef(grain.shot.ravel(), grain.read.ravel())[0, 1] == pytest.approx(0, abs=0.02)

@@ -56,19 +56,6 @@ def test_a_margin_that_nothing_reads_changes_nothing() -> None:
     )
 
 
-@pytest.mark.parametrize(
-    ("noise", "drawn"),
-    [
-        ({"noise_sigma": 0, "shot_noise": False}, False),
-        ({"noise_sigma": 0, "shot_noise": True}, True),
-        ({"noise_sigma": 5, "shot_noise": False}, True),
-    ],
-)
-def test_grain_is_drawn_only_where_it_shows(noise: Setting, drawn: bool) -> None:
-    frame = shown(**noise)
-    assert ("grain" in computed_in(frame)) is drawn
-
-
 def test_rays_are_sent_through_the_lens_however_narrow_it_is() -> None:
     """A picture of rays is the dearest there is: it is never exchanged for one of a pinhole."""
     assert blur_of(SCENE.check({"aperture": 22})) < SHARP_PX

@@ -45,14 +45,36 @@ def test_what_was_not_edited_and_does_not_depend_on_it_is_reused_as_ever() -> No
     assert {stage["status"] for stage in stages} <= {"reused", "skipped"}
 
 
-def test_an_exception_is_told_with_the_line_of_the_text_that_raised_it() -> None:
-    text = "def _quality(decoded, original):\n    x = 1\n    return x / 0\n"
-    told = problem_with({f"{STAGES}:_quality": text})
-    assert told == {
-        "message": "ZeroDivisionError: division by zero",
-        "definition": f"{STAGES}:_quality",
-        "line": 3,
-    }
+QUALITY, ORIGINAL = f"{STAGES}:_quality", f"{STAGES}:_original"
+HEAD = "def _quality(decoded, original):\n"
+
+
+@pytest.mark.parametrize(
+    ("edits", "line", "message"),
+    [
+        (
+            {QUALITY: f"{HEAD}    x = 1\n    return x / 0\n"},
+            3,
+            "ZeroDivisionError: division by zero",
+        ),
+        (
+            {
+                ORIGINAL: "\n" * 20 + "def _original():\n    return 0.2 * balloon()",
+                QUALITY: f"{HEAD}    raise SystemExit('enough')",
+            },
+            2,
+            "SystemExit: enough",
+        ),
+        ({QUALITY: "def _quality(a, b):\n  return (1"}, 2, "SyntaxError"),
+    ],
+    ids=["exception", "below another edit", "no Python"],
+)
+def test_what_goes_wrong_is_reported_with_the_line_of_the_edit(
+    edits: dict[str, str], line: int, message: str
+) -> None:
+    found = problem_with(edits)
+    assert (found["definition"], found["line"]) == (QUALITY, line)
+    assert found["message"].startswith(message)
 
 
 def test_an_exception_in_the_books_code_is_told_with_the_line_that_called_it() -> None:
@@ -73,23 +95,6 @@ def test_a_line_of_the_books_is_that_of_its_file_also_below_an_edit() -> None:
     assert told["message"]["key"] == "workshop.raised_in"
     place = {"file": "simulations/scenes/jpeg/stages.py", "line": str(raised)}
     assert place.items() <= told["message"]["values"].items()
-
-
-def test_lines_are_right_where_two_definitions_of_a_module_are_edited() -> None:
-    longer = "\n" * 20 + "def _original():\n    return 0.2 * balloon()"
-    raises = "def _quality(decoded, original):\n    raise SystemExit('enough')"
-    told = problem_with({f"{STAGES}:_original": longer, f"{STAGES}:_quality": raises})
-    assert told == {
-        "message": "SystemExit: enough",
-        "definition": f"{STAGES}:_quality",
-        "line": 2,
-    }
-
-
-def test_a_text_that_is_no_python_is_told_with_its_line() -> None:
-    told = problem_with({f"{STAGES}:_quality": "def _quality(a, b):\n  return (1"})
-    assert told["line"] == 2
-    assert told["message"].startswith("SyntaxError")
 
 
 def test_a_mistake_that_no_line_of_the_reader_made_has_none() -> None:
