@@ -1,1 +1,1 @@
-"""A package per widget: its settings, what is computed of them, and how that is drawn."""
+"""A package per figure: its settings, computation, drawing and handles."""

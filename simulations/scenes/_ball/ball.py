@@ -1,8 +1,8 @@
-"""The ball of the two scenes on reflection: its pixels, and where light is computed on it.
+"""The ball of the two scenes on reflection: its pixels and its normals.
 
-It is seen from far away, so that a point of the picture, counted in radii from the centre, is
-the sideways part of the normal there. Directions in the horizontal plane are given by their
-angle from the camera's, positive to the right.
+It is seen from far away, so that a point of the picture, in radii from the centre, is the x and y
+part of the normal there. Directions in the horizontal plane are given by their angle from the
+camera's, positive to the right.
 """
 
 import math
@@ -30,7 +30,7 @@ RADIUS_PX = RADIUS * PIXELS_PER_UNIT
 
 @dataclass(frozen=True, slots=True)
 class Ball:
-    """What of the picture does not depend on any control."""
+    """The parts of the picture that depend on no control."""
 
     x: Picture
     """(w,) pixels to the right of the centre, of the columns of the square around the ball."""
@@ -39,17 +39,17 @@ class Ball:
     normals: Picture
     """(h, w, 3) unit normals in the square; z towards the camera."""
     inner: Mask
-    """(h, w) pixels that the ball covers whole."""
+    """(h, w) pixels that the ball covers completely."""
     rim: Mask
-    """(h, w) pixels that it covers in part."""
+    """(h, w) pixels that it covers partly."""
     rim_coverage: Picture
-    """(rim pixels, 1) share that it covers."""
+    """(rim pixels, 1) share of the pixel that it covers."""
     behind_rim: Picture
     """(rim pixels, 3) linear light of the wall there."""
     backdrop: NDArray[np.uint8]
     """(H, W, 4) the wall alone."""
     square: tuple[slice, slice]
-    """Where the square lies in the picture."""
+    """Place of the square in the picture."""
 
 
 def build_ball() -> Ball:
@@ -78,7 +78,7 @@ def build_ball() -> Ball:
 
 
 def unit_normals(x: Floats, y: Floats) -> Picture:
-    """(h, w, 3) at columns ``x`` and rows ``y``; beside the ball, those of its rim."""
+    """Normals (h, w, 3) at columns ``x`` and rows ``y``; outside the ball, those of its rim."""
     across, up = np.meshgrid(x, y)
     distance = np.hypot(across, up)
     outer = np.maximum(distance, RADIUS_PX)
@@ -105,13 +105,13 @@ def light_direction(angle_deg: float) -> NDArray[np.float64]:
 
 
 def _corner_normals(ball: Ball, cells: int) -> Picture:
-    """(cells + 1, cells + 1, 3) at the corners of a grid over the square."""
+    """Normals (cells + 1, cells + 1, 3) at the corners of a grid over the square."""
     x, y = (np.linspace(axis[0], axis[-1], cells + 1) for axis in (ball.x, ball.y))
     return unit_normals(x, y)
 
 
 def _blended_normals(ball: Ball, cells: int) -> Floats:
-    """(h, w, 3) of all pixels, from those at the corners of a grid."""
+    """Normals (h, w, 3) of all pixels, interpolated from the corners of a grid."""
     return blend_normals(_corner_normals(ball, cells), *ball.inner.shape)
 
 
@@ -129,21 +129,21 @@ TIER_LABELS = {"phong": "Light in every pixel"}
 
 
 def lit_normals(ball: Ball, tier: str) -> Floats:
-    """(..., 3) unit normals, by the tier's entry in `LIT`."""
+    """Unit normals (..., 3) of the tier's entry in `LIT`."""
     return LIT[tier](ball)
 
 
 def light_of_pixels(light: Floats, ball: Ball) -> Floats:
-    """(h, w, ...) light, blended across the cells where only their corners were lit."""
+    """Light (h, w, ...), interpolated across the cells if only their corners were lit."""
     return light if light.shape[:2] == ball.inner.shape else blend_cells(light, *ball.inner.shape)
 
 
 def paint(ball: Ball, linear: Floats) -> NDArray[np.uint8]:
-    """(H, W, 4) bytes of (h, w) or (h, w, 3) light. Only the rim mixes ball and wall."""
+    """The bytes (H, W, 4) of (h, w) or (h, w, 3) light. Only the rim mixes ball and wall."""
     picture = ball.backdrop.copy()
     square = picture[ball.square]
     shown = to_rgba8(encode_srgb_table(linear))
-    # Four bytes are one number here: picked and laid down at once, not row by row of a mask.
+    # Pixels are copied as one number of four bytes, which is faster than with a mask.
     np.copyto(_whole_pixels(square), _whole_pixels(shown), where=ball.inner)
     on_rim = linear[ball.rim].reshape(len(ball.behind_rim), -1)
     mixed = ball.behind_rim + ball.rim_coverage * (on_rim - ball.behind_rim)
@@ -162,12 +162,12 @@ def camera_panel(picture: Raster, overlay: str) -> Panel:
 
 
 def true_cosine(ball: Ball, angle_deg: float) -> NDArray[np.float64]:
-    """n · d (h, w) with the direction at that angle, from the equation of the sphere, float64."""
+    """n · d (h, w) for the direction at an angle, from the equation of the sphere, float64."""
     return true_normals(ball) @ light_direction(angle_deg)
 
 
 def true_normals(ball: Ball) -> NDArray[np.float64]:
-    """(h, w, 3) from the equation of the sphere, float64; z is 0 beside the ball."""
+    """Normals (h, w, 3) from the equation of the sphere, float64; z is 0 outside the ball."""
     x, y = np.meshgrid(*(axis.astype(np.float64) / RADIUS_PX for axis in (ball.x, ball.y)))
     return np.stack([x, y, np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))], axis=-1)
 

@@ -14,7 +14,7 @@ CENTRE, RADIUS = (200.0, 170.0), 122.0
 
 
 def on_equator(angle_rad: float) -> tuple[float, float]:
-    """Where the camera sees the point whose normal has that angle."""
+    """Place in the picture of the equator's point whose normal has an angle."""
     return CENTRE[0] + RADIUS * math.sin(angle_rad), CENTRE[1]
 
 
@@ -25,7 +25,7 @@ def angle_of_normal(place: Point) -> float:
 
 
 def shadow_edge(light_rad: float) -> list[str]:
-    """The terminator, cased, so that it stands out from light and dark."""
+    """The terminator with an outline, visible on light and dark."""
     return [polyline(terminator(light_rad), style) for style in ("casing", "light dashed")]
 
 
@@ -47,7 +47,7 @@ def lamp(place: Point) -> list[str]:
 def terminator(light_rad: float) -> list[Point]:
     """The visible half of the circle where the light grazes the sphere, in view box units.
 
-    With the light in front or behind it is the rim, all of which is visible.
+    If the light is in front or behind, it is the rim, which is wholly visible.
     """
     if abs(math.sin(light_rad)) < 1e-9:
         return [_on_rim(math.pi * step / 48) for step in range(97)]

@@ -1,4 +1,4 @@
-"""What both figures of a ball have to grab: the probed point on it, and the way to a place."""
+"""The probed point on the ball, and the angle of a place, for the handles of both figures."""
 
 import math
 from collections.abc import Mapping
@@ -31,5 +31,5 @@ def probe_on_ball(role: str) -> Handle[Any]:
 
 
 def bearing_deg(across: float, along: float, present_deg: float) -> float:
-    """The angle of a way from the direction that ``along`` counts in; of no way, the present."""
+    """The angle of a vector from the direction ``along``; the present angle for a zero vector."""
     return math.degrees(math.atan2(across, along)) if across or along else present_deg

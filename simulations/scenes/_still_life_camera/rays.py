@@ -28,7 +28,7 @@ PITCH_MM = SENSOR_WIDTH_MM / COLUMNS
 
 @dataclass(frozen=True, slots=True)
 class Rays:
-    """What each pixel looks along."""
+    """The rays of the pixels."""
 
     directions: Floats
     """(rows, columns, 3) in the camera frame, z = 1."""
@@ -44,16 +44,17 @@ def blur_px(focal_length: float, aperture: float, focus: float, depth_m: Floats 
 
 
 def principal_mm(focal_length: float, focus: float) -> float:
-    """From the lens to the sensor: what the picture is projected with, and f only at infinity."""
+    """Distance from the lens to the sensor, which scales the projection; it is f only at
+    infinity."""
     return thin_lens.principal_distance_mm(focal_length, focus * 1000.0)
 
 
-@lru_cache(maxsize=4)  # asked for several times a frame
+@lru_cache(maxsize=4)  # called several times a frame
 def ideal_reach(principal: float, k1: float) -> tuple[float, float]:
     """How far right and down of the axis the sensor sees: the largest of x/z and of y/z.
 
-    It is found where the picture reaches farthest: in the corner, on the fold where that comes
-    first, or, with pincushion, in the middle of a side.
+    The largest is in the corner, on the fold if that is nearer, or, with pincushion, in the middle
+    of a side.
     """
     lens, half = Distortion(k1=k1), np.array([SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM]) / 2 / principal
     farthest = min(math.hypot(*half), largest_distorted_radius(lens))

@@ -1,7 +1,7 @@
-"""A camera to see orientations by, drawn back to front from flat faces.
+"""A camera that shows its orientation, drawn back to front from flat faces.
 
-World and camera axes are x right, y down, z forward. The camera's axes are the columns of
-C = Ry(pan) Rx(tilt) Rz(roll): pan to the right, tilt upwards, roll to the right.
+World and camera axes are x right, y down, z forward. The camera's axes are the columns of C =
+Ry(pan) Rx(tilt) Rz(roll): pan to the right, tilt upwards, roll to the right.
 """
 
 import math
@@ -13,14 +13,14 @@ from simulations.engine.space.view import View, orbit_axes
 from simulations.models.arrays import Floats
 
 _TOWARDS_LIGHT = np.array([0.25, -0.86, 0.45])
-"""In the world, unit length: above and a little ahead."""
+"""Unit vector in the world: above and a little ahead."""
 _LENS_SIDES, _LENS_RADIUS, _LENS_END = 10, 0.3, 0.82
 
 
 def view_from(azimuth: float, elevation: float) -> Floats:
     """World to view (3, 3) of a distant eye: x right, y down, z away.
 
-    The eye's direction in degrees: round from straight ahead towards the right, and upwards.
+    Azimuth and elevation of the eye are in degrees, from straight ahead to the right, and upwards.
     """
     return orbit_axes(azimuth, elevation, z_down=True)[:, [1, 2, 0]]
 
@@ -67,7 +67,7 @@ BODY: tuple[Floats, ...] = (
 def draw(C: Floats, view: Floats, centre: tuple[float, float], unit: float) -> str:
     """SVG markup of the camera whose axes are the columns of ``C`` (3, 3), of a length ``unit``.
 
-    C may be any matrix: that of a faulty blend shows as a crushed camera.
+    C may be any matrix: a blend that is not a rotation shows as a distorted camera.
     """
     look = View(view, centre, unit)
     roles = [*((face, "camera") for face in BODY), (GLASS, "image")]

@@ -1,6 +1,6 @@
-"""Grabbing what lies on a curve in space, and turning the view by dragging the background.
+"""Handles on a curve in space, and rotation of the view by dragging the background.
 
-The view is turned like a globe: what is near follows the finger.
+The view rotates like a globe: near points follow the pointer.
 """
 
 from collections.abc import Callable, Mapping
@@ -13,13 +13,13 @@ from simulations.engine.handles import Handle, Point
 from simulations.models.arrays import Floats
 
 UNITS_PER_DEGREE = 2.0
-"""Of dragging the background, in view box units."""
+"""Drag of the background per degree, in view box units."""
 CLOSE = 3.0
-"""Two places of a ring, seen nearly edge on, are as good as one another within this."""
+"""Distance within which two places of a ring, seen nearly edge on, count as equal."""
 
 
 class Seen(Protocol):
-    """Settings that say where the eye is, in degrees."""
+    """Settings with the direction of the eye, in degrees."""
 
     @property
     def azimuth(self) -> float: ...
@@ -28,10 +28,11 @@ class Seen(Protocol):
 
 
 def nearest(track: Floats, place: Point, apart: Floats) -> int:
-    """The index of the place of a track (n, 2…) that is nearest, of equals the least far ``apart``.
+    """The index of the nearest place of a track (n, 2…); of equal ones, that with the least
+    ``apart``.
 
-    Where a ring is seen edge on, its front and its back have the same places; the bead does not
-    jump from one to the other.
+    The front and the back of a ring seen edge on have the same places; the handle does not jump
+    from one to the other.
     """
     off = np.hypot(track[:, 0] - place[0], track[:, 1] - place[1])
     close = np.flatnonzero(off <= off.min() + CLOSE)

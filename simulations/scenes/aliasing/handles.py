@@ -1,4 +1,4 @@
-"""What of the aliasing figure can be grabbed: the frequency and Nyquist's on their axis, a crest of
+"""Handles of the aliasing figure: the frequency and Nyquist's on their axis, a crest of
 the wave, the stripes, and the ring of the zone plate that reaches Nyquist."""
 
 import math
@@ -12,7 +12,7 @@ from simulations.scenes.aliasing.pattern import Pattern, pattern_of
 from simulations.scenes.aliasing.settings import Settings
 
 UNITS_PER_PIXEL = row.WIDTH / 64
-"""Of the picture of the stripes, at every rate."""
+"""Size of the picture of the stripes in pixels, at every rate."""
 
 
 def _pattern(settings: Settings) -> Pattern:
@@ -46,7 +46,7 @@ def _crest_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _stripes(settings: Settings, outputs: Outputs) -> Point | None:
-    """Where a zero crossing of the wave lies: the more phase, the further left."""
+    """A zero crossing of the wave, which moves left as the phase grows."""
     if outputs["photograph"] or settings.pattern != "stripes" or settings.frequency == 0:
         return None
     return (-settings.phase / 360 / settings.frequency * UNITS_PER_PIXEL, 0.0)
@@ -58,7 +58,7 @@ def _stripes_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _ring(settings: Settings, outputs: Outputs) -> Point | None:
-    """The leftmost point of the ring, where it lies in the picture."""
+    """The leftmost point of the ring, if it is in the picture."""
     if outputs["photograph"] or settings.pattern != "zone_plate":
         return None
     return row.ring(_pattern(settings))

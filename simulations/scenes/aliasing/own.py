@@ -15,16 +15,16 @@ from simulations.models.sampling.prefilters import Prefilter, prefilter
 
 PHOTOGRAPH_PX = (320, 240)
 FINE = 5
-"""Points of the picture to a pixel of the figure, along each axis: the light before the grid."""
+"""Points of the picture per pixel of the figure, along each axis."""
 SHOWN, FIRST, POINTS = 20, 22, 12
-"""Pixels of the row that are drawn, the first of them, and points of a curve to a pixel."""
+"""Pixels of the row that are drawn, the first of them, and points of a curve per pixel."""
 SPECTRUM_TO = 1.2
 """Cycles per pixel."""
 
 
 @dataclass(frozen=True, slots=True)
 class OwnLight:
-    """A reader's picture in front of the grid: the same at every setting."""
+    """A reader's picture before sampling: the same at every setting."""
 
     linear: Floats
     """(H, W, 3) light."""
@@ -36,26 +36,27 @@ class OwnLight:
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """What the figure shows of a reader's picture."""
+    """The data that the figure shows of a reader's picture."""
 
     raster: Raster
     linear: Floats
     """(h, w, 3) light of the samples."""
     row: int
-    """Of the samples, the one that is drawn as curves."""
+    """Row of the samples that is drawn as curves."""
     places: Floats
-    """Of its samples in the second panel, in pixels from the panel's left."""
+    """Places of its samples in the second panel, in pixels from the panel's left."""
     samples: Floats
     curve: Floats
-    """(n,) luminance from the first to the last pixel drawn, before the filter ..."""
+    """(n,) luminance of the pixels drawn, before the filter ..."""
     filtered: Floats
-    """... and behind it."""
+    """... and after it."""
     detail: Floats
-    """(m,) amplitude times frequency, of the largest, at frequencies from 0 to `SPECTRUM_TO`."""
+    """(m,) amplitude times frequency, relative to the largest, at frequencies from 0 to
+    `SPECTRUM_TO`."""
 
 
 def own_light(photograph: Photograph | None) -> OwnLight | None:
-    """Nothing where the book's pattern is shown."""
+    """None if the book's pattern is shown."""
     if photograph is None:
         return None
     linear = light_of(photograph)
@@ -64,7 +65,7 @@ def own_light(photograph: Photograph | None) -> OwnLight | None:
 
 
 def sample_own(own: OwnLight | None, prefilter: str, rate: float) -> Own | None:
-    """Filter the picture and sample it; nothing where the book's pattern is shown."""
+    """Filter the picture and sample it; None if the book's pattern is shown."""
     return _sampled(own, prefilter, rate) if own else None
 
 
@@ -76,7 +77,7 @@ def _sampled(own: OwnLight, kind: str, rate: float) -> Own:
     along_y = weights(grid_places(height, rate), kernel, rate, height)
     linear = along_both(light, along_y, along_x)
     row = (len(along_y) - 1) // 2
-    # Points of the curves, where samples of the same row might lie.
+    # Points of the curves, as if they were samples of the same row.
     fine = (FIRST + np.linspace(0, SHOWN - 1, POINTS * (SHOWN - 1) + 1) + 0.5) * FINE - 0.5
     before = weights(grid_places(height, rate)[[row]], prefilter("none"), rate, height) @ grey
     behind = along_y[[row]] @ grey
@@ -100,15 +101,15 @@ def light_of(photograph: Photograph) -> Floats:
 
 
 def grid_places(length: int, rate: float) -> Floats:
-    """(n,) where along an axis of ``length`` points the samples lie, in points."""
+    """(n,) places of the samples along an axis of ``length`` points, in points."""
     count = round(length / FINE * rate)
     return (np.arange(count) + 0.5) / rate * FINE - 0.5
 
 
 def weights(places: Floats, kernel: Prefilter, rate: float, length: int) -> Floats:
-    """(n, length) share of each point of an axis in what is measured at each place.
+    """(n, length) weight of each point of an axis in the measurement at each place.
 
-    Between two points the light is taken to change evenly, and beyond the border not at all.
+    The light is linear between two points and constant beyond the border.
     """
     at = places[:, None] + kernel.offsets_px * (FINE / rate)
     at = np.clip(at, 0.0, length - 1.0)
@@ -122,12 +123,12 @@ def weights(places: Floats, kernel: Prefilter, rate: float, length: int) -> Floa
 
 
 def ideal_weights(length: int, rate: float) -> Floats:
-    """Likewise, of what samples can show: all cosines below Nyquist, and none above.
+    """Weights of the ideal low-pass: all cosines below Nyquist, and none above.
 
     The axis is mirrored at its ends, as in the cosine transform.
     """
     places, points = grid_places(length, rate), np.arange(length)
-    # Cosine k has k / 2 cycles on the whole axis.
+    # Cosine k has k / 2 cycles over the whole axis.
     highest = math.ceil(rate * length / FINE)
     orders = np.arange(highest)
     scale = np.where(orders == 0, 1.0, 2.0) / length
@@ -145,16 +146,16 @@ def along_both(light: Floats, along_y: Floats, along_x: Floats) -> Floats:
 
 
 def ideal_own(photograph: Photograph, rate: float) -> Floats:
-    """(h, w, 3) light that samples can show of the picture."""
+    """(h, w, 3) light of the picture after the ideal low-pass."""
     light = light_of(photograph)
     along_y, along_x = (ideal_weights(length, rate) for length in light.shape[:2])
     return along_both(light, along_y, along_x)
 
 
 def _detail(grey: Floats) -> Floats:
-    """Amplitude times frequency, in the mean of all rows: what an octave holds of detail."""
+    """Amplitude times frequency, the detail per octave, as the mean of all rows."""
     width = grey.shape[1]
-    # Ends that do not match would look like detail: they are faded out.
+    # Ends that do not match would look like detail, so they are faded out.
     faded = (grey - grey.mean(axis=1, keepdims=True)) * np.hanning(width)
     count = math.floor(SPECTRUM_TO * width / FINE) + 1
     spectrum = np.sqrt(np.mean(np.abs(np.fft.rfft(faded, axis=1)[:, :count]) ** 2, axis=0))

@@ -27,7 +27,7 @@ class Pattern:
 
     kind: str
     frequency: float
-    """Cycles per sample: of the stripes, or of the rings at the edge."""
+    """Cycles per sample of the stripes, or of the rings at the edge."""
     phase_rad: float
     width: int
     """Samples in a row."""
@@ -37,11 +37,11 @@ class Pattern:
     start: int
     """Index of the first sample that the second panel shows."""
     rate: float
-    """Samples per pixel: what turns all this into the pixels that the reader is told of."""
+    """Samples per pixel, to convert to the pixels in the labels."""
 
     @property
     def chirp(self) -> float:
-        """How fast the frequency rises along the row, cycles per sample per sample."""
+        """Increase of the frequency along the row, cycles per sample per sample."""
         return 0.0 if self.kind == "stripes" else 2.0 * self.frequency / self.width
 
     @property
@@ -51,7 +51,7 @@ class Pattern:
 
     @property
     def alias(self) -> float:
-        """What ``frequency`` folds to on the samples, whichever way the wave then runs."""
+        """The alias of ``frequency`` on the samples, without its sign."""
         return abs(float(alias_frequency(self.frequency)))
 
     def local_frequency(self, x: ArrayLike) -> Floats:
@@ -82,7 +82,7 @@ def pattern_of(kind: str, frequency: float, phase_deg: float, rate: float = 1.0)
 
     ``frequency`` is in cycles per pixel.
     """
-    # Rounded, so that what lies exactly on a fold is on the same side of it at every rate.
+    # Rounded, so that frequencies exactly on a fold are on the same side of it at every rate.
     per_sample, phase_rad = round(frequency / rate, 9), math.radians(phase_deg)
     width, height = (64, 48) if kind == "stripes" else (160, 120)
     columns, rows = round(width * rate), round(height * rate)
@@ -93,7 +93,7 @@ def pattern_of(kind: str, frequency: float, phase_deg: float, rate: float = 1.0)
 
 
 def samples_shown(rate: float) -> int:
-    """How many samples the second panel draws."""
+    """Count of samples in the second panel."""
     return math.floor((SHOWN - 1) * rate + 1e-9) + 1
 
 

@@ -1,4 +1,4 @@
-"""Twenty pixels of one row: the wave, what the filter leaves of it, the samples, the alias."""
+"""Twenty pixels of one row: the wave, the filtered wave, the samples and the alias."""
 
 import math
 from collections.abc import Iterator
@@ -24,13 +24,13 @@ PIXELS = Scale(
     tick_style="muted small",
 )
 FINE = 24
-"""Points of a curve to a pixel."""
+"""Points of a curve per pixel."""
 
 
 def mark(pattern: Pattern) -> str:
     """The frame around the shown samples, over the picture."""
     unit = WIDTH / pattern.width
-    # An even count of rows has its middle between two of them: the upper one is marked.
+    # The middle of an even count of rows is between two of them: the upper one is marked.
     row = (pattern.height - 1) // 2
     return _frame(pattern.start * unit, row * unit, samples_shown(pattern.rate) * unit, unit)
 
@@ -47,7 +47,7 @@ def _frame(left: float, top: float, width: float, height: float) -> str:
 
 
 def nyquist_ring(pattern: Pattern) -> str:
-    """Where in the zone plate the rings reach Nyquist, as far as they do."""
+    """The ring of the zone plate at the Nyquist frequency, if there is one."""
     place = ring(pattern)
     if place is None:
         return ""
@@ -58,14 +58,15 @@ def nyquist_ring(pattern: Pattern) -> str:
 
 
 def ring(pattern: Pattern) -> tuple[float, float] | None:
-    """The leftmost point of it."""
-    # Half a cycle per sample lies a quarter of the width from the middle, over the frequency.
+    """The leftmost point of that ring."""
+    # Half a cycle per sample is at a quarter of the width, over the frequency, from the middle.
     radius = WIDTH / 4 / pattern.frequency if pattern.frequency else math.inf
     return (WIDTH / 2 - radius, HEIGHT / 2) if radius <= WIDTH / 2 else None
 
 
 def frequency_of_ring(place: Point, rate: float) -> float:
-    """Of the plate's edge, in cycles per pixel, where the ring at Nyquist starts at a place."""
+    """Frequency of the plate's edge, in cycles per pixel, for which the Nyquist ring starts at a
+    place."""
     radius = WIDTH / 2 - float(place[0])
     return rate * WIDTH / 4 / radius if radius > 0 else math.inf
 
@@ -87,7 +88,7 @@ def draw(pattern: Pattern, kernel: Prefilter) -> str:
 
 
 def draw_own(own: Own, filtered: bool) -> str:
-    """Likewise, of the reader's picture."""
+    """SVG markup of the second panel for the reader's picture."""
     x = np.linspace(0, SHOWN - 1, own.curve.size)
     behind = 2 * own.filtered - 1 if filtered else None
     parts = [*_curves(x, 2 * own.curve - 1, behind, None), *_dots(own.places, 2 * own.samples - 1)]
@@ -95,7 +96,7 @@ def draw_own(own: Own, filtered: bool) -> str:
 
 
 def crest(pattern: Pattern) -> tuple[float, float] | None:
-    """The second crest of the stripes, where it lies on the panel."""
+    """The second crest of the stripes, if it is on the panel."""
     if pattern.kind != "stripes" or pattern.frequency == 0.0:
         return None
     pixels = crest_turns(pattern.phase_rad) / (pattern.frequency * pattern.rate)
@@ -103,12 +104,12 @@ def crest(pattern: Pattern) -> tuple[float, float] | None:
 
 
 def crest_turns(phase_rad: float) -> float:
-    """How many cycles it lies from the left of the panel."""
+    """Cycles of that crest from the left of the panel."""
     return 1.25 - phase_rad / (2 * math.pi)
 
 
 def pixels_at(place: Point) -> float:
-    """How far from the left a place of the panel is, in pixels."""
+    """Distance of a place from the left of the panel, in pixels."""
     return PLOT.values(place)[0]
 
 
@@ -136,25 +137,26 @@ def _dots(x: Floats, samples: Floats) -> Iterator[str]:
 
 
 def alias_curve(pattern: Pattern, kernel: Prefilter, at: float) -> Floats | None:
-    """The slowest wave through the samples, at the places of the curves; None where it is true.
+    """The slowest wave through the samples, at the places of the curves; None if it is the true
+    wave.
 
-    Between two samples the frequency k that is nearest is taken off. On a sample the phase
-    2π k (x − x_sample) is a whole number of turns, so that the pieces meet there.
+    Between two samples the nearest whole frequency k is subtracted. At a sample the phase 2π k (x −
+    x_sample) is a whole number of turns, so that the pieces meet there.
     """
     x = _fine(pattern.rate)
     between = np.minimum(np.floor(x + 1e-9), math.ceil(x[-1] - 1e-9) - 1)
     whole = np.rint(pattern.local_frequency(at + between + 0.5))
     if not whole.any():
         return None
-    # exp(-2πi k x) moves the filtered wave's spectrum: exact for pure waves, and for the slow
-    # chirp of the zone plate as good as the eye can tell.
+    # exp(-2πi k x) moves the filtered wave's spectrum: exact for pure waves, and accurate enough
+    # for the slow chirp of the zone plate.
     local = pattern.local_frequency(at + x) if pattern.chirp else pattern.base
     phase = pattern.phase_rad + math.pi * (at + x) * (2 * pattern.base + pattern.chirp * (at + x))
     return transfer(kernel, local) * np.sin(phase - 2 * math.pi * whole * x)
 
 
 def _legend(filtered: bool, aliased: bool, name: str = "wave") -> str:
-    """One line of signs; what is not drawn is left out, and its place stays empty."""
+    """The legend in one line; the places of curves that are not drawn stay empty."""
     entries = (
         Entry(name, "world"),
         Entry("samples", "image", "dot"),

@@ -1,8 +1,8 @@
 """Sampling and Aliasing: a pattern on a grid of pixels, one row of it, and its spectrum.
 
-Light is 0.5 + 0.5 sin(phase), so that at exactly Nyquist the samples keep |sin φ| of the wave.
-Stripes have one frequency everywhere; the rings of the zone plate reach the frequency set at
-the left and right edges of the picture.
+Light is 0.5 + 0.5 sin(phase), so that at exactly Nyquist the samples have |sin φ| of the amplitude.
+Stripes have one frequency everywhere; the rings of the zone plate reach the frequency set at the
+left and right edges of the picture.
 """
 
 import math
@@ -35,11 +35,11 @@ NYQUIST = 0.5
 """Cycles per sample."""
 
 GUARD = 0.1
-"""Of the zone plate, parts whose frequency is as close to Nyquist as this are not judged."""
+"""Parts of the zone plate whose frequency is this close to Nyquist are left out of the error."""
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The picture, one row of it against the wave, and where the frequency folds to."""
+    """The picture, one row of it with the wave, and the folded frequency."""
     own: Own | None = outputs["own picture"]
     pattern = pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
     kernel = prefilter(settings.prefilter)
@@ -96,11 +96,10 @@ def _period(frequency: float) -> float:
 
 
 def amplitude_in_samples(pattern: Pattern, left: float) -> float:
-    """What the samples hold of the wave's amplitude; exactly at a fold the phase decides.
+    """The amplitude of the wave in the samples; exactly at a fold it depends on the phase.
 
-    At whole numbers of cycles per pixel every sample of the stripes is the same: no wave is
-    left. The zone plate has each of its frequencies at one place only, so there is no such
-    special case.
+    At whole numbers of cycles per pixel all samples of the stripes are equal: no wave is left. The
+    zone plate has each frequency at one place only, so it needs no such special case.
     """
     twice = 2.0 * pattern.frequency
     if pattern.kind == "stripes" and math.isclose(twice, round(twice), abs_tol=1e-9):
@@ -110,7 +109,7 @@ def amplitude_in_samples(pattern: Pattern, left: float) -> float:
 
 
 def describe(settings: Settings, pattern: Pattern, passed: float, kept: float) -> str:
-    """What the picture shows instead of what, and how strongly."""
+    """The true and the apparent wave, and its amplitude."""
     frequency, stripes = settings.frequency, settings.pattern == "stripes"
     alias = pattern.alias * pattern.rate
     what = "Stripes" if stripes else "Rings that at the left and right edges reach"
@@ -142,7 +141,7 @@ def describe(settings: Settings, pattern: Pattern, passed: float, kept: float) -
 
 
 def describe_own(settings: Settings, pattern: Pattern, passed: float) -> str:
-    """The reader's picture: what is true of any."""
+    """The description for a reader's picture."""
     nyquist, alias = NYQUIST * pattern.rate, pattern.alias * pattern.rate
     sampled = (
         f"Your own picture at {_rate(settings)}: detail of more than {format_number(nyquist)} "
@@ -160,10 +159,10 @@ def _rate(settings: Settings) -> str:
 
 
 def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
-    """The light (height, width) that pixels can show of a pattern, and where that is certain.
+    """The ideal picture (height, width) of a pattern, and where it is certain.
 
-    Waves below Nyquist along both axes as they are, without any filter; even grey in place of
-    all others. The pattern is written out here once more, from its definition.
+    Waves below Nyquist along both axes are unfiltered; all others are even grey. The pattern is
+    computed again here, from its definition.
     """
     x = pattern.first + np.arange(pattern.width)
     y = centred(pattern.height)[:, None]
@@ -179,7 +178,7 @@ def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """RMS of what the picture shows too much or too little of; found at once."""
+    """RMS difference from the ideal picture, in one step."""
     own: Own | None = outputs["own picture"]
     if own:
         off = own.linear - ideal_own(outputs["photograph"], settings.rate)
@@ -191,7 +190,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
     yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
 
 
-# The filter is the choice of method, and all its entries are quick: no tiers, no draft.
+# The filter is the choice of method, and all are fast: no tiers, no draft.
 SCENE = Scene(
     id="aliasing",
     title="Sampling and Aliasing",

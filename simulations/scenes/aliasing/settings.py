@@ -18,7 +18,7 @@ FILTERS = {
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     pattern: str = choice("Pattern", PATTERNS)
     frequency: float = slider("Frequency f", 0.3, 0, 1.2, 0.01, unit="cycles/px")

@@ -1,4 +1,4 @@
-"""The axis of frequencies, folded at Nyquist: where the wave is, and where it appears."""
+"""The axis of frequencies, folded at Nyquist, with the true and the apparent wave."""
 
 import math
 from collections.abc import Iterator
@@ -22,9 +22,9 @@ LABELS = 98.0
 """Row of the numbers above the lines."""
 HEAD = 7.0
 APART = 56.0
-"""Least distance of the middles of two labels."""
+"""Least distance between the centres of two labels."""
 ARC_TOP = 50.0
-"""Row that the arrow from the true to the seen frequency passes."""
+"""Row of the arrow from the true to the apparent frequency."""
 
 
 def draw(pattern: Pattern, kernel: Prefilter, kept: float, own: Own | None) -> str:
@@ -43,12 +43,12 @@ def draw(pattern: Pattern, kernel: Prefilter, kept: float, own: Own | None) -> s
 
 
 def wave_at(frequency: float) -> tuple[float, float]:
-    """Where the wave in front of the lens stands: as high as it is before the filter."""
+    """The end of the line of the wave before the filter."""
     return PLOT.at(frequency, 1.0)
 
 
 def fold_at(frequency: float) -> tuple[float, float]:
-    """Where the axis is folded."""
+    """The place of the fold."""
     return PLOT.at(frequency, 0.0)
 
 
@@ -67,18 +67,18 @@ def _axes(nyquist: float) -> Iterator[str]:
 
 
 def _response(kernel: Prefilter, rate: float) -> str:
-    """What the filter passes, by frequency."""
+    """The transfer function of the filter."""
     frequencies = np.linspace(0.0, HIGHEST, 121)
     return PLOT.curve(frequencies, np.abs(transfer(kernel, frequencies / rate)), "light")
 
 
 def _band(frequency: float) -> Iterator[str]:
-    """The zone plate holds every frequency up to that of its edge."""
+    """The zone plate has every frequency up to that of its edge."""
     yield line(PLOT.at(0.0, 0.0), PLOT.at(frequency, 0.0), "world bold")
 
 
 def _detail(own: Own) -> Iterator[str]:
-    """How much of each frequency the reader's picture holds."""
+    """The spectrum of the reader's picture."""
     frequencies = np.arange(own.detail.size) * FINE / PHOTOGRAPH_PX[0]
     shape = [PLOT.at(f, a) for f, a in zip(frequencies.tolist(), own.detail.tolist(), strict=True)]
     yield polygon([*shape, PLOT.at(float(frequencies[-1]), 0), PLOT.at(0, 0)], "world fill thin")
@@ -86,7 +86,7 @@ def _detail(own: Own) -> Iterator[str]:
 
 
 def _lines(pattern: Pattern, passed: float, kept: float) -> Iterator[str]:
-    """The wave before the filter, after it, and what the samples make of it."""
+    """The wave before the filter, after it, and in the samples."""
     frequency, alias = pattern.frequency * pattern.rate, pattern.alias * pattern.rate
     folded = pattern.frequency > 0.5
     yield line(PLOT.at(frequency, 0), wave_at(frequency), "world dashed")
@@ -103,7 +103,7 @@ def _lines(pattern: Pattern, passed: float, kept: float) -> Iterator[str]:
 
 
 def _fold(frequency: float, alias: float) -> Iterator[str]:
-    """The way from the true to the seen frequency, through the fold at 1 where there is one."""
+    """The path from the true to the apparent frequency, through the fold at 1 if there is one."""
     start, end = PLOT.at(frequency, 0)[0], PLOT.at(alias, 0)[0]
     span = start - end
     rise = min(30.0, 0.35 * span)
@@ -118,7 +118,7 @@ def _fold(frequency: float, alias: float) -> Iterator[str]:
 
 
 def _labels(frequency: float, alias: float, folded: bool) -> Iterator[str]:
-    """Frequencies above the lines, kept apart where the lines are close."""
+    """The frequencies above the lines, without overlap."""
     x, seen = PLOT.at(frequency, 0)[0], PLOT.at(alias, 0)[0]
     push = max(0.0, 0.5 * (APART - (x - seen))) if folded else 0.0
     place = (min(max(x + push, PLOT.x.start + 24), PLOT.x.end - 22), LABELS)

@@ -13,7 +13,7 @@ PIXEL, CELL = WIDTH / PICTURE_WIDTH, WIDTH / COLUMNS
 
 
 def loupe(row: int, column: int) -> str:
-    """What of the picture is enlarged."""
+    """The enlarged part of the picture."""
     corner, size = (column * PIXEL, row * PIXEL), (COLUMNS * PIXEL, ROWS * PIXEL)
     return rectangle(corner, *size, "casing") + rectangle(corner, *size, "camera bold")
 

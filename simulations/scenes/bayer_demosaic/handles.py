@@ -1,4 +1,4 @@
-"""What of the Bayer figure can be grabbed: the loupe, and the picture that lies under it."""
+"""Handles of the Bayer figure: the loupe, and the picture under it."""
 
 from collections.abc import Mapping
 
@@ -18,7 +18,7 @@ def _loupe_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _enlarged(settings: Settings, _outputs: Outputs) -> Point:
-    """Of the picture's first pixel, in the enlargement."""
+    """Place of the picture's first pixel in the enlargement."""
     return (-settings.column * CELL, -settings.row * CELL)
 
 

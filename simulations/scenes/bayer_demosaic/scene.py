@@ -1,7 +1,7 @@
-"""A picture through a Bayer mosaic, its reconstruction, and what the reconstruction got wrong.
+"""A picture through a Bayer mosaic, its reconstruction and the error of the reconstruction.
 
-The sensor counts light, so the mosaic and its reconstruction are linear; what is shown and judged
-is encoded for a display. What is computed stands in `simulations.scenes.bayer_demosaic.stages`.
+The sensor counts light, so the mosaic and its reconstruction are linear; the display and the errors
+are of encoded values. The computation is in `simulations.scenes.bayer_demosaic.stages`.
 """
 
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ NOTHING_TO_JUDGE = ("—",) * 4
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The mosaic or its reconstruction by the chosen method, and what is wrong with it."""
+    """The mosaic or its reconstruction by the chosen method, with its error."""
     words = "your own picture" if outputs["photograph"] else SUBJECTS[settings.picture].words
     if not settings.demosaic:
         return Frame(
@@ -45,10 +45,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def _mosaic(settings: Settings, outputs: Outputs) -> tuple[Panel, ...]:
-    """What the sensor measured, a part of it enlarged, and what was there to be measured."""
+    """The mosaic, a part of it enlarged, and the original picture."""
     cells, truth = outputs["bytes of the picture"], outputs["bytes of the error"]
     loupe = drawing.loupe(settings.row, settings.column)
-    # The finest pattern there is would beat with the screen's own pixels: two samples a cell.
+    # Two samples per cell, as the fine pattern would beat with the screen's pixels.
     twice = cells.repeat(2, axis=0).repeat(2, axis=1)
     letters = drawing.filter_letters(PATTERN)
     return (
@@ -75,7 +75,7 @@ def _panel(name: str, title: str, raster: Raster, overlay: str) -> Panel:
 
 
 def _enlarged(title: str, picture: Raster, settings: Settings, overlay: str) -> Panel:
-    """What lies under the loupe, its pixels as squares."""
+    """The part under the loupe, with pixels as squares."""
     rows = slice(settings.row, settings.row + ROWS)
     part = np.ascontiguousarray(picture[rows, settings.column : settings.column + COLUMNS])
     width, height = drawing.WIDTH, drawing.HEIGHT
@@ -127,9 +127,8 @@ def describe(words: str, method: str, errors: Errors) -> str:
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """How far each colour of the reconstruction is from the picture that the mosaic was taken from.
-
-    The method is a control of this figure: it stands for the tier.
+    """Error of each colour of the reconstruction. The method, a control of this figure, is the
+    tier.
     """
     if not settings.demosaic:
         yield Readout("error", "Error", "none yet: nothing is demosaiced")

@@ -10,7 +10,7 @@ from simulations.pictures.mosaic_subjects import SUBJECTS
 ROWS, COLUMNS = 16, 20
 """Pixels under the loupe."""
 QUAD = 2
-"""The loupe moves by whole quads, so that its mosaic begins like that of the whole."""
+"""The loupe moves by whole quads, so that its mosaic starts with the same colour."""
 
 METHOD_LABELS = {
     "nearest": "Nearest",
@@ -24,7 +24,7 @@ METHOD_LABELS = {
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     demosaic: int = action("Demosaic", "Show the mosaic")
     method: str = choice("Method", METHOD_LABELS, "menon-unrefined")

@@ -1,7 +1,7 @@
 """What the Bayer figure computes: picture → mosaic → demosaic → display → error.
 
-Picture, mosaic and reconstruction are in linear light, since that is what a sensor counts. The
-error is that of the codes a display is sent, since that is what is seen.
+Picture, mosaic and reconstruction are in linear light, which a sensor counts. The error is that of
+encoded values, which a display shows.
 """
 
 from dataclasses import dataclass
@@ -25,24 +25,24 @@ type Picture = Floats
 
 PATTERN = "RGGB"
 CROP = 8
-"""Border, in pixels, that the figures of merit leave out."""
+"""Border in pixels, left out of the error measures."""
 AMPLIFY = 4
-"""Factor of the error picture: a quarter of the range off is shown in full."""
+"""Amplification of the error picture: a quarter of the range is shown as full."""
 PHOTOGRAPH_PX = (WIDTH, HEIGHT)
 
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """How far a reconstruction is from the truth."""
+    """The errors of a reconstruction."""
 
     absolute: Picture
     """(H, W, 3) in [0, 1], of encoded values."""
     psnr_db: float
-    """As displayed."""
+    """PSNR as displayed."""
     light_psnr_db: float
-    """Before the display's curve."""
+    """PSNR before the display's curve."""
     worst_codes: int
-    """Largest error in codes of 255, the border left out."""
+    """Largest error in codes of 255, without the border."""
     worst_at: tuple[int, int]
     """Row and column of it."""
 
@@ -68,12 +68,12 @@ def rms_codes(errors: Errors) -> Picture:
 
 
 def _reconstruct(cfa: Picture, method: str) -> Picture:
-    """The full picture in linear light, held to the range that a screen shows."""
+    """The full picture in linear light, clipped to [0, 1]."""
     return np.clip(demosaic(cfa, PATTERN, method), 0, 1)
 
 
 def _seen(picture: str, photograph: Photograph | None) -> Picture:
-    """In linear light, float32."""
+    """The picture in linear light, float32."""
     if photograph:
         return decode_srgb(np.float32(1 / 255) * photograph.codes)
     return SUBJECTS[picture].draw(WHOLE)
@@ -93,7 +93,7 @@ def _mosaic_alone(demosaic: int) -> str:
 
 
 def _mosaic(picture: Floats) -> Floats:
-    """One colour a cell, (H, W)."""
+    """The mosaic (H, W), one colour per cell."""
     return mosaic(picture, PATTERN)
 
 
@@ -110,7 +110,7 @@ STAGES = (
     Stage("demosaic", _reconstruct, ("mosaic",)),
     Stage("display", encode_srgb, ("demosaic",)),
     Stage("error", compare, ("picture", "demosaic", "shown picture", "display")),
-    # As bytes for the page, which are kept while the loupe moves.
+    # As bytes for the page, which stay cached while the loupe moves.
     Stage("bytes of the mosaic", _cells, ("mosaic",)),
     Stage("bytes of the truth", _bytes, ("shown picture",)),
     Stage(

@@ -1,4 +1,4 @@
-"""The curve of the BRDF figure: how much of the light is sent back, by the angle it comes at."""
+"""The curve of the BRDF figure: the reflected share of the light by angle of incidence."""
 
 from functools import cache
 
@@ -18,17 +18,17 @@ SHARES = Scale(ticks=(0, 0.5, 1, 1.5))
 
 
 def at(angle_deg: float, share: float) -> tuple[float, float]:
-    """View box units; what is higher than the panel is held to its edge."""
+    """View box units, clamped to the panel."""
     return PLOT.held(angle_deg, share)
 
 
 def angle_at(place: Point) -> float:
-    """Of the light, for a place of the panel: 0 to 90 degrees."""
+    """Angle of the light at a place of the panel: 0 to 90 degrees."""
     return min(max(PLOT.values(place)[0], 0.0), 90.0)
 
 
 def energy_plot(curve: Floats, angle_deg: float, sent: float, head_on: float | None) -> str:
-    """What is sent back (23,), of a smooth facet too, and the present light."""
+    """The reflected share (23,), that of a smooth facet, and the present light."""
     within = "error bold" if float(curve.max()) > 1.0 else "ray bold"
     return "".join(
         (

@@ -1,4 +1,4 @@
-"""What of the BRDF figure can be grabbed: lamp, camera, the point on the ball, the angle."""
+"""Handles of the BRDF figure: lamp, camera, the point on the ball, the angle."""
 
 import math
 from collections.abc import Mapping
@@ -28,7 +28,7 @@ def _camera_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _probe(settings: Settings, _outputs: Outputs) -> Point:
-    """The camera stands still in front of the ball; the normal is turned away from it."""
+    """The camera is fixed in front of the ball; the normal is turned away from it."""
     return on_equator(math.radians(-settings.view_angle))
 
 

@@ -1,4 +1,4 @@
-"""The polar diagram of the BRDF figure: what each camera sees of a point, lit from one direction.
+"""The polar diagram of the BRDF figure: brightness of a point by direction of the camera.
 
 The normal points up; angles count from it, positive to the right.
 """
@@ -15,24 +15,25 @@ from simulations.scenes.brdf.stages import AROUND_DEG
 
 FOOT = (WIDTH / 2, 262.0)
 LAMP, CAMERA = 186.0, 170.0
-"""Distances of lamp and camera from the foot: both stand far away."""
+"""Drawn distances of lamp and camera from the foot; both are far away."""
 LONGEST = 165.0
-"""Of the lobe, in units of the view box."""
+"""Largest length of the lobe, in units of the view box."""
 UNIT = 140.0
-"""Of a brightness of 1, unless the lobe would be too long."""
+"""Length of a brightness of 1, unless the lobe would be too long."""
 
 APART_DEG = 14.0
-"""Between the camera and the mirror's direction, for this to have a name."""
+"""Least angle between the camera and the mirror direction for the label of the latter."""
 
 
 def towards(angle_deg: float, length: float) -> tuple[float, float]:
-    """The place at that angle from the normal and that distance from the foot."""
+    """The place at an angle from the normal and a distance from the foot."""
     turn = math.radians(angle_deg)
     return FOOT[0] + length * math.sin(turn), FOOT[1] - length * math.cos(turn)
 
 
 def lobe_plot(light_deg: float, view_deg: float, lobe: Floats, seen: float) -> str:
-    """Light, camera, and as the lobe the brightness (90,) by direction; ``seen`` by the camera."""
+    """Light, camera, and the lobe: brightness (90,) by direction; ``seen`` is that of the
+    camera."""
     unit = min(UNIT, LONGEST / max(float(lobe.max()), 1e-9))
     outline = [
         towards(a, unit * b) for a, b in zip(AROUND_DEG.tolist(), lobe.tolist(), strict=True)
@@ -58,20 +59,20 @@ def lobe_plot(light_deg: float, view_deg: float, lobe: Floats, seen: float) -> s
 
 
 def _mirror(light_deg: float, view_deg: float) -> str:
-    """The name of the mirror's direction, where the camera leaves room for it."""
+    """The label of the mirror direction, unless the camera is too near."""
     if abs(light_deg + view_deg) < APART_DEG:
         return ""
     return text(towards(-light_deg, 170), "mirror", "muted small halo", "middle")
 
 
 def angle_at(place: Point) -> float:
-    """Degrees from the normal, as seen from the foot; below the surface, as far as they go."""
+    """Degrees from the normal, as seen from the foot; clamped below the surface."""
     across, up = float(place[0]) - FOOT[0], FOOT[1] - float(place[1])
     return math.degrees(math.atan2(across, up)) if across or up else 0.0
 
 
 def _ground(unit: float) -> Iterator[str]:
-    """The surface, and circles of the brightness ½, 1, 2 … that there is room for."""
+    """The surface, and circles of the brightness ½, 1, 2 … that fit."""
     yield line((16, FOOT[1]), (WIDTH - 16, FOOT[1]), "world bold")
     yield text((18, FOOT[1] + 20), "surface", "world small")
     for level, name in ((0.5, "½"), (1.0, "1"), (2.0, "2"), (5.0, "5"), (10.0, "10")):

@@ -1,7 +1,7 @@
-"""Where light goes from a point of a surface: four models, their lobes, and their books.
+"""Reflection at a point of a surface: four models, their lobes, and their energy.
 
-Two things are asked of each: does it send back more light than came, and does it treat both
-directions alike? What is computed stands in `simulations.scenes.brdf.stages`.
+For each it shows whether more light is reflected than arrives, and whether the BRDF is reciprocal.
+The computation is in `simulations.scenes.brdf.stages`.
 """
 
 import math
@@ -18,11 +18,11 @@ from simulations.scenes.brdf.settings import MODELS, Settings
 from simulations.scenes.brdf.stages import STAGES, Exchange
 
 EQUAL = 1e-6
-"""Relative difference up to which two directions count as alike."""
+"""Relative difference up to which two directions count as equal."""
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The lobe, a ball of the material, and how much it sends back."""
+    """The lobe, a ball of the material, and the reflected share."""
     exchange: Exchange = outputs["exchange"]
     light, view = settings.light_angle, settings.view_angle
     seen = math.pi * math.cos(math.radians(light)) * exchange.there
@@ -75,7 +75,7 @@ def describe(settings: Settings, exchange: Exchange, seen: float) -> str:
     )
 
 
-# The quadrature is good to a percent at worst, and takes a few milliseconds: no tiers.
+# The quadrature is accurate to a percent and takes a few milliseconds: no tiers.
 SCENE = Scene(
     id="brdf",
     title="Reflectance Distribution (BRDF)",

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from simulations.engine.settings import choice, slider
 
 LARGEST_DEG = 88
-"""Directions nearer to the horizon get and give next to no light."""
+"""Directions nearer to the horizon have almost no light."""
 MODELS = {
     "microfacets": "Microfacets over matte",
     "lambert": "Matte (Lambert)",
@@ -16,7 +16,7 @@ MODELS = {
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     model: str = choice("Model", MODELS)
     light_angle: float = slider("Light angle", -50, -LARGEST_DEG, LARGEST_DEG, 1, unit="°")

@@ -1,7 +1,7 @@
-"""What the BRDF figure computes: a ball of the material, its lobe, and what it sends back.
+"""The stages of the BRDF figure: a ball of the material, its lobe, and the reflected share.
 
-All directions of the lobe lie in the plane of the light and the normal, at angles from the normal
-that count to the right.
+All directions of the lobe are in the plane of the light and the normal; angles are from the normal,
+positive to the right.
 """
 
 from dataclasses import dataclass
@@ -20,19 +20,19 @@ TINT = np.array([1.0, 0.13, 0.1], np.float32)
 AROUND_DEG = np.arange(-89.0, 90.0, 2.0)
 """(90,) cameras of the lobe."""
 INCIDENCE_DEG = np.arange(0.0, 89.0, 4.0)
-"""(23,) lights of the curve of what is sent back."""
+"""(23,) lights of the curve of the reflected share."""
 
 
 @dataclass(frozen=True, slots=True)
 class Exchange:
-    """What light and camera are to each other at the probed point."""
+    """The BRDF at the probed point, in both directions."""
 
     there: float
     """BRDF from the light to the camera, 1/sr."""
     back: float
-    """From the camera's place to the light's."""
+    """BRDF from the camera to the light, 1/sr."""
     sent: float
-    """Share of the light that is sent back in all directions together."""
+    """Share of the light that is reflected in all directions together."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,11 +40,11 @@ class Lit:
     """The pixels of the ball that the lamp reaches."""
 
     pixels: NDArray[np.intp]
-    """(N,) in the flattened square."""
+    """(N,) indices into the flattened square."""
     matte: Floats
     """(N,) brightness of the matte part, for an albedo of 1."""
     mirrored: Floats
-    """(N,) brightness of what the surface mirrors."""
+    """(N,) brightness of the specular part."""
 
 
 def _material(albedo: float, specular: float, roughness: float) -> Material:
@@ -72,14 +72,14 @@ def _exchange(material: Material, model: str, light_angle: float, view_angle: fl
 
 
 def _curve(material: Material, model: str) -> Floats:
-    """(23,) share that is sent back, by the angle of the light."""
+    """(23,) reflected share, by the angle of the light."""
     return sent_back(model, material, np.cos(np.radians(INCIDENCE_DEG)))
 
 
 def _light(
     ball: Ball, model: str, specular: float, roughness: float, light_angle: float, view_angle: float
 ) -> Lit:
-    """What the camera sees of the ball, for the two parts of its colour."""
+    """The ball's brightness to the camera, in two parts."""
     to_light = light_direction(light_angle - view_angle).astype(np.float32)
     n_l = ball.normals @ to_light
     pixels = np.flatnonzero((n_l > 0) & (ball.inner | ball.rim))

@@ -1,6 +1,6 @@
 """The dolly zoom: the camera steps back and zooms in, so that one thing keeps its size.
 
-The focus stays on what it was on. The sliders say where lens and focus were before the step.
+The focus stays on the same thing. The sliders are for the lens and the focus before the step.
 """
 
 from dataclasses import replace
@@ -10,7 +10,7 @@ from simulations.scenes._still_life_camera.rays import principal_mm
 from simulations.scenes.camera.settings import Settings
 
 KEPT_M = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))
-"""Depth of what keeps its size, before the step."""
+"""Depth before the step of the thing that keeps its size."""
 
 
 def after_step(settings: Settings) -> Settings:

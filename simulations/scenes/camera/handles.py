@@ -1,5 +1,5 @@
-"""What of the camera simulator can be grabbed: in the plan the distance in focus, the edge of the
-field of view and the lamp; in the photograph whatever it shows."""
+"""Handles of the camera simulator: the distance in focus, the edge of the field of view and the
+lamp in the plan; any thing in the photograph."""
 
 import math
 from collections.abc import Mapping
@@ -63,7 +63,7 @@ def _lamp(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _lamp_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """Towards the place from the middle of the still life; in the middle itself, as it is."""
+    """The angle of the place from the middle of the still life; unchanged in the middle itself."""
     across, away = seen_from(place, settings.back)
     nearer = STILL_LIFE_MIDDLE - away
     if not (across or nearer):

@@ -27,20 +27,20 @@ from simulations.scenes._still_life_camera.rays import (
 )
 
 MARGINS_PX = (4, 8, 16, 24, 32, 48, 72)
-"""Widths of a margin: few, so that most changes of k₁ leave the straight picture as it is. The
-least is drawn for k₁ = 0 too, where nothing reads it: so the first touch finds it there."""
+"""Widths of a margin: few, so that most changes of k₁ do not change the straight picture. The least
+is drawn for k₁ = 0 too, so that the first change need not redraw it."""
 WARP_REACH_PX = 2
-"""Pixels that a cubic reads beyond the place that is asked for."""
+"""Pixels that a cubic reads beyond a place."""
 
 
 @dataclass(frozen=True, slots=True)
 class LensMap:
-    """Where the lens puts the straight picture."""
+    """The map from the straight picture to the sensor."""
 
     table: CubicWarp
     """Place in the straight picture of each pixel of the sensor."""
     reached: Planes
-    """(rows, columns) share of each pixel that any ray reaches."""
+    """(rows, columns) share of each pixel that rays reach."""
 
 
 def half_view_tangent(focal_length: float, focus: float, k1: float) -> float:
@@ -75,7 +75,7 @@ def widest_barrel(focal_length: float, focus: float, strongest: float) -> float:
 
 
 def bend_rays(rays: Rays, k1: float) -> Rays:
-    """The ray that the lens bends onto each pixel: nothing is resampled, nothing lost."""
+    """The ray that the lens bends onto each pixel, without resampling."""
     ideal, valid = undistort_clamped(rays.directions[..., :2], Distortion(k1=k1))
     return Rays(np.concatenate((ideal, rays.directions[..., 2:]), axis=-1), valid)
 
@@ -100,7 +100,7 @@ def lens_map(
 
 
 def _four_quarters(quarter: Floats, to_the_left: int, upwards: int) -> Floats:
-    """A whole picture from its lower right quarter: the signs are those of the mirror images."""
+    """A whole picture from its lower right quarter, with the signs of the mirror images."""
     half = np.concatenate((to_the_left * quarter[:, ::-1], quarter), axis=1)
     return np.concatenate((upwards * half[::-1], half), axis=0)
 
@@ -112,6 +112,6 @@ def distort_picture(straight: Planes, lens: LensMap) -> Planes:
 
 
 def trim(straight: Planes, margin_columns: int, margin_rows: int) -> Planes:
-    """What of the straight picture falls on the sensor, where the lens bends nothing."""
+    """The part of the straight picture on the sensor, for a lens without distortion."""
     rows, columns = straight.shape[1:]
     return straight[:, margin_rows : rows - margin_rows, margin_columns : columns - margin_columns]

@@ -19,33 +19,33 @@ UNITS_PER_METRE = 27.0
 CAMERA_ROW = PLAN_HEIGHT - 26.0
 """Row of the view box on which the lens stands; the floor recedes upwards."""
 UNITS_BEHIND_THE_WALL = 10.0
-"""A metre of focus there, where nothing is to be seen: enough to show that it moves."""
+"""View box units per metre of focus behind the wall."""
 FOCUS_COLUMN = PLAN_WIDTH - 20.0
-"""Where the distance in focus is marked."""
+"""Column of the mark of the distance in focus."""
 EDGE_DEPTH = 7.5
-"""How far away the edge of the field of view is marked, metres: clear of all things."""
+"""Depth of the mark of the edge of the field of view, metres: clear of all things."""
 STILL_LIFE_MIDDLE = 3.9
-"""What the lamp circles, metres away ..."""
+"""Distance of the centre of the lamp's circle, metres ..."""
 LAMP_DISTANCE = 3.5
-"""... and how far from it."""
+"""... and radius of the circle."""
 
 
 @dataclass(frozen=True, slots=True)
 class Standing:
-    """What the plan shows."""
+    """The quantities in the plan."""
 
     focus: float
-    """Metres from where the camera stood before it stepped back."""
+    """Metres from the camera's place before the step back."""
     light_angle: float
     focal_length: float
-    """That of the camera where it stands now, millimetres."""
+    """Focal length of the camera after the step, millimetres."""
     view_rad: float
     near: float
     """Nearest and farthest end of the depth of field, metres from the camera ..."""
     far: float
     """... which may be ∞."""
     back: float = 0.0
-    """How far the camera has stepped back, metres: the plan shrinks, and the wall stays in it."""
+    """Step back of the camera, metres: the plan shrinks so that the wall stays in it."""
 
 
 def units_per_metre(back: float) -> float:
@@ -53,8 +53,8 @@ def units_per_metre(back: float) -> float:
 
 
 def on_plan(x: float, y: float, back: float = 0.0) -> Point:
-    """View box coordinates of a point ``x`` metres to the right, ``y`` metres away from where
-    the camera stood before it stepped ``back`` by so many metres."""
+    """View box coordinates of a point ``x`` metres to the right, ``y`` metres away from the
+    camera's place before it stepped ``back`` by so many metres."""
     units = units_per_metre(back)
     return PLAN_WIDTH / 2 + units * x, CAMERA_ROW - units * (y + back)
 
@@ -67,7 +67,7 @@ def seen_from(place: Point, back: float = 0.0) -> Point:
 
 
 def focus_mark(focus: float, back: float = 0.0) -> Point:
-    """Where the distance in focus is marked; behind the wall metres are drawn short."""
+    """Place of the mark of the distance in focus; metres are shorter behind the wall."""
     behind = max(focus - WALL_DISTANCE, 0.0)
     row = on_plan(0, focus - behind, back)[1] - UNITS_BEHIND_THE_WALL * behind
     return FOCUS_COLUMN, row
@@ -81,7 +81,7 @@ def focus_marked(place: Point, back: float = 0.0) -> float:
 
 
 def edge_mark(half_tan: float, back: float = 0.0) -> Point:
-    """On the left edge of the field of view."""
+    """Place of the mark on the left edge of the field of view."""
     return _slice(EDGE_DEPTH + back, half_tan, back)[0]
 
 
@@ -91,7 +91,7 @@ def edge_marked(place: Point, back: float = 0.0) -> float:
 
 
 def lamp_mark(light_angle: float, distance: float = LAMP_DISTANCE, back: float = 0.0) -> Point:
-    """The lamp, or a point nearer to the middle of the still life."""
+    """Place of the lamp, or of a point nearer to the middle of the still life."""
     angle = math.radians(light_angle)
     nearer = distance * math.cos(angle)
     return on_plan(distance * math.sin(angle), STILL_LIFE_MIDDLE - nearer, back)

@@ -35,7 +35,7 @@ REFERENCE_GRID = 7
 
 
 def parameters(settings: Settings, tier: str) -> dict[str, Value]:
-    """What the stages read besides the controls: set by the tier, or worked out."""
+    """The parameters of the stages: set by the tier, or computed from the settings."""
     draft, now = tier == SCALED, after_step(settings)
     accuracy, across, down = TIERS[tier if tier in TIERS else "layers"], 0, 0
     if not accuracy.bent_rays:
@@ -73,12 +73,12 @@ def view_of(settings: Settings) -> float:
 
 
 def shutter_text(seconds: float) -> str:
-    """As on a camera's dial: ``1/60`` to two digits, or seconds from a third upwards."""
+    """The time as on a camera's dial: ``1/60`` to two digits, or seconds from a third upwards."""
     return f"1/{float(f'{1 / seconds:.2g}'):.0f}" if seconds < 0.3 else format_number(seconds, 1)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """A photograph of the still life, and the plan of where everything stood."""
+    """A photograph of the still life, and a plan of the scene."""
     photograph: Raster = outputs["sRGB"]
     now = after_step(settings)
     view_rad = view_of(now)
@@ -106,9 +106,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """How far the noiseless picture is from one whose every pixel looks through the whole lens.
+    """Error of the noiseless picture against rays through the whole lens.
 
-    One ray a pixel more with each step; the rays stand on a grid that no tier uses.
+    Each step adds a ray per pixel; the rays form a grid that no tier uses.
     """
     picture: Raster = outputs["noiseless picture"]
     rays = len(aperture_grid(REFERENCE_GRID))
@@ -156,7 +156,7 @@ def _readouts(
 
 
 def _metres(depth: float) -> str:
-    """To a centimetre where that may be as much as the depth of field."""
+    """Metres, to a centimetre below 10 m, as the depth of field may be as small."""
     return format_number(depth, 2 if depth < 10 else 1)
 
 

@@ -34,10 +34,10 @@ focused at infinity."""
 
 
 def shutter_s(focal_length: float, aperture: float, focus: float, exposure: float) -> float:
-    """Exposure time that the automatic chooses, which measures the light through the lens.
+    """Exposure time by the automatic, which measures the light through the lens.
 
-    A wider aperture shortens it by the square, and a nearer focus, for which the sensor stands
-    farther from the aperture, lengthens it.
+    A wider aperture shortens it by the square; a nearer focus, for which the sensor is farther from
+    the aperture, lengthens it.
     """
     working = thin_lens.working_f_number(focal_length, aperture, focus * 1000.0)
     return float(BASE_SHUTTER_S * (working / BASE_F_NUMBER) ** 2 * 2.0**exposure)
@@ -50,12 +50,12 @@ def read_noise_e(noise_sigma: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Grain:
-    """Chance, drawn once: light and amplifier only decide how strongly it shows."""
+    """Random numbers, drawn once: light and amplifier only scale them."""
 
     shot: Planes
     """(3, rows, columns) standard normal."""
     read: Planes
-    """The same, of the amplifier."""
+    """(3, rows, columns) standard normal, of the amplifier."""
 
 
 def draw_grain(new_noise: int) -> Grain:
@@ -74,13 +74,13 @@ def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
 
 
 def expose(irradiance: Planes, exposure: float) -> Planes:
-    """Mean electrons; what aperture and focus take away is made good by the shutter."""
+    """Mean electrons; the shutter compensates aperture and focus."""
     return irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
 
 
 def count(mean_e: Planes, grain: Grain) -> Planes:
-    """Electrons counted: quantiles of the Poisson distribution at the grain's probabilities. The
-    grain stays as the light changes, which that of a Poisson sampler would not."""
+    """Electrons counted: quantiles of the Poisson distribution at the grain's probabilities. Unlike
+    with a Poisson sampler, the grain stays the same as the light changes."""
     return np.asarray(
         photon_counting.shot_noise_from_normal(mean_e, grain.shot, FULL_WELL_E), np.float32
     )
@@ -104,11 +104,11 @@ def _srgb_bytes(linear: Floats) -> NDArray[np.uint8]:
 
 
 BYTE_OF_CODE = _srgb_bytes(photon_counting.develop(np.arange(2.0**ADC.bits), ADC))
-"""(4096,) sRGB byte of each code, black level taken off: so few that no pixel needs arithmetic."""
+"""(4096,) sRGB byte of each code, without the black level, as a table for all pixels."""
 
 ROOTS = 4096
 BYTE_OF_ROOT = _srgb_bytes((np.arange(ROOTS + 1) / ROOTS) ** 2)
-"""sRGB byte of light without steps, by its square root, in which the curve is nearly straight."""
+"""sRGB byte of continuous light, by its square root, in which the curve is nearly straight."""
 
 
 def encode(codes: NDArray[np.uint16]) -> Raster:
@@ -117,7 +117,7 @@ def encode(codes: NDArray[np.uint16]) -> Raster:
 
 
 def develop_ideal(mean_e: Planes) -> Raster:
-    """The photograph of a sensor without noise and without steps: what PSNR is measured against."""
+    """The photograph of a sensor without noise and quantisation, the reference of the PSNR."""
     root = np.sqrt(np.minimum(mean_e, FULL_WELL_E)) * np.float32(ROOTS / math.sqrt(FULL_WELL_E))
     return _picture(BYTE_OF_ROOT[np.rint(root).astype(np.uint16)])
 

@@ -10,7 +10,7 @@ STRONGEST_BARREL = -0.4
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     focal_length: float = slider("Focal length", 50.0, 24.0, 135.0, 1.0, unit="mm")
     aperture: float = slider("Aperture", 5.6, 1.4, 22.0, 0.1, prefix="f/")

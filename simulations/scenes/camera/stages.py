@@ -21,14 +21,14 @@ from simulations.scenes.camera import lens, sensor
 
 @dataclass(frozen=True, slots=True)
 class Accuracy:
-    """What a tier sets: parameters that the stages read by these names."""
+    """The parameters of the stages that a tier sets."""
 
     reduction: int = 1
     """Pixels per ray each way."""
     bent_rays: bool = False
-    """Whether the lens bends the rays, or else the finished picture."""
+    """Whether the rays are bent, or the finished picture."""
     lens_rays: int = 0
-    """Rays through the lens's opening, in place of a blur; 0 where there is a blur."""
+    """Rays through the lens's opening instead of a blur; 0 for a blur."""
 
 
 TIERS: Mapping[str, Accuracy] = {
@@ -40,8 +40,8 @@ TIERS: Mapping[str, Accuracy] = {
 
 
 BOWED = "bowed"
-"""The draft of a moving k₁: one straight picture, drawn with the widest margin that any k₁ of the
-slider needs, is bent anew. At rest the margin is that of the lens's own k₁."""
+"""The draft while k₁ moves: one straight picture, drawn with the widest margin that any k₁ of the
+slider needs, is bent anew. At rest the margin is that of the present k₁."""
 
 
 def _aperture_rays(

@@ -1,4 +1,4 @@
-"""What of the pose figure can be grabbed: the camera, and the tip of its forward axis."""
+"""Handles of the pose figure: the camera, and the tip of its forward axis."""
 
 import math
 from collections.abc import Mapping

@@ -15,7 +15,7 @@ UNITS_PER_M = 20.0
 """In both panels, so that the same lengths look the same."""
 WORLD_ORIGIN = np.array([100.0, 270.0])
 CAMERA_ORIGIN = np.array([200.0, 250.0])
-"""Where the two origins lie in the view boxes; right is right, ahead or forward is up."""
+"""The two origins in the view boxes; right is right, ahead or forward is up."""
 EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
 """The view box, as half planes a x + b y + c ≥ 0."""
 CAMERA_OUTLINE = np.array(
@@ -24,11 +24,11 @@ CAMERA_OUTLINE = np.array(
 )  # fmt: skip
 """In camera coordinates: body and lens, seen from above."""
 DOOR_NAME = np.array([0.0, 0.0, 0.7])
-"""How far before the door, in metres, its name stands."""
+"""Distance of the door's label from the door, in metres."""
 LABEL_WIDTH = 150.0
-"""Room that the lamp's name and coordinates take, in view box units."""
+"""Size of the lamp's label, in view box units."""
 NAME_M = 0.7
-"""How far beyond an arrow its name stands."""
+"""Distance of an arrow's label from its tip."""
 
 type Place = Callable[[Floats], Floats]
 
@@ -60,7 +60,7 @@ def to_camera(stand: Standpoint) -> Place:
 
 
 def world_panel(stand: Standpoint) -> Panel:
-    """Where the camera stands, and its axes."""
+    """The camera's place and its axes."""
     origin, centre = in_world(np.zeros(3)), in_world(stand.centre)
     apart = float(np.hypot(*(centre - origin))) > UNITS_PER_M
     parts = (
@@ -75,7 +75,7 @@ def world_panel(stand: Standpoint) -> Panel:
 
 
 def camera_panel(stand: Standpoint) -> Panel:
-    """The same room as the camera has it, and the arrow t to the world's origin."""
+    """The room in camera coordinates, and the arrow t to the world's origin."""
     place = to_camera(stand)
     centre, origin = CAMERA_ORIGIN, place(np.zeros(3))
     inside = bool(np.all(origin > 0.0) and origin[0] < WIDTH and origin[1] < HEIGHT)
@@ -94,7 +94,7 @@ def camera_panel(stand: Standpoint) -> Panel:
 
 
 def _furniture(place: Place) -> str:
-    """Walls, door and table, as far as they lie in the panel."""
+    """Walls, door and table, clipped to the panel."""
     walls = [np.stack([WALLS[i], WALLS[(i + 1) % 4]]) for i in range(4)]
     table = _cut(place(TABLE), closed=True)
     middle, beside = place(np.stack([TABLE.mean(axis=0), DOOR.mean(axis=0) - DOOR_NAME]))
@@ -127,7 +127,7 @@ def _camera(place: Place) -> str:
 def _lamp(place: Place, coordinates: Floats) -> str:
     spot = place(LAMP)
     words = f"lamp {triple(coordinates)}"
-    # beside the lamp, on the side where there is room
+    # next to the lamp, on the side with space
     left = spot[0] > WIDTH - LABEL_WIDTH
     at = spot + ([-9.0, -8.0] if left else [9.0, -8.0])
     if not bool(np.all(spot > 0.0) and spot[0] < WIDTH and spot[1] < HEIGHT):
@@ -143,7 +143,7 @@ def triple(values: Floats) -> str:
 
 
 def _name(at: Floats, words: str, style: str) -> str:
-    """A word in the middle of a place, if that lies well in the panel."""
+    """A label centred at a place, if that is well inside the panel."""
     inside = 12.0 < at[0] < WIDTH - 12.0 and 12.0 < at[1] < HEIGHT - 4.0
     return drawing.text((at[0], at[1] + 4.0), words, f"{style} halo", "middle") if inside else ""
 
@@ -158,7 +158,7 @@ def _segment(ends: Floats, style: str) -> str:
 
 
 def _cut(points: Floats, *, closed: bool) -> Floats:
-    """What of a line or an area lies in the view box."""
+    """A line or an area clipped to the view box."""
     for edge in EDGES:
         points = clip_half_plane(points, edge, closed)
     return points

@@ -1,4 +1,4 @@
-"""A room with a few things in it, and the camera that stands there.
+"""A room with a few things in it, and a camera.
 
 World axes are right, down and ahead, in metres; the camera stays level, at the height of the
 world's origin.
@@ -18,9 +18,9 @@ LAMP = np.array([2.0, -1.0, 3.0])
 WALLS = np.array([(-1.0, 0.0, -1.0), (11.0, 0.0, -1.0), (11.0, 0.0, 9.0), (-1.0, 0.0, 9.0)])
 TABLE = np.array([(5.0, 0.0, 5.0), (8.0, 0.0, 5.0), (8.0, 0.0, 6.5), (5.0, 0.0, 6.5)])
 DOOR = np.array([(1.0, 0.0, 9.0), (2.5, 0.0, 9.0)])
-"""In the far wall."""
+"""The door in the far wall."""
 AXIS_M = 2.0
-"""How long axes are drawn."""
+"""Drawn length of axes."""
 
 
 @dataclass(frozen=True, slots=True)

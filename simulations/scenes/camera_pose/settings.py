@@ -7,7 +7,7 @@ from simulations.engine.settings import slider
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     pan: float = slider("Pan ψ", -90, -180, 180, 1, unit="°")
     camera_x: float = slider("Camera, right (X)", 10.0, 0, 10, 0.1, unit="m")

@@ -1,8 +1,8 @@
 """The lens diagram: cones of light from three distances, and the discs that the sensor cuts.
 
 Distances before the lens are drawn by their square root, the opening by its logarithm, the space
-behind the lens not to scale at all. Only the discs on the sensor are true to the scale stated:
-each cone is drawn through the rim of its disc, which puts its tip before or behind the sensor.
+behind the lens not to scale at all. Only the discs on the sensor are to the stated scale: each cone
+is drawn through the rim of its disc, with its tip before or behind the sensor.
 """
 
 import math
@@ -15,7 +15,8 @@ from simulations.engine.frame import format_number
 WIDTH, HEIGHT = 420.0, 280.0
 LENS_X, SENSOR_X, AXIS_Y = 236.0, 336.0, 132.0
 LARGEST_DISC = 0.35
-"""Of the opening as drawn: wider discs would push a cone's tip out of the picture."""
+"""Largest disc as a share of the drawn opening: wider ones would push a cone's tip out of the
+picture."""
 LARGEST_M = 10.0
 
 
@@ -30,7 +31,7 @@ class Blurred:
 
 @dataclass(frozen=True, slots=True)
 class Lens:
-    """What the diagram shows."""
+    """The quantities in the diagram."""
 
     aperture_mm: float
     focus_m: float
@@ -41,12 +42,12 @@ class Lens:
 
 
 def column(distance_m: float) -> float:
-    """Where a distance before the lens is drawn."""
+    """Column of a distance before the lens."""
     return LENS_X - 66.0 * math.sqrt(min(distance_m, LARGEST_M))
 
 
 def distance_of(column: float) -> float:
-    """What distance before the lens is drawn there; nothing beyond the lens."""
+    """The distance before the lens at a column; 0 beyond the lens."""
     return (max(LENS_X - column, 0.0) / 66.0) ** 2
 
 
@@ -159,7 +160,7 @@ def _scale_bar(scale: float) -> Iterator[str]:
 
 
 def _labels(lens: Lens) -> Iterator[str]:
-    """Names of the three points, above and below the axis by turns, and the sizes of the discs."""
+    """Labels of the three points, above and below the axis, and the sizes of the discs."""
     for point, role, row in ((lens.near, "world", 104), (lens.far, "light", 122)):
         at = column(point.distance_m)
         yield line((at, AXIS_Y + 8), (at, AXIS_Y + row - 13), f"{role} thin faint")

@@ -1,5 +1,5 @@
-"""What of the depth-of-field figure can be grabbed: the distance in focus, the rim of the opening,
-and whatever the picture shows."""
+"""Handles of the depth-of-field figure: the distance in focus, the rim of the opening, and any
+thing in the picture."""
 
 from collections.abc import Mapping
 
@@ -34,7 +34,7 @@ def _focus_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _rim(settings: Settings, _outputs: Outputs) -> Point | None:
-    """The upper end of the opening, where the lens forms an image."""
+    """The upper end of the opening, if the lens forms an image."""
     if not has_image(settings):
         return None
     return (LENS_X, AXIS_Y - half_opening(settings.focal_length / settings.aperture))
@@ -49,7 +49,7 @@ def _middle(_settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _aimed(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """Focus on what lies at a place of the picture; without an image there is nothing to aim at."""
+    """Focus on the thing at a place of the picture; not available without an image."""
     if not has_image(settings):
         return {}
     across = (place[0] / WIDTH - 0.5) * SENSOR_WIDTH_MM

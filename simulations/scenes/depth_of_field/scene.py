@@ -1,7 +1,7 @@
-"""The thin lens: one distance is sharp, and the still life shows what becomes of the others.
+"""The thin lens: one distance of the still life is sharp, the others are blurred.
 
-The picture is the camera simulator's without its sensor, so that nothing but the lens can soften
-it. Like the camera's it grows as the focus comes nearer and the sensor moves away from the lens.
+The picture is the camera simulator's without its sensor, so that only the lens softens it. It grows
+as the focus comes nearer and the sensor moves away from the lens.
 """
 
 import math
@@ -33,23 +33,23 @@ from simulations.scenes.depth_of_field.stages import (
 )
 
 LARGEST_DRAWN_PX = 48.0
-"""Wider discs leave nothing to recognise, and take seconds to draw: the picture stops here."""
+"""Largest disc that is drawn: wider ones blur everything and take seconds."""
 UNLIT = np.full((ROWS, COLUMNS), 0.35)
-"""What stands for a picture where the lens forms none."""
+"""The picture if the lens forms none."""
 
 
 def drawn_f_number(settings: Settings) -> float:
     """The aperture, or stopped down until no disc in the picture is over `LARGEST_DRAWN_PX`.
 
-    Every disc is as wide as the aperture, so all of them shrink alike, and what is sharp and how
-    large things are stays as it is.
+    The widths of all discs are proportional to the aperture, so the focus and the sizes of things
+    stay the same.
     """
     asked = widest_px(settings.focal_length, settings.aperture, settings.focus)
     return settings.aperture * max(asked / LARGEST_DRAWN_PX, 1.0)
 
 
 def parameters(settings: Settings, tier: str) -> dict[str, Value] | None:
-    """What the camera's stages read besides: fixed here, or as it is drawn. None for no picture."""
+    """The parameters of the stages, fixed or computed; None if there is no picture."""
     if not has_image(settings):
         return None
     f_number = drawn_f_number(settings)
@@ -92,7 +92,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def _note(settings: Settings) -> str:
-    """On a picture that is not drawn as wide open as was asked."""
+    """The note on a picture that is drawn with a smaller aperture than set."""
     drawn = drawn_f_number(settings)
     if drawn <= settings.aperture:
         return ""
@@ -158,7 +158,7 @@ def describe(settings: Settings, sharp: Sharpness) -> str:
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """How far the picture is from one of rays through the whole lens; of no picture, nothing."""
+    """Error of the picture against rays through the whole lens, if there is a picture."""
     if not has_image(settings):
         yield Readout("error", "Error", "no picture", "", "error")
         return

@@ -7,7 +7,7 @@ from simulations.engine.settings import action, slider
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     focal_length: float = slider("Focal length", 50, 24, 135, 1, unit="mm")
     aperture: float = slider("Aperture", 1.4, 1.4, 22, 0.1, prefix="f/")

@@ -1,4 +1,4 @@
-"""What a thin lens makes sharp of the still life, and how wide it spreads the rest."""
+"""The depth of field of a thin lens, and its blur of the still life."""
 
 from dataclasses import dataclass
 
@@ -14,12 +14,12 @@ NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
 
 @dataclass(frozen=True, slots=True)
 class Sharpness:
-    """What the lens makes of the still life at one setting; lengths in millimetres."""
+    """Sharpness and blur of the still life at one setting; lengths in millimetres."""
 
     aperture_mm: float
     """Diameter of the opening."""
     image_mm: float
-    """From the lens to the sensor."""
+    """Distance from the lens to the sensor."""
     near_blur_mm: float
     """Disc of the red ball on the sensor."""
     far_blur_mm: float

@@ -44,7 +44,7 @@ TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
 """Rungs of the ladder `depth-of-field`, without its random rays and without 64 rays, which would
 take seconds."""
 COARSE = "coarse"
-"""The draft of a moving focal length: a ray for four pixels."""
+"""The draft while the focal length moves: a ray for four pixels."""
 LAYERED = ("layered", COARSE, SCALED)
 """Tiers that blur each layer by itself."""
 FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {

@@ -1,4 +1,4 @@
-"""Drawings of the formation pipeline: the way of the point, and the ledger of its numbers."""
+"""Drawings of the formation pipeline: the path of the point, and the ledger of its numbers."""
 
 import math
 from itertools import pairwise
@@ -13,7 +13,7 @@ type Point = tuple[float, float]
 AXIS_ROW = 100.0
 WALL_COLUMN = 46.0
 UNITS_PER_METRE = 24.0
-"""Between the wall, which stays, and the lens."""
+"""Drawn distances between the wall, which is fixed, and the lens."""
 LENS_TO_PLANE = 72.0
 POINT_RISE = 42.0
 """Height of the point above the axis; drawn larger than true, like the camera."""
@@ -25,7 +25,7 @@ LEDGER_TOP, ROW_HEIGHT = 3.0, 36.5
 
 
 def lens_column(distance_m: float) -> float:
-    """Where the lens stands when the camera is so far from the wall."""
+    """Column of the lens for a distance of the camera from the wall."""
     return WALL_COLUMN + UNITS_PER_METRE * distance_m
 
 
@@ -48,7 +48,7 @@ def route(distance_m: float) -> tuple[tuple[Point, ...], ...]:
 
 
 def place(legs: tuple[tuple[Point, ...], ...], station: float) -> tuple[Point, list[Point]]:
-    """The marker at ``station`` (0 to the number of legs) and the way it has come."""
+    """The marker at ``station`` (0 to the number of legs) and its path so far."""
     travelled = [legs[0][0]]
     for index, leg in enumerate(legs):
         share = min(max(station - index, 0.0), 1.0)
@@ -86,7 +86,7 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
 
 
 def _scene() -> str:
-    """The painted wall that the point is on, the lamp, and the world's axes: ahead and down."""
+    """The painted wall with the point, the lamp, and the world's axes: ahead and down."""
     point = (WALL_COLUMN, AXIS_ROW - POINT_RISE)
     lamp = (point[0] + 34, 20.0)  # on the side that the camera sees
     tip = (point[0] + 0.2 * (lamp[0] - point[0]), point[1] + 0.25 * (lamp[1] - point[1]))
@@ -139,7 +139,7 @@ def _boxes(journey: Journey, reached: int) -> str:
 
 
 def _sheaf(share: float, known: bool) -> str:
-    """White's light as a disc, and inside it, once that is known, the part that arrives."""
+    """The light of white as a disc, with the part that arrives inside it, once known."""
     outline = drawing.circle(LIGHT, SHEAF, "light")
     if not known or share <= 0:
         return outline
@@ -167,9 +167,9 @@ def _level(centre: Point, share: float, role: str, known: bool) -> str:
 
 
 def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
-    """SVG markup of the second panel: what is known so far, the current line framed.
+    """SVG markup of the second panel: the numbers so far, with the current line framed.
 
-    The stations to come have their names only: their numbers are the reader's to foretell.
+    Later stations have only their names, so that the reader can predict their numbers.
     """
     reached = int(station)
     parts = []

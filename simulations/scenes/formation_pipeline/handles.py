@@ -1,5 +1,5 @@
-"""What of the formation pipeline can be grabbed: the marker on its way, a line of the ledger, and
-the camera."""
+"""Handles of the formation pipeline: the marker on its path, a line of the ledger, and the
+camera."""
 
 import math
 from collections.abc import Mapping
@@ -22,7 +22,7 @@ from simulations.scenes.formation_pipeline.settings import LAST_STATION, Setting
 
 BULLET_COLUMN = 18.0
 LENS_FOOT = 34.0
-"""How far below the axis the lens is grabbed, in view box units."""
+"""Distance of the lens's handle below the axis, in view box units."""
 
 
 def _marker(settings: Settings, _outputs: Outputs) -> Point:
@@ -34,7 +34,7 @@ def _marker_pulled(settings: Settings, pointer: Point) -> Mapping[str, Value]:
 
 
 def nearest_station(legs: tuple[tuple[Point, ...], ...], pointer: Point) -> float:
-    """How far along the way its point nearest to ``pointer`` lies, in stations."""
+    """Position on the path nearest to ``pointer``, in stations."""
     candidates = []
     for index, leg in enumerate(legs):
         length, come = sum(math.dist(a, b) for a, b in pairwise(leg)), 0.0

@@ -1,4 +1,4 @@
-"""Image Formation Pipeline: one point on its way from the scene to a pixel value."""
+"""Image Formation Pipeline: one point from the scene to a pixel value."""
 
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
@@ -14,11 +14,11 @@ def _travel(distance: float, albedo: float, again: int) -> Journey:
 
 
 STAGES = (Stage("journey", _travel),)
-"""Moving the marker computes nothing anew: the numbers do not depend on where it is."""
+"""The numbers do not depend on the marker's place."""
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The way of the point and the ledger of its numbers, up to the current station."""
+    """The path of the point and the ledger of its numbers, up to the current station."""
     journey: Journey = outputs["journey"]
     station = settings.station
     entries = stations(journey)

@@ -9,7 +9,7 @@ LAST_STATION = 7.0
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     station: float = slider("Station", 0.0, 0.0, LAST_STATION, 0.02)
     play: int = action("Play", "Pause", drives="station", effect="play", seconds=14.0)

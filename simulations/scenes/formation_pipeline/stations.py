@@ -13,16 +13,16 @@ from simulations.models.projection import pinhole
 from simulations.models.sensor import photon_counting
 
 POINT_M = (0.4, -0.3, 3.0)
-"""The point in the world, whose axes are right, down and ahead. It stays, like wall and lamp."""
+"""The point in the world, whose axes are right, down and ahead. It is fixed, like wall and lamp."""
 FOCAL_PX, CENTRE_PX = 800.0, (320.0, 240.0)
 LENS = Distortion(k1=-0.2)
 LAMP_ANGLE_RAD = math.radians(60.0)
-"""Of the lamp from the wall's normal."""
+"""Angle of the lamp from the wall's normal."""
 WHITE_E = 10_000.0
 """Electrons from a white wall that faces the lamp: a full well."""
 FIRST_EXPOSURE = 16
-"""Its seed. The ledger rounds to two digits; in this series of exposures what it prints leads to
-the code that it prints, at every albedo."""
+"""Seed of the noise, chosen so that the ledger's numbers, rounded to two digits, give the printed
+code at every albedo."""
 PIXEL = photon_counting.Sensor(
     full_well_e=WHITE_E,
     read_noise_e=5.0,
@@ -35,33 +35,33 @@ PIXEL = photon_counting.Sensor(
 
 @dataclass(frozen=True, slots=True)
 class Journey:
-    """Everything known about the point, in the order in which it becomes known."""
+    """All numbers of the point, in the order of the chain."""
 
     world_m: tuple[float, float, float]
     camera_m: tuple[float, float, float]
     ideal: tuple[float, float]
-    """x, y where a pinhole would image it, in units of the focal length."""
+    """x, y of its pinhole image, in units of the focal length."""
     distorted: tuple[float, float]
     """The same, through the lens."""
     pixel: tuple[float, float]
     """Column and row, in pixels."""
     relative_light: float
-    """Of a white wall that faces the lamp."""
+    """Light, relative to a white wall that faces the lamp."""
     mean_e: float
-    """Electrons to be expected."""
+    """Expected electrons."""
     counted_e: float
-    """Electrons that came this time."""
+    """Electrons in this exposure."""
     read_e: float
-    """What reading them added, in electrons."""
+    """Read noise, in electrons."""
     raw_dn: int
-    """12-bit code of the converter for the sum of both."""
+    """12-bit code for the sum of both."""
     code: int
     """8-bit sRGB."""
 
 
 def travel(distance_m: float, albedo: float, exposure: int) -> Journey:
-    """Follow the point to a camera that stands ``distance_m`` before its wall and looks ahead;
-    ``exposure`` counts from 0."""
+    """Compute the numbers for a camera ``distance_m`` in front of the wall; ``exposure`` counts
+    from 0."""
     world = np.array(POINT_M)
     pose = pinhole.rigid_pose(np.eye(3), np.array([0.0, 0.0, distance_m - POINT_M[2]]))
     camera = pinhole.world_to_camera(world, pose)
@@ -106,14 +106,14 @@ class Station:
 
     title: str
     numbers: str
-    """What is known here, with units."""
+    """The result of this link, with units."""
     sentence: str
-    """What happened on the way here, for a reader who cannot see the drawing."""
+    """Description of this link, for a reader who cannot see the drawing."""
     role: str
 
 
 def stations(journey: Journey) -> tuple[Station, ...]:
-    """The ledger: the scene and the seven links, in the chapter's order and by its names."""
+    """The ledger: the scene and the seven links, in the chapter's order and with its names."""
     return (*_where(journey), *_how_much(journey))
 
 

@@ -1,4 +1,4 @@
-"""What of the gimbal can be grabbed: the beads of the rings, and the background."""
+"""Handles of the gimbal: the beads of the rings, and the background."""
 
 import math
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ from simulations.scenes.gimbal import rings
 from simulations.scenes.gimbal.settings import Settings
 
 TURNS = {"pan": 180, "tilt": 90, "roll": 180}
-"""How far each angle goes to both sides, in degrees."""
+"""Range of each angle to both sides, in degrees."""
 
 
 def _bead(index: int, settings: Settings, _outputs: Outputs) -> Point:

@@ -1,8 +1,8 @@
 """A camera in three rings, one for each Euler angle.
 
-Each ring lies across the axis that its angle turns about. The pan ring stays with the world, the
-tilt ring turns with the pan, the roll ring with both; at a tilt of ±90° the roll ring lies in the
-plane of the pan ring.
+Each ring is perpendicular to its angle's axis. The pan ring is fixed in the world, the tilt ring
+turns with the pan, the roll ring with both; at a tilt of ±90° the roll ring is in the plane of the
+pan ring.
 """
 
 import math
@@ -27,7 +27,7 @@ STEPS = 72
 
 @dataclass(frozen=True, slots=True)
 class Ring:
-    """One Euler angle: the circle that it is read on."""
+    """The circle of one Euler angle."""
 
     name: str
     role: str
@@ -35,7 +35,7 @@ class Ring:
     axis: Floats
     """(3,) unit vector in the world about which the angle turns."""
     zero: Floats
-    """(3,) unit vector across the axis: where the angle is read from."""
+    """(3,) unit vector across the axis: the zero of the angle."""
     angle_rad: float
 
     def at(self, angle_rad: ArrayLike) -> Floats:
@@ -46,7 +46,7 @@ class Ring:
 
 
 def rings(pan_rad: float, tilt_rad: float, roll_rad: float) -> tuple[Ring, Ring, Ring]:
-    """Outer to inner. The angle's end on one ring is the next one's zero or axis."""
+    """The rings from outer to inner. The angle's end on one ring is the next one's zero or axis."""
     angles = (pan_rad, tilt_rad, roll_rad)
     pan_axis, tilt_axis, roll_axis = rate_axes("YXZ", angles).T
     panned = euler.to_matrix("YXZ", (pan_rad, 0.0, 0.0))
@@ -79,7 +79,7 @@ def draw(pan_rad: float, tilt_rad: float, roll_rad: float, view: Floats) -> str:
 
 
 def _axis(ring: Ring, view: Floats, *, front: bool) -> str:
-    """One end of the axis, from beside the camera to just outside the ring."""
+    """One end of the axis, from near the camera to just outside the ring."""
     depth = on_screen(ring.axis, view)[2]
     end = 1.0 if (depth < 0) == front else -1.0
     inner, outer = (
@@ -91,7 +91,7 @@ def _axis(ring: Ring, view: Floats, *, front: bool) -> str:
 
 
 def _angle(ring: Ring, view: Floats) -> Iterator[str]:
-    """The arc from zero to the angle, and a bead where it stands."""
+    """The arc from zero to the angle, with a bead at its end."""
     count = max(2, round(abs(ring.angle_rad) * 12))
     arc = on_screen(ring.at(np.linspace(0.0, ring.angle_rad, count + 1)), view)[:, :2].tolist()
     yield polyline(arc, f"{ring.role} bold")

@@ -20,7 +20,7 @@ from simulations.scenes.gimbal.handles import HANDLES
 from simulations.scenes.gimbal.settings import Settings
 
 LOST = 1e-6
-"""Singular value below which a direction of turning counts as lost."""
+"""Singular value below which a direction of rotation counts as lost."""
 
 
 def ringed(view: Floats, pan: float, tilt: float, roll: float) -> str:

@@ -7,7 +7,7 @@ from simulations.engine.settings import slider
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     pan: float = slider("Pan ψ", 60, -180, 180, 1, unit="°")
     tilt: float = slider("Tilt τ", 30, -90, 90, 1, unit="°")

@@ -1,4 +1,5 @@
-"""The drawings of the JPEG scene: where the block lies, the grid of blocks, the table of codes."""
+"""The drawings of the JPEG scene: the place of the block, the grid of blocks, the table of
+codes."""
 
 import math
 from collections.abc import Iterator
@@ -16,9 +17,9 @@ WIDTH, HEIGHT = 400.0, 320.0
 CLOSE_ROWS, CLOSE_COLUMNS = 24, 30
 """Pixels of the close-up."""
 SIDE = BLOCK * WIDTH / COLUMNS_PX
-"""Of a block in the picture."""
+"""Width of a block in the picture."""
 CLOSE_SIDE = BLOCK * WIDTH / CLOSE_COLUMNS
-"""Of a block in the close-up."""
+"""Width of a block in the close-up."""
 TABLE_LEFT, TABLE_TOP, CELL_WIDTH, CELL_HEIGHT = 44.0, 32.0, 43.0, 35.0
 
 
@@ -41,12 +42,12 @@ def block_grid(top: int, left: int) -> str:
 
 
 def code_table(codes: NDArray[np.integer], first: int) -> str:
-    """The 64 whole numbers; what became 0, or is not among the ``first``, is faint."""
+    """The 64 whole numbers; zeros, and those not among the ``first``, are faint."""
     return "".join((*_axes(), *_cells(codes, first), *_order(first)))
 
 
 def knob(first: int) -> tuple[float, float]:
-    """In a corner of the last coefficient's cell, below its number."""
+    """Handle in a corner of the last coefficient's cell, below its number."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
     x, y = _corner(row, column)
     return (x + 6, y + CELL_HEIGHT - 5)
@@ -84,7 +85,7 @@ def _cells(codes: NDArray[np.integer], first: int) -> Iterator[str]:
 
 
 def _order(first: int) -> Iterator[str]:
-    """Where the coefficients used end."""
+    """The border of the coefficients in use."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
     yield rectangle(_corner(row, column), CELL_WIDTH, CELL_HEIGHT, "ray bold")
     yield dot(knob(first), "ray", 5)

@@ -1,4 +1,4 @@
-"""How far the coefficients of a picture are from the standard's sums, and what that changes."""
+"""Errors of a picture's coefficients against the standard's sums, and the changed codes."""
 
 from collections.abc import Iterator
 
@@ -13,13 +13,13 @@ from simulations.models.compression.cosine_transforms import exact_block_dct
 from simulations.models.compression.jpeg import Coded, tables
 
 BLOCKS_A_STEP = 120
-"""Extended precision is slow in a browser: so many blocks are judged at a time."""
+"""Blocks per step, as extended precision is slow in a browser."""
 
 
 def judge(planes: Floats, coded: Coded, transform: Transform) -> Iterator[Readout]:
-    """The largest error met so far, and how many codes it has changed; more blocks each step.
+    """The largest error so far, and the count of changed codes, over more blocks with each step.
 
-    ``planes`` (3, H, W) are what was coded, by this transform.
+    ``planes`` (3, H, W) are those before the transform.
     """
     worst, changed, judged = 0.0, 0, 0
     total = sum(codes.size // 64 for codes in coded.planes)
@@ -36,7 +36,7 @@ def judge(planes: Floats, coded: Coded, transform: Transform) -> Iterator[Readou
 
 
 def _parts(planes: Floats, coded: Coded) -> Iterator[tuple[Floats, Floats, NDArray[np.int64]]]:
-    """Blocks (n, 8, 8) of samples, the steps of their plane, and what was kept of them."""
+    """Blocks (n, 8, 8) of samples, the steps of their plane, and their codes."""
     factor = subsampling_factor(coded.subsampling)
     fine, coarse = tables(coded.quality)
     samples = (planes[0], *(coarsen(plane, factor) for plane in planes[1:]))

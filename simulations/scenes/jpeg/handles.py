@@ -1,5 +1,4 @@
-"""What of the JPEG figure can be grabbed: the block, what lies around it, and the last coefficient
-that is used."""
+"""Handles of the JPEG figure: the block, its surroundings, and the last coefficient in use."""
 
 from collections.abc import Mapping
 
@@ -21,7 +20,7 @@ def _block_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _around(settings: Settings, _outputs: Outputs) -> Point:
-    """Of the picture's first block, in the close-up."""
+    """Place of the picture's first block in the close-up."""
     return (-settings.column * CLOSE_SIDE, -settings.row * CLOSE_SIDE)
 
 
@@ -34,7 +33,7 @@ def _last(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _last_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    """Up to the coefficient in whose cell the place lies, or the nearest one."""
+    """Count of coefficients up to the cell at the place, or the nearest one."""
     row, column = (min(max(index, 0), BLOCK - 1) for index in cell_at(place))
     return {"first": int(RANK[row, column]) + 1}
 

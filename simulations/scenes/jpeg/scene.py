@@ -1,4 +1,4 @@
-"""A picture compressed by JPEG, one of its blocks enlarged, and the numbers kept of that block."""
+"""A picture compressed by JPEG, one of its blocks enlarged, and the numbers stored for it."""
 
 from collections.abc import Iterator
 
@@ -27,7 +27,7 @@ PIXELS = ROWS_PX * COLUMNS_PX
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The picture as JPEG gives it back, a block of it, and the numbers kept of that block."""
+    """The decoded picture, a block of it, and the numbers stored for it."""
     coded: Coded = outputs["coded"]
     codes = coded.luma[settings.row - 1, settings.column - 1]
     name, picture = ("The original", "original") if settings.original else ("As decoded", "decoded")
@@ -45,7 +45,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 def _panels(
     settings: Settings, name: str, shown: Raster, codes: NDArray[np.integer]
 ) -> tuple[Panel, ...]:
-    """The whole picture, the place around a block of it, and the ``codes`` (8, 8) of that block."""
+    """The whole picture, the surroundings of a block, and the ``codes`` (8, 8) of that block."""
     row, column = settings.row - 1, settings.column - 1
     close, place = cut(shown, row, column)
     width, height = drawing.WIDTH, drawing.HEIGHT
@@ -60,7 +60,7 @@ def _panels(
 
 def _readouts(psnr: float, size: Size, block_kept: int) -> tuple[Readout, ...]:
     kept_percent = 100 * size.nonzero / (3 * PIXELS)
-    # One flat tone costs an ideal coder nothing.
+    # An ideal coder needs no bits for one flat tone.
     ratio = f"{format_number(24 * PIXELS / size.bits, 1)} : 1" if size.bits else "∞"
     return (
         readout("psnr", "PSNR", psnr, "dB", digits=1, role="error"),
@@ -99,7 +99,7 @@ def describe(settings: Settings, psnr: float, rate: float, block_kept: int) -> s
 
 
 def describe_own(settings: Settings, psnr: float, rate: float, block_kept: int) -> str:
-    """The reader's picture in one sentence: only what is true of any."""
+    """The reader's picture in one sentence."""
     if settings.original:
         return "Your own picture before it is compressed."
     return f"Your own picture {_compressed(settings, psnr, rate)}; {_kept(block_kept)}"
@@ -127,7 +127,7 @@ def _kept(block_kept: int) -> str:
 
 
 def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
-    """How far the coefficients of this picture are from the standard's sums."""
+    """Errors of this picture's coefficients against the standard's sums."""
     return judge(outputs["planes"], outputs["coded"], TRANSFORMS[tier])
 
 

@@ -26,7 +26,7 @@ UPSAMPLING_LABELS = {
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     quality: int = slider("Quality", 30, 1, 100, 1)
     subsampling: str = choice("Colour", SUBSAMPLING_LABELS)

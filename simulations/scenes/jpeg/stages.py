@@ -1,4 +1,4 @@
-"""What the JPEG figure computes: planes → blocks → whole numbers → planes → picture, and bits."""
+"""The stages of the JPEG figure: planes → blocks → whole numbers → planes → picture, and bits."""
 
 from dataclasses import replace
 

@@ -32,7 +32,7 @@ from simulations.scenes._ball.marks import (
 PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 136.0), 74.0, 62.0
 """The sphere from above, and the length of a unit vector there."""
 LAMP_DISTANCE = 126.0
-"""From the middle of the sphere to where the lamp is drawn: it shines from far away."""
+"""Drawn distance of the lamp from the sphere's centre; it is far away."""
 
 
 def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
@@ -47,7 +47,7 @@ def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
 
 
 def _picture_rays(light_rad: float) -> Iterator[str]:
-    """Three parallel rays beside the sphere, foreshortened as the camera sees them."""
+    """Three parallel rays next to the sphere, foreshortened as the camera sees them."""
     across = math.sin(light_rad)
     length = 62 * abs(across)
     if length < 12:
@@ -72,7 +72,7 @@ def _picture_normals() -> Iterator[str]:
 
 
 def _cased_arrow(start: Point, end: Point, style: str, head: float = 8) -> Iterator[str]:
-    """An arrow that stands out from any picture: over a wider one in the paper's colour."""
+    """An arrow with an outline in the paper's colour, visible on any picture."""
     length = math.hypot(end[0] - start[0], end[1] - start[1])
     if length < head:
         yield circle(end, 2.5, "casing")
@@ -85,7 +85,7 @@ def _cased_arrow(start: Point, end: Point, style: str, head: float = 8) -> Itera
 
 
 def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normals: bool) -> str:
-    """The equator seen from above, the camera at the bottom: every angle is true here."""
+    """The equator seen from above, with true angles; the camera is at the bottom."""
     night = [in_plan(light_rad + math.pi * (0.5 + step / 32), PLAN_RADIUS) for step in range(33)]
     day = [in_plan(light_rad + math.pi * (step / 32 - 0.5), PLAN_RADIUS) for step in range(33)]
     probed = in_plan(probe_rad, PLAN_RADIUS)
@@ -136,7 +136,7 @@ def _angle(probed: Point, probe_rad: float, light_rad: float, theta_rad: float) 
     turn = math.remainder(light_rad - probe_rad, 2 * math.pi)
     arc = [_from(probed, probe_rad + turn * step / 24, 30) for step in range(25)]
     middle = probe_rad + turn / 2
-    # Just outside the arc, or across from it where the arms leave no room between them.
+    # Just outside the arc, or opposite if there is no space between the arms.
     sideways = abs(math.sin(middle))
     label = _from(probed, middle, 44 + 26 * sideways if theta_rad > 1.2 else -22 - 18 * sideways)
     degrees = format_number(math.degrees(theta_rad), 0)
@@ -146,7 +146,7 @@ def _angle(probed: Point, probe_rad: float, light_rad: float, theta_rad: float) 
 
 
 def _label_places(probed: Point, probe_rad: float, light_rad: float) -> tuple[Point, Point]:
-    """Beside the tips of n and l, each on the side away from the other."""
+    """Labels at the tips of n and l, each on the side away from the other."""
     turn = math.copysign(0.2, math.remainder(light_rad - probe_rad, 2 * math.pi))
     n = _from(probed, probe_rad - turn, VECTOR + 2)
     l_ = _from(probed, light_rad + turn, VECTOR + 2)
@@ -164,7 +164,7 @@ def _camera() -> str:
 
 
 def in_plan(angle_rad: float, radius: float) -> tuple[float, float]:
-    """A place at that distance from the middle of the sphere seen from above."""
+    """A place at a distance from the sphere's centre, seen from above."""
     return _from(PLAN_CENTRE, angle_rad, radius)
 
 

@@ -1,4 +1,4 @@
-"""What of the Lambertian figure can be grabbed: the lamp, the probed point, and the paint."""
+"""Handles of the Lambertian figure: the lamp, the probed point, and the paint."""
 
 import math
 from collections.abc import Mapping
@@ -46,7 +46,7 @@ def _probe_in_plan_pulled(settings: Settings, place: Point) -> Mapping[str, Valu
 
 
 def _angle_in_plan(place: Point, present_deg: float) -> float:
-    """The direction of a place from the middle of the plan; at the middle, as it is."""
+    """The direction of a place from the middle of the plan; unchanged at the middle."""
     across, down = place[0] - PLAN_CENTRE[0], place[1] - PLAN_CENTRE[1]
     return bearing_deg(across, down, present_deg)
 
@@ -57,12 +57,12 @@ def _on_curve(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _on_curve_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """The probe at that angle from the lamp; of two that the camera sees, the nearer one."""
+    """The probe at an angle from the lamp; of two that the camera sees, the nearer one."""
     theta = min(max(read_off(place)[0], 0.0), 180.0)
     light, limit = settings.light_angle, 90.0
 
     def judged(angle: float) -> tuple[float, float]:
-        """How far it misses the angle, and how far it is from where the probe is."""
+        """Error of the angle, and distance from the probe."""
         missed = abs(abs(math.remainder(light - angle, 360)) - theta)
         return round(missed, 6), abs(angle - settings.probe)
 
@@ -72,7 +72,7 @@ def _on_curve_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _paint(settings: Settings, _outputs: Outputs) -> Point:
-    """Where the curve begins: what it returns of light that falls straight on it."""
+    """The beginning of the curve: the brightness at normal incidence."""
     return on_plot(0.0, settings.albedo)
 
 

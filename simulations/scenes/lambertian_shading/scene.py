@@ -1,8 +1,8 @@
-"""A matte sphere, a light that goes round it, and the brightness of one probed point.
+"""A matte sphere, a light that circles it, and the brightness of one probed point.
 
-The light and the probed point lie in the horizontal plane through the sphere's centre, at
-angles from the camera's direction. The picture holds nothing but ``I = albedo max(0, n . l)``,
-computed for every pixel in linear light and then encoded for the screen.
+The light and the probed point are in the horizontal plane through the sphere's centre, at angles
+from the camera's direction. The picture is ``I = albedo max(0, n . l)`` for every pixel in linear
+light, encoded for the screen.
 """
 
 import math
@@ -43,7 +43,7 @@ def _white(normals: Floats, ball: Ball, light_angle: float) -> Floats:
 
 
 def _shade(white: Floats, ball: Ball, albedo: float) -> Floats:
-    """(h, w) linear light of the ball as painted. Black paint needs no light computed."""
+    """(h, w) linear light of the ball as painted. Black paint needs no computation."""
     return np.float32(albedo) * white if albedo > 0 else np.zeros_like(ball.inner, np.float32)
 
 
@@ -97,7 +97,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """How far the light of this picture is from Lambert's law in float64; found at once."""
+    """Error of the picture against Lambert's law in float64, in one step."""
     ball: Ball = outputs["ball"]
     truth = settings.albedo * np.maximum(true_cosine(ball, settings.light_angle), 0.0)
     yield judge(ball, outputs["shade"], truth)

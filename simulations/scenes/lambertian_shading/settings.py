@@ -7,7 +7,7 @@ from simulations.engine.settings import action, slider, toggle
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     light_angle: float = slider("Light angle", 30, -180, 180, 1, unit="°")
     albedo: float = slider("Albedo ρ", 0.8, 0, 1, 0.01)

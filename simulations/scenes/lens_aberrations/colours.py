@@ -1,4 +1,4 @@
-"""What becomes of the middle of each channel."""
+"""Chromatic aberration at the middle wavelength of each channel."""
 
 from dataclasses import dataclass
 
@@ -10,12 +10,12 @@ from simulations.scenes.lens_aberrations.spectrum import LINES_UM
 from simulations.scenes.lens_aberrations.stages import FOCAL_MM, GLASSES, PITCH_MM
 
 CORNER_PX = 200.0
-"""From the centre to the corners."""
+"""Distance from the centre to the corners."""
 
 
 @dataclass(frozen=True, slots=True)
 class Colours:
-    """What the middle of each channel suffers; three entries for red, green, blue."""
+    """Aberrations at the middle of each channel; three entries for red, green, blue."""
 
     scale: Floats
     """Size of the image relative to the green one."""
@@ -33,7 +33,7 @@ def colours(glass: str, stop_mm: float, f_number: float) -> Colours:
 
 
 def shifts_px(glass: str, stop_mm: float) -> Floats:
-    """How far outwards the corner lies in red, green and blue, relative to green."""
+    """Outward shift of the corner in red, green and blue, relative to green."""
     lines = np.array(LINES_UM)
     scale = lateral_chromatic_scale(GLASSES[glass], FOCAL_MM, stop_mm, lines)
     return CORNER_PX * (scale - 1.0)

@@ -11,7 +11,7 @@ from simulations.models.arrays import Floats
 
 WIDTH, HEIGHT = 400.0, 300.0
 TANGENTS = Axis(0.0, 1.0, 54.0, 384.0)
-"""Of the field angle, from the middle to the corner."""
+"""Tangent of the field angle, from the middle to the corner."""
 LIGHT = Plot(TANGENTS, Axis(0.0, 1.0, 150.0, 30.0))
 SHIFT = Plot(TANGENTS, Axis(-3.0, 3.0, 260.0, 176.0))
 """In pixels."""
@@ -21,7 +21,7 @@ ANGLES = Scale(ticks=[(math.tan(math.radians(angle)), f"{angle}°") for angle in
 
 
 def close_up_frame(left: float, top: float) -> str:
-    """Where the close-up lies; ``left`` and ``top`` are shares of the picture."""
+    """The frame of the close-up; ``left`` and ``top`` are shares of the picture."""
     corner, size = (left * WIDTH, top * HEIGHT), ((1 - left) * WIDTH - 1, (1 - top) * HEIGHT - 1)
     return "".join(rectangle(corner, *size, style) for style in ("casing", "camera"))
 

@@ -1,4 +1,4 @@
-"""How far the enlarged corner is from the sum over the whole spectrum."""
+"""Error of the enlarged corner against the sum over the whole spectrum."""
 
 from collections.abc import Callable, Iterator
 
@@ -28,7 +28,7 @@ CLOSE_TOP, CLOSE_LEFT = HEIGHT_PX - 48, WIDTH_PX - 64
 SUBDIVISIONS = 5
 """Reference wavelengths per standard deviation."""
 FIRST_ROUND = 9
-"""Of the reference wavelengths: fewer would leave a channel without light of its own."""
+"""Least count of reference wavelengths: with fewer a channel would have no light."""
 
 
 def judge(
@@ -36,8 +36,8 @@ def judge(
 ) -> Iterator[Readout]:
     """RMS of the close-up of ``picture``, in even, small steps.
 
-    One wavelength more each time, seen by all channels: ``corner_of`` gives the close-up in its
-    light, and ``factor`` (48, 64) the light that is left of it.
+    Each step adds a wavelength for all channels: ``corner_of`` returns the close-up in its light,
+    and ``factor`` (48, 64) is the vignetting.
     """
     shown = picture[CLOSE_TOP:, CLOSE_LEFT:, :3].astype(np.float32)
     total, weights = np.zeros((3, *shown.shape[:2])), np.zeros((3, 1, 1))
@@ -55,7 +55,7 @@ def judge(
 
 
 def reference_wavelengths() -> list[float]:
-    """Equal steps over the spectrum, a coarse round of them first and the gaps filled after."""
+    """Evenly spaced wavelengths, first a coarse series and then those in between."""
     first, last = min(LINES_UM) - 4 * WIDTH_UM, max(LINES_UM) + 4 * WIDTH_UM
     count = round((last - first) / WIDTH_UM * SUBDIVISIONS) + 1
     steps = np.linspace(first, last, count).tolist()
@@ -67,7 +67,7 @@ def corner_in(
 ) -> Planes:
     """(3, 48, 64) the close-up in light of one wavelength."""
     scale = float(lateral_chromatic_scale(GLASSES[glass], FOCAL_MM, stop, wavelength_um))
-    window = (slice(CLOSE_TOP, -MARGIN), slice(CLOSE_LEFT, -MARGIN))  # with room for the discs
+    window = (slice(CLOSE_TOP, -MARGIN), slice(CLOSE_LEFT, -MARGIN))  # with a margin for the discs
     planes = np.stack([magnify(plane, scale)[window] for plane in chart])
     radius = disc_px(glass, aperture, wavelength_um) / 2
     return disc_blur(planes, radius)[:, MARGIN:, MARGIN:]

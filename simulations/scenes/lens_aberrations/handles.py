@@ -1,5 +1,5 @@
-"""What of the lens-aberrations figure can be grabbed: the stop, the edge of its opening and the rim
-from the side, and the ends of two curves that they draw."""
+"""Handles of the lens-aberrations figure: the stop, the edge of its opening and the rim, seen from
+the side, and the ends of two curves."""
 
 from collections.abc import Mapping
 
@@ -61,8 +61,8 @@ def _cut(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _cut_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """The rim that leaves this share, of several the nearest to the present one."""
-    # At 45° a rim so far away shifts by as much as at 1 mm the tangent says.
+    """The rim for this share of light; of several, the nearest to the present one."""
+    # At 45° the shift equals the distance, as the tangent is 1.
     shares = mechanical_vignetting(RIMS_MM, opening_mm(settings.aperture), RIM_MM, 1.0)
     off = np.abs(shares - np.clip(corner_light_marked(place[1]), 0.0, 1.0))
     as_good = RIMS_MM[off <= off.min() + 1e-9]
@@ -70,7 +70,7 @@ def _cut_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _blue(settings: Settings, _outputs: Outputs) -> Point | None:
-    """The shift of blue in the corner, where glass has any."""
+    """The shift of blue in the corner, if the glass has dispersion."""
     if settings.glass == "ideal":
         return None
     return corner_shift_mark(float(shifts_px(settings.glass, settings.stop)[2]))

@@ -1,8 +1,7 @@
-"""A simple lens in front of a test chart: colours of unlike size and sharpness, dark corners.
+"""A simple lens in front of a test chart: colours of different size and sharpness, dark corners.
 
-A single element of 24 mm focal length, focused at infinity for the d line. The three channels
-are bands about the Fraunhofer lines C, d and F. Corners lie 45° from the axis, 200 px from the
-centre.
+A single element of 24 mm focal length, focused at infinity for the d line. The three channels are
+bands about the Fraunhofer lines C, d and F. Corners are 45° from the axis, 200 px from the centre.
 """
 
 import math
@@ -92,7 +91,7 @@ def _where(stop: float) -> str:
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """How far the enlarged corner is from the sum over the whole spectrum."""
+    """Error of the enlarged corner against the sum over the whole spectrum."""
     corner_of = partial(
         corner_in, outputs["chart"], settings.glass, settings.stop, settings.aperture
     )

@@ -1,7 +1,7 @@
-"""The lens from the side: the bundle of parallel light that makes a corner of the picture.
+"""The lens from the side: the bundle of parallel light that forms a corner of the picture.
 
-All lengths are to one scale. Light comes from the left, 45° from above. What lies behind the lens
-is drawn where it seems to be from before it, as the formulas count: dashed lines lead there.
+All lengths are to one scale. Light comes from the left, 45° from above. Things behind the lens are
+drawn at their apparent places seen from the front, as in the formulas, with dashed lines.
 """
 
 from collections.abc import Iterator
@@ -19,9 +19,9 @@ LENS_X, AXIS_Y = 200.0, 138.0
 LENS_MM, SENSOR_MM = 25.0, 26.0
 """Half heights as drawn."""
 BLADE_MM, TUBE_MM = 20.0, 14.0
-"""How far out the stop reaches, and the rim; their marks stand there."""
+"""Outer ends of the stop and of the rim, with their marks."""
 SPREAD = 5.0
-"""Dispersion is drawn so many times as strong: else a colour's shift would be a hair's breadth."""
+"""Exaggeration of the dispersion, which would be too small to see."""
 
 type Place = tuple[float, float]
 
@@ -46,7 +46,7 @@ def stop_mark(stop: float) -> Place:
 
 
 def opening_mark(stop: float, f_number: float) -> Place:
-    """On the lower edge of the opening."""
+    """The handle on the lower edge of the opening."""
     return at(-stop, -opening_mm(f_number))
 
 
@@ -55,14 +55,14 @@ def rim_mark(stop: float, rim: float) -> Place:
 
 
 def passing(f_number: float, rim: float) -> tuple[float, float] | None:
-    """Heights in the stop between which the bundle passes the rim; None where nothing does."""
+    """Heights in the stop between which the bundle passes the rim; None if nothing passes."""
     opening = opening_mm(f_number)
     highest = min(opening, RIM_MM - rim)
     return (-opening, highest) if highest > -opening else None
 
 
 def section(glass: str, stop: float, f_number: float, rim: float) -> str:
-    """The rim, the stop, the lens and the sensor, and what becomes of the bundle."""
+    """The rim, the stop, the lens and the sensor, and the path of the bundle."""
     dispersive = glass != "ideal"
     open_heights = passing(f_number, rim)
     parts = [line((6, AXIS_Y), (WIDTH - 6, AXIS_Y), "muted thin dashed")]
@@ -79,14 +79,14 @@ def section(glass: str, stop: float, f_number: float, rim: float) -> str:
 
 
 def _colours(glass: str) -> tuple[tuple[str, float], ...]:
-    """Of red and blue the style, and how far the image shifts per height in the lens, as drawn."""
+    """Style of red and blue, and the drawn shift of the image per height in the lens."""
     focal = focal_length_mm(GLASSES[glass], FOCAL_MM, np.array(LINES_UM))
     shifts = SPREAD * (1.0 - FOCAL_MM / focal)
     return ("error", float(shifts[0])), ("image", float(shifts[2]))
 
 
 def _height(height: float, stop: float, along: float) -> float:
-    """Of the ray that meets the stop at ``height``, before it is refracted: it falls by 45°."""
+    """A point of the ray that meets the stop at ``height``, before refraction, falling by 45°."""
     return height - stop - along
 
 
@@ -97,7 +97,7 @@ def _start(height: float, stop: float) -> Place:
 
 
 def _bundle(low: float, high: float, stop: float) -> Iterator[str]:
-    """What passes, on its way to the lens."""
+    """The light that passes, up to the lens."""
     starts = [_start(height, stop) for height in (low, high)]
     ends = [at(0.0, _height(height, stop, 0.0)) for height in (low, high)]
     yield polygon((starts[0], ends[0], ends[1], starts[1]), "light fill faint")
@@ -110,7 +110,7 @@ def _bundle(low: float, high: float, stop: float) -> Iterator[str]:
 
 
 def _refracted(height: float, stop: float, shift: float) -> tuple[Place, Place]:
-    """From the lens to the sensor, where light of the d line meets in one point."""
+    """The light from the lens to the sensor, where light of the d line meets in one point."""
     in_lens = _height(height, stop, 0.0)
     return at(0.0, in_lens), at(FOCAL_MM, shift * in_lens - FOCAL_MM)
 

@@ -7,7 +7,7 @@ from simulations.engine.settings import choice, slider, toggle
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     glass: str = choice(
         "Glass",

@@ -1,4 +1,4 @@
-"""The channels of the lens-aberrations figure, and the wavelengths that stand for each of them.
+"""The channels of the lens-aberrations figure, and the wavelengths that sample each of them.
 
 The channels are bell-shaped bands of the spectrum about the Fraunhofer lines C, d and F.
 """
@@ -14,16 +14,16 @@ LINES_UM = (LINE_C_UM, LINE_D_UM, LINE_F_UM)
 WIDTH_UM = 0.03
 """... and the standard deviation of each."""
 REACH = 3.8
-"""Standard deviations beyond the outer peaks that even wavelengths cover."""
+"""Standard deviations beyond the outer peaks that evenly spaced wavelengths cover."""
 
 
 def _chosen(count: int) -> tuple[Band, ...]:
-    """Each channel with its own."""
+    """Wavelengths of its own for each channel."""
     return tuple(chosen_wavelengths(line, WIDTH_UM, count) for line in LINES_UM)
 
 
 def _even(count: int) -> tuple[Band, ...]:
-    """The same for all channels."""
+    """The same wavelengths for all channels."""
     first, last = min(LINES_UM) - REACH * WIDTH_UM, max(LINES_UM) + REACH * WIDTH_UM
     return even_wavelengths(LINES_UM, WIDTH_UM, first, last, count)
 
@@ -40,9 +40,8 @@ BANDS: Mapping[str, tuple[Band, ...]] = {
 
 
 def bands(tier: str, glass: str) -> tuple[Band, ...]:
-    """The wavelengths of the red, green and blue channel; one each where glass has no dispersion.
-
-    Raises ValueError for a tier that is not of `BANDS`.
+    """The wavelengths of the red, green and blue channel; one each if the glass has no dispersion.
+    Raises ValueError for a tier that is not in `BANDS`.
     """
     require_one_of("tier", tier, BANDS)
     return BANDS["gauss-1" if glass == "ideal" else tier]

@@ -1,6 +1,6 @@
-"""What the lens-aberrations figure computes: a picture for each wavelength, summed by channel.
+"""The stages of the lens-aberrations figure: a picture for each wavelength, summed by channel.
 
-The tier says by how many wavelengths each channel is stood for.
+The tier sets how many wavelengths sample each channel.
 """
 
 import math
@@ -37,9 +37,9 @@ GLASSES = {
     "flint": Glass(index_d=1.62, abbe_number=36.4),
 }
 SMALLEST_SHARE = 1e-4
-"""Wavelengths that a channel sees less of are left out: a fortieth of one code at most."""
+"""Least share of a wavelength in a channel; those left out are at most a fortieth of one code."""
 MARGIN = 8
-"""The chart is drawn this much wider all round: no colour is reduced by more, in pixels."""
+"""Margin of the chart on all sides, in pixels: no colour is reduced by more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +69,7 @@ def light(
 
 
 def field_tangents() -> Floats:
-    """(H, W) tangent of the angle from the axis at which each pixel looks."""
+    """(H, W) tangent of the angle of each pixel's ray from the axis."""
     x, y = centred(WIDTH_PX) / FOCAL_PX, centred(HEIGHT_PX) / FOCAL_PX
     return np.hypot(x, y[:, None])
 
@@ -81,7 +81,7 @@ def _chart() -> Planes:
 
 
 def _lateral(chart: Planes, glass: str, stop: float, tier: str) -> tuple[Ghost, ...]:
-    """Each wavelength's picture in its own size."""
+    """Magnify each wavelength's picture by its own factor."""
     ghosts = []
     for channel, band in enumerate(bands(tier, glass)):
         scales = lateral_chromatic_scale(GLASSES[glass], FOCAL_MM, stop, band.wavelengths_um)
@@ -95,7 +95,7 @@ def _lateral(chart: Planes, glass: str, stop: float, tier: str) -> tuple[Ghost, 
 
 
 def _axial(ghosts: tuple[Ghost, ...], glass: str, aperture: float) -> tuple[Ghost, ...]:
-    """Each in its own sharpness."""
+    """Blur each wavelength's picture by its own disc."""
     radii = [disc_px(glass, aperture, ghost.wavelength_um) / 2 for ghost in ghosts]
     return tuple(
         replace(ghost, plane=disc_blur(ghost.plane[None], radius)[0])
@@ -104,7 +104,7 @@ def _axial(ghosts: tuple[Ghost, ...], glass: str, aperture: float) -> tuple[Ghos
 
 
 def _channels(ghosts: tuple[Ghost, ...]) -> Planes:
-    """(3, H, W) what each channel sees of all."""
+    """(3, H, W) the channels, summed over the wavelengths."""
     planes = np.zeros((3, HEIGHT_PX, WIDTH_PX), np.float32)
     whole = np.zeros(3)
     for ghost in ghosts:
@@ -115,7 +115,7 @@ def _channels(ghosts: tuple[Ghost, ...]) -> Planes:
 
 
 def _vignetting(aperture: float, rim: float, natural: bool) -> NDArray[np.float32]:
-    """(H, W) factor; what the rim cuts is read from a table of the radius."""
+    """(H, W) vignetting factor; that of the rim is read from a table of the radius."""
     radius = field_tangents()
     tangents = np.linspace(0, 1.01, 256)
     _, open_share = light(tangents, aperture, rim, natural)

@@ -30,11 +30,12 @@ from simulations.models.distortion.lens_model import (
 VIEW_WIDTH, VIEW_HEIGHT, UNITS_PER_RADIUS = 400.0, 300.0, 250.0
 CENTRE = (200.0, 150.0)
 SAMPLE = (0.4, -0.4)
-"""The ideal point whose way is shown: a crossing of the grid, inside the fold at every setting."""
+"""The ideal point whose shift is shown: a crossing of the grid, inside the fold at every
+setting."""
 IN_PICTURE = (0.56, 0.42)
-"""The ideal point marked in the photograph, on the way to a corner: in view at every setting."""
+"""The ideal point marked in the photograph, towards a corner: in view at every setting."""
 VISIBLE_RADIUS_UNITS = 238.0
-"""Larger circles show too little of themselves in the corners to be worth a label."""
+"""Radius above which too little of a circle is visible in the corners for a label."""
 
 
 @lru_cache(maxsize=1)
@@ -47,7 +48,7 @@ def grid_lines() -> Floats:
 
 
 def grid_overlay(lens: Distortion) -> str:
-    """The straight grid, its image, the limits, and one point on its way."""
+    """The straight grid, its image, the limits, and the shift of one point."""
     fold = fold_radius(lens)
     lines = grid_lines()
     straight = to_view(lines[:, [0, -1]]).tolist()
@@ -71,7 +72,7 @@ def grid_overlay(lens: Distortion) -> str:
 
 
 def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
-    """The limit of the photograph and a point on its way, or what the correction can know."""
+    """The limit of the photograph and the shift of a point, or the limit of the correction."""
     limits = _limits(lens, with_fold=corrected, with_image=not corrected)
     return limits if corrected else limits + _moved(lens)
 
@@ -83,7 +84,7 @@ def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float
 
 
 def _moved(lens: Distortion) -> str:
-    """From where a pinhole would have put the marked point to where it is."""
+    """The shift of the marked point from its pinhole image."""
     way = to_view(np.asarray(IN_PICTURE)), image_of(IN_PICTURE, lens)
     return line(*way, "casing") + line(*way, "image bold") + dot(way[1], "image")
 
@@ -94,7 +95,7 @@ def to_view(xy: Floats) -> Floats:
 
 
 def runs(points: Floats, keep: Mask) -> list[Floats]:
-    """The stretches of a curve (N, 2) where ``keep`` (N,) holds, of two points or more."""
+    """The runs of a curve (N, 2), of two points or more, where ``keep`` (N,) is true."""
     if keep.all():
         return [points]
     edges = np.flatnonzero(np.diff(np.concatenate(([False], keep, [False])).astype(np.int8)))
@@ -102,7 +103,7 @@ def runs(points: Floats, keep: Mask) -> list[Floats]:
 
 
 def grown(mask: Mask) -> Mask:
-    """``mask`` with the neighbours of its members: stretches drawn from both meet."""
+    """``mask`` extended by neighbours, so that runs of both meet."""
     result = mask.copy()
     result[:-1] |= mask[1:]
     result[1:] |= mask[:-1]
@@ -110,7 +111,7 @@ def grown(mask: Mask) -> Mask:
 
 
 def _limits(lens: Distortion, *, with_fold: bool, with_image: bool = True) -> str:
-    """Circles of the fold (on ideal points) and of its image, where they lie in view."""
+    """Circles of the fold (on ideal points) and of its image, where they are in view."""
     fold, limit = fold_radius(lens), largest_distorted_radius(lens)
     parts = []
     shown: tuple[tuple[bool, float, str, str, Callable[[float], Point]], ...] = (
@@ -126,13 +127,13 @@ def _limits(lens: Distortion, *, with_fold: bool, with_image: bool = True) -> st
 
 
 def _above(radius: float) -> Point:
-    """On the circle's upper left, or where the frame cuts it off."""
+    """Label on the circle's upper left, or where the frame cuts it off."""
     y = max(CENTRE[1] - 0.82 * radius, 16.0)
     return (CENTRE[0] - math.sqrt(max(radius**2 - (CENTRE[1] - y) ** 2, 0.0)), y)
 
 
 def _below(radius: float) -> Point:
-    """Just inside the circle's lowest point, or the frame's lower left."""
+    """Label just inside the circle's lowest point, or at the frame's lower left."""
     if radius <= 140.0:
         return (CENTRE[0], CENTRE[1] + radius - 8.0)
     y = VIEW_HEIGHT - 14.0

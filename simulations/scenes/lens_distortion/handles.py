@@ -1,4 +1,4 @@
-"""What of the lens-distortion figure can be grabbed: a crossing of the grid, a point of the
+"""Handles of the lens-distortion figure: a crossing of the grid, a point of the
 photograph, and the image radius of the crossing in the plot."""
 
 import math
@@ -20,7 +20,7 @@ from simulations.scenes.lens_distortion.profile import at_radii, radius_at
 from simulations.scenes.lens_distortion.settings import Settings
 
 RADIUS = math.hypot(*SAMPLE)
-"""Of the sample point without the lens."""
+"""Radius of the sample point without the lens."""
 
 
 def _crossing(settings: Settings, _outputs: Outputs) -> Point:
@@ -32,7 +32,7 @@ def _crossing_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _in_picture(settings: Settings, _outputs: Outputs) -> Point | None:
-    """Where the picture is as the lens makes it."""
+    """The handle in the photograph, if it is not corrected."""
     return None if settings.correct else image_of(IN_PICTURE, _lens(settings))
 
 
@@ -53,9 +53,8 @@ def _lens(settings: Settings) -> Distortion:
 
 
 def _putting(ideal: tuple[float, float], place: Point, k2: float) -> float:
-    """The k₁ that images a point at a place, or as far out as that.
-
-    The image lies on the ray through the ideal point: what counts is how far along it.
+    """The k₁ that images a point at a place or, as the image is on the ray through the ideal point,
+    at its nearest point of that ray.
     """
     radius = math.hypot(*ideal)
     across, down = ((place[i] - CENTRE[i]) / UNITS_PER_RADIUS for i in (0, 1))

@@ -62,7 +62,7 @@ def radius_at(place: Point) -> tuple[float, float]:
 
 
 def _identity_label(lens: Distortion) -> Point:
-    """Beside the dashed line, on the side where the curve is not."""
+    """Label next to the dashed line, on the side away from the curve."""
     inwards = float(evaluate(lens.radial, 1.0)) < 0.99
     return at_radii(1.12, 1.19) if inwards else at_radii(LARGEST, 0.86)
 

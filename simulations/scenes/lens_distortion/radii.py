@@ -1,7 +1,7 @@
-"""The radii that the pixels of the photograph lie at, and the ways to find them without the lens.
+"""The radii of the photograph's pixels, and the methods to invert the lens for them.
 
 The photograph is 320 × 240 px with a focal length of 200 px, so that its half-diagonal is 200 px
-and its corners lie at the normalised radius r = 1, 45° from the axis.
+and its corners are at the normalised radius r = 1, 45° from the axis.
 """
 
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ FOCAL_PX = 200.0
 HALF_DIAGONAL = 0.5 * np.hypot(WIDTH_PX, HEIGHT_PX) / FOCAL_PX
 """Normalised radius of the picture's corners: 1."""
 TIERS = tuple(name for name in INVERSES if name != "fixed-point-20")
-"""Ways to find where a pixel's light comes from: rungs of the ladder `inverse-strong`, but for the
+"""Methods to find the source of a pixel's light: rungs of the ladder `inverse-strong`, without the
 longest of those that may diverge."""
 
 
@@ -43,7 +43,7 @@ def centred_pixels() -> Floats:
 
 
 def pixel_radii() -> Radii:
-    # Twice a coordinate is an odd whole number: equal radii are found without rounding.
+    # Twice a coordinate is an odd whole number, so that equal radii are exactly equal.
     doubled = np.rint(2.0 * centred_pixels()).astype(np.int64)
     squares, of_pixel = np.unique((doubled**2).sum(axis=-1).ravel(), return_inverse=True)
     return Radii(np.sqrt(squares) / (2.0 * FOCAL_PX), of_pixel.astype(np.intp))
@@ -52,7 +52,7 @@ def pixel_radii() -> Radii:
 def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
     """The radius without the lens of each radius in the photograph, as the tier computes it.
 
-    Only the last three notice the fold; the others run on past it, or out of range.
+    Only the last three detect the fold; the others continue past it, or overflow.
     """
     points = np.stack((seen, np.zeros_like(seen)), axis=-1)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
@@ -60,7 +60,7 @@ def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
 
 
 def true_radii(seen: Floats, lens: Distortion) -> Floats:
-    """The same by bisection down to the last bit, sharing nothing with any tier; NaN past the fold.
+    """The same by bisection to the last bit, independent of all tiers; NaN past the fold.
 
     The image radius is written out: r (1 + k₁ r² + k₂ r⁴).
     """
@@ -75,9 +75,9 @@ def true_radii(seen: Floats, lens: Distortion) -> Floats:
 
 
 def inversion_error_px(lens: Distortion, tier: str) -> float:
-    """RMS over the photograph of how far off the scene point is that each pixel is drawn from.
+    """RMS error over the photograph of the scene point that each pixel is drawn from.
 
-    In pixels of the pinhole picture; pixels that show nothing do not count.
+    In pixels of the pinhole picture, without pixels that show nothing.
     """
     radii = pixel_radii()
     wrong = ideal_radii(radii.distinct, lens, tier) - true_radii(radii.distinct, lens)

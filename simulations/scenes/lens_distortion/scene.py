@@ -28,13 +28,13 @@ from simulations.scenes.lens_distortion.settings import Settings
 from simulations.scenes.lens_distortion.stages import PHOTOGRAPH_PX, STAGES, Drawings, needs_margin
 
 DIVERGED_PX = 1e4
-"""An iteration that ends this far off has found nothing."""
+"""Largest error of a converged iteration."""
 INVISIBLE_PX = 0.1
-"""Changes of the magnification that move no corner by more than this do not count."""
+"""Changes of the magnification that move no corner by more than this are ignored."""
 
 
 def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
-    """The picture is drawn with a margin only where something of it may come into view."""
+    """The picture is drawn with a margin only if a part of it may come into view."""
     return {"margin": needs_margin(settings.k1, settings.k2)}
 
 
@@ -61,7 +61,7 @@ def kind_of(lens: Distortion) -> str:
 
 
 def largest_bow_px(lens: Distortion) -> float:
-    """How far the worst line of the grid leaves its chord, as far as it lies inside the fold."""
+    """Largest distance of a line of the grid from its chord, inside the fold."""
     fold, largest, lines = fold_radius(lens), 0.0, grid_lines()
     within = np.hypot(lines[..., 0], lines[..., 1]) < fold
     if within.all():
@@ -73,7 +73,7 @@ def largest_bow_px(lens: Distortion) -> float:
 
 
 def corner_shift_px(lens: Distortion) -> float:
-    """How far the corners move away from the centre, in px; NaN where they lie past the fold."""
+    """Outward shift of the corners in px; NaN if they are past the fold."""
     if fold_radius(lens) <= HALF_DIAGONAL:
         return float("nan")
     return float(evaluate(lens.radial, HALF_DIAGONAL) - HALF_DIAGONAL) * FOCAL_PX
@@ -119,7 +119,7 @@ def _description(lens: Distortion, bow: float, corrected: bool) -> str:
 
 
 def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Readout]:
-    """How far off, in the scene, the pixels are drawn from; found at once."""
+    """Error of the pixels' source points in the scene, in one step."""
     wrong = inversion_error_px(Distortion(k1=settings.k1, k2=settings.k2), tier)
     diverged = wrong > DIVERGED_PX
     text = "diverges" if diverged else format_magnitude(wrong, 1e-9)

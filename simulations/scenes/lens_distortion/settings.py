@@ -7,7 +7,7 @@ from simulations.engine.settings import choice, slider, toggle
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     k1: float = slider("k₁", 0.0, -0.5, 0.5, 0.01)
     k2: float = slider("k₂", 0.0, -0.2, 0.2, 0.01)

@@ -1,4 +1,4 @@
-"""What the lens-distortion figure computes: picture → through the lens → corrected → bytes."""
+"""The stages of the lens-distortion figure: picture → through the lens → corrected → bytes."""
 
 from dataclasses import dataclass
 
@@ -40,28 +40,28 @@ from simulations.scenes.lens_distortion.radii import (
 )
 
 MARGIN_PX = (120, 90)
-"""A barrel pulls into view what lies so far beyond the sides of the pinhole picture, at most."""
+"""Margin beyond the sides of the pinhole picture that a barrel can bring into view."""
 PHOTOGRAPH_PX = (WIDTH_PX + 2 * MARGIN_PX[0], HEIGHT_PX + 2 * MARGIN_PX[1])
 """Size of a reader's own picture: with the margin."""
 UNSEEN = (0.33, 0.34, 0.36)
-"""Linear grey where no light of the scene arrives according to the model."""
+"""Linear grey where the model has no light of the scene."""
 
 
 @dataclass(frozen=True, slots=True)
 class Drawings:
-    """The SVG of all three panels: what depends on the lens alone."""
+    """The SVG of all three panels that depends on the lens alone."""
 
     grid: str
     photograph: str
-    """Over the photograph as the lens makes it ..."""
+    """Overlay of the photograph ..."""
     corrected: str
-    """... and as the correction leaves it."""
+    """... and of the corrected picture."""
     profile: str
 
 
 @dataclass(frozen=True, slots=True)
 class Warp:
-    """A gather table and how much of each pixel of its output has a source."""
+    """A gather table, and the share of each output pixel that has a source."""
 
     table: GatherTable
     coverage: Floats
@@ -70,7 +70,7 @@ class Warp:
 
 @dataclass(frozen=True, slots=True)
 class Photo:
-    """A picture in linear light, and where it shows the scene at all."""
+    """A picture in linear light, and where it shows the scene."""
 
     linear: Floats
     coverage: Floats
@@ -89,7 +89,7 @@ def _drawings(k1: float, k2: float) -> Drawings:
 def needs_margin(k1: float, k2: float) -> bool:
     """Whether light from beyond the sides of the pinhole picture may come into view.
 
-    With k₁ and k₂ not negative, no point is drawn further in than it lies.
+    If k₁ and k₂ are not negative, no point moves inwards.
     """
     return min(k1, k2) < 0.0
 
@@ -99,7 +99,7 @@ def _margin_px(margin: bool) -> tuple[int, int]:
 
 
 def _scenery(picture: str, photograph: Photograph | None) -> Floats:
-    """All that may come into view, drawn once: no touch on k₁ has to wait for a margin."""
+    """The picture with its margin, drawn once, so that a change of k₁ need not redraw it."""
     if photograph:
         return decode_srgb(np.float32(1 / 255) * photograph.codes)
     draw = {"room": checker_room, "chart": resolution_chart}[picture]
@@ -120,7 +120,7 @@ def _undistorted_frame(pinhole: Floats, margin: bool) -> Photo:
 
 
 def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:
-    """For each pixel of the photograph, where in the pinhole picture its light comes from."""
+    """The place in the pinhole picture of the light of each pixel of the photograph."""
     lens = Distortion(k1=k1, k2=k2)
     ideal = ideal_radii(radii.distinct, lens, tier)
     ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX)
@@ -141,10 +141,10 @@ def _through_lens(_undistorted: Photo, source: Source, warp: Warp) -> Photo:
 
 
 def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
-    """The photograph with its distortion taken out again.
+    """The photograph with its distortion corrected.
 
-    For each pixel the forward formula tells where in the photograph its light went. Past the
-    fold it would fetch light from a wrong place: those pixels are sent off the picture.
+    For each pixel the forward formula gives the place of its light in the photograph. Past the fold
+    that place would be wrong: those pixels are put off the picture.
     """
     lens = Distortion(k1=k1, k2=k2)
     ideal = centred_pixels() / FOCAL_PX
@@ -190,4 +190,4 @@ STAGES = (
     Stage("corrected", _corrected, ("through-lens",), _not_corrected),
     Stage("encoded", _encoded, ("corrected",)),
 )
-"""In order; each is recomputed only when what it reads has changed. ``margin``: `needs_margin`."""
+"""The stages in order. ``margin`` is from `needs_margin`."""

@@ -1,4 +1,4 @@
-"""What of the projection figure can be grabbed: the point, its image, and the image plane."""
+"""Handles of the projection figure: the point, its image, and the image plane."""
 
 from collections.abc import Mapping
 

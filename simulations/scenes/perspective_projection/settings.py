@@ -8,7 +8,7 @@ from simulations.scenes.perspective_projection.view import CAMERAS
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     depth: float = slider("Depth (Z)", 5.0, -2, 20, 0.1, unit="m")
     focal_length: float = slider("Focal length", 80, 20, 200, 1, unit="px")

@@ -1,4 +1,4 @@
-"""What of the Phong figure can be grabbed: the highlight, the probed point, lamp and camera."""
+"""Handles of the Phong figure: the highlight, the probed point, lamp and camera."""
 
 import math
 from collections.abc import Mapping

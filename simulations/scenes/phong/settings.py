@@ -8,7 +8,7 @@ from simulations.scenes.phong.gloss import MODELS
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     light_angle: float = slider("Light angle", 60, -180, 180, 1, unit="°")
     probe: float = slider("Probed point", 20, -90, 90, 1, unit="°")

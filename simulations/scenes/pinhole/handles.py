@@ -1,4 +1,4 @@
-"""What of the pinhole can be grabbed: the rim of the hole."""
+"""Handles of the pinhole: the rim of the hole."""
 
 from collections.abc import Mapping
 

@@ -9,7 +9,7 @@ NARROWEST_MM, WIDEST_MM = 0.1, 2.0
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     hole: float = slider("Width of the hole", 1.0, NARROWEST_MM, WIDEST_MM, 0.01, unit="mm")
     longer: bool = toggle("Expose a dim picture longer")

@@ -1,4 +1,4 @@
-"""What of the figure of a real lens can be grabbed: the marked ray, from the side and on the curve,
+"""Handles of the figure of a real lens: the marked ray, from the side and on the curve,
 both surfaces, the edge of the opening, and the object."""
 
 from collections.abc import Mapping

@@ -7,7 +7,7 @@ from simulations.engine.settings import slider
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     height: float = slider("Height h of the ray", 10, 0.5, 20, 0.5, unit="mm")
     front: float = slider("Front bulge 1/R₁", 25, -20, 40, 1, unit="/m")

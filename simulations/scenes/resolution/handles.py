@@ -1,4 +1,4 @@
-"""What of the resolution figure can be grabbed: the spot's edge, a pixel's corner, the frequency
+"""Handles of the resolution figure: the spot's edge, a pixel's corner, the frequency
 on the curve and in the star, and both limits on the axis."""
 
 from collections.abc import Mapping

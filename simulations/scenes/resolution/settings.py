@@ -7,7 +7,7 @@ from simulations.engine.settings import slider, toggle
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     aperture: float = slider("Aperture", 8, 1.4, 22, 0.1, prefix="f/")
     pitch: float = slider("Pixel pitch p", 4, 1, 10, 0.1, unit="µm")

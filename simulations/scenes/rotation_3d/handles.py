@@ -1,4 +1,4 @@
-"""What of the rotation figure can be grabbed: the line of sight on its way, and the background."""
+"""Handles of the rotation figure: the line of sight on its way, and the background."""
 
 from collections.abc import Mapping
 from functools import lru_cache

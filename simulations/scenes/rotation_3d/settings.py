@@ -8,7 +8,7 @@ from simulations.scenes.rotation_3d.sphere import LABELS
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     blend: str = choice("Blend", LABELS)
     t: float = slider("Share s of the way", 0.5, 0, 1, 0.01)

@@ -1,4 +1,4 @@
-"""What of the second-bounce figure can be grabbed: lamp, wall, and the point on the floor."""
+"""Handles of the second-bounce figure: lamp, wall, and the point on the floor."""
 
 from collections.abc import Mapping
 

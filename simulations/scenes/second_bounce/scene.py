@@ -1,6 +1,6 @@
 """A floor and a wall: what the lamp's shadow gets from the other plane, and the other from it.
 
-What is computed stands in `simulations.scenes.second_bounce.stages`.
+The computation is in `simulations.scenes.second_bounce.stages`.
 """
 
 import math

@@ -16,7 +16,7 @@ BOUNCES = {
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     bounces: str = choice("Bounces", BOUNCES, "all")
     light_angle: float = slider("Lamp, from the floor", 55, 10, 170, 1, unit="°")

@@ -1,4 +1,4 @@
-"""What of the sensor-noise figure can be grabbed: the patch, in the picture and by its light on the
+"""Handles of the sensor-noise figure: the patch, in the picture and by its light on the
 axis of the plot, and the floor of the noise."""
 
 import math

@@ -7,7 +7,7 @@ from simulations.engine.settings import action, choice, slider
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     exposure: float = slider("Exposure", 0, -6, 0, 0.5, unit="EV")
     iso: str = choice("ISO", {str(iso): str(iso) for iso in (100, 200, 400, 800, 1600, 3200, 6400)})

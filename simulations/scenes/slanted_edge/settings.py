@@ -7,7 +7,7 @@ from simulations.engine.settings import slider
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     angle: float = slider("Slant of the edge", 5, 0, 20, 0.5, unit="°")
     aperture: float = slider("Aperture", 8, 2.8, 22, 0.1, prefix="f/")

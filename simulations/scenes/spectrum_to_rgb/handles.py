@@ -1,4 +1,4 @@
-"""What of the spectrum figure can be grabbed: the light's white, the cloth's band, the surfaces."""
+"""Handles of the spectrum figure: the light's white, the cloth's band, the surfaces."""
 
 from collections.abc import Mapping
 

@@ -1,6 +1,6 @@
 """From a spectrum to three numbers: a light, a surface and a sensor, and the colour that is meant.
 
-What is computed stands in `simulations.scenes.spectrum_to_rgb.stages`.
+The computation is in `simulations.scenes.spectrum_to_rgb.stages`.
 """
 
 from collections.abc import Sequence

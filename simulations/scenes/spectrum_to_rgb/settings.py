@@ -30,7 +30,7 @@ MATRICES = {"daylight": "Made for daylight", "own": "Made for this light"}
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     light: str = choice("Light", LIGHTS)
     temperature: float = slider("Colour temperature", 2850, 2000, 12000, 50, unit="K")

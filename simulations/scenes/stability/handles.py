@@ -1,4 +1,4 @@
-"""What of the stability figure can be grabbed: the distance that is marked."""
+"""Handles of the stability figure: the distance that is marked."""
 
 from collections.abc import Mapping
 

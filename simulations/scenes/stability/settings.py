@@ -17,7 +17,7 @@ LOWEST, STEP = -15.0, 0.25
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     formula: str = choice("Formula", FORMULAS)
     digits: str = choice("Numbers", FORMATS)

@@ -1,4 +1,4 @@
-"""What of the tiled floor can be grabbed: the box, the horizon, and where lines vanish."""
+"""Handles of the tiled floor: the box, the horizon, and where lines vanish."""
 
 import math
 from collections.abc import Callable, Mapping

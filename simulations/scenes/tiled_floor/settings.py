@@ -7,7 +7,7 @@ from simulations.engine.settings import slider, toggle
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     pitch: float = slider("Look down (pitch)", 12.0, -20.0, 60.0, 1.0, unit="°")
     yaw: float = slider("Turn right (yaw)", 30.0, -60.0, 60.0, 1.0, unit="°")

@@ -1,4 +1,4 @@
-"""What of the explorer can be grabbed: P, its image, a corner of the image, and the families."""
+"""Handles of the explorer: P, its image, a corner of the image, and the families."""
 
 from collections.abc import Mapping
 from functools import lru_cache

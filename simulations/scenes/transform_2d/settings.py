@@ -8,7 +8,7 @@ from simulations.scenes.transform_2d.hierarchy import RUNGS
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     transform: str = choice("Transform", {name: rung.title for name, rung in RUNGS.items()})
     amount: float = slider("Amount", 30, 0, 100, 1)

@@ -1,4 +1,4 @@
-"""What of the two views can be grabbed: the lamp, its two images, and the right camera."""
+"""Handles of the two views: the lamp, its two images, and the right camera."""
 
 import math
 from collections.abc import Mapping

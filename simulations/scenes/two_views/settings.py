@@ -7,7 +7,7 @@ from simulations.engine.settings import slider, toggle
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     depth: float = slider("Depth (Z)", 8.0, 1.5, 20.0, 0.1, unit="m")
     baseline: float = slider("Baseline", 0.5, 0.1, 1.0, 0.05, unit="m")

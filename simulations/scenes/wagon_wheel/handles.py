@@ -1,4 +1,4 @@
-"""What of the wagon wheel can be grabbed: the marked spoke, the speed on its dial, the end of the
+"""Handles of the wagon wheel: the marked spoke, the speed on its dial, the end of the
 exposure, and the run of time."""
 
 import math

@@ -11,7 +11,7 @@ PLAYED_PER_S, FILM_PER_S = 2.4, 24.0
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """What the reader may change."""
+    """The settings of the figure."""
 
     play: int = action("Play", "Pause", drives="time", effect="play", seconds=FRAMES / PLAYED_PER_S)
     time: float = slider("Time", 5, 0, FRAMES, 0.05, unit="frames")
