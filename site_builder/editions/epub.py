@@ -15,7 +15,7 @@ from site_builder.book import Book
 from site_builder.book_root import own_or_engine
 from site_builder.editions.compose import Composed, Section
 from site_builder.editions.epub_style import book_style
-from site_builder.editions.links import is_external, place_of
+from site_builder.editions.links import Place, bind_links, is_external
 from site_builder.editions.plain_markup import plain
 from site_builder.editions.tree import elements, first, parse, xhtml
 from site_builder.figures.frames import as_png
@@ -61,26 +61,19 @@ def make_epub(composed: Composed, root: Path) -> bytes:
 
 def _part(section: Section, composed: Composed) -> Element:
     """One file of the book's text."""
+
+    def address(place: Place) -> str:
+        file = "" if place.page == section.id and place.id else f"{place.page}.xhtml"
+        return f"{file}#{place.id}" if place.id else file
+
     content = deepcopy(section.article)
+    bind_links(content, section.id, composed.ids, address)
     for link in elements(content, "a"):
-        _lead(link, section.id, composed)
+        if is_external(href := link.get("href", "")):
+            link.set("href", quote(href, safe=ADDRESS))
     frame = parse(render_template("editions/epub-part.html", composed.book, title=section.title))
     first(frame, "body").append(plain(content))
     return frame
-
-
-def _lead(link: Element, page: str, composed: Composed) -> None:
-    address = link.get("href", "")
-    if is_external(address):
-        link.set("href", quote(address, safe=ADDRESS))
-        return
-    place = place_of(address, page, composed.ids)
-    if place is None:
-        link.tag = "span"
-        link.attrib.pop("href", None)
-    else:
-        file = "" if place.page == page else f"{place.page}.xhtml"
-        link.set("href", f"{file}#{place.id}" if place.id else f"{place.page}.xhtml")
 
 
 def _take_images(trees: Mapping[str, Element], composed: Composed) -> dict[str, bytes]:

@@ -9,7 +9,7 @@ import numpy as np
 from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import Panel
 from site_builder.book import Book
-from site_builder.figures.frames import StaticFrame, pixels, static_frame
+from site_builder.figures.frames import Picture, StaticFrame, pixels, static_frame
 from site_builder.figures.initial_frames import InitialFrame, InitialFrames
 from site_builder.figures.main_control import main_control
 from site_builder.languages.words import Words
@@ -28,8 +28,9 @@ class Multiple:
     text: str
     """The control's value, as the figure writes it."""
     panel: Panel
-    picture: str
-    """File name of it; nothing for a pure diagram."""
+    file: str
+    """Name of its picture; nothing for a pure diagram."""
+    picture: Picture | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,11 +71,11 @@ def _row(name: str, still: InitialFrame, files: dict[str, bytes], words: Words) 
     multiples: list[Multiple] = []
     for value, drawn in zip(values, frames, strict=True):
         panel = next(panel for panel in drawn.frame.panels if panel.name == shown)
-        file = ""
-        if picture := drawn.pictures.get(shown):
+        picture, file = drawn.pictures.get(shown), ""
+        if picture:
             file = f"{name}--{shown}--{len(multiples)}.webp"
             files[file] = picture.webp
-        multiples.append(Multiple(value_text(control, value, words), panel, file))
+        multiples.append(Multiple(value_text(control, value, words), panel, file, picture))
     return Row(control.label, tuple(multiples))
 
 

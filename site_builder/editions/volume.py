@@ -5,7 +5,7 @@ from copy import deepcopy
 from xml.etree.ElementTree import Element
 
 from site_builder.editions.compose import Composed, Section
-from site_builder.editions.links import Place, is_external, place_of
+from site_builder.editions.links import Place, bind_links
 from site_builder.editions.page_numbers import page_number
 from site_builder.editions.tree import elements, first, parse
 from site_builder.pages.render import BACK_MATTER, render_template
@@ -38,33 +38,20 @@ def volume(composed: Composed) -> Element:
 
 
 def _bound(section: Section, composed: Composed) -> Element:
-    """A section as part of the whole."""
+    """A section as part of the whole. Behind links into other sections their page is printed."""
     content = deepcopy(section.article)
     for element in content.iter():
         if "id" in element.attrib:
             element.set("id", anchor(Place(section.id, element.attrib["id"])))
         if element.get("src", "").startswith("../"):
             element.set("src", element.attrib["src"].removeprefix("../"))
-    _bind_links(content, section.id, composed)
-    content.set("id", section.id)
-    content.set("style", f"page: {section.id}")
-    return content
-
-
-def _bind_links(content: Element, page: str, composed: Composed) -> None:
-    """Links lead within the document; behind those into other parts the page number is printed."""
-    for parent, link in [(each, child) for each in content.iter() for child in each]:
-        address = link.get("href", "")
-        if link.tag != "a" or is_external(address):
-            continue
-        place = place_of(address, page, composed.ids)
-        if place is None:
-            link.tag = "span"
-            link.attrib.pop("href", None)
-            continue
-        link.set("href", f"#{anchor(place)}")
-        if place.page not in (page, *BACK_MATTER):
-            on_page = composed.book.words("edition.on_page", page="{page}")
+    on_page = composed.book.words("edition.on_page", page="{page}")
+    links = bind_links(content, section.id, composed.ids, lambda place: f"#{anchor(place)}")
+    for parent, link, place in links:
+        if place.page not in (section.id, *BACK_MATTER):
             number = page_number(anchor(place), "page-ref", on_page)
             parent.insert(list(parent).index(link) + 1, number)
             number.tail, link.tail = link.tail, "\N{NO-BREAK SPACE}"
+    content.set("id", section.id)
+    content.set("style", f"page: {section.id}")
+    return content

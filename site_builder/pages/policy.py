@@ -5,7 +5,6 @@ only attributes may hold any style, as the sizes of panels and the columns of fo
 """
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 from site_builder.offline.release import integrity
 
@@ -49,10 +48,4 @@ def page_policy(
 
 
 def _inline(texts: Sequence[str], raw_html: bool) -> list[str]:
-    return [ANYTHING_INLINE] if raw_html else [f"'{_hash(text)}'" for text in texts]
-
-
-@lru_cache(maxsize=64)
-def _hash(text: str) -> str:
-    """Most pages hold the same."""
-    return integrity(text.encode())
+    return [ANYTHING_INLINE] if raw_html else [f"'{integrity(text.encode())}'" for text in texts]

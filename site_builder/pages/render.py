@@ -3,7 +3,7 @@
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache, lru_cache, partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -274,15 +274,9 @@ def _later_figures(chapter: Chapter | None) -> list[str]:
     return [figure.id for figure in chapter.simulations[1:]] if chapter else []
 
 
-@lru_cache(maxsize=64)
-def _from(styles: str, assets: str) -> str:
-    """A style sheet that knows addresses relative to its folder among the ``assets``."""
-    return styles.replace('url("../', f'url("{assets}')
-
-
 def page_styles(site: Site, root: str) -> str:
     """What a page holds in place of a link to the style sheet; nothing where it links to it."""
-    return _from(site.styles, f"{root}{site.assets}")
+    return site.styles.replace('url("../', f'url("{root}{site.assets}')
 
 
 def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:

@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import groupby
 from pathlib import Path
 
 from site_builder.diagnostics import Diagnostics, unknown
@@ -69,14 +68,8 @@ class Glossary:
     def _uses(self) -> tuple[re.Pattern[str], tuple[Term, ...]]:
         found = [(form, term) for term in self.terms.values() for form in term.pattern()]
         found.sort(key=lambda pair: len(pair[0]), reverse=True)  # of two names the longer
-        found.sort(key=lambda pair: _first(pair[0]))
-        # By their first letters: of a word that begins otherwise no form of them is tried.
-        groups = [
-            rf"(?={letter})(?:{'|'.join(f'({form})' for form, _ in group)})"
-            for letter, group in groupby(found, key=lambda pair: _first(pair[0]))
-        ]
-        whole = re.compile(rf"(?<![\w-])(?:{'|'.join(groups)})(?![\w-])" if groups else r"(?!)")
-        return whole, tuple(term for _, term in found)
+        forms = "|".join(f"({form})" for form, _ in found) or "(?!)"
+        return re.compile(rf"(?<![\w-])(?:{forms})(?![\w-])"), tuple(term for _, term in found)
 
     def uses(self, text: str) -> Iterator[tuple[Term, int, int]]:
         """Terms in running text, each with where it starts and ends."""
@@ -101,12 +94,6 @@ def _spelt(name: str) -> str:
     first, rest = re.escape(name[:1]), re.escape(name[1:])
     first = f"[{name[0]}{name[0].upper()}]" if name[:1].islower() else first
     return first + rest.replace("’", "['’]").replace(r"\ ", "[ \u00a0]")
-
-
-def _first(form: str) -> str:
-    """What a form begins with, in both cases."""
-    letter = form[1] if form[:1] in "[\\" else form[:1]
-    return f"[{re.escape(letter.lower())}{re.escape(letter.upper()[:1])}]"
 
 
 def read_glossary(root: Path, problems: Diagnostics, words: Words = ENGLISH) -> Glossary:

@@ -6,6 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 from pypdf import PdfReader
 
@@ -35,20 +36,31 @@ def test_nothing_is_left_that_needs_a_hand(make_book: MakeBook, body: str) -> No
     assert names.isdisjoint({"button", "input", "select", "script", "noscript", "details"})
 
 
-def test_a_figure_shows_its_main_control_at_several_values(make_book: MakeBook, body: str) -> None:
+@pytest.mark.parametrize("pictures", [True, False])
+def test_a_figure_shows_its_main_control_at_several_values(
+    make_book: MakeBook, body: str, *, pictures: bool
+) -> None:
     options = make_book(body.replace("{simulation} demo", "{simulation} demo\n:k1: 0.1"))
 
     demo = options.load_scene("demo")
 
     def follow(settings: Any, outputs: Outputs) -> Frame:
         frame = demo.draw(settings, outputs)
+        if pictures:
+            raster = np.full((4, 6, 4), 128 + round(200 * settings.k1), np.uint8)
+            return replace(frame, panels=(replace(frame.panels[0], raster=raster),))
         turned = replace(frame.panels[1], overlay=line((0, 0), (100 * settings.k1, 10)))
         return replace(frame, panels=(frame.panels[0], turned))
 
     scene = replace(demo, draw=follow)
-    article = compose(replace(options, load_scene=lambda _id: scene)).sections[0].article
+    composed = compose(replace(options, load_scene=lambda _id: scene))
+    article = composed.sections[0].article
     values = [words(item) for item in elements(article, kind="multiple-value")]
     assert values == ["Distortion: −0.20 px", "Distortion: 0.10 px", "Distortion: 0.30 px"]
+    rows = elements(article, kind="multiple")
+    shown = {str(image.get("src")).removeprefix("../") for row in rows for image in row.iter("img")}
+    assert len(shown) == (3 if pictures else 0)
+    assert shown <= set(composed.files)
 
 
 def test_every_id_of_the_whole_is_unique_and_every_link_leads_to_one(
