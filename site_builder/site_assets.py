@@ -17,7 +17,7 @@ from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import Bundle, bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets, without_comments
-from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
+from site_builder.pages.features import parts_script, question_files, sheets_not_for, shown_in
 from site_builder.pages.render import back_matter
 
 STYLE_SHEET = "css/book.css"
@@ -50,13 +50,18 @@ def gather_assets(
     and what searches, in one folder: ``folder``, or one that is named by what is in it. Raises
     `BuildError`."""
     content = folder_files(root / "content")
-    static = folder_files(own_or_engine(root, "static"))
+    static: dict[str, Content] = {**folder_files(own_or_engine(root, "static"))}
     shown = shown_in(book, dict(back_matter(book)))
+    static |= question_files(shown)
     scripts = _scripts(book, static, shown)
     files: Files = {
         **scripts.files,
         **_style_sheets(book, static, shown, scripts.beside),
-        **{name: file for name, file in static.items() if not name.startswith(("css/", "js/"))},
+        **{
+            name: file
+            for name, file in static.items()
+            if not name.startswith(("css/", "js/", "../"))
+        },
         **{f"fonts/{name}": data for name, data in subset_fonts().items()},
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{
@@ -75,11 +80,10 @@ def gather_assets(
 
 def _scripts(book: Book, static: Files, shown: Collection[str]) -> Bundle:
     """Those that the book uses."""
-    sources = {name: file for name, file in static.items() if name.startswith("js/")}
+    sources = {name: file for name, file in static.items() if name.startswith(("js/", "../"))}
     written = {
         "js/book.js": book_script(book.settings, book.words),
         "js/book_parts.js": parts_script(shown),
-        "js/question/book_kinds.js": kinds_script(shown),
     }
     return bundle_scripts({**sources, **written}, *(name for name in SOURCES if name in sources))
 

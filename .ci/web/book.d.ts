@@ -25,5 +25,5 @@ declare module "*/book_parts.js" {
 
 /** The kinds of questions that it asks. */
 declare module "*/book_kinds.js" {
-  export const KINDS: Record<string, import("../../static/js/question/questions.js").Kind>;
+  export const KINDS: Record<string, import("../../static/js/question/question.js").Kind>;
 }

@@ -8,7 +8,7 @@ from simulations.engine.expressions import ExpressionError
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics, cause, unknown
 from site_builder.figures.frames import frame_at
-from site_builder.markdown.questions.options import OTHERWISE
+from site_builder.markdown.questions.figure.kind import Task, conditions
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.questions import Option, Quiz
 
@@ -17,27 +17,28 @@ def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
     """The solution that the author states is right by the conditions, and the start is not."""
     figures = {figure.id: figure for figure in chapter.simulations}
     for quiz in chapter.quizzes:
-        if quiz.kind != "figure" or not quiz.figure or not quiz.solution:
+        task = quiz.details
+        if not isinstance(task, Task) or not task.figure or not task.solution:
             continue
-        figure = figures.get(quiz.figure)
+        figure = figures.get(task.figure)
         if figure:
-            message = fault_of(quiz, figure)
-        elif quiz.figure in chapter.figures:  # reported where it is
+            message = fault_of(quiz, task.solution, figure)
+        elif task.figure in chapter.figures:  # reported where it is
             message = ""
         else:
-            message = unknown("figure of this page", quiz.figure, chapter.figures)
+            message = unknown("figure of this page", task.figure, chapter.figures)
         if message:
             problems.add(quiz.path, quiz.line, message)
 
 
-def fault_of(quiz: Quiz, figure: Simulation) -> str:
+def fault_of(quiz: Quiz, solution: Mapping[str, str], figure: Simulation) -> str:
     """What is wrong with the question, or nothing."""
     what = f"quiz {quiz.id!r}"
-    stated = " ".join(f"{name}={value}" for name, value in quiz.solution.items())
+    stated = " ".join(f"{name}={value}" for name, value in solution.items())
     try:
-        if message := _unreachable(quiz, figure):
+        if message := _unreachable(solution, figure):
             return f"{what}: {message}"
-        if not reply_at(quiz, figure, {**figure.values, **quiz.solution}).correct:
+        if not reply_at(quiz, figure, {**figure.values, **solution}).correct:
             return f"{what} is not solved by {stated!r}; legal: settings that its [x] is true of"
         if reply_at(quiz, figure, figure.values).correct:
             return f"{what} is solved before it is asked; legal: a start that its [x] is false of"
@@ -48,10 +49,10 @@ def fault_of(quiz: Quiz, figure: Simulation) -> str:
     return ""
 
 
-def _unreachable(quiz: Quiz, figure: Simulation) -> str:
+def _unreachable(solution: Mapping[str, str], figure: Simulation) -> str:
     """The stated setting that no slider can show, if there is one."""
     for control in figure.scene.controls:
-        value = quiz.solution.get(control.name)
+        value = solution.get(control.name)
         if isinstance(control, Slider) and value and not control.reaches(control.check(value)):
             expected = f"{control.minimum:g} and steps of {control.step:g}"
             return f"{control.name}: {value} is between two steps; legal: {expected}"
@@ -62,6 +63,6 @@ def reply_at(quiz: Quiz, figure: Simulation, values: Mapping[str, object]) -> Op
     """The answer that holds at these settings. Raises `ControlError`, `ExpressionError`."""
     settings = figure.scene.check(values)
     frame = frame_at(figure.scene, settings, figure.tier)
-    conditions = [option.text for option in quiz.options if option.text != OTHERWISE]
-    met = first_met(conditions, settings, frame)
-    return quiz.options[len(conditions) if met is None else met]
+    asked = conditions(quiz)
+    met = first_met(asked, settings, frame)
+    return quiz.options[len(asked) if met is None else met]

@@ -94,7 +94,7 @@ def _no_rows(_figure: Simulation) -> None:
 
 def _answers(site: Site) -> Iterator[Section]:
     chapters = [
-        (chapter, [(name, quiz, _solution(chapter, quiz)) for name, quiz in questions])
+        (chapter, questions)
         for chapter in site.book.chapters
         if (questions := list(numbered_quizzes(chapter.body)))
     ]
@@ -109,14 +109,3 @@ def numbered_quizzes(blocks: Iterable[Block]) -> Iterator[tuple[str, Quiz]]:
         if isinstance(block.content, Quiz):
             yield (block.target.name if block.target else block.content.id), block.content
         yield from numbered_quizzes(block.inside)
-
-
-def _solution(chapter: Chapter, quiz: Quiz) -> str:
-    """Settings of the figure that are right, as its controls are labelled."""
-    labels = {
-        control.name: control.label
-        for figure in chapter.simulations
-        if figure.id == quiz.figure
-        for control in figure.scene.controls
-    }
-    return ", ".join(f"{labels.get(name, name)} {value}" for name, value in quiz.solution.items())

@@ -8,6 +8,7 @@ from typing import Any
 
 from site_builder.markdown.directive import Directive, OptionLine
 from site_builder.markdown.directives import DIRECTIVES
+from site_builder.markdown.questions.kinds import KINDS
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.settings.described import settings_table
@@ -29,11 +30,12 @@ class NoExampleError(LookupError):
     """A declaration that no example shows; the message says what to write."""
 
 
-def directive_page(
-    directives: Sequence[Directive[Any]] = DIRECTIVES, examples: Path = EXAMPLES
-) -> str:
+def directive_page(directives: Sequence[Directive[Any]] = DIRECTIVES) -> str:
     """A section for each directive: what it makes, its options, an example and what comes of it."""
-    written = read_examples(examples)
+    written = read_examples(EXAMPLES)
+    for name in ("quiz", "predict"):
+        own = [written[name]] if name in written else []
+        written[name] = "\n\n".join([*own, *question_examples(name)])
     names = [item.name for item in directives]
     parts = [_directive_section(item, written, names) for item in directives]
     return _chapter(
@@ -94,6 +96,24 @@ def read_examples(folder: Path) -> dict[str, str]:
     return {file.stem: file.read_text(encoding="utf-8").strip() for file in files}
 
 
+def question_examples(directive: str) -> list[str]:
+    """Those of the kinds of questions that this directive asks, or asks first."""
+    return [
+        kind.file("md").read_text(encoding="utf-8").strip()
+        for kind in KINDS
+        if directive == ("quiz" if kind.quiz else "predict")
+    ]
+
+
+def _kinds_of_questions(directive: str) -> str:
+    rows = (
+        f"| {' or '.join(f'`{name}`' for name in names)} | {kind.doc} |\n"
+        for kind in KINDS
+        if (names := kind.names(directive))
+    )
+    return f"| Kind | Is |\n|---|---|\n{''.join(rows)}"
+
+
 def _directive_section(
     item: Directive[Any], written: Mapping[str, str], names: Sequence[str]
 ) -> str:
@@ -105,6 +125,8 @@ def _directive_section(
     ]
     if item.options or item.more_options:
         parts.append(_options(item.options, item.more_options))
+    if item.name in ("quiz", "predict"):
+        parts.append(_kinds_of_questions(item.name))
     within = next((name for name in names if _uses(item.name, written.get(name, ""))), "")
     if item.name in written:
         parts.append(_shown(written[item.name]))

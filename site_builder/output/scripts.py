@@ -5,6 +5,7 @@ import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from posixpath import normpath
 
 from site_builder.cache import cached_result
 from site_builder.diagnostics import BuildError, Diagnostic
@@ -32,8 +33,9 @@ def bundle_scripts(sources: Mapping[str, Content], entry: str, *others: str) -> 
     """The module ``entry`` of these ``sources`` with what it imports; what it imports later, the
     workers that it starts, and the ``others`` are files of their own.
 
-    Each file is named as its source, with ``.js`` in place of ``.ts``; what several share has a
-    hash in its name.
+    Sources are named by their paths from ``static/``, so that imports lead where they do in the
+    repository. Each file is named as its source, with ``.js`` in place of ``.ts``; what several
+    share has a hash in its name.
 
     Raises
     ------
@@ -49,7 +51,7 @@ def bundle_scripts(sources: Mapping[str, Content], entry: str, *others: str) -> 
 
 def _bundle(sources: Mapping[str, Content], entry: str, others: tuple[str, ...]) -> Bundle:
     with tempfile.TemporaryDirectory() as scratch:
-        given, out = Path(scratch).resolve() / "given", Path(scratch).resolve() / "out"
+        given, out = Path(scratch).resolve() / "static", Path(scratch).resolve() / "out"
         out.mkdir()
         for name, content in sources.items():
             (given / name).parent.mkdir(parents=True, exist_ok=True)
@@ -63,7 +65,7 @@ def _bundle(sources: Mapping[str, Content], entry: str, others: tuple[str, ...])
         result = json.loads((out / "bundle.json").read_text(encoding="utf-8"))
         if result["errors"]:
             raise BuildError(
-                Diagnostic(f"static/{error['path']}", error["line"], error["text"])
+                Diagnostic(normpath(f"static/{error['path']}"), error["line"], error["text"])
                 for error in result["errors"]
             )
         files = {

@@ -1,10 +1,13 @@
-"""Questions and predictions: what is asked, what is right, and what waits for a guess."""
+"""Questions and predictions: what is asked, what is right, and what is hidden until a guess."""
 
 import hashlib
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import Any
 
 from site_builder.page_model.passage import Passage
+
+OTHERWISE = "otherwise"
+"""The text of the answer that stands for whatever no other recognises."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,75 +27,48 @@ class Question:
     """What is asked, and the answers that are offered or recognised."""
 
     id: str
-    """Unique in the book among its like: the reader's answer is remembered under it."""
+    """Unique in the book among its like: the reader's answer is stored under it."""
     kind: str
+    """As its author calls it."""
     prompt: Passage
     prompt_text: str
     options: tuple[Option, ...]
     path: str
     line: int
-    unit: str = ""
-    """Of a number."""
-    tolerance: float = 0.0
-    """How far from the right number is right."""
+    details: Any = None
+    """What only its kind knows."""
+    decides: object = None
+    """What else than the options decides what is right."""
 
 
-def _edition(question: Question, judged_by: object) -> str:
-    """A mark of what is asked and what is right: an answer to another edition is forgotten."""
+def _edition(question: Question, decides: object) -> str:
+    """A hash of what is asked and what is right: an answer to another edition is forgotten."""
     answers = [(option.text, option.correct) for option in question.options]
-    asked = (question.kind, question.prompt_text, answers, judged_by)
+    asked = (question.kind, question.prompt_text, answers, decides)
     return hashlib.sha256(repr(asked).encode()).hexdigest()[:8]
 
 
 @dataclass(frozen=True, slots=True)
 class Quiz(Question):
-    """A question with explained answers: ``single``, ``multiple``, ``number``, ``order`` with its
-    options in the right one, or ``figure``, whose options are conditions on its state."""
-
-    figure: str = ""
-    """Element id of the figure that is to be set."""
-    solution: Mapping[str, str] = field(default_factory=dict)
-    """Settings of that figure that are right."""
+    """A question with explained answers."""
 
     @property
     def edition(self) -> str:
-        return _edition(self, self.tolerance)
-
-
-@dataclass(frozen=True, slots=True)
-class Curve:
-    """A curve to be sketched, and the axes that it is sketched on."""
-
-    x: "Axis"
-    y: "Axis"
-    samples: tuple[tuple[float, float], ...]
-    """Along the axis, from its start to its end."""
-
-
-@dataclass(frozen=True, slots=True)
-class Axis:
-    """From where to where, and what of."""
-
-    start: float
-    end: float
-    label: str
+        return _edition(self, self.decides or 0.0)
 
 
 @dataclass(frozen=True, slots=True)
 class Prediction(Question):
-    """A question before its answer is looked up, ``number``, ``choice`` or ``sketch``; guess and
-    answer then stand side by side."""
-
-    curve: Curve | None = None
+    """A question before its answer is looked up; guess and answer then stand side by side."""
 
     @property
     def edition(self) -> str:
-        return _edition(self, (self.curve.x, self.curve.y) if self.curve else None)
+        return _edition(self, self.decides)
 
 
 @dataclass(frozen=True, slots=True)
 class Reveal:
-    """What waits for a prediction; what it says is in the blocks inside."""
+    """What is hidden until a prediction is made; its content is in the blocks inside."""
 
     prediction: str
     id: str

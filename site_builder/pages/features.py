@@ -5,37 +5,30 @@ back matter. What no line below names is shipped with every book, or reached fro
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from pathlib import Path
 
 from site_builder.book import Book
+from site_builder.book_root import ENGINE
 from site_builder.markdown.directives.simulation import SIMULATION
+from site_builder.markdown.questions.kinds import KINDS as QUESTION_KINDS
+from site_builder.markdown.questions.kinds import kind_of
 from site_builder.page_model.blocks import walk
-from site_builder.page_model.questions import Quiz
+from site_builder.page_model.questions import Question
 
 PARTS: Mapping[str, str] = {
     "simulation": "editor/feature.js",
     "ladder": "ladder/bench.js",
     "extremes": "page/case_filter.js",
     "terms": "page/terms.js",
-    "quiz": "question/questions.js",
-    "predict": "question/predictions.js",
-    "asked": "question/drafts.js",
+    "asked": "question/questions.js",
     "progress": "question/keeping.js",
 }
 """Modules that `main.js` installs, below ``static/js/``."""
 
-KINDS: Mapping[str, tuple[str, str]] = {
-    "single": ("choice", "choice.js"),
-    "multiple": ("choice", "choice.js"),
-    "number": ("number", "number.js"),
-    "order": ("order", "order.js"),
-    "figure": ("figure", "figure.js"),
-}
-"""What judges each kind of question: its name, and its module beside ``questions.js``."""
-
-KIND = "question"
-"""Begins what is told of a kind of questions."""
+KIND = "question kind "
+"""Begins the key of a kind of questions."""
 DRAWINGS = ("illustration", "figure", "video")
-ASKED = ("quiz", "predict")
+ASKED = ("asked",)
 
 SHEETS: Mapping[str, Collection[str]] = {
     "lecture-plan.css": ("lecture-plan",),
@@ -52,8 +45,7 @@ SHEETS: Mapping[str, Collection[str]] = {
     "stage-report.css": ("simulation", "stage-costs"),
     "figure-foot.css": ("simulation",),
     "tools.css": ("simulation",),
-    "quiz.css": ASKED,
-    "answers.css": ASKED,
+    "questions.css": ASKED,
     "predict.css": ("predict",),
     "progress.css": ("progress",),
     "ladder.css": ("ladder", "ladder-table"),
@@ -74,10 +66,9 @@ def _shown(book: Book) -> Iterator[str]:
     for chapter in book.chapters:
         for block in walk(chapter.body):
             yield block.template
-            if block.template in ASKED:
+            if isinstance(block.content, Question):
                 yield "asked"
-            if isinstance(block.content, Quiz):
-                yield f"{KIND} {block.content.kind}"
+                yield f"{KIND}{kind_of(block.content).folder}"
         if chapter.term_uses:
             yield "terms"
         if chapter.quizzes:
@@ -92,13 +83,27 @@ def parts_script(shown: Collection[str]) -> bytes:
     return f"{''.join(lines)}export const PARTS = [{names}];\n".encode()
 
 
-def kinds_script(shown: Collection[str]) -> bytes:
-    """The module ``js/question/book_kinds.js``, likewise."""
-    kinds = {kind: judge for kind, judge in KINDS.items() if f"{KIND} {kind}" in shown}
-    modules = dict(kinds.values())
-    lines = [f'import {{ {name} }} from "./{module}";\n' for name, module in modules.items()]
-    entries = ", ".join(f"{kind}: {name}" for kind, (name, _) in kinds.items())
-    return f"{''.join(lines)}export const KINDS = {{ {entries} }};\n".encode()
+def question_files(shown: Collection[str]) -> dict[str, bytes | Path]:
+    """Of the kinds of questions that the book asks: their scripts with the module
+    ``js/question/book_kinds.js``, which lists them, and their style sheets in one."""
+    kinds = [kind for kind in QUESTION_KINDS if f"{KIND}{kind.folder}" in shown]
+    scripts = {f"../{kind.file('ts').relative_to(ENGINE)}": kind.file("ts") for kind in kinds}
+    lines = [
+        f'import {{ kind as kind{at} }} from "../../{name.removesuffix(".ts")}.js";\n'
+        for at, name in enumerate(scripts)
+    ]
+    entries = ", ".join(
+        f"{name}: kind{at}"
+        for at, kind in enumerate(kinds)
+        for name in dict.fromkeys((*kind.quiz, *kind.predict))
+    )
+    listed = f"{''.join(lines)}export const KINDS = {{ {entries} }};\n".encode()
+    sheet = "\n".join(kind.file("css").read_text(encoding="utf-8") for kind in kinds).encode()
+    return {
+        **scripts,
+        "js/question/book_kinds.js": listed,
+        "css/question-kinds.css": sheet,
+    }
 
 
 def sheets_not_for(shown: Collection[str]) -> frozenset[str]:

@@ -25,6 +25,8 @@ from site_builder.cache import cached_result, hash_of
 from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.files import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
+from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
+from site_builder.markdown.questions.kinds import kind_of
 from site_builder.markdown.text.code import code_html, highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.passage import Passage
@@ -37,9 +39,8 @@ from site_builder.pages.term_lists import card
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
-from site_builder.pages.views.predict import predict_data, view_sketch
 from site_builder.pages.views.progress import progress_data
-from site_builder.pages.views.quiz import in_any_order, quiz_data
+from site_builder.pages.views.question import kind_view, question_data
 from site_builder.pages.views.references import cited_works
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.pages.views.symbols import view_symbols
@@ -56,6 +57,8 @@ def passage_html(context: Context, passage: Passage) -> Markup:
 
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
+FOLDERS = (TEMPLATES, QUESTION_KINDS.parent)
+"""Where templates lie: those of kinds in the folders of these."""
 BACK_MATTER = {
     "glossary": "glossary.title",
     "symbols": "symbols.title",
@@ -66,10 +69,9 @@ BACK_MATTER = {
 """Pages that follow the chapters, by address, and the keys of their titles; a book has those that
 it has something for."""
 FILTERS: Mapping[str, Callable[..., object]] = {
-    "quiz_data": quiz_data,
-    "in_any_order": in_any_order,
-    "predict_data": predict_data,
-    "view_sketch": view_sketch,
+    "kind": kind_of,
+    "kind_view": kind_view,
+    "question_data": question_data,
     "view_ladder": view_ladder,
     "default_error": default_error,
     "slowest_to_quickest": slowest_to_quickest,
@@ -166,7 +168,7 @@ def _renderer(site: Site) -> Callable[..., bytes]:
     given; their initial frames follow from their figures."""
     shared = replace(site, root=Path(), book=_bare(site.book), initial_frames={})
     follows = back_matter(site.book)
-    shared_hash = hash_of(shared, follows, folder_hash(TEMPLATES))
+    shared_hash = hash_of(shared, follows, *(folder_hash(folder, "*.html") for folder in FOLDERS))
     seen = replace(shared, initial_frames=site.initial_frames)
 
     def render(template: str, path: str = "", **context: Any) -> bytes:
@@ -310,7 +312,7 @@ def in_words(book: Book) -> dict[str, object]:
 def _environment() -> Environment:
     environment = Environment(
         bytecode_cache=_compiled_templates(),
-        loader=FileSystemLoader(TEMPLATES),
+        loader=FileSystemLoader(FOLDERS),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,

@@ -1,31 +1,26 @@
 /**
- * What was given in questions and not yet sent: it is there again when the reader comes back to the
+ * Answers that were given and not yet sent: they are there again when the reader comes back to the
  * page, by the history or by loading it anew, in the same tab.
  */
 
 import { STORAGE } from "../book.js";
-import { all, one } from "../page/dom.js";
+import { KINDS } from "./book_kinds.js";
+import { forms, type Given, questionOf } from "./question.js";
 
 interface Draft {
   /** The verdict on what was sent before, if anything was. */
   sent: string;
-  /** Of things to be sorted. */
-  order: string[];
-  /** Of fields; of boxes, whether they are checked. */
-  values: (string | boolean)[];
-  /** Whether there is a sketch. */
-  drawn: boolean;
+  given: Given | null;
 }
 
 const KEY = `${STORAGE}unsent`;
 
 /** By page, and in it by form. */
 let drafts: Record<string, Record<string, Draft>> = {};
-/** Each form before a hand came to it. */
+/** The draft of each form before the reader changed it. */
 const untouched: WeakMap<HTMLFormElement, string> = new WeakMap();
 
-/** Listen; called once, after whatever judges answers. */
-export function install() {
+export function installDrafts() {
   try {
     drafts = JSON.parse(sessionStorage.getItem(KEY) ?? "{}");
   } catch {
@@ -38,12 +33,15 @@ export function install() {
 }
 
 /** Once the page is there, with the answers that were sent. */
-export function arrive() {
+export function restoreDrafts() {
   const unsent = drafts[location.pathname];
   for (const form of forms()) {
     untouched.set(form, JSON.stringify(draftOf(form)));
     const draft = unsent?.[form.id];
-    if (draft?.sent === (form.dataset.answered ?? "")) restore(form, draft);
+    if (draft?.sent !== (form.dataset.answered ?? "") || draft.given === null) continue;
+    const question = questionOf(form);
+    const kind = KINDS[question.kind];
+    if (kind.fits(question, draft.given)) kind.put?.(form, draft.given);
   }
 }
 
@@ -72,46 +70,9 @@ function save() {
   }
 }
 
-function forms() {
-  return all(document, "main form:is([data-quiz], [data-predict])", HTMLFormElement);
-}
-
 function draftOf(form: HTMLFormElement): Draft {
-  return {
-    sent: form.dataset.answered ?? "",
-    order: items(form).map(numberOf),
-    values: fields(form).map((field) => (isBox(field) ? field.checked : field.value)),
-    drawn: "drawn" in form.dataset,
-  };
-}
-
-function restore(form: HTMLFormElement, { order, values, drawn }: Draft) {
-  const byValue = new Map(items(form).map((item) => [numberOf(item), item]));
-  for (const value of order) {
-    const item = byValue.get(value);
-    item?.parentElement?.append(item);
-  }
-  const restored = fields(form);
-  if (values.length !== restored.length) return;
-  for (const [index, field] of restored.entries()) {
-    if (isBox(field)) field.checked = values[index] === true;
-    else field.value = String(values[index]);
-  }
-  if (drawn) restored[0].dispatchEvent(new Event("input", { bubbles: true }));
-}
-
-function items(form: HTMLFormElement) {
-  return all(form, ".order-item", HTMLElement);
-}
-
-function numberOf(item: HTMLElement) {
-  return one(item, "input", HTMLInputElement).value;
-}
-
-function fields(form: HTMLFormElement) {
-  return all(form, "input:not([type=hidden], [type=file])", HTMLInputElement);
-}
-
-function isBox({ type }: HTMLInputElement) {
-  return type === "radio" || type === "checkbox";
+  const question = questionOf(form);
+  const kind = KINDS[question.kind];
+  const given = kind.put ? kind.read(form, question) : null;
+  return { sent: form.dataset.answered ?? "", given: given instanceof Promise ? null : given };
 }

@@ -1,154 +1,184 @@
 /**
- * Questions: an answer is told at once why it is right, or why it tempts. All kinds but one work
- * without the interpreter; answers are remembered where the browser allows.
+ * Questions and predictions: an answer is judged at once and explained. Most kinds work without
+ * Python. A question can be answered again; a prediction is made once, or its answer asked for.
  */
 
 import { message } from "../errors.js";
-import { all, data, one, within } from "../page/dom.js";
+import { one, within } from "../page/dom.js";
 import { onOtherTab, recall, remember } from "../page/storage.js";
 import { words } from "../page/words.js";
 import { KINDS } from "./book_kinds.js";
-import { say } from "./feedback.js";
+import { installDrafts, restoreDrafts } from "./drafts.js";
+import { answersTo, leadToHidden, revealedBy, sideBySide } from "./predictions.js";
 import { showProgress } from "./progress.js";
+import {
+  forms,
+  type Given,
+  isPrediction,
+  type Option,
+  type Question,
+  questionOf,
+  type Verdict,
+} from "./question.js";
 
-export type Option = { correct: boolean; explanation_html: string; value?: number };
+export { leave } from "./drafts.js";
 
-export interface Question {
-  id: string;
-  kind: string;
-  edition: string;
-  options: Option[];
-  tolerance?: number;
-  conditions?: string[];
-}
+/** Null: the answer was asked for. */
+type Settled = Given | null;
 
-/** An answer as it is remembered. */
-type Given = number | number[];
-
-type Verdict = { right: boolean; words: string; replies: Option[] };
-
-/** What one kind of question does. */
-export interface Kind {
-  /** Listen for what it alone knows; called once. */
-  install?: () => void;
-  /** Key of what is said where there is no answer yet. */
-  missing: string;
-  /** Before it is answered. */
-  prepare: (form: HTMLFormElement, question: Question) => void;
-  read: (form: HTMLFormElement, question: Question) => Given | null | Promise<Given>;
-  /** Whether a remembered answer can be one of this question. */
-  fits: (question: Question, given: any) => boolean;
-  /** Show a remembered answer. */
-  put: (form: HTMLFormElement, given: any) => void;
-  judge: (question: Question, given: any) => Verdict;
-  /** What is right and what wrong of it; null where nothing is given. */
-  mark: (form: HTMLFormElement, question: Question, given: any) => void;
-}
-
-/** Listen for answers on any page, now and after a change of chapter. */
+/** Listen on any page, now and after a change of chapter. */
 export function install() {
   document.addEventListener("submit", (event) => {
-    const form = within(event, "form.quiz", HTMLFormElement);
+    const form = within(event, "form:is([data-quiz], [data-predict])", HTMLFormElement);
     if (!form) return;
     event.preventDefault();
-    answer(form);
+    submit(form);
+  });
+  document.addEventListener("click", (event) => {
+    const form = revealedBy(event);
+    if (form) settle(form, null);
+    leadToHidden(event);
   });
   document.addEventListener("answers-forgotten", forget);
-  document.addEventListener("answers-read", arrive);
+  document.addEventListener("answers-read", restoreAll);
   onOtherTab((key) => {
-    for (const form of all(document, "form.quiz", HTMLFormElement)) {
-      if (key === null || key === keyOf(form)) restore(form);
-    }
+    for (const form of forms()) if (key === null || key === keyOf(form)) restore(form);
+    showProgress();
   });
   addEventListener("pageshow", ({ persisted }) => {
     if (!persisted) return; // else other pages may have been read meanwhile
-    for (const form of all(document, "form.quiz", HTMLFormElement)) {
-      if (recall(keyOf(form))) restore(form);
-    }
+    for (const form of forms()) if (recall(keyOf(form))) restore(form);
+    showProgress();
   });
   for (const kind of new Set(Object.values(KINDS))) kind.install?.();
+  installDrafts();
 }
 
 /** Put each question of the page in the reader's order, with the answer of an earlier visit. */
 export function arrive() {
-  for (const form of all(document, "form.quiz", HTMLFormElement)) put(form);
+  for (const form of forms()) put(form);
+  restoreDrafts();
   showProgress();
 }
 
-/** @param form Untouched. */
+/** Name of the stored answer. */
+function keyOf(form: HTMLFormElement) {
+  return isPrediction(form) ? `predict:${form.dataset.predict}` : `quiz:${form.dataset.quiz}`;
+}
+
 function put(form: HTMLFormElement) {
   const question = questionOf(form);
   const kind = KINDS[question.kind];
-  kind.prepare(form, question);
-  const kept = recall(keyOf(form));
-  const known = kept?.edition === question.edition && kind.fits(question, kept.answer);
-  if (known) kind.put(form, kept.answer);
-  show(form, question, known ? kept.answer : null);
+  kind.prepare?.(form, question);
+  const given = stored(form, question);
+  if (given !== undefined && given !== null) kind.put?.(form, given);
+  show(form, question, given);
+}
+
+/** The stored answer; undefined where there is none to this edition of the question. */
+function stored(form: HTMLFormElement, question: Question): Settled | undefined {
+  const entry = recall(keyOf(form));
+  if (entry?.edition !== question.edition) return undefined;
+  const given = isPrediction(form) ? entry.guess : entry.answer;
+  const isAsked = given === null && isPrediction(form);
+  return isAsked || KINDS[question.kind].fits(question, given) ? given : undefined;
 }
 
 /** Show what was answered elsewhere meanwhile. */
 function restore(form: HTMLFormElement) {
   form.reset();
   put(form);
-  showProgress();
 }
 
-/** Under which name the answer is kept. */
-function keyOf(form: HTMLFormElement) {
-  return `quiz:${form.dataset.quiz}`;
+function restoreAll() {
+  for (const form of forms()) restore(form);
+  showProgress();
 }
 
 /** Forget the answers of this page. */
 function forget() {
-  for (const form of all(document, "form.quiz", HTMLFormElement)) {
-    remember(`quiz:${form.dataset.quiz}`, null);
-    form.reset();
-  }
-  arrive();
+  for (const form of forms()) remember(keyOf(form), null);
+  restoreAll();
 }
 
 /** Judge what the form says: at once, but for the kind that asks Python. */
-function answer(form: HTMLFormElement) {
+function submit(form: HTMLFormElement) {
   const question = questionOf(form);
   const given = KINDS[question.kind].read(form, question);
-  if (!(given instanceof Promise)) settle(form, question, given);
-  else given.then((told) => settle(form, question, told)).catch((error) => fail(form, error));
+  if (given instanceof Promise) {
+    given.then((late) => settle(form, late)).catch((error) => fail(form, error));
+  } else if (given !== null) {
+    settle(form, given);
+  } else {
+    show(form, question, undefined);
+    one(form, ".feedback", HTMLElement).textContent =
+      KINDS[question.kind].missing?.(question) ?? "";
+    showProgress();
+  }
 }
 
-function settle(form: HTMLFormElement, question: Question, given: Given | null) {
+function settle(form: HTMLFormElement, given: Settled) {
+  const question = questionOf(form);
   show(form, question, given);
-  if (given === null) {
-    const { missing } = KINDS[question.kind];
-    one(form, ".feedback", HTMLElement).textContent = missing && words(missing);
-  } else {
-    const right = form.dataset.answered === "correct";
-    remember(`quiz:${question.id}`, { edition: question.edition, answer: given, right });
-  }
+  const { edition } = question;
+  const right = form.dataset.answered === "correct";
+  const entry = isPrediction(form) ? { edition, guess: given } : { edition, answer: given, right };
+  remember(keyOf(form), entry);
   showProgress();
 }
 
 function fail(form: HTMLFormElement, error: unknown) {
-  show(form, questionOf(form), null);
+  show(form, questionOf(form), undefined);
   const reason = message(error);
   one(form, ".feedback", HTMLElement).textContent = words("question.no_judge", { reason });
   showProgress();
 }
 
-function questionOf(form: HTMLFormElement): Question {
-  return data(form, "script.quiz-data");
-}
-
 /** The verdict on an answer, or none. */
-function show(form: HTMLFormElement, question: Question, given: Given | null) {
+function show(form: HTMLFormElement, question: Question, given: Settled | undefined) {
   const kind = KINDS[question.kind];
   const feedback = one(form, ".feedback", HTMLElement);
-  kind.mark(form, question, given);
-  if (given === null) {
+  if (isPrediction(form)) {
+    const isMade = given !== undefined;
+    one(form, "fieldset", HTMLFieldSetElement).disabled = isMade;
+    for (const answer of answersTo(form)) answer.toggleAttribute("data-open", isMade);
+  }
+  if (given === undefined) {
     delete form.dataset.answered;
     feedback.replaceChildren();
-    return;
+  } else {
+    const verdict = given === null ? withoutGuess(question) : kind.judge(question, given);
+    form.dataset.answered = given === null ? "revealed" : verdict.right ? "correct" : "wrong";
+    const compared = isPrediction(form) ? kind.compare?.(form, question, given) : undefined;
+    const beside = compared ? [sideBySide(...compared)] : [];
+    feedback.replaceChildren(...beside, ...explained(verdict, isPrediction(form)));
   }
-  const verdict = kind.judge(question, given);
-  form.dataset.answered = verdict.right ? "correct" : "wrong";
-  say(feedback, verdict.words, verdict.replies);
+  kind.mark?.(form, question, given ?? null);
+}
+
+function withoutGuess({ options }: Question): Verdict {
+  const replies = options.filter(({ correct }) => correct);
+  return { right: false, words: words("predict.without"), replies };
+}
+
+function explained({ right, words: own, replies, remark }: Verdict, isGuess: boolean) {
+  const [yes, no] = isGuess
+    ? ["predict.agrees", "predict.differs"]
+    : ["question.right", "question.wrong"];
+  const verdict = element("p", "verdict");
+  verdict.textContent = own ?? words(right ? yes : no);
+  const last = element("p", "explanation");
+  last.textContent = remark ?? "";
+  const reasons = replies.filter((reply) => reply.explanation_html !== "").map(explanation);
+  return [verdict, ...reasons, ...(remark ? [last] : [])];
+}
+
+function explanation({ correct, explanation_html: html }: Option) {
+  const reason = element("div", `explanation ${correct ? "correct" : "wrong"}`);
+  reason.innerHTML = html; // the book's own, as its page has it
+  return reason;
+}
+
+function element(tag: string, className: string) {
+  return Object.assign(document.createElement(tag), { className });
 }

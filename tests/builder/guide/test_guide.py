@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, expect
 from support.html_outline import read_html
 from support.static_server import serving
 
@@ -22,7 +22,8 @@ from site_builder.guide.pages import (
     read_examples,
 )
 from site_builder.markdown.directives import DIRECTIVES
-from site_builder.markdown.directives.quiz import KINDS, QUIZ
+from site_builder.markdown.directives.quiz import QUIZ
+from site_builder.markdown.questions.kinds import KINDS
 from site_builder.markdown.roles import ROLES
 
 
@@ -47,11 +48,6 @@ def test_every_directive_and_role_has_its_section(guide: Path) -> None:
         headings = [heading.text.strip() for heading in read_html(html).all("h2")]
         declared = [item.name for item in names]
         assert [heading for heading in headings if heading in declared] == declared
-
-
-def test_there_is_a_question_of_each_kind() -> None:
-    kinds = re.findall(r"^:kind: (\w+)", read_examples(EXAMPLES)["quiz"], re.MULTILINE)
-    assert {"single", *kinds} == set(KINDS)
 
 
 def test_an_example_is_of_something_that_there_is() -> None:
@@ -95,6 +91,24 @@ def test_its_film_plays_in_the_browser_with_its_captions(guide: Path, chromium: 
         )
     assert found["ended"]
     assert found["cues"][0] == "In its first second the ball falls five metres."
+
+
+@pytest.mark.browser
+def test_every_question_of_it_replies_to_a_press_of_its_button(
+    guide: Path, chromium: Browser
+) -> None:
+    """Whatever kinds there are; of their own tests others are in ``tests/e2e``."""
+    with serving(guide) as server, chromium.new_context() as context:
+        page = context.new_page()
+        page.goto(f"{server.url}directives/", wait_until="domcontentloaded")
+        page.wait_for_function("document.querySelector('form.quiz label.option')")
+        forms = page.locator("main form:is([data-quiz], [data-predict])").all()
+        assert {form.get_attribute("data-kind") for form in forms} == {
+            name for kind in KINDS for name in (kind.quiz or kind.predict)
+        }
+        for form in forms:
+            form.evaluate("form => form.requestSubmit()")
+            expect(form.get_by_role("status")).not_to_be_empty()
 
 
 def test_a_guide_written_again_leaves_what_is_the_same(tmp_path: Path) -> None:

@@ -30,7 +30,7 @@ MADE = (
 
 def sources() -> Iterator[tuple[Path, str]]:
     for folder, kinds in (
-        ("site_builder", (".py", ".html", ".xml")),
+        ("site_builder", (".py", ".html", ".xml", ".ts")),
         ("static/js", (".ts",)),
         *((f"simulations/{part}", (".py",)) for part in ("engine", "editing")),
     ):

@@ -7,10 +7,9 @@ import pytest
 
 from site_builder.build import Options, render_site
 from site_builder.markdown.directives import DIRECTIVES
-from site_builder.markdown.directives.quiz import KINDS as QUESTION_KINDS
 from site_builder.output.assets import content_bytes
 from site_builder.output.style_sheets import IMPORT
-from site_builder.pages.features import KINDS, PARTS, SHEETS
+from site_builder.pages.features import PARTS, SHEETS
 
 type MakeBook = Callable[..., Options]
 
@@ -60,7 +59,7 @@ def test_a_book_of_plain_text_ships_what_turns_its_pages(make_book: MakeBook) ->
 
 def test_a_question_brings_its_own_kind_and_no_other(make_book: MakeBook) -> None:
     files = shipped(make_book(QUESTION, PLAIN))
-    assert holds(files, "shuffleOptions")
+    assert holds(files, "label.option")
     assert not any(holds(files, name) for name in (".grip", "LiveFigure"))
     assert "\n.verdict" in files["css/book.css"]
 
@@ -76,6 +75,5 @@ def test_the_table_names_what_there_is() -> None:
     told = {"terms", "asked", "progress", "lecture-plan", "glossary", "index-of-terms"}
     uses = {use for uses in SHEETS.values() for use in uses} | set(PARTS)
     assert uses <= blocks | told
-    assert set(KINDS) == set(QUESTION_KINDS)
     sheets = IMPORT.findall((STATIC / "css" / "book.css").read_text(encoding="utf-8"))
     assert set(SHEETS) <= set(sheets)

@@ -1,0 +1,52 @@
+"""Answers to choose from: one that is right, or several."""
+
+from collections.abc import Sequence
+
+from markdown_it.token import Token
+
+from site_builder.markdown.calculation import truth
+from site_builder.markdown.directive import DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.questions.answers import Answer, check_parts, read_answer, split_body
+from site_builder.markdown.questions.checks import check_answers
+from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.page_model.questions import Option
+
+SEVERAL = "multiple"
+"""The name of a question that may have several right answers."""
+
+
+def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
+    parts = split_body(body)
+    check_parts(call, parts, context)
+    answers = (read_answer(item, context) for item in parts.items)
+    judged = ((answer, _is_right(answer, context)) for answer in answers if answer)
+    options = tuple(
+        Option(answer.words, answer.text, right, answer.reply)
+        for answer, right in judged
+        if right is not None
+    )
+    one = f"one, or ':kind: {SEVERAL}'" if call.name == "quiz" else "one"
+    right = "" if call.text("kind") == SEVERAL else one
+    check_answers(call, options, len(parts.items), context, right=right)
+    return Asked(parts.prompt, options)
+
+
+def _is_right(answer: Answer, context: ParseContext) -> bool | None:
+    """By its mark or its condition; None, and a report, of one that cannot be computed."""
+    if answer.mark != "computed":
+        return answer.mark == "right"
+    if not answer.code:
+        expected = "'- [?] `condition` some text'"
+        context.problem(answer.line, f"answer {answer.text!r} has no condition; legal: {expected}")
+        return None
+    return truth(answer.code, answer.line, context)
+
+
+CHOICE = QuestionKind(
+    folder="choice",
+    doc="answers to choose from: one is right or, of `multiple`, any number of them",
+    read=read_choice,
+    quiz=("single", SEVERAL),
+    predict=("choice",),
+)

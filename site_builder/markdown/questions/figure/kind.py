@@ -1,0 +1,92 @@
+"""A figure to set: the answers are conditions on its state."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from site_builder.markdown.directive import DirectiveCall, OptionLine
+from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.questions.answers import check_parts, read_answer, split_body
+from site_builder.markdown.questions.checks import (
+    check_answers,
+    check_otherwise,
+    report_not_coded,
+)
+from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.passage import Passage
+from site_builder.page_model.questions import OTHERWISE, Option, Question
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """What is to be set."""
+
+    figure: str
+    """Its element id."""
+    solution: Mapping[str, str]
+    """Settings that are right."""
+
+
+def read_state(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
+    """What is wrong with the conditions is reported when the figure is drawn."""
+    parts = split_body(body)
+    check_parts(call, parts, context)
+    options: list[Option] = []
+    for answer in (read_answer(item, context, coded=True) for item in parts.items):
+        if answer and (answer.code or answer.text == OTHERWISE):
+            right = answer.mark == "right"
+            options.append(Option(Passage(), answer.code or OTHERWISE, right, answer.reply))
+        elif answer:
+            report_not_coded(answer, context)
+    if check_answers(call, options, len(parts.items), context):
+        check_otherwise(call, options, context)
+    return Asked(parts.prompt, tuple(options), Task(call.text("figure"), _solution(call, context)))
+
+
+def _solution(call: DirectiveCall, context: ParseContext) -> dict[str, str]:
+    """``k1=-0.1 k2=0``."""
+    pairs = call.text("solution").split()
+    if not call.text("figure") or not pairs or not all("=" in pair for pair in pairs):
+        expected = "lines ':figure: figure-SCENE' and ':solution: control=value …'"
+        context.problem(call.line, f"quiz {call.argument!r} cannot be solved; legal: {expected}")
+    return dict(pair.split("=", 1) for pair in pairs if "=" in pair)
+
+
+def conditions(question: Question) -> list[str]:
+    """Of the answers, in their order; whatever meets none is the last one's."""
+    return [option.text for option in question.options if option.text != OTHERWISE]
+
+
+def _catalogue(question: Question) -> Mapping[str, object]:
+    task: Task = question.details
+    return {"figure": task.figure, "solution": dict(task.solution)}
+
+
+def _solved(question: Question, figures: Sequence[Simulation]) -> str:
+    """Settings that are right, as the figure's controls are labelled."""
+    task: Task = question.details
+    labels = {
+        control.name: control.label
+        for figure in figures
+        if figure.id == task.figure
+        for control in figure.scene.controls
+    }
+    return ", ".join(f"{labels.get(name, name)} {value}" for name, value in task.solution.items())
+
+
+FIGURE = QuestionKind(
+    folder="figure",
+    doc="a figure to set, judged by conditions on its settings and readouts",
+    read=read_state,
+    quiz=("figure",),
+    options=(
+        OptionLine("figure", doc="the element id of the figure that is to be set"),
+        OptionLine("solution", doc="settings that solve it, `control=value …`"),
+    ),
+    page_data=lambda question: {"conditions": conditions(question)},
+    catalogue=_catalogue,
+    form_data=lambda question: {"figure": question.details.figure},
+    view=_solved,
+)

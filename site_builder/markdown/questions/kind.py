@@ -1,0 +1,82 @@
+"""What a kind of question is: one value in a folder of its own, beside its other files.
+
+    NAME/kind.py    how it is written, and what a page must know of it
+    NAME/kind.html  how it is asked and, in the answers at the end of the book, solved
+    NAME/kind.ts    how a page reads and judges an answer
+    NAME/kind.css   how it looks
+    NAME/kind.md    examples for the authors' guide
+
+``kinds.py`` lists them; nothing else names one.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from markdown_it.token import Token
+
+from site_builder.markdown.directive import DirectiveCall, OptionLine
+from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.questions import Option, Question
+
+HERE = Path(__file__).parent
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """The body of a question, as its kind has read it."""
+
+    prompt: tuple[Token, ...]
+    options: tuple[Option, ...] = ()
+    details: Any = None
+    """What only its kind knows, for the functions below and its template."""
+    decides: object = None
+    """What else than the options decides what is right: stored answers to a question with another
+    value are forgotten."""
+
+
+def _nothing(_question: Question) -> Mapping[str, object]:
+    return {}
+
+
+def _no_view(_question: Question, _figures: Sequence[Simulation]) -> None:
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class QuestionKind:
+    """One kind of question."""
+
+    folder: str
+    doc: str
+    """In the authors' guide: ``a number within a tolerance``."""
+    read: Callable[[DirectiveCall, Sequence[Token], ParseContext], Asked | None]
+    """None, and a report, where mistakes leave nothing to ask."""
+    quiz: tuple[str, ...] = ()
+    """What a ``{quiz}`` of it writes behind ``:kind:``; nothing where no quiz may be of it."""
+    predict: tuple[str, ...] = ()
+    """The same for a ``{predict}``."""
+    options: tuple[OptionLine, ...] = ()
+    """Option lines that no other kind has, or that kinds share by the same value."""
+    numbered: bool = False
+    """Whether the options are listed by number, and not by whether they are right."""
+    page_data: Callable[[Question], Mapping[str, object]] = _nothing
+    """What its script must know besides the options."""
+    catalogue: Callable[[Question], Mapping[str, object]] = _nothing
+    """What its entry in ``book.json`` has besides."""
+    form_data: Callable[[Question], Mapping[str, object]] = _nothing
+    """``data-`` attributes of its form."""
+    view: Callable[[Question, Sequence[Simulation]], object] = _no_view
+    """What its template shows besides; it is given the figures of the chapter."""
+
+    def names(self, directive: str) -> tuple[str, ...]:
+        return self.quiz if directive == "quiz" else self.predict
+
+    @property
+    def template(self) -> str:
+        return f"questions/{self.folder}/kind.html"
+
+    def file(self, suffix: str) -> Path:
+        return HERE / self.folder / f"kind.{suffix}"

@@ -1,0 +1,49 @@
+/** A number: right within a tolerance, or one that a known mistake leads to. */
+
+import { one } from "../../../../static/js/page/dom.js";
+import { numeral, words } from "../../../../static/js/page/words.js";
+import type { Kind, Option, Question } from "../../../../static/js/question/question.js";
+
+interface Measured extends Question {
+  tolerance: number;
+  /** Of a prediction: the right number in words. */
+  truth?: string;
+}
+
+export const kind: Kind<Measured, number> = {
+  read(form) {
+    const value = field(form).valueAsNumber;
+    return Number.isFinite(value) ? value : null;
+  },
+
+  missing: ({ truth }) => words(truth === undefined ? "question.type" : "predict.number"),
+
+  fits: (_question, given) => Number.isFinite(given),
+
+  put(form, given) {
+    field(form).value = String(given);
+  },
+
+  judge({ options, tolerance }, given) {
+    const reply =
+      recognised(options, given, tolerance) ?? options.find(({ value }) => value === undefined);
+    return { right: reply?.correct ?? false, replies: reply ? [reply] : [] };
+  },
+
+  compare(form, { truth = "" }, given) {
+    const unit = one(form, ".unit", HTMLElement).textContent ?? "";
+    return [given === null ? null : [`${numeral(String(given))} ${unit}`.trim()], [truth]];
+  },
+};
+
+function field(form: HTMLFormElement) {
+  return one(form, "fieldset input", HTMLInputElement);
+}
+
+/** The nearest of the known answers that a number may be taken for. */
+function recognised(options: Option[], given: number, tolerance: number): Option | undefined {
+  const distance = ({ value = Infinity }: Option) => Math.abs(value - given);
+  const slack = tolerance * (1 + 1e-9); // what stands at the border is inside
+  const near = options.filter((option) => distance(option) <= slack);
+  return near.sort((first, second) => distance(first) - distance(second))[0];
+}

@@ -1,0 +1,1 @@
+"""A kind of question: things to put in order."""

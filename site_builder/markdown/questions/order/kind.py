@@ -1,0 +1,47 @@
+"""Things to put in order; they are written in the right one."""
+
+import hashlib
+from collections.abc import Sequence
+
+from markdown_it.token import Token
+
+from site_builder.markdown.directive import DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.questions.answers import check_parts, read_answer, split_body
+from site_builder.markdown.questions.checks import check_answers
+from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.questions import Option, Question
+
+
+def read_order(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
+    parts = split_body(body, "ordered")
+    check_parts(call, parts, context)
+    answers = (read_answer(item, context, marked=False) for item in parts.items)
+    options = tuple(
+        Option(answer.words, answer.text, True, answer.reply) for answer in answers if answer
+    )
+    check_answers(call, options, len(parts.items), context, form="1. …", right="")
+    return Asked(parts.prompt, options)
+
+
+def in_any_order(
+    question: Question, _figures: Sequence[Simulation] = ()
+) -> list[tuple[int, Option]]:
+    """The options in an order that gives nothing away and never changes, each with its place in
+    the right one."""
+    mixed = sorted(
+        enumerate(question.options), key=lambda item: hashlib.sha256(item[1].text.encode()).digest()
+    )
+    places = [place for place, _ in mixed]
+    return mixed if places != sorted(places) else mixed[::-1]
+
+
+ORDER = QuestionKind(
+    folder="order",
+    doc="things to put in order, written in the right one",
+    read=read_order,
+    quiz=("order",),
+    numbered=True,
+    view=in_any_order,
+)

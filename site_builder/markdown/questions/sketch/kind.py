@@ -1,0 +1,103 @@
+"""A curve to draw: an expression in ``x``, and the two axes that it is drawn on."""
+
+from collections.abc import Mapping, Sequence
+
+from markdown_it.token import Token
+
+from site_builder.markdown.calculation import number
+from site_builder.markdown.directive import DirectiveCall, OptionLine
+from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.questions.answers import Parts, check_parts
+from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.markdown.questions.sketch.view import (
+    BOTTOM,
+    LEFT,
+    RIGHT,
+    TOP,
+    Axis,
+    Curve,
+    marked_points,
+    view_sketch,
+)
+from site_builder.page_model.questions import Question
+
+SAMPLES = 97
+"""Points of a true curve: twelve for each step between the nine places of a sketch."""
+
+
+def read_sketch(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked | None:
+    check_parts(call, Parts(tuple(body), (), ()), context)
+    curve = _read_curve(call, context)
+    if curve is None:
+        return None
+    return Asked(tuple(body), details=curve, decides=(curve.x, curve.y))
+
+
+def _read_curve(call: DirectiveCall, context: ParseContext) -> Curve | None:
+    """The curve, computed along its axis; None, and a report, where that is not possible."""
+    x, y = (_read_axis(call, name, context) for name in ("x", "y"))
+    option = call.options.get("curve")
+    if option is None or not option.text:
+        expected = "a line ':curve: expression in x'"
+        context.problem(call.line, f"predict {call.argument!r} has no curve; legal: {expected}")
+        return None
+    if x is None or y is None:
+        return None
+    samples: list[tuple[float, float]] = []
+    for step in range(SAMPLES):
+        place = x.start + (x.end - x.start) * step / (SAMPLES - 1)
+        value = number(option.text, option.line, context, x=place)
+        if value is None:
+            return None
+        samples.append((place, value))
+    outside = [value for _, value in samples if not y.start <= value <= y.end]
+    if outside:
+        expected = f"{y.start:g} to {y.end:g}, the axis ':y:'"
+        context.problem(option.line, f"the curve reaches {outside[0]:g}; legal: {expected}")
+    return Curve(x, y, tuple(samples))
+
+
+def _read_axis(call: DirectiveCall, name: str, context: ParseContext) -> Axis | None:
+    """``0 90 Angle of the light (°)``."""
+    option = call.options.get(name)
+    text = option.text if option else ""
+    start, _, rest = text.partition(" ")
+    end, _, label = rest.partition(" ")
+    try:
+        axis = Axis(float(start), float(end), label.strip())
+    except ValueError:
+        axis = Axis(0.0, 0.0, "")
+    if axis.start < axis.end and axis.label:
+        return axis
+    expected = f"a line ':{name}: 0 90 Angle of the light (°)'"
+    line = option.line if option else call.line
+    context.problem(
+        line, f"axis {name} of predict {call.argument!r} is {text!r}; legal: {expected}"
+    )
+    return None
+
+
+def _page_data(question: Question) -> Mapping[str, object]:
+    curve: Curve = question.details
+    sketch = {
+        "field": {"left": LEFT, "right": RIGHT, "top": TOP, "bottom": BOTTOM},
+        "x": [curve.x.start, curve.x.end],
+        "y": [curve.y.start, curve.y.end],
+        "truth": [value for _, value in marked_points(curve)],
+    }
+    return {"sketch": sketch}
+
+
+SKETCH = QuestionKind(
+    folder="sketch",
+    doc="a curve to draw, compared with the computed one",
+    read=read_sketch,
+    predict=("sketch",),
+    options=(
+        OptionLine("curve", doc="what is to be sketched, an expression in `x`"),
+        OptionLine("x", doc="an axis, `0 90 Angle (°)`"),
+        OptionLine("y", doc="the other axis"),
+    ),
+    page_data=_page_data,
+    view=lambda question, _figures: view_sketch(question.details),
+)

@@ -1,0 +1,35 @@
+"""A question as its templates need it, and as the script of its page does."""
+
+from jinja2 import pass_context
+from jinja2.runtime import Context
+from markupsafe import Markup
+
+from site_builder.markdown.questions.kinds import kind_of
+from site_builder.page_model.questions import Question, Quiz
+from site_builder.pages.embedding import json_for_html
+
+
+@pass_context
+def kind_view(context: Context, question: Question) -> object:
+    """What the template of its kind shows besides the question."""
+    chapter = context["chapter"]
+    return kind_of(question).view(question, chapter.simulations if chapter else ())
+
+
+@pass_context
+def question_data(context: Context, question: Quiz) -> Markup:
+    """JSON that is safe inside a script element."""
+    options = [
+        {"correct": option.correct, "explanation_html": context["renderer"](option.explanation)}
+        | ({} if option.value is None else {"value": option.value})
+        for option in question.options
+    ]
+    return json_for_html(
+        {
+            "id": question.id,
+            "kind": question.kind,
+            "edition": question.edition,
+            "options": options,
+            **kind_of(question).page_data(question),
+        }
+    )
