@@ -1,13 +1,11 @@
 """Drafts while a hand moves, the chosen accuracy at rest, and the error once nothing moves."""
 
-import re
 from collections.abc import Callable
 from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
 from support.reader import Reader
-from support.reading_order import SAMPLED
 
 from simulations.registry import load_scene
 
@@ -162,21 +160,3 @@ def test_a_refused_setting_leaves_the_list_of_stages_ready_for_the_next(
         guest.settle(figure)
         assert figure.get_attribute("data-state") == "live"
     assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
-
-
-JUDGED = [each for each in SAMPLED if load_scene(str(each.values[0])).estimate is not None]
-
-
-@pytest.mark.parametrize("scene", JUDGED)
-def test_a_figure_with_a_reference_settles_in_its_default_tier_and_tells_its_error(
-    guest: Reader, book: Any, scene: str
-) -> None:
-    figure, known = guest.stay_at_figure(book, scene), load_scene(scene)
-    value = guest.judged(figure)
-    assert figure.get_attribute("data-tier") == known.default_tier
-    offered = figure.locator("select[name=tier] option").evaluate_all(
-        "options => options.map((option) => option.value)"
-    )
-    assert offered == list(known.tiers)
-    assert re.search(r"[0-9⁰-⁹]|none", value), value
-    assert "not measured" not in value

@@ -135,37 +135,3 @@ def test_answers_that_are_not_sent_outlive_a_turn_of_the_page_and_a_reload(
     plain_reader.turn_to("glossary/", live=False)
     plain_reader.turn_to(chapter, live=False)
     assert page.locator("form.quiz input:checked").count() == 0, "forgotten with the others"
-
-
-def test_after_an_hour_in_a_hidden_tab_python_is_the_same_and_answers(visitor: Reader) -> None:
-    visitor.turn_to(ALL_KINDS[0])
-    page, figure = visitor.page, visitor.page.locator("simulation-figure")
-    (worker,) = page.workers
-    devtools = page.context.new_cdp_session(page)
-    page.evaluate(ASK, 1.5)
-    devtools.send("Page.setWebLifecycleState", {"state": "frozen"})
-    devtools.send("Page.setWebLifecycleState", {"state": "active"})
-    page.evaluate(PASS, 3_600_000)
-    page.wait_for_function("window.answered !== undefined")
-    assert page.evaluate("window.answered") == "in time"
-    page.evaluate("delete performance.now")
-    frames = visitor.frames(figure)
-    figure.locator("input[type=range]").first.press("PageUp")
-    visitor.wait_frame(figure, frames)
-    assert page.workers == [worker]
-
-
-ASK = """async (seconds) => {
-  const {inside} = await customElements.whenDefined('simulation-figure');
-  const runtime = inside.sharedRuntime();
-  delete window.answered;
-  const long = {ladder: 'shot-noise', tier: 'quantile', budget: seconds};
-  runtime.call('measure', long).then(
-    () => { window.answered = 'in time'; }, (error) => { window.answered = error.message; });
-}"""
-"""Ask Python for what takes some seconds."""
-PASS = """(ms) => {
-  const now = performance.now.bind(performance);
-  performance.now = () => now() + ms;
-}"""
-"""Let so much time go by at once."""

@@ -1,5 +1,5 @@
 """Every control of every scene can be reached and draws another frame; each kind of control
-answers keys and the mouse; every tier draws."""
+answers keys and the mouse."""
 
 from collections.abc import Callable, Iterator
 from itertools import pairwise
@@ -126,28 +126,6 @@ TRY_CONTROLS = f"""async (figure, controls) => {{
   }}
   return told;
 }}"""
-
-
-def test_every_tier_draws_a_frame(scene: Any, figure: Locator) -> None:
-    if not scene["tiers"]:
-        return
-    chosen = figure.locator('select[name="tier"]').input_value()
-    tiers = [*(tier for tier in scene["tiers"] if tier != chosen), chosen]
-    assert figure.evaluate(TRY_TIERS, tiers) == tiers
-
-
-TRY_TIERS = """async (figure, tiers) => {
-  const menu = figure.querySelector('select[name="tier"]');
-  const drawn = [];
-  for (const tier of tiers) {
-    menu.value = tier;
-    const frames = Number(figure.dataset.frames);
-    menu.dispatchEvent(new Event('change', {bubbles: true}));
-    while (!figure.rests) await new Promise((resolve) => setTimeout(resolve, 5));
-    if (Number(figure.dataset.frames) > frames) drawn.push(figure.dataset.tier);
-  }
-  return drawn;
-}"""
 
 
 @pytest.fixture(params=KINDS, ids=" ".join, scope="module")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Request, Route
+from playwright.sync_api import Browser, Route
 from support.reader import START_MS, Reader, visit
 from support.static_server import Fault, StaticServer
 
@@ -119,24 +119,12 @@ def test_a_page_drawn_by_other_sources_than_python_has_is_drawn_anew(
     assert f"render {scene} starting" in told(reader)
 
 
-@pytest.fixture
-def fetched(plain_reader: Reader) -> Iterator[list[str]]:
-    """Addresses that are asked for from now on."""
-    addresses: list[str] = []
-
-    def note(request: Request) -> None:
-        addresses.append(request.url)
-
-    plain_reader.page.on("request", note)
-    yield addresses
-    plain_reader.page.remove_listener("request", note)
-
-
 @pytest.mark.parametrize("hint", ["hover", "focus"])
 def test_a_page_that_is_pointed_at_is_fetched_once_and_is_there_when_its_link_is_followed(
-    plain_reader: Reader, fetched: list[str], chapters: list[Any], hint: str
+    plain_reader: Reader, chapters: list[Any], hint: str
 ) -> None:
     plain_reader.open(chapters[0]["url"], live=False)
+    fetched = plain_reader.note_requests()
     wanted = plain_reader.root + chapters[1]["url"]
     link = plain_reader.page.locator(".pager a[rel=next]")
     with plain_reader.page.expect_response(wanted):
@@ -149,11 +137,11 @@ def test_a_page_that_is_pointed_at_is_fetched_once_and_is_there_when_its_link_is
 
 
 def test_of_links_that_lead_out_of_the_book_or_stay_on_the_page_nothing_is_fetched(
-    plain_reader: Reader, fetched: list[str], chapters: list[Any]
+    plain_reader: Reader, chapters: list[Any]
 ) -> None:
     plain_reader.open(chapters[0]["url"], live=False)
     page = plain_reader.page
-    fetched.clear()
+    fetched = plain_reader.note_requests()
     for address in ("https://elsewhere.example/", "#main", "../book.json", "mailto:a@b.example"):
         page.evaluate(OFFER, address)
         page.locator("#offered").hover()

@@ -7,9 +7,6 @@ from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
-CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
-SETTINGS = """(figure) => [...figure.querySelectorAll('form.controls [name]')]
-  .map((control) => [control.name, control.checked ?? control.dataset.state, control.value])"""
 JUNK = """(junk) => {
   const prefix = Object.keys(localStorage).find((key) => key.endsWith(':order')).slice(0, -5);
   for (const form of document.querySelectorAll('main form:is([data-quiz], [data-predict])')) {
@@ -39,28 +36,6 @@ for (const [owner, name] of [[window, 'localStorage'], [window, 'sessionStorage'
   const get = () => { throw new DOMException('denied', 'SecurityError'); };
   Object.defineProperty(owner, name, {get});
 }"""
-
-
-@pytest.mark.parametrize(
-    "end",
-    [
-        "#figure-lens-distortion.k1=NaN",
-        "#figure-lens-distortion?k1=1e309",
-        "#<script>window.harmed = true</script>",
-        "#javascript:window.harmed=true",
-        "#:~:text=__proto__",
-        "?" + "x" * 60_000,
-    ],
-    ids=lambda end: end[:40],
-)
-def test_the_end_of_an_address_runs_and_sets_nothing(plain_reader: Reader, end: str) -> None:
-    page = plain_reader.page
-    plain_reader.open(CHAPTER, live=False)
-    start = plain_reader.figure(SCENE).evaluate(SETTINGS)
-    plain_reader.open(CHAPTER + end, live=False)
-    page.reload()
-    assert plain_reader.figure(SCENE).evaluate(SETTINGS) == start
-    assert page.evaluate("window.harmed") is None
 
 
 @pytest.mark.parametrize("chapter", ["why-image-formation/", "perspective-projection/"])

@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Locator, Route
+from playwright.sync_api import Browser, Locator
 from support.reader import START_MS, Reader
 from support.static_server import StaticServer
 
@@ -112,36 +112,6 @@ def test_an_exception_in_a_scene_is_told_and_the_next_try_finds_the_values_as_th
     visitor.wait_frame(figure, frames)
     assert slider.input_value() == kept
     assert not figure.locator(".figure-status").is_visible()
-
-
-def test_a_start_that_fails_while_the_network_comes_back_is_tried_again(
-    visitor: Reader, chapter: str
-) -> None:
-    held: list[Route] = []
-    host = {"away": True}
-
-    def answer(route: Route) -> None:
-        if not host["away"]:
-            route.continue_()
-        elif "slow" in host:
-            held.append(route)
-        else:
-            route.abort()
-
-    page = visitor.page
-    page.context.route("**/runtime.json*", answer)
-    visitor.open(chapter, live=False)
-    figure = page.locator("simulation-figure").first
-    figure.locator(".retry").wait_for(timeout=START_MS)
-    host["slow"] = True
-    with page.context.expect_event("request", lambda request: "runtime.json" in request.url):
-        figure.locator(".retry").click()
-    page.evaluate("dispatchEvent(new Event('online'))")
-    del host["slow"]
-    page.once("worker", lambda _: host.update(away=False))
-    for route in held:
-        route.abort()
-    figure.and_(page.locator("[data-state=live]")).wait_for(timeout=START_MS)
 
 
 def test_a_browser_without_webassembly_is_told_so_and_keeps_the_stills(

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Request, expect
+from playwright.sync_api import Browser, expect
 from support.reader import FRUGAL, START_MS, Reader, visit
 from support.static_server import Fault, StaticServer
 
@@ -45,19 +45,7 @@ def plainly(server: StaticServer, table: Any) -> None:
 @pytest.fixture
 def fetched(reader: Reader) -> list[str]:
     reader.page.add_init_script(FRUGAL)
-    return fetched_by(reader)
-
-
-def fetched_by(reader: Reader) -> list[str]:
-    """The parts that are asked for from now on, in order."""
-    parts: list[str] = []
-
-    def note(request: Request) -> None:
-        if request.url.endswith(".zip"):
-            parts.append(request.url.rpartition("/")[2].removesuffix(".zip"))
-
-    reader.page.on("request", note)
-    return parts
+    return reader.note_parts()
 
 
 def a_chapter(book: Any, table: Any, wanted: Callable[[set[str]], bool]) -> tuple[str, set[str]]:
@@ -82,7 +70,7 @@ def test_a_page_whose_scenes_need_no_more_fetches_no_more_until_ladders_ask_for_
 ) -> None:
     address, parts = a_chapter(book, table, lambda parts: not parts)
     with visit(chromium, server, FRUGAL) as reader:
-        fetched = fetched_by(reader)
+        fetched = reader.note_parts()
         reader.open(address)
         assert sorted(fetched) == sorted(AT_ONCE | parts)
         named = set()
@@ -100,8 +88,7 @@ def test_a_page_whose_scenes_need_no_more_fetches_no_more_until_ladders_ask_for_
 def test_a_page_fetches_what_its_scenes_import_and_a_later_page_what_is_still_missing(
     reader: Reader, book: Any, table: Any, fetched: list[str]
 ) -> None:
-    asked: list[str] = []
-    reader.page.on("request", lambda request: asked.append(request.url))
+    asked = reader.note_requests()
     first, few = a_chapter(book, table, lambda parts: len(parts) == 1)
     second, many = a_chapter(book, table, lambda parts: parts > of_libraries(few))
     reader.open(first)

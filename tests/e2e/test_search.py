@@ -53,8 +53,7 @@ def test_each_term_is_found_first_where_it_is_explained(visitor: Reader) -> None
     """Nothing more is fetched for it once the index is there."""
     dialog = opened(visitor)
     first_hit(visitor, dialog, "lens")
-    asked: list[str] = []
-    visitor.page.on("request", lambda request: asked.append(request.url))
+    asked = visitor.note_requests()
     wanted = {**dict(terms()), **dict(glossary())}
     found = dict(zip(wanted, dialog.evaluate(FIRST_HITS, [*wanted]), strict=True))
     visitor.page.keyboard.press("Escape")
@@ -91,8 +90,7 @@ def test_a_misspelt_word_finds_what_is_near_and_says_so(visitor: Reader) -> None
 def test_nothing_is_fetched_before_someone_is_about_to_search(
     plain_reader: Reader, book: dict[str, list[dict[str, str]]]
 ) -> None:
-    asked: list[str] = []
-    plain_reader.page.on("request", lambda request: asked.append(request.url))
+    asked = plain_reader.note_requests()
     plain_reader.open(book["chapters"][0]["url"], live=False)
     plain_reader.page.wait_for_load_state("networkidle")
     assert not [url for url in asked if "/search/" in url]

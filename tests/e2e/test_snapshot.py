@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Request, expect
+from playwright.sync_api import Browser, expect
 from support.reader import FRUGAL, START_MS, Reader, visit
 from support.static_server import Fault, StaticServer, serving
 
@@ -41,18 +41,6 @@ def reader(brisk_chromium: Browser, host: StaticServer) -> Iterator[Reader]:
         yield someone
 
 
-def parts_fetched_by(reader: Reader) -> list[str]:
-    """The parts that are asked for from now on, in order."""
-    parts: list[str] = []
-
-    def note(request: Request) -> None:
-        if request.url.endswith(".zip"):
-            parts.append(request.url.rpartition("/")[2].removesuffix(".zip"))
-
-    reader.page.on("request", note)
-    return parts
-
-
 def open_live(reader: Reader) -> None:
     """Open the chapter, until its first figure lives; others may lack what they need."""
     reader.open(CHAPTER, live=False)
@@ -75,7 +63,7 @@ def test_figures_live_before_what_the_snapshot_holds_has_come_and_machine_code_t
     """Though the snapshot comes late, and by the type of a file that a host does not know."""
     host.faults = {SNAPSHOT: Fault(late_s=1, media_type="application/octet-stream")}
     host.faults |= {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
-    fetched = parts_fetched_by(reader)
+    fetched = reader.note_parts()
     open_live(reader)
     (listed,) = built_site.glob("runtime/*/runtime.json")
     table = json.loads(listed.read_text(encoding="utf-8"))
@@ -87,7 +75,7 @@ def test_figures_live_before_what_the_snapshot_holds_has_come_and_machine_code_t
 def test_figures_show_what_they_show_after_a_plain_start_without_a_snapshot(
     reader: Reader, host: StaticServer, brisk_chromium: Browser
 ) -> None:
-    fetched = parts_fetched_by(reader)
+    fetched = reader.note_parts()
     reader.open(CHAPTER)
     after_snapshot = moved(reader)
     assert {*BUILT_ON} <= {*fetched}, "they come when a frame is computed"
@@ -117,7 +105,7 @@ def test_from_a_damaged_snapshot_python_starts_plainly_and_the_page_says_nothing
     reader: Reader, host: StaticServer, fault: Fault
 ) -> None:
     host.faults = {SNAPSHOT: fault}
-    fetched = parts_fetched_by(reader)
+    fetched = reader.note_parts()
     open_live(reader)
     assert {*BUILT_ON} <= {*fetched}
     assert not reader.page.locator(".figure-status:visible").count()

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Locator, Request
+from playwright.sync_api import Browser, Locator
 from support.reader import Reader, chapter_of, visit
 from support.static_server import StaticServer
 
@@ -24,13 +24,7 @@ def sparing(
 ) -> Iterator[tuple[Reader, list[str]]]:
     """A reader in such a browser, and the files of Python that it has fetched."""
     with visit(chromium, server, script) as someone:
-        python: list[str] = []
-
-        def note(asked: Request) -> None:
-            if asked.url.endswith(PYTHON):
-                python.append(asked.url)
-
-        someone.page.context.on("request", note)
+        python = someone.note_requests(*PYTHON)
         yield someone, python
     someone.assert_no_complaints()
 

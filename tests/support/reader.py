@@ -1,7 +1,8 @@
 """A reader in front of the book: opens chapters, waits for figures, notes every complaint."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import PurePosixPath
 from typing import Any
 
 from playwright.sync_api import (
@@ -61,6 +62,21 @@ class Reader:
     def _note_request(self, request: Request) -> None:
         if not request.url.startswith((self.root, "data:", "blob:")):
             self.complaints.append(f"request outside the book: {request.url}")
+
+    def note_requests(self, *endings: str, name: Callable[[str], str] = str) -> list[str]:
+        """What is asked for from now on at addresses that end so, in order."""
+        asked: list[str] = []
+
+        def note(request: Request) -> None:
+            if request.url.endswith(endings or ""):
+                asked.append(name(request.url))
+
+        self.page.on("request", note)
+        return asked
+
+    def note_parts(self) -> list[str]:
+        """The parts of Python that are asked for from now on, in order."""
+        return self.note_requests(".zip", name=lambda address: PurePosixPath(address).stem)
 
     def assert_no_complaints(self) -> None:
         """Nothing was complained of since this was last asked."""
