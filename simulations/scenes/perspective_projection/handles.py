@@ -17,7 +17,7 @@ from simulations.scenes.perspective_projection.view import (
 
 
 def view_of(settings: Settings) -> View:
-    """What the figure shows at these settings."""
+    """The view at these settings."""
     return look(
         X=settings.point_x,
         Y=settings.point_y,

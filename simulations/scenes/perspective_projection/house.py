@@ -1,6 +1,6 @@
-"""A small house behind the point, so that the division by depth has something to shrink.
+"""A small house behind the point, which shows the division by depth.
 
-The point is its front lower left corner; it goes where the point goes.
+The point is its front lower left corner; the house moves with the point.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ WIDTH_M, DEPTH_M, EAVES_M, RIDGE_M = 2.4, 3.0, 1.5, 2.3
 DOOR_M = (0.8, 1.4, 1.1)
 """Left, right and height of the door."""
 NEAR_M = 0.05
-"""Nothing nearer than this to the plane of the centre is drawn: its image is too far off."""
+"""Parts nearer than this to the plane of the centre are not drawn: their image is too far off."""
 
 
 def _gable(depth: float) -> Floats:
@@ -58,7 +58,7 @@ def _project(view: View, points: Floats) -> Floats:
 
 
 def _before(edge: Floats, nearest: float) -> Floats:
-    """The part (2, 3) of an edge that runs away from the camera and is not too near, or none."""
+    """The part (2, 3) of an edge along the depth that is not too near; empty if all of it is."""
     (x, y, start), (_, _, end) = edge
     return np.array([(x, y, max(start, nearest)), (x, y, end)]) if end > nearest else edge[:0]
 

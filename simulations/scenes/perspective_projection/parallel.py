@@ -1,6 +1,6 @@
 """The projection figure for cameras with parallel rays: the same two panels, without a centre.
 
-Beside the image of the point, the picture shows where perspective would have put it.
+The picture also shows the point's image in perspective.
 """
 
 import math
@@ -24,7 +24,7 @@ from simulations.scenes.perspective_projection.view import (
 )
 
 SAME_PX = 0.05
-"""Distances below are 0.0 px in what is written."""
+"""Distances below this are printed as 0.0 px."""
 
 
 def top_view_panel(view: View) -> Panel:
@@ -45,7 +45,7 @@ def top_view_panel(view: View) -> Panel:
 
 
 def parallel_view(view: View) -> str:
-    """The image plane, and the edges of what it sees: they run along the axis for ever."""
+    """The image plane, and the edges of the field of view, parallel to the axis."""
     half = HALF_WIDTH_PX * METRES_PER_PX
     left, right = (top.above(view.focal_px * METRES_PER_PX, side) for side in (-half, half))
     edges = [[(4.0, end[1]), (top.WIDTH - 4.0, end[1])] for end in (left, right)]
@@ -58,13 +58,14 @@ def parallel_view(view: View) -> str:
 
 
 def parallel_rays(view: View) -> str:
-    """One ray along the axis, from the point to the plane, which it meets at X itself."""
+    """One ray parallel to the axis, from the point to the plane, which it meets at X."""
     hit = top.above(view.focal_px * METRES_PER_PX, view.X)
     return drawing.line(top.above(view.Z, view.X), hit, "ray") + drawing.dot(hit, "image", 4.0)
 
 
 def reference_plane(view: View) -> str:
-    """The plane at the one depth that scaled orthography divides by, named far from the point."""
+    """The plane at the depth by which scaled orthography divides, with its label away from the
+    point."""
     half = top.HEIGHT / 2.0 / top.SIDE_SCALE - 0.4
     high, low = (top.above(REFERENCE_DEPTH_M, side) for side in (-half, half))
     place = high + np.array([6.0, 6.0]) if view.X >= 0.0 else low + np.array([6.0, -1.0])
@@ -90,7 +91,7 @@ def scaled_rays(view: View) -> str:
 
 
 def _image_x_m(view: View) -> float:
-    """Where the image plane is met, as wide as it is drawn."""
+    """X of the image on the drawn image plane, metres."""
     return view.x * METRES_PER_PX
 
 
@@ -101,7 +102,7 @@ def _within(points: Floats, style: str) -> str:
 
 
 def equation(view: View) -> str:
-    """The product with its numbers, for the reader to check."""
+    """The product with its numbers."""
     X, x = metres(view.X), format_number(view.x, 1)
     if view.camera == SCALED:
         words = f"x = f X / Z₀ = {view.focal_px:.0f} · {X} / {REFERENCE_DEPTH_M:.1f} = {x} px"
@@ -123,7 +124,7 @@ def image_panel(view: View) -> Panel:
 
 
 def through_a_centre(view: View) -> str:
-    """Where perspective has the point, joined to where this camera has it."""
+    """The point's image in perspective, joined to that of this camera."""
     if view.Z <= 0.0 or off_px(view) < SAME_PX or not view.in_picture:
         return ""
     x, y = view.formula_only
@@ -134,7 +135,7 @@ def through_a_centre(view: View) -> str:
 
 
 def in_perspective(view: View) -> str:
-    """The same in words."""
+    """The same as text."""
     if view.Z <= 0.0:
         words = "in perspective it has no image"
     elif off_px(view) < SAME_PX:

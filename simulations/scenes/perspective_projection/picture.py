@@ -1,4 +1,4 @@
-"""The picture that the projection figure takes: the point, and the same point at other depths."""
+"""The picture of the projection figure: the point, and the same point at other depths."""
 
 from dataclasses import dataclass
 
@@ -28,12 +28,12 @@ COMPARED_DEPTHS = (1.0, 2.0, 3.0, 5.0, 10.0, 20.0)
 LABEL_HEIGHT = 14.0
 """Line height of a label, in view box units."""
 MESSAGE_Y, CLAIM_Y = 26.0, 44.0
-"""Baselines of what stands for a missing image."""
+"""Baselines of the text in place of a missing image."""
 
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """Room that a line of text takes."""
+    """Size of a line of text."""
 
     middle: Floats
     """Middle of the baseline in the view box."""
@@ -58,7 +58,7 @@ def pixel_at(spot: drawing.Point) -> Floats:
 
 
 def house_of(view: View) -> str:
-    """The house whose corner the point is."""
+    """The house, with the point as its corner."""
     return house.in_picture(view, CENTRE, IMAGE_SCALE)
 
 
@@ -81,7 +81,7 @@ def axes(view: View) -> str:
 
 
 def y_axis(view: View) -> str:
-    """The axis downwards and its ticks, with a gap where words stand across it."""
+    """The axis downwards and its ticks, with a gap for text across it."""
     top, bottom = place(0, -72), place(0, 72)
     rows = message_rows(view)
     low, high = (min(rows) - LABEL_HEIGHT, max(rows) + 6.0) if rows else (0.0, 0.0)
@@ -93,7 +93,7 @@ def y_axis(view: View) -> str:
 
 
 def axis_labels(view: View) -> list[tuple[str, Label]]:
-    """Names and numbers of the axes, but for those where something more important is written."""
+    """Names and numbers of the axes, without those hidden by more important text."""
     labels = [
         ("x, px", Label(place(97, 0) + np.array([-12, 18]), 12.0)),
         ("y, px", Label(place(0, 72) + np.array([20, 0]), 12.0)),
@@ -109,7 +109,7 @@ def axis_labels(view: View) -> list[tuple[str, Label]]:
 
 
 def message_rows(view: View) -> tuple[float, ...]:
-    """Baselines of what is written across the picture, clear of the point's own label."""
+    """Baselines of the text across the picture, clear of the point's own label."""
     if not view.in_picture:
         return MESSAGE_Y, CLAIM_Y
     if view.camera == PERSPECTIVE:
@@ -118,7 +118,7 @@ def message_rows(view: View) -> tuple[float, ...]:
 
 
 def comparison(view: View) -> str:
-    """The same point at other depths: all images lie on one line to the principal point."""
+    """The same point at other depths, whose images are on one line to the principal point."""
     parts: list[str] = []
     labels = [Label(CENTRE, 10.0), *(label for _, label in axis_labels(view))]
     if view.in_picture:
@@ -140,7 +140,7 @@ def comparison(view: View) -> str:
 def outward(spot: Floats, half_width: float, gap: float) -> Label:
     """A label beyond ``spot`` as seen from the principal point, moved into the picture.
 
-    Where there is no room beyond it stands on the near side of ``spot``, clear of the ray.
+    If there is no space beyond, it is on the near side of ``spot``, clear of the ray.
     """
     right, below = spot[0] >= CENTRE[0], spot[1] >= CENTRE[1]
     under, over = spot[1] + LABEL_HEIGHT + 2.0, spot[1] - 8.0
@@ -167,7 +167,7 @@ def corner_rectangle(x: float, y: float, style: str) -> str:
 
 
 def point(view: View) -> str:
-    """The image of the point, or an arrow to where it lies outside the picture."""
+    """The image of the point, or an arrow towards it if it is outside the picture."""
     numbers = f"({format_number(view.x, 1)}, {format_number(view.y, 1)}) px"
     if view.in_picture:
         spot = place(view.x, view.y)
@@ -189,7 +189,7 @@ def point(view: View) -> str:
 
 
 def no_image(view: View) -> str:
-    """Why the point has no image, and what the bare formula would have claimed."""
+    """Why the point has no image, and the result of the bare formula."""
     if view.Z == 0.0:
         return message("Z = 0: the ray never meets the image plane", "error")
     x, y = view.formula_only

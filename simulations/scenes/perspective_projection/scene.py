@@ -1,4 +1,4 @@
-"""Perspective projection: one point, one camera, and the division by depth, or none."""
+"""Perspective projection: one point, one camera, with or without division by depth."""
 
 import math
 
@@ -43,7 +43,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
 
 
 def extent_readout(view: View) -> Readout:
-    """What the picture is wide enough for: an angle, or for parallel rays a strip of the world."""
+    """The width of the picture as an angle or, for parallel rays, as a length in the world."""
     width_px = 2.0 * HALF_WIDTH_PX
     if view.camera == PERSPECTIVE:
         seen, unit = math.degrees(field_of_view_rad(view.focal_px, width_px)), "°"

@@ -20,13 +20,13 @@ from simulations.scenes.perspective_projection.view import (
 TITLE = "From above (X drawn stretched)"
 WIDTH, HEIGHT = 400.0, 300.0
 CAMERA = np.array([58.0, 142.0])
-"""Camera centre in the view box. Depth runs right; X runs down, as it does seen from above."""
+"""Camera centre in the view box, seen from above: depth to the right, X downwards."""
 DEPTH_SCALE = 16.0
 """View box units per metre of depth."""
 SIDE_SCALE = 38.0
 """View box units per metre of X: stretched, so that the triangles open up."""
 PLANE_LABEL_WIDTH, POINT_LABEL_HALF_WIDTH = 80.0, 72.0
-"""Room that the names of the image plane and of the point take, in view box units."""
+"""Sizes of the labels of the image plane and of the point, in view box units."""
 RAY_LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, -4), (0, -1, 280))
 """Where rays may be drawn, as half planes a x + b y + c ≥ 0."""
 
@@ -87,12 +87,12 @@ def image_plane(view: View) -> str:
 
 
 def plane_grip(end: Floats) -> str:
-    """The end of the image plane by which it is taken."""
+    """The handle at the end of the image plane."""
     return drawing.rectangle(end - 4.0, 8.0, 8.0, "image solid")
 
 
 def plane_label(view: View, edge: Floats) -> str:
-    """The name on the right of the plane's edge; left, if there is room, of another plane near."""
+    """The label on the right of the plane's edge, or on the left if another plane is near."""
     other, needed = above(REFERENCE_DEPTH_M, 0.0)[0], 7.0 + PLANE_LABEL_WIDTH
     crossed = view.camera == SCALED and needed < edge[0] < other < edge[0] + needed
     right, anchor = (-7.0, "end") if crossed else (7.0, "start")
@@ -100,7 +100,7 @@ def plane_label(view: View, edge: Floats) -> str:
 
 
 def other_depths(view: View) -> str:
-    """The points that the picture compares: one line parallel to the optical axis."""
+    """The points that the picture compares, on a line parallel to the optical axis."""
     line = drawing.line(above(COMPARED_DEPTHS[0], view.X), above(20.0, view.X), "world thin faint")
     return line + "".join(
         drawing.dot(above(depth, view.X), "world faint", 3.0) for depth in COMPARED_DEPTHS
@@ -108,7 +108,7 @@ def other_depths(view: View) -> str:
 
 
 def house_plan(view: View) -> str:
-    """Walls and ridge of the house whose corner the point is."""
+    """Walls and ridge of the house."""
     outline = np.array([above(Z, X) for Z, X in footprint(view)])
     ridge = (outline[:2] + outline[3:1:-1]) / 2.0
     walls, ridge = _in_room(outline, closed=True), _in_room(ridge, closed=False)
@@ -118,14 +118,14 @@ def house_plan(view: View) -> str:
 
 
 def _in_room(points: Floats, *, closed: bool) -> Floats:
-    """What of a line or an area may be drawn."""
+    """A line or an area clipped to the drawing."""
     for limit in RAY_LIMITS:
         points = clip_half_plane(points, limit, closed)
     return points
 
 
 def triangles(view: View) -> str:
-    """Centre, axis and point; centre, principal point and image: the same shape twice."""
+    """The similar triangles: centre, axis and point; centre, principal point and image."""
     large = drawing.polygon([CAMERA, above(view.Z, 0.0), above(view.Z, view.X)], "world thin fill")
     if abs(view.x) > HALF_WIDTH_PX:
         return large
@@ -136,7 +136,7 @@ def triangles(view: View) -> str:
 
 
 def ray(view: View) -> str:
-    """The ray through the point; dashed towards a point that sends no light into the picture."""
+    """The ray through the point; dashed if the point has no image."""
     distance = view.focal_px * METRES_PER_PX
     if view.visible:
         reach = max(view.Z, distance)
@@ -157,8 +157,8 @@ def centre() -> str:
 
 
 def point(view: View) -> str:
-    """The point, labelled beyond the image plane, where there is room on the side away from the
-    axis."""
+    """The point, with its label beyond the image plane, on the side away from the axis if there is
+    space."""
     spot = above(view.Z, view.X)
     below = view.X >= 0.0 and spot[1] + 27.0 < HEIGHT - 22.0
     y = spot[1] + 27.0 if below else max(spot[1] - 17.0, 13.0)
@@ -172,7 +172,7 @@ def point(view: View) -> str:
 
 
 def equation(view: View) -> str:
-    """The division with its numbers, for the reader to check."""
+    """The division with its numbers."""
     terms = f"x = f X / Z = {view.focal_px:.0f} · {metres(view.X)} / "
     if view.visible:
         words, role = f"{terms}{format_number(view.Z, 1)} = {format_number(view.x, 1)} px", "image"

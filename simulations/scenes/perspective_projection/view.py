@@ -1,4 +1,4 @@
-"""What the projection figure looks at, and through which of its three cameras."""
+"""The point and the three cameras of the projection figure."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -20,18 +20,18 @@ PERSPECTIVE, SCALED, PARALLEL = "perspective", "scaled-orthographic", "orthograp
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
 """Half the picture, in pixels from the principal point."""
 METRES_PER_PX = 0.03
-"""Size at which a pixel of the image plane is drawn, and which it has for parallel rays."""
+"""Size of a pixel of the image plane, as drawn and for parallel rays."""
 REFERENCE_DEPTH_M = 5.0
-"""The one depth by which scaled orthography divides."""
+"""The depth by which scaled orthography divides."""
 
 
 @dataclass(frozen=True, slots=True)
 class Camera:
-    """One of the three."""
+    """One of the three cameras."""
 
     label: str
     project: Callable[[Floats, Floats], tuple[Floats, Mask]]
-    """From a point of the camera frame and K to its pixel, and whether it has one."""
+    """Maps a point of the camera frame and K to its pixel, and whether it has one."""
 
 
 def _scaled(point: Floats, K: Floats) -> tuple[Floats, Mask]:
@@ -65,7 +65,7 @@ class View:
     y: float
     """Pixels below the principal point; NaN where there is no image."""
     visible: bool
-    """Whether the point has an image: whether it is in front, for the camera with a centre."""
+    """Whether the point has an image; for the camera with a centre, whether it is in front."""
     camera: str
     """One of `CAMERAS`."""
 
@@ -76,7 +76,7 @@ class View:
 
     @property
     def formula_only(self) -> tuple[float, float]:
-        """What x = f X / Z says without asking whether the point is in front; Z must not be 0."""
+        """x = f X / Z, also for points behind the camera; Z must not be 0."""
         return self.focal_px * self.X / self.Z, self.focal_px * self.Y / self.Z
 
     @property
@@ -91,14 +91,14 @@ def in_picture(x: float, y: float) -> bool:
 
 
 def metres(value: float) -> str:
-    """A length to the decimetre, to the centimetre where it needs that."""
+    """A length to the decimetre, or to the centimetre if needed."""
     return format_number(value, 1 if abs(10.0 * value - round(10.0 * value)) < 1e-6 else 2)
 
 
 def look(X: float, Y: float, Z: float, focal_px: float, camera: str) -> View:
     """Project the point (X, Y, Z) with the principal point at (0, 0).
 
-    Depth is taken to the millimetre, so that Z = 0 is met exactly.
+    Depth is rounded to the millimetre, so that Z = 0 is exact.
     """
     Z = round(Z, 3)
     point, K = np.array([X, Y, Z]), intrinsics(focal_px, (0.0, 0.0))

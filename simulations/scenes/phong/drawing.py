@@ -31,14 +31,14 @@ FOOT = (WIDTH / 2, 196.0)
 VECTOR = 104.0
 """Length of a unit vector, and of a brightness of 1."""
 LAMP_DISTANCE = 128.0
-"""From the foot to where the lamp is drawn: it shines from far away."""
+"""Drawn distance of the lamp from the foot; it is far away."""
 AROUND_HIGHLIGHT = 15.0
-"""Radius of the mark of a highlight: a sharp one shows inside it."""
+"""Radius of the mark of a highlight, large enough for a sharp highlight inside it."""
 ABOVE_HIGHLIGHT = 38.0
-"""From its centre to where it is grabbed: nothing of it lies under the finger then, and the probed
-point can be told from it."""
+"""Distance of its handle from its centre, so that the finger does not hide it, nor the probed
+point."""
 STEM = 31.0
-"""From its centre to the end of the line that leads there."""
+"""Distance from its centre to the end of the line to the handle."""
 SAME_RAD = math.radians(9.0)
 """Directions nearer than this share one label."""
 
@@ -55,7 +55,7 @@ def over_ball(light_rad: float, probe_rad: float) -> str:
 
 
 def highlight_grip(light_rad: float) -> tuple[float, float]:
-    """Where the highlight is grabbed."""
+    """Place of the highlight's handle."""
     across, down = on_equator(light_rad / 2)
     return across, down - ABOVE_HIGHLIGHT
 
@@ -69,8 +69,8 @@ def lobe_plot(
 ) -> str:
     """Directions and lobe, all relative to the normal.
 
-    ``brightness`` and ``other`` (181,) are what cameras at −90°…90° see by the chosen model and
-    by the other one; ``matte`` is the part that all of them see.
+    ``brightness`` and ``other`` (181,) are the brightness to cameras at −90°…90° by the chosen
+    model and by the other one; ``matte`` is the part that is equal for all.
     """
     parts = [
         _scale(),
@@ -84,7 +84,10 @@ def lobe_plot(
             polyline(_outline(other), "muted thin dashed"),
             polygon(_outline(brightness), "ray fill"),
             polyline(_outline(np.full(181, matte)), "world dashed"),
-            *(circle(at, 5.5, "casing"), dot(at, "image", 5.5)),  # what the camera's pixel shows
+            *(
+                circle(at, 5.5, "casing"),
+                dot(at, "image", 5.5),
+            ),  # the brightness of the camera's pixel
         ]
     parts += _vectors(light_rad, view_rad, seen)
     return "".join(parts)
@@ -106,7 +109,7 @@ def _outline(brightness: Floats) -> list[Point]:
 
 
 def _vectors(light_rad: float, view_rad: float, seen: float) -> list[str]:
-    """n, l, v, the mirrored r and the halfway h; a label where two coincide names both.
+    """n, l, v, the mirrored r and the halfway h; a label names both of two that coincide.
 
     ``seen`` is the distance from the foot of the dot on v, which no label may cover.
     """
@@ -135,7 +138,7 @@ def _equal_angles(light_rad: float) -> str:
 
 
 def _labels(vectors: list[Direction], seen: float) -> Iterator[str]:
-    """One label for each group of directions that lie within a few degrees of one another."""
+    """One label for each group of directions within a few degrees of one another."""
     groups: list[list[Direction]] = []
     for vector in sorted(vectors, key=lambda item: math.remainder(item[1], 2 * math.pi)):
         if groups and _apart(groups[-1][-1], vector) < SAME_RAD:
@@ -149,7 +152,7 @@ def _labels(vectors: list[Direction], seen: float) -> Iterator[str]:
         if "v" in names_in and abs(seen - length) < 18:
             length = seen + 18
         place = towards(middle, length)
-        if "l" in names_in:  # beside the arrow, since the lamp is beyond it
+        if "l" in names_in:  # next to the arrow, as the lamp is beyond it
             place = towards(middle + math.copysign(0.2, math.sin(middle)), VECTOR - 16)
         names = " = " if _coincide(group) else ", "
         label = names.join(name for name, _, _ in group)
@@ -166,5 +169,5 @@ def _apart(first: Direction, second: Direction) -> float:
 
 
 def towards(turn_rad: float, length: float) -> tuple[float, float]:
-    """The place at that angle from the normal and that distance from the foot."""
+    """The place at an angle from the normal and a distance from the foot."""
     return FOOT[0] + length * math.sin(turn_rad), FOOT[1] - length * math.cos(turn_rad)

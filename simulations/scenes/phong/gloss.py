@@ -1,7 +1,7 @@
 """The light of a glossy ball, by Phong's model and by Blinn's variant of it.
 
-Light, camera and the probed point lie in the horizontal plane through the ball's centre, at
-angles from the camera's direction.
+Light, camera and the probed point are in the horizontal plane through the ball's centre, at angles
+from the camera's direction.
 """
 
 import math
@@ -18,21 +18,21 @@ from simulations.scenes._ball.ball import Ball, light_direction, true_cosine, tr
 ALBEDO = np.array([0.60, 0.06, 0.05], np.float32)
 """Linear RGB of the ball's paint; the plot and the readouts follow red, the first."""
 VIEW = (0.0, 0.0, 1.0)
-"""Towards the camera, the same for every point: it stands far away."""
+"""Unit vector towards the camera, which is far away: the same for every point."""
 
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """One way to compute a highlight: as a power of some cosine."""
+    """A model of a highlight as a power of a cosine."""
 
     name: str
     cosine: str
-    """That cosine, in the letters of the plot."""
+    """The cosine, in the letters of the plot."""
     light: Callable[..., Floats]
     turn: float
-    """By how much the camera must turn for the cosine's angle to grow by 1."""
+    """Turn of the camera per increase of the cosine's angle."""
     true_cosine: Callable[[Ball, float], Floats]
-    """(h, w) that cosine in float64, for a light at some angle."""
+    """Computes the cosine (h, w) in float64, for the angle of a light."""
 
 
 def _mirrored_camera(ball: Ball, light_angle: float) -> Floats:
@@ -77,11 +77,11 @@ class Angles:
     n_dot_l: float
     r_dot_v: float
     n_dot_h: float
-    """nan where light and camera are exactly opposed and there is no halfway direction."""
+    """nan if light and camera are exactly opposed, without a halfway direction."""
 
 
 def angles_at(light_angle: float, probe: float) -> Angles:
-    """All directions lie in one plane, so that each cosine is that of a difference of angles."""
+    """All directions are in one plane, so that each cosine is that of a difference of angles."""
     light_rad, normal_rad = math.radians(light_angle), math.radians(probe)
     turn = math.remainder(light_rad, 2 * math.pi)
     opposed = abs(light_angle) == 180
@@ -120,7 +120,7 @@ def true_light(
 ) -> NDArray[np.float64]:
     """Red light (h, w) in float64.
 
-    Light and camera exactly opposed light nothing that the camera sees.
+    If light and camera are exactly opposed, no visible point is lit.
     """
     n_dot_l = true_cosine(ball, light_angle)
     cosine = MODELS[model].true_cosine(ball, light_angle)

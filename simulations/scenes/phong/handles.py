@@ -13,14 +13,15 @@ from simulations.scenes.phong.settings import Settings
 
 
 def _highlight(settings: Settings, _outputs: Outputs) -> Point | None:
-    """Above where the normal halves the angle of lamp and camera; opposed, they have none."""
+    """Above the point whose normal halves the angle of lamp and camera; None if they are
+    opposed."""
     if abs(settings.light_angle) == 180:
         return None
     return highlight_grip(math.radians(settings.light_angle))
 
 
 def _highlight_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    """Short of the rim: there is no light there that the camera could see mirrored."""
+    """The light's angle for a highlight at a place; below 180°, at which none is visible."""
     return {"light_angle": min(max(2 * angle_of_normal(place), -179.0), 179.0)}
 
 
@@ -38,12 +39,12 @@ def _camera(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _camera_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """The camera stands still; it is the point, with its normal, that turns."""
+    """The camera is fixed; the point turns with its normal."""
     return {"probe": -_angle_at_foot(place, -settings.probe)}
 
 
 def _angle_at_foot(place: Point, present_deg: float) -> float:
-    """The angle of a place from the normal; at the foot itself, as it is."""
+    """The angle of a place from the normal; unchanged at the foot itself."""
     across, up = place[0] - FOOT[0], FOOT[1] - place[1]
     return bearing_deg(across, up, present_deg)
 

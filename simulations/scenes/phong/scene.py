@@ -1,7 +1,7 @@
 """A glossy ball: matte colour plus a highlight, by Phong's model or Blinn's variant of it.
 
-The ball returns its own colour from below its surface and the lamp's colour from the surface
-itself, so only the red part of a pixel holds both in full.
+The matte part has the ball's colour and the highlight the lamp's, so only the red part of a pixel
+has both in full.
 """
 
 import math
@@ -72,7 +72,7 @@ STAGES = (
     Stage("ball", build_ball),
     Stage("normals", lit_normals, ("ball",)),
     Stage("matte", _matte, ("normals", "ball")),
-    # Where it is left out, so is the sum, and nothing looks at what it hands on.
+    # If it is skipped, so is the sum, and its output is not used.
     Stage("highlight", _shine, ("normals", "ball"), _dull),
     Stage("light", _add, ("matte", "highlight"), _dull),
     Stage("picture", paint, ("ball", "light")),
@@ -113,7 +113,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def lobes(settings: Settings, matte: float) -> str:
-    """The lobe of the chosen model, and that of the other one beside it."""
+    """The lobe of the chosen model, and that of the other one."""
     light_rad, probe_rad = math.radians(settings.light_angle), math.radians(settings.probe)
     other = next(name for name in MODELS if name != settings.model)
     chosen, beside = (
@@ -124,7 +124,7 @@ def lobes(settings: Settings, matte: float) -> str:
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """How far the red light of this picture is from the chosen formula in float64."""
+    """Error of the red light of this picture against the chosen formula in float64."""
     ball: Ball = outputs["ball"]
     truth = true_light(
         ball, settings.light_angle, settings.model, settings.shininess, settings.specular

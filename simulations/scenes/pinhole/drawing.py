@@ -1,6 +1,6 @@
 """The box from the side: two beams of distant points, the hole, and their spots on the wall.
 
-Across, the hole and the spots are drawn to one scale. Along, nothing is to scale.
+Across the axis, the hole and the spots have the same scale. Along it, nothing is to scale.
 """
 
 from simulations.engine import drawing
@@ -11,13 +11,14 @@ from simulations.scenes.pinhole.stages import DEPTH_MM, WAVELENGTHS_UM
 WIDTH, HEIGHT = 400.0, 320.0
 MIDDLE = 156.0
 FRONT, WALL = 196.0, 364.0
-"""Columns of the side with the hole, and of the wall that the picture falls on."""
+"""Columns of the side with the hole and of the wall with the picture."""
 HALF_BOX = 130.0
 UNITS_PER_MM = 32.0
 RISE = 0.44
-"""Of a beam, for each unit that it goes."""
+"""Slope of a beam."""
 BEAMS = (("world", 1.0), ("light", -1.0))
-"""Of a point above, whose light falls on the lower part of the wall, and of a point below."""
+"""Signs of the slopes of a point above, whose light falls on the lower part of the wall, and of a
+point below."""
 START = 16.0
 
 
@@ -27,7 +28,7 @@ def rim(hole_mm: float) -> Point:
 
 
 def hole_at(place: Point) -> float:
-    """The hole, mm, whose upper or lower rim is at that height."""
+    """The hole, mm, whose upper or lower rim is at a height."""
     return 2.0 * abs(MIDDLE - place[1]) / UNITS_PER_MM
 
 
@@ -40,7 +41,7 @@ def section(hole_mm: float) -> str:
 
 
 def _beam(role: str, side: float, half: float, spread: float) -> str:
-    """Light of a distant point: straight on, and how far diffraction spreads it."""
+    """Light of a distant point: the straight beam, and its spread by diffraction."""
     back, on = -side * RISE * (FRONT - START), side * RISE * (WALL - FRONT)
     band = [
         (START, MIDDLE + back - half),

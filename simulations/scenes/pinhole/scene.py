@@ -1,4 +1,5 @@
-"""A box with a hole: a wide hole blurs the picture, a narrow one leaves it dark, or spreads it."""
+"""A box with a hole: a wide hole blurs the picture, a narrow one darkens it or spreads it by
+diffraction."""
 
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene

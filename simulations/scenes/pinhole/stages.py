@@ -1,7 +1,7 @@
-"""What the pinhole computes: the picture on the wall as the hole blurs it, then its brightness.
+"""The stages of the pinhole: the picture on the wall, blurred by the hole, then its brightness.
 
-The scene is far away, so that one transfer function serves the whole picture: that of hole and
-diffraction together, for a wavelength of each colour.
+The scene is far away, so that one transfer function, of hole and diffraction, applies to the whole
+picture, for a wavelength of each colour.
 """
 
 import numpy as np
@@ -16,25 +16,26 @@ from simulations.pictures.balloon import HEIGHT, WIDTH, balloon
 from simulations.scenes.pinhole.settings import WIDEST_MM
 
 DEPTH_MM = 100.0
-"""From the hole to the wall."""
+"""Distance from the hole to the wall."""
 WALL_MM = 30.0
 """Width of the picture on the wall."""
 PIXEL_MM = WALL_MM / WIDTH
 WAVELENGTHS_UM = (0.61, 0.55, 0.465)
-"""One each for red, green and blue."""
+"""Wavelengths of red, green and blue."""
 MARGIN = 24
-"""Pixels by which the picture is continued, more than the widest spot reaches."""
+"""Pixels by which the picture is extended, more than the widest spot reaches."""
 TABLE = 600
-"""Frequencies at which the transfer function is worked out; between them it is interpolated."""
+"""Count of frequencies at which the transfer function is computed; it is interpolated in
+between."""
 
 
 def share_of_light(hole_mm: float) -> float:
-    """Light on the wall beside that through the widest hole: as the area of the hole."""
+    """Light on the wall relative to that of the widest hole: proportional to the area."""
     return (hole_mm / WIDEST_MM) ** 2
 
 
 def _frequencies(rows: int, columns: int) -> Floats:
-    """(rows, columns // 2 + 1) in cycles per millimetre, as numpy orders them."""
+    """Frequencies (rows, columns // 2 + 1) in cycles per millimetre, in numpy's order."""
     return np.hypot(np.fft.fftfreq(rows, PIXEL_MM)[:, None], np.fft.rfftfreq(columns, PIXEL_MM))
 
 
@@ -54,7 +55,7 @@ def _blurred(hole: float) -> Planes:
 
 
 def _picture(blurred: Planes, hole: float, longer: bool) -> Raster:
-    """Upside down, left and right exchanged, in the light that the hole lets through."""
+    """The picture rotated by 180°, in the brightness of the light through the hole."""
     light = blurred if longer else blurred * np.float32(share_of_light(hole))
     return to_rgba8(encode_srgb_table(light[:, ::-1, ::-1].transpose(1, 2, 0)))
 

@@ -1,7 +1,6 @@
 """The second and third panel: the rays close to the image, and where each crosses the axis.
 
-Both show the same piece of the axis, so that what lies above one another in their columns is the
-same place.
+Both show the same part of the axis, with the same columns.
 """
 
 from collections.abc import Iterator, Sequence
@@ -20,16 +19,16 @@ from simulations.scenes.real_lens.stages import HEIGHTS_MM, Glass
 WIDTH = 400.0
 LEFT, RIGHT, TOP, FLOOR = 40.0, 388.0, 26.0, 240.0
 BEFORE_MM, BEHIND_MM = 20.0, 9.0
-"""How much of the axis is shown on either side of the thick lens's image."""
+"""Length of the axis shown on either side of the thick lens's image."""
 ASIDE = Axis(-3.0, 3.0, FLOOR, TOP)
-"""Millimetres from the axis, in the second panel."""
+"""Distances from the optical axis in the second panel, mm."""
 HEIGHTS = Axis(0.0, 20.0, FLOOR, TOP)
-"""Of rays, in the third."""
+"""Heights of rays in the third panel, mm."""
 ALONG = Scale("mm behind the lens’s middle", ticks=7, style="small", tick_style="muted small")
 
 
 def height_at(place: Point) -> float:
-    """The height of a ray that is drawn at a place of the third panel."""
+    """The height of a ray at a place of the third panel."""
     return HEIGHTS.value(float(place[1]))
 
 
@@ -51,7 +50,8 @@ def close(glass: Glass, fan: Rays, marked: Rays) -> str:
 
 
 def aberration(glass: Glass, curve: Floats, height: float, marked: Rays, opening: float) -> str:
-    """Where rays cross the axis, by their height: a real lens, and the two lines of the models."""
+    """Places where rays cross the axis, by their height: a real lens, and the two lines of the
+    models."""
     plot = _plot(glass, HEIGHTS)
     parts = [
         *_frame(glass, plot, "height h, mm", (0, 5, 10, 15, 20)),
@@ -65,14 +65,14 @@ def aberration(glass: Glass, curve: Floats, height: float, marked: Rays, opening
 
 
 def mark(glass: Glass, marked: Rays, height: float) -> tuple[float, float]:
-    """Of the marked ray in the third panel: on the axis of heights where it does not cross."""
+    """The marked ray in the third panel, on the axis of heights if it does not cross."""
     plot = _plot(glass, HEIGHTS)
     crosses = _crosses_within(plot, marked) if glass.real else None
     return plot.at(plot.x.low if crosses is None else crosses, height)
 
 
 def _plot(glass: Glass, up: Axis) -> Plot:
-    """Around the image; where there is none, nothing is placed along the axis."""
+    """The axis around the image, if there is one."""
     image_mm = glass.paraxial_mm if glass.real else 0.0
     return Plot(Axis(image_mm - BEFORE_MM, image_mm + BEHIND_MM, LEFT, RIGHT), up)
 
@@ -100,7 +100,7 @@ def _models(glass: Glass, plot: Plot) -> Iterator[str]:
 
 
 def _crosses_within(plot: Plot, marked: Rays) -> float | None:
-    """Where the marked ray crosses the axis, if it does so within the plot."""
+    """The point where the marked ray crosses the axis, if it is within the plot."""
     along = float(marked.crossing_mm[0])
     return along if plot.x.low <= along <= plot.x.high else None
 
@@ -112,7 +112,7 @@ def _crossing(plot: Plot, marked: Rays, height: float) -> Iterator[str]:
 
 
 def _ways(glass: Glass, plot: Plot, rays: Rays, style: str) -> str:
-    """Of each ray the piece behind the lens that lies in the second panel."""
+    """The part of each ray behind the lens, clipped to the second panel."""
     behind = max(plot.x.low, glass.lens.thickness_mm / 2.0)
     runs = []
     for (x, y), slope in zip(rays.back.tolist(), rays.slope.tolist(), strict=True):

@@ -1,4 +1,4 @@
-"""From Snell to the Thin Lens: rays through real glass, and what simpler models make of them."""
+"""From Snell to the Thin Lens: rays through real glass, and in simpler models."""
 
 import math
 from collections.abc import Iterator
@@ -28,7 +28,7 @@ from simulations.scenes.real_lens.settings import Settings
 from simulations.scenes.real_lens.stages import STAGES, TIERS, Glass, fan_heights
 
 FLATTEST = 1e-9
-"""Power per mm below which a lens is a pane: a focal length of a thousand kilometres."""
+"""Power per mm below which a lens counts as a pane: a focal length of a thousand kilometres."""
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -62,7 +62,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def _readouts(glass: Glass, true: Rays) -> tuple[Readout, ...]:
-    """What does not depend on the tier."""
+    """The readouts that do not depend on the tier."""
     thin, thick = thin_power_per_mm(glass.lens), power_per_mm(glass.lens)
     crossing = float(true.crossing_mm[0])
     off = crossing - glass.paraxial_mm if glass.real else math.nan
@@ -83,7 +83,7 @@ def _focal(power: float) -> float:
 
 
 def _place(name: str, label: str, along_mm: float, role: str) -> Readout:
-    """An image, or the word that there is none that a screen could catch."""
+    """The image distance, or a text if there is no real image."""
     if not abs(along_mm) < 1.0 / FLATTEST:
         return Readout(name, label, "∞", "", role)
     if along_mm < 0.0:
@@ -92,7 +92,7 @@ def _place(name: str, label: str, along_mm: float, role: str) -> Readout:
 
 
 def _told(name: str, label: str, true: Rays, value: float, role: str) -> Readout:
-    """A number, or why there is none."""
+    """A number, or the reason why there is none."""
     if true.fate[0] != PASSES:
         return Readout(name, label, section.FATES[int(true.fate[0])], "", role)
     if not math.isfinite(value) or abs(value) > 1.0 / FLATTEST:
@@ -101,7 +101,7 @@ def _told(name: str, label: str, true: Rays, value: float, role: str) -> Readout
 
 
 def _angle(name: str, label: str, glass: Glass, true: Rays, *, inside: bool) -> Readout:
-    """Of the marked ray with the normal of the front surface, in degrees."""
+    """Angles of the marked ray with the normal of the front surface, in degrees."""
     degrees = front_angles(glass, true)[int(inside)]
     if math.isnan(degrees):
         return Readout(name, label, "none", "", "ray")
@@ -109,7 +109,8 @@ def _angle(name: str, label: str, glass: Glass, true: Rays, *, inside: bool) -> 
 
 
 def front_angles(glass: Glass, true: Rays) -> tuple[float, float]:
-    """Incidence and refraction at the front, by the law of Snell; NaN for a ray that misses."""
+    """Angles of incidence and refraction at the front, by Snell's law; NaN for a ray that
+    misses."""
     place = true.front[0]
     if not math.isfinite(place[0]):
         return math.nan, math.nan
@@ -123,7 +124,7 @@ def front_angles(glass: Glass, true: Rays) -> tuple[float, float]:
 
 
 def describe(settings: Settings, glass: Glass, true: Rays) -> str:
-    """What becomes of the marked ray, against what the simple models say."""
+    """The result for the marked ray, compared with the simple models."""
     ray = f"A ray at a height of {format_number(settings.height, 1)} mm"
     if true.fate[0] != PASSES:
         return f"{ray} {_FAILED[int(true.fate[0])]}."
@@ -146,7 +147,7 @@ _FAILED = {
 
 
 def estimate(_settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """How far off the marked ray crosses the axis in this tier; found at once."""
+    """Error of the marked ray's crossing of the axis in this tier, in one step."""
     true, shown = (float(outputs[name].crossing_mm[0]) for name in ("true", "marked"))
     label = "The marked ray crosses too far off by"
     if math.isfinite(true - shown):

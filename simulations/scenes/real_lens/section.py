@@ -22,9 +22,9 @@ from simulations.scenes.real_lens.stages import Glass
 WIDTH, HEIGHT = 400.0, 300.0
 AXIS_Y = HEIGHT / 2
 MARK_MM = 6.5
-"""How far from the axis the surfaces can be grabbed: as far as that of the opening lets them."""
+"""Distance of the surfaces' handles from the axis, clear of the handle of the opening."""
 ENTRY_MM = 20.0
-"""How far before the middle the marked ray can."""
+"""Distance of the marked ray's handle before the middle."""
 BLADE_MM = 25.0
 FATES = {
     MISSES: "misses the glass",
@@ -35,7 +35,7 @@ FATES = {
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """How much of the axis the panel shows."""
+    """Length of the axis in the panel."""
 
     per_mm: float
     lens_x: float
@@ -68,7 +68,7 @@ class View:
 
 
 CLOSE, WIDE = View(4.2, 130.0), View(2.5, 200.0)
-"""For light from afar, and for an object that finds room in the panel."""
+"""The view for distant light, and for an object within the panel."""
 
 
 def view_of(distance_mm: float) -> View:
@@ -95,7 +95,7 @@ def draw(settings: Settings, glass: Glass, fan: Rays, marked: Rays, heights: Flo
 
 
 def entry_mark(view: View, height: float, distance_mm: float) -> tuple[float, float]:
-    """On the marked ray, before the lens."""
+    """The handle on the marked ray, before the lens."""
     return view.at(-ENTRY_MM, height * (1.0 - ENTRY_MM / distance_mm))
 
 
@@ -104,37 +104,38 @@ def height_of(view: View, place: Point, distance_mm: float) -> float:
 
 
 def surface_mark(view: View, settings: Settings, *, front: bool) -> tuple[float, float]:
-    """Below the axis, on the front or on the back."""
+    """The handle of a surface, below the axis, on the front or on the back."""
     bulge = settings.front if front else settings.back
     along = settings.thickness / 2.0 - float(sag_mm(bulge / 1000.0, MARK_MM))
     return view.at(-along if front else along, -MARK_MM)
 
 
 def bulge_of(view: View, place: Point, thickness: float, *, front: bool) -> float:
-    """In 1/m, outwards: of the sphere through the vertex and a point at the mark's height."""
+    """Curvature in 1/m, positive outwards, of the sphere through the vertex and a point at the
+    handle's height."""
     along = view.millimetres(place)[0]
     sag = thickness / 2.0 + (along if front else -along)
     return 2000.0 * sag / (sag * sag + MARK_MM**2)
 
 
 def opening_mark(view: View, opening: float) -> tuple[float, float]:
-    """Its lower edge."""
+    """The lower edge of the opening."""
     return view.at(0.0, -opening)
 
 
 def object_mark(distance_mm: float) -> tuple[float, float] | None:
-    """Where the panel reaches as far."""
+    """The object, if it is within the panel."""
     view = view_of(distance_mm)
     return view.at(-distance_mm, 0.0) if -distance_mm >= view.left_mm else None
 
 
 def object_of(place: Point) -> float:
-    """Its distance, as far as the wide view reaches."""
+    """The object's distance at a place, at most that of the wide view."""
     return min(max(-WIDE.millimetres(place)[0], 1.0), -WIDE.left_mm)
 
 
 def outline(view: View, glass: Glass) -> list[tuple[float, float]]:
-    """Of the lens."""
+    """The outline of the lens."""
     lens, half = glass.lens, glass.lens.thickness_mm / 2.0
     heights = np.linspace(-glass.rim_mm, glass.rim_mm, 41)
     front = sag_mm(lens.front_per_mm, heights) - half
@@ -144,7 +145,7 @@ def outline(view: View, glass: Glass) -> list[tuple[float, float]]:
 
 
 def ways(view: View, glass: Glass, rays: Rays, heights: Floats) -> list[list[tuple[float, float]]]:
-    """Each ray from the left to where it ends, or to the border of the panel."""
+    """Each ray from the left to its end, or to the border of the panel."""
     drawn = []
     for front, back, slope, height in zip(rays.front, rays.back, rays.slope, heights, strict=True):
         places = [_start(view, glass, float(height))]
@@ -164,7 +165,7 @@ def _start(view: View, glass: Glass, height: float) -> tuple[float, float]:
 
 
 def _border(view: View, place: tuple[float, float], slope: float) -> tuple[float, float]:
-    """Where a line from there to the right leaves the panel."""
+    """The point where a line to the right leaves the panel."""
     x, y = place
     along = view.right_mm - x
     if abs(y + slope * along) > view.up_mm:
@@ -188,14 +189,14 @@ def _failures(
 
 
 def _normals(view: View, glass: Glass, marked: Rays) -> Iterator[str]:
-    """Through each place where the marked ray is bent, at a right angle to the glass."""
+    """The normals of the glass at the points where the marked ray is refracted."""
     curvatures = (glass.lens.front_per_mm, glass.lens.back_per_mm)
     vertices = (-glass.lens.thickness_mm / 2.0, glass.lens.thickness_mm / 2.0)
     for place, c, vertex in zip(
         (marked.front[0], marked.back[0]), curvatures, vertices, strict=True
     ):
         x, y = (float(value) for value in place)
-        # Only what meets the sphere itself has a normal there; the simple models bend at planes.
+        # Only rays that meet the sphere have a normal; the simple models refract at planes.
         if math.isfinite(x) and abs(c * ((x - vertex) ** 2 + y * y) - 2.0 * (x - vertex)) < 1e-6:
             across, up = 1.0 - c * (x - vertex), -c * y
             ends: Sequence[tuple[float, float]] = [
@@ -223,7 +224,7 @@ def _marks(view: View, settings: Settings, glass: Glass) -> Iterator[str]:
 
 
 def _image(view: View, glass: Glass) -> Iterator[str]:
-    """Where the simple models have it."""
+    """The image in the simple models."""
     for place, style, row in ((glass.thin_mm, "muted", 18.0), (glass.paraxial_mm, "image", -9.0)):
         if 0.0 < place <= view.right_mm:
             x = view.at(place, 0.0)[0]

@@ -1,4 +1,4 @@
-"""What the figure of a real lens computes: rays in the tier's way, and Snell's for comparison."""
+"""The stages of the figure of a real lens: rays by the tier's model, and Snell's for comparison."""
 
 import math
 from collections.abc import Callable
@@ -20,11 +20,11 @@ from simulations.models.lens.singlet import (
 )
 
 LARGEST_MM = 22.0
-"""Half the lens's height, where its surfaces do not meet before."""
+"""Half the lens's height, unless its surfaces meet before."""
 FAN = 5
 """Rays drawn above the axis, and as many below."""
 HEIGHTS_MM = np.linspace(0.25, 20.0, 80)
-"""Of the curve of aberration."""
+"""Heights of the curve of aberration."""
 TIERS = {
     "thin": "Thin lens: one bend",
     "paraxial": "Thick lens, small angles",
@@ -34,15 +34,16 @@ TIERS = {
 
 @dataclass(frozen=True, slots=True)
 class Glass:
-    """The lens, and where simpler models have the image."""
+    """The lens, and its image in simpler models."""
 
     lens: Singlet
     rim_mm: float
     distance_mm: float
-    """Of the object; inf for parallel light."""
+    """Distance of the object; inf for parallel light."""
     thin_mm: float
     paraxial_mm: float
-    """Places on the axis behind the lens's middle; negative or infinite where there is no image."""
+    """Place of the image on the axis behind the lens's middle; negative or infinite if there is
+    none."""
 
     @property
     def real(self) -> bool:
@@ -56,7 +57,7 @@ def object_mm(vergence: float) -> float:
 
 
 def trace(tier: str, glass: Glass, heights_mm: Floats) -> Rays:
-    """Rays (n,) in the way of one tier."""
+    """Rays (n,) by the model of one tier."""
     simple: dict[str, Callable[[Singlet, float, Floats], Rays]] = {
         "thin": through_thin,
         "paraxial": through_paraxial,
@@ -67,7 +68,7 @@ def trace(tier: str, glass: Glass, heights_mm: Floats) -> Rays:
 
 
 def _glass(front: float, back: float, index: float, thickness: float, vergence: float) -> Glass:
-    # Bulges are counted outwards, per metre.
+    # Curvatures of the settings are positive outwards, per metre.
     lens = Singlet(front / 1000.0, -back / 1000.0, thickness, index)
     far = object_mm(vergence)
     return Glass(
@@ -80,7 +81,7 @@ def _glass(front: float, back: float, index: float, thickness: float, vergence: 
 
 
 def fan_heights(opening: float) -> Floats:
-    """(n,) evenly over the opening, without the axis."""
+    """Heights (n,) evenly spaced over the opening, without the axis."""
     upper = opening * np.arange(1, FAN + 1) / FAN
     return np.concatenate((-upper[::-1], upper))
 

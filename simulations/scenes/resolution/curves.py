@@ -1,4 +1,4 @@
-"""The second panel: what each link leaves of a wave's contrast, by frequency, and all together."""
+"""The second panel: the transfer functions of all links, and their product."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -30,12 +30,12 @@ ACROSS = Scale("frequency", "cycles per mm", style="small", tick_style="muted sm
 UP = Scale(ticks=(0, 0.5, 1), grid=(0.5, 1), tick_style="muted small")
 FREQUENCIES = np.linspace(0.0, HIGHEST, 501)
 FINE = np.linspace(0.0, 1000.0, 2001)
-"""From its beginning to where the smallest pixel leaves nothing."""
+"""Range of the axis: to the zero of the smallest pixel's transfer function."""
 
 
 @dataclass(frozen=True, slots=True)
 class Links:
-    """What is left of the contrast of waves along a row of pixels, each (...); signs are kept."""
+    """The transfer factors of the links for waves along a row of pixels, each (...), with signs."""
 
     lens: Floats
     pixel: Floats
@@ -79,13 +79,13 @@ def draw(settings: Settings, lens: Lens) -> str:
 
 
 def wave_at(settings: Settings, lens: Lens) -> Point:
-    """On the curve of all links, at the frequency that is marked."""
+    """The handle on the curve of all links, at the marked frequency."""
     left = links(settings, lens, np.asarray(settings.frequency)).together
     return PLOT.at(settings.frequency, abs(float(left)))
 
 
 def on_axis(frequency_per_mm: float) -> tuple[float, float] | None:
-    """Where a limit meets the axis; None beyond its end."""
+    """The handle of a limit on the axis; None beyond its end."""
     return PLOT.at(frequency_per_mm, 0.0) if frequency_per_mm <= HIGHEST else None
 
 
@@ -106,7 +106,7 @@ def _curves(settings: Settings, lens: Lens, nyquist: float) -> Iterator[str]:
 
 
 def _limits(settings: Settings, nyquist: float) -> Iterator[str]:
-    """Nyquist's frequency and the cut-off; their names stay apart where the lines are close."""
+    """The Nyquist frequency and the cut-off, with labels that do not overlap."""
     ends = (("Nyquist", nyquist, "camera", 12.0), ("cut-off 1/λN", cutoff(settings), "ray", 28.0))
     for name, frequency, role, row in ends:
         place = on_axis(frequency)

@@ -1,4 +1,4 @@
-"""What Resolution Is: a point, a range of waves and a star, through lens, plate and pixels."""
+"""What Resolution Is: a point, waves and a star, through lens, plate and pixels."""
 
 import numpy as np
 
@@ -15,11 +15,11 @@ from simulations.scenes.resolution.settings import Settings
 from simulations.scenes.resolution.stages import STAGES, Lens, micrometres
 
 NOTHING = 0.005
-"""Contrast that is none to the eye."""
+"""Contrast below which the eye sees nothing."""
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The spot on the pixels, what is left of each wave, and the picture of a star."""
+    """The spot on the pixels, the transfer functions, and the picture of a star."""
     lens: Lens = outputs["lens"]
     here = links(settings, lens, np.asarray(settings.frequency))
     return Frame(
@@ -73,7 +73,7 @@ def _readouts(settings: Settings, lens: Lens, here: Links) -> tuple[Readout, ...
 
 
 def describe(settings: Settings, here: Links) -> str:
-    """What becomes of the wave that is marked, and which link limits the picture."""
+    """The contrast of the marked wave, and the link that limits the picture."""
     nyquist, cutoff = nyquist_per_mm(settings.pitch), curves.cutoff(settings)
     left = float(here.together)
     wave = f"Of a wave of {format_number(settings.frequency, 0)} cycles per mm "

@@ -1,4 +1,4 @@
-"""The first and the third panel: the spot on the pixels, and where in the star each limit lies."""
+"""The first and the third panel: the spot on the pixels, and the limits in the star."""
 
 import math
 from collections.abc import Iterator
@@ -30,12 +30,12 @@ def close_overlay(settings: Settings) -> str:
 
 
 def spot_mark(settings: Settings) -> tuple[float, float]:
-    """On the right of the first dark ring."""
+    """The handle on the right of the first dark ring."""
     return MIDDLE[0] + PER_UM * _spot_radius(settings), MIDDLE[1]
 
 
 def f_number_of(place: Point, settings: Settings) -> float:
-    """Whose ring would pass there."""
+    """The setting whose ring passes through a place."""
     radius = max(float(place[0]) - MIDDLE[0], 0.0) / PER_UM
     return radius / FIRST_ZERO / micrometres(settings.wavelength)
 
@@ -47,12 +47,12 @@ def corner_mark(settings: Settings) -> tuple[float, float]:
 
 
 def pitch_of(place: Point) -> float:
-    """Whose corner would be nearest."""
+    """The setting whose corner is nearest to a place."""
     return (float(place[0]) - MIDDLE[0] + float(place[1]) - MIDDLE[1]) / PER_UM
 
 
 def star_overlay(settings: Settings) -> str:
-    """Where the star has the frequency that is marked, Nyquist's, and the cut-off."""
+    """Circles in the star of the marked frequency, of Nyquist's, and of the cut-off."""
     per_um = _star_scale(settings)
     rings = (
         ("Nyquist", nyquist_per_mm(settings.pitch), "camera dashed"),
@@ -75,7 +75,7 @@ def star_overlay(settings: Settings) -> str:
 
 
 def ring_mark(settings: Settings) -> tuple[float, float] | None:
-    """Where on the left of its middle the star has the frequency that is marked."""
+    """The place on the left of the star's middle with the marked frequency."""
     radius = _star_scale(settings) * radius_um(settings.frequency)
     return (MIDDLE[0] - radius, MIDDLE[1]) if radius < MIDDLE[0] else None
 
@@ -85,7 +85,7 @@ def frequency_of_ring(place: Point, settings: Settings) -> float:
 
 
 def _star_scale(settings: Settings) -> float:
-    """Units to a micrometre: whole pixels fill the panel."""
+    """Units per micrometre, for which whole pixels fill the panel."""
     return WIDTH / (columns(settings.pitch) * settings.pitch)
 
 

@@ -1,8 +1,8 @@
-"""What the resolution figure computes: the lens's transfer, its spot, and a star through both.
+"""The stages of the resolution figure: the lens's transfer function, its spot, and a star.
 
-The star is a picture of cos(nφ): seen closely, at each place a plane wave, the finer the nearer to
-the middle. Each link multiplies it by its factor for the wave at that place. What that leaves out
-is how the wave bends and narrows within the reach of the blur.
+The star is a picture of cos(nφ): locally a plane wave, finer towards the middle. Each link
+multiplies it by its factor for the wave at that place. This ignores that the wave bends and narrows
+within the reach of the blur.
 """
 
 import math
@@ -20,14 +20,14 @@ from simulations.models.pixel_grid import centred
 from simulations.models.sensor.resolution import pixel_transfer, plate_transfer
 
 FIELD_UM = 400.0
-"""Width of the piece of sensor that the picture shows, to the nearest four pixels."""
+"""Width of the part of the sensor in the picture, to the nearest four pixels."""
 CYCLES = 48
-"""Of the star, once round."""
+"""Periods of the star around a circle."""
 CLOSE_UM = (40.0, 30.0)
-"""Piece of sensor in the first panel."""
+"""Size of the part of the sensor in the first panel."""
 CLOSE_PX = (200, 150)
 SPOT_TO_UM = 33.0
-"""From the middle of that piece to its corners, and the half of a pixel's diagonal more."""
+"""Distance from the middle of that part to its corners, plus half of a pixel's diagonal."""
 SHARES = np.linspace(0.0, 1.0, 385)
 RADII_UM = np.linspace(0.0, SPOT_TO_UM, 441)
 
@@ -48,10 +48,10 @@ class Lens:
 
 @dataclass(frozen=True, slots=True)
 class Star:
-    """The lower right quarter of the star at each pixel, before the lens: the others mirror it."""
+    """The lower right quarter of the star at each pixel, before the lens; the others mirror it."""
 
     wave: Floats
-    """(h, w) of −1 to 1, with what pixel and plate leave of it."""
+    """(h, w) wave from −1 to 1, attenuated by pixel and plate."""
     frequency: Floats
     """(h, w) in cycles/mm."""
 
@@ -61,12 +61,12 @@ def micrometres(nanometres: float) -> float:
 
 
 def columns(pitch: float) -> int:
-    """How many pixels the picture is wide: a multiple of four, as it is 4 : 3."""
+    """Width of the picture in pixels: a multiple of four, as it is 4 : 3."""
     return 4 * round(FIELD_UM / 4.0 / pitch)
 
 
 def frequency_at(radius_um: float) -> float:
-    """Of the star, in cycles/mm, at a distance from its middle."""
+    """Frequency of the star, in cycles/mm, at a distance from its middle."""
     return 1000.0 * CYCLES / (2.0 * math.pi * radius_um) if radius_um > 0 else math.inf
 
 
@@ -87,7 +87,7 @@ def _spot(aperture: float, wavelength: float, defocus: float) -> Floats:
 
 
 def _close(profile: Floats, pitch: float, plate: bool) -> Raster:
-    """The spot, or the four that the plate makes of it; the brightest place is white."""
+    """The spot, or its four copies by the plate; the brightest place is white."""
     (width, height), (columns, rows) = CLOSE_UM, CLOSE_PX
     x = centred(columns) * (width / columns)
     y = centred(rows) * (height / rows)
@@ -99,7 +99,7 @@ def _close(profile: Floats, pitch: float, plate: bool) -> Raster:
 
 
 def _star(pitch: float, plate: bool) -> Star:
-    """At the middles of the pixels; that of the star lies between two columns."""
+    """The star at the centres of the pixels; its own centre is between two columns."""
     count = columns(pitch)
     x, y = np.meshgrid(_half(count) * pitch, _half(3 * count // 4) * pitch)
     per_um = CYCLES / (2.0 * np.pi) / (x * x + y * y)
@@ -112,12 +112,12 @@ def _star(pitch: float, plate: bool) -> Star:
 
 
 def _half(count: int) -> Floats:
-    """Of as many centred pixels, those from the middle on."""
+    """Centres of the pixels from the middle on."""
     return centred(count)[count // 2 :]
 
 
 def light_of(lens: Lens, star: Star) -> Floats:
-    """(h, w) as the pixels measure it, of a star from 0 to 1."""
+    """(h, w) measured picture of a star from 0 to 1."""
     return 0.5 + 0.5 * lens.at(star.frequency) * star.wave
 
 

@@ -1,4 +1,4 @@
-"""Handles of the rotation figure: the line of sight on its way, and the background."""
+"""Handles of the rotation figure: the line of sight on its path, and the background."""
 
 from collections.abc import Mapping
 from functools import lru_cache
@@ -32,7 +32,7 @@ def _sight_pulled(settings: Settings, place: Point, tier: str) -> Mapping[str, V
 
 @lru_cache(maxsize=4)
 def _way(pan: float, tilt: float, roll: float, blend: str, tier: str) -> Floats:
-    """The line of sight (101, 3) at each hundredth of the chosen way."""
+    """The line of sight (101, 3) at each hundredth of the chosen path."""
     here = orientation(pan, tilt, roll)
     ways = sphere.ways(here.angles_rad, here.C, here.q, BLENDS[tier])
     return ways[blend](np.linspace(0.0, 1.0, 101))[:, :, 2]

@@ -1,6 +1,6 @@
 """3D Rotation: three ways to blend two orientations of a camera.
 
-The way goes from straight ahead, C = I, to C = Ry(pan) Rx(tilt) Rz(roll), in a world whose axes
+The path leads from straight ahead, C = I, to C = Ry(pan) Rx(tilt) Rz(roll), in a world whose axes
 are right, down and ahead.
 """
 
@@ -24,7 +24,7 @@ from simulations.scenes.rotation_3d.stages import STAGES, Orientation, judge
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The camera on its way, and the three traces of its line of sight."""
+    """The camera on its path, and the three traces of its line of sight."""
     here: Orientation = outputs["orientation"]
     there: dict[str, Way] = outputs["ways"]
     share, chosen = settings.t, settings.blend
@@ -71,7 +71,7 @@ def describe(settings: Settings, off_rad: float, blend: Floats) -> str:
 
 
 def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
-    """How far the quaternions' way is from even speed on the arc; found at once."""
+    """Error of the quaternions' path against constant speed on the arc, in one step."""
     yield judge(outputs["orientation"], tier)
 
 

@@ -1,4 +1,4 @@
-"""Three ways of a camera from straight ahead to the orientation set.
+"""Three paths of a camera from straight ahead to the set orientation.
 
 The line of sight leaves a trace on a sphere. Along a slerp that is an arc of a circle about one
 fixed axis; blended Euler angles wander; blended matrices cut through the sphere.
@@ -22,7 +22,7 @@ WIDTH, HEIGHT = 400.0, 400.0
 CENTRE, RADIUS = (200.0, 212.0), 150.0
 STEPS = 60
 MARK_EVERY = 6
-"""Steps from one mark to the next on the quaternions' way: even marks are an even speed."""
+"""Steps between marks on the quaternions' path: even marks show a constant speed."""
 START = np.array([1.0, 0.0, 0.0, 0.0])
 
 ROLES = {"slerp": "ray", "euler": "error", "matrix": "image"}
@@ -35,7 +35,7 @@ type Way = Callable[[ArrayLike], Floats]
 def ways(angles_rad: Sequence[float], C: Floats, q: Floats, blend: Blend) -> dict[str, Way]:
     """From shares (...), 0 straight ahead and 1 at the end, to matrices (..., 3, 3).
 
-    ``blend``, one of `quaternion_blends.BLENDS`, is how the quaternions are blended.
+    ``blend`` is one of `quaternion_blends.BLENDS`.
     """
     return {
         "slerp": lambda share: quaternions.to_matrix(blend(START, q, share)),
@@ -45,7 +45,7 @@ def ways(angles_rad: Sequence[float], C: Floats, q: Floats, blend: Blend) -> dic
 
 
 def traces_of(all_ways: Mapping[str, Way], view: Floats) -> dict[str, Floats]:
-    """The places (n, 3) of the line of sight on the whole of each way: view box x, y, and depth."""
+    """The places (n, 3) of the line of sight along each path: view box x, y, and depth."""
     shares = np.linspace(0.0, 1.0, STEPS + 1)
     return {name: on_screen(way(shares)[:, :, 2], view) for name, way in all_ways.items()}
 
@@ -57,7 +57,7 @@ def draw(
     chosen: str,
     share: float,
 ) -> str:
-    """SVG markup of the panel: the traces, and the camera on the chosen way."""
+    """SVG markup of the panel: the traces, and the camera on the chosen path."""
     blends = {name: way(share) for name, way in all_ways.items()}
     beads = [
         dot(on_screen(blend[:, 2], view), ROLES[name], 6.0 if name == chosen else 3.5)

@@ -1,4 +1,4 @@
-"""What the rotation scene computes: the orientation at the end, and the ways to it."""
+"""The stages of the rotation scene: the orientation at the end, and the paths to it."""
 
 import math
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from simulations.scenes.rotation_3d.sphere import START, Way
 
 @dataclass(frozen=True, slots=True)
 class Orientation:
-    """What follows from the three angles alone."""
+    """The orientation of the three angles."""
 
     angles_rad: tuple[float, float, float]
     """Pan, tilt, roll."""
@@ -32,13 +32,13 @@ def orientation(pan: float, tilt: float, roll: float) -> Orientation:
     angles_rad = (math.radians(pan), math.radians(tilt), math.radians(roll))
     C = euler.to_matrix("YXZ", angles_rad)
     q = quaternions.from_matrix(C)
-    # Exactly half a turn has two shortest ways; rounding must not be what picks one.
+    # Exactly half a turn has two shortest paths; rounding must not decide between them.
     q = quaternions.canonical(np.where(np.abs(q) < 1e-12, 0.0, q))
     return Orientation(angles_rad, C, q)
 
 
 def ways(here: Orientation, tier: str) -> dict[str, Way]:
-    """From straight ahead to the orientation, by name."""
+    """The paths from straight ahead to the orientation, by name."""
     return sphere.ways(here.angles_rad, here.C, here.q, BLENDS[tier])
 
 
@@ -51,7 +51,7 @@ STAGES = (
 
 
 def judge(here: Orientation, tier: str) -> Readout:
-    """How far the quaternions' way, as drawn, is from even speed on the arc."""
+    """Error of the quaternions' path against constant speed on the arc."""
     share = np.linspace(0.0, 1.0, sphere.STEPS + 1)
     off_rad = turn_between_rad(
         BLENDS[tier](START, here.q, share), bisected_arc(START, here.q, share)

@@ -12,24 +12,24 @@ from simulations.models.arrays import Floats
 from simulations.scenes.second_bounce.stages import PLACES, Planes
 
 PLOT = Plot(Axis(-1.0, 1.0, 42.0, 386.0), Axis(0.0, 1.2, 262.0, 44.0))
-"""Along the wall from −1 to 0, along the floor from 0 to 1."""
+"""Places along the wall from −1 to 0, along the floor from 0 to 1."""
 FROM_EDGE = Scale(ticks=[(place, f"{abs(place):g}") for place in (-1, -0.5, 0, 0.5, 1)])
 BRIGHTNESS = Scale(ticks=(0, 0.5, 1))
 ALONG = np.concatenate([-PLACES[::-1], PLACES])
 
 
 def at(place: float, brightness: float) -> tuple[float, float]:
-    """View box units, held to the panel."""
+    """View box units, clamped to the panel."""
     return PLOT.held(place, brightness)
 
 
 def place_at(point: Point) -> float:
-    """Along the floor, from the edge."""
+    """Distance along the floor, from the edge."""
     return PLOT.values(point)[0]
 
 
 def profile(planes: Planes, place: float, shown: tuple[float, float]) -> str:
-    """The lamp's part, and all of the light; ``shown`` at the chosen point, red and blue."""
+    """The lamp's part, and all of the light, in red and blue; ``shown`` is at the chosen point."""
     red, blue = planes.all_light
     return "".join(
         (

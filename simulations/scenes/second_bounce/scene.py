@@ -1,4 +1,4 @@
-"""A floor and a wall: what the lamp's shadow gets from the other plane, and the other from it.
+"""A floor and a wall: light that bounces between the two planes, also into the lamp's shadow.
 
 The computation is in `simulations.scenes.second_bounce.stages`.
 """
@@ -19,7 +19,7 @@ from simulations.scenes.second_bounce.view import view
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """From the side, from the front, and as curves."""
+    """The planes from the side, from the front, and as curves."""
     planes = outputs["planes"]
     shown = shown_at(planes, settings.place)
     width, height = section.WIDTH, section.HEIGHT
@@ -67,7 +67,7 @@ def describe(settings: Settings, shown: Shown) -> str:
     )
 
 
-# The planes are solved for in a millisecond: no tiers.
+# The solution takes a millisecond: no tiers.
 SCENE = Scene(
     id="second-bounce",
     title="A Shadow and a Second Bounce",

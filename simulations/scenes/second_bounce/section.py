@@ -10,19 +10,19 @@ from simulations.scenes.second_bounce.settings import Settings
 WIDTH, HEIGHT = 400, 320
 EDGE = (192.0, 262.0)
 LENGTH = 172.0
-"""Of each plane, in units of the view box."""
+"""Length of each plane, in units of the view box."""
 LAMP = 180.0
-"""From the edge to where the lamp is drawn: it shines from far away."""
+"""Drawn distance of the lamp from the edge; it is far away."""
 
 
 def towards(angle_deg: float, length: float) -> tuple[float, float]:
-    """The place at that angle above the floor and that distance from the edge."""
+    """The place at an angle above the floor and a distance from the edge."""
     turn = math.radians(angle_deg)
     return EDGE[0] + length * math.cos(turn), EDGE[1] - length * math.sin(turn)
 
 
 def angle_at(place: Point) -> float:
-    """Degrees above the floor, as seen from the edge; below it, the nearer end."""
+    """Degrees above the floor, as seen from the edge; clamped to the nearer end below it."""
     across, up = float(place[0]) - EDGE[0], EDGE[1] - float(place[1])
     if up <= 0.0:
         return 0.0 if across >= 0.0 else 180.0
@@ -30,12 +30,12 @@ def angle_at(place: Point) -> float:
 
 
 def distance_at(place: Point) -> float:
-    """Of a place of the panel, along the floor."""
+    """Distance of a place along the floor."""
     return (float(place[0]) - EDGE[0]) / LENGTH
 
 
 def section(settings: Settings) -> str:
-    """Planes, lamp, shadow, and what of the wall the chosen point sees."""
+    """Planes, lamp, shadow, and the chosen point's view of the wall."""
     wall, floor = towards(settings.opening, LENGTH), towards(0, LENGTH)
     here, source = towards(0, LENGTH * settings.place), towards(settings.light_angle, LAMP)
     parts = [
@@ -61,7 +61,7 @@ def section(settings: Settings) -> str:
 
 
 def _shadow(settings: Settings) -> list[str]:
-    """The ray that passes the wall's rim, or the floor's, and what lies in the shade."""
+    """The ray past the wall's rim, or the floor's, and the shadow."""
     light, angle = math.radians(settings.light_angle), math.radians(settings.opening)
     end = shadow_end(light, angle)
     if end <= 0.0:

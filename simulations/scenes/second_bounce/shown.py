@@ -9,7 +9,7 @@ from simulations.scenes.second_bounce.stages import PLACES, Planes
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """At the point: by the lamp alone, and by all light in red and in blue."""
+    """Brightness of the point: by the lamp alone, and by all light in red and in blue."""
 
     lamp: float
     red: float
@@ -17,6 +17,6 @@ class Shown:
 
 
 def shown_at(planes: Planes, place: float) -> Shown:
-    """Between the places computed, on straight lines."""
+    """Linear interpolation between the computed places."""
     red, blue = planes.all_light
     return Shown(*(float(np.interp(place, PLACES, each[0])) for each in (planes.lamp, red, blue)))

@@ -1,7 +1,7 @@
-"""What the second-bounce figure computes: the lamp's light, then what the planes throw each other.
+"""The stages of the second-bounce figure: the lamp's light, then the light between the planes.
 
-Two kinds of light are followed: red, of which the wall sends back what the floor does, and blue, of
-which a red wall sends back a tenth of that.
+There are two kinds of light: red, for which wall and floor have the same albedo, and blue, for
+which a red wall has a tenth of it.
 """
 
 import math
@@ -29,7 +29,7 @@ class Planes:
     """Brightness of both planes; 1 is a perfect white that faces the lamp."""
 
     lamp: Floats
-    """(2, 201) by the lamp alone, in red light; first the floor."""
+    """(2, 201) by the lamp alone, in red light; the floor first."""
     all_light: Floats
     """(2, 2, 201) in red light and in blue: floor and wall."""
 
@@ -53,7 +53,8 @@ def _albedos(albedo: float, wall: str) -> Floats:
 def _planes(
     direct: Floats, light_angle: float, opening: float, bounces: str, albedo: float, wall: str
 ) -> Planes:
-    """At all places. The last bounce is gathered where it is seen, so that shadows stay sharp."""
+    """The brightness at all places. The last bounce is computed for each place, so that shadows
+    stay sharp."""
     light, angle = math.radians(light_angle), math.radians(opening)
     sharp = np.stack([lamp_light(PLACES, light, angle), lamp_light(PLACES, angle - light, angle)])
     view = seen_of(PLACES, angle)

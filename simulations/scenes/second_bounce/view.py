@@ -1,4 +1,4 @@
-"""The second panel of the second-bounce figure: both planes as a camera in front sees them."""
+"""The second panel of the second-bounce figure: both planes seen from the front."""
 
 import math
 
@@ -12,15 +12,16 @@ from simulations.scenes.second_bounce.stages import PLACES, Planes
 
 WIDTH, HEIGHT = 400, 320
 CAMERA = 2.6
-"""From the edge, in lengths of a plane; on the line that halves the angle between them."""
+"""Distance of the camera from the edge, in lengths of a plane; it is on the line that bisects the
+angle between them."""
 FOCAL = 340.0
-"""In px, as many as units of the view box."""
+"""Focal length in px, equal to units of the view box."""
 HALF_WIDTH = 0.95
-"""Of the planes along their edge, as far as they are shown."""
+"""Visible length of the planes along their edge."""
 
 
 def view(planes: Planes, opening_deg: float) -> Raster:
-    """(H, W, 4) bytes; red light in red, blue light in green and blue."""
+    """The picture (H, W, 4); red light in red, blue light in green and blue."""
     half = math.radians(opening_deg) / 2
     down = (np.arange(HEIGHT) + 0.5 - HEIGHT / 2) / FOCAL
     steep = np.abs(down)
@@ -36,6 +37,6 @@ def view(planes: Planes, opening_deg: float) -> Raster:
 
 
 def _rows(brightness: Floats, along: Floats, floor: Mask) -> Floats:
-    """(H,) of the floor (first) below the edge and of the wall above it."""
+    """(H,) brightness of the rows: of the floor below the edge, of the wall above it."""
     lower, upper = (np.interp(along, PLACES, each) for each in brightness)
     return np.where(floor, lower, upper)

@@ -18,22 +18,22 @@ WIDTH, HEIGHT = 396.0, 264.0
 ROWS, COLUMNS = 4, 6
 PATCH_SIDES = (WIDTH / COLUMNS, HEIGHT / ROWS)
 DECADES = 4.5
-"""Of the mean axis, below twice the saturation level."""
+"""Decades of the mean axis, below twice the saturation level."""
 LOWEST_DN2 = 0.01
-"""Foot of the variance axis; smaller variances are drawn on it."""
+"""Lower end of the variance axis; smaller variances are drawn at it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """What theory says of the plot."""
+    """The theory of the plot."""
 
     gain_e_per_dn: float
     floor_dn2: float
     """Variance without light."""
     full_dn: float
-    """Level at which well or converter is full."""
+    """Level at which the well or the converter is full."""
     dark_dn: float
-    """Mean dark signal, which fills the well as well but is taken off the means."""
+    """Mean dark signal, which also fills the well but is subtracted from the means."""
 
 
 def over_wedge(means_e: Floats, patch: int, *, all_labels: bool) -> str:
@@ -55,7 +55,7 @@ def over_wedge(means_e: Floats, patch: int, *, all_labels: bool) -> str:
 
 
 def over_patch(label: str) -> str:
-    """What is in the enlarged patch, and how much of it is noise."""
+    """Signal and noise of the enlarged patch."""
     return text((12, HEIGHT - 14), label, "image strong halo")
 
 
@@ -77,7 +77,7 @@ def transfer_plot(
 ) -> str:
     """Measured patches over the theory's three parts.
 
-    ``level_dn`` is the mean that the light of the chosen patch would have in a cell without end;
+    ``level_dn`` is the mean that the light of the chosen patch would have in an unlimited well;
     ``one_frame_dn2`` (24,) is drawn as crosses, the variance that a single frame would give.
     """
     plot = plot_of(curve)
@@ -107,7 +107,7 @@ def _cross(place: Point) -> str:
 
 
 def level_place(plot: Plot, level_dn: float) -> tuple[float, float]:
-    """On the axis of the mean."""
+    """The handle of the light, on the axis of the mean."""
     return plot.held(level_dn, plot.y.low)
 
 
@@ -117,7 +117,7 @@ def floor_place(plot: Plot, curve: Curve) -> tuple[float, float]:
 
 
 def plot_of(curve: Curve) -> Plot:
-    """Fixed by gain and converter, so that noise and exposure move the points and not the axes."""
+    """The axes depend on gain and converter only, so that noise and exposure move the points."""
     high_x = 2 * curve.full_dn
     high_y = 10.0 ** math.ceil(math.log10(max(5 * curve.full_dn / curve.gain_e_per_dn, 1.0)))
     return Plot(
@@ -151,8 +151,8 @@ def _theory(plot: Plot, curve: Curve) -> Iterator[str]:
 
 
 def _names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) -> str:
-    """Of the parts of the theory, where they hide neither these nor the chosen patch's line; and
-    of the crosses of a single frame, beside the highest."""
+    """Labels of the parts of the theory, where they hide neither the lines nor the chosen patch's;
+    and of the crosses of a single frame, next to the highest."""
     gain, floor = curve.gain_e_per_dn, curve.floor_dn2
     low, high = plot.x.low, plot.x.high
     full = max(curve.full_dn - curve.dark_dn, low)

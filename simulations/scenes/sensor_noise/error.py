@@ -1,4 +1,4 @@
-"""How far the electrons of the patches are from Poisson's distribution."""
+"""Distance of the patches' electrons from Poisson's distribution."""
 
 from collections.abc import Iterator
 from itertools import repeat
@@ -12,7 +12,7 @@ from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_g
 from simulations.scenes.sensor_noise.stages import FULL_WELL_E, count_patches
 
 EXPOSURES = 16
-"""Exposures of the patches by which a tier is judged."""
+"""Exposures of the patches for the error of a tier."""
 
 
 def judge(
@@ -20,8 +20,8 @@ def judge(
 ) -> Iterator[Readout]:
     """The largest gap between the cumulatives of ``counted`` (24, 1600) and of ``mean_e`` (24,).
 
-    1600 pixels of a patch cannot tell much of a distribution: with each step another exposure
-    of the same patches is added to those before. The first is ``counted``, where it is given.
+    As 1600 pixels of a patch are few, each step adds another exposure of the same patches. The
+    first is ``counted``, if given.
     """
     rng = np.random.default_rng((new_noise, 3))
     for exposures in range(1, EXPOSURES + 1):

@@ -44,14 +44,14 @@ def _plot(settings: Settings) -> tuple[Plot, float]:
 
 
 def _values(plot: Plot, place: Point) -> tuple[float, float]:
-    """Mean and variance; what lies outside is brought to the border."""
+    """Mean and variance of a place, clamped to the plot."""
     x = min(max(place[0], plot.x.start), plot.x.end)
     y = min(max(place[1], plot.y.end), plot.y.start)
     return plot.values((x, y))
 
 
 def _level(settings: Settings, outputs: Outputs) -> Point | None:
-    """Of the wedge alone: the light of a reader's patches is in no order."""
+    """Only for the wedge, as the light of a reader's patches is not ordered."""
     if outputs["photograph"]:
         return None
     plot, gain = _plot(settings)
@@ -62,7 +62,7 @@ def _level_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     plot, gain = _plot(settings)
     mean_e = _values(plot, place)[0] * gain
     patch = 1.0 + 2.0 * (settings.exposure - math.log2(mean_e / BRIGHTEST_E))
-    # All that lies beyond an end of the axis is drawn there: not short of it.
+    # Values beyond an end of the axis are drawn at the end.
     beyond = 0.5 * ((place[0] <= plot.x.start) - (place[0] >= plot.x.end))
     return {"patch": patch + beyond}
 
@@ -74,7 +74,7 @@ def _floor(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _floor_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """The read noise that adds to dark signal and rounding what is missing to this floor."""
+    """The read noise that, with dark signal and rounding, makes this floor."""
     plot, gain = _plot(settings)
     others = floor_e2(sensor_of(settings.bits, settings.iso, 0.0), settings.dark)
     return {"read_noise": math.sqrt(max(_values(plot, place)[1] * gain**2 - others, 0.0))}

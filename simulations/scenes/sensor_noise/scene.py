@@ -1,4 +1,4 @@
-"""A step wedge photographed twice by a noisy sensor, and what its noise tells of the sensor.
+"""A step wedge photographed twice by a noisy sensor, and the sensor's gain from the noise.
 
 Twenty-four patches, each half a stop darker than the one before, are counted, read and rounded.
 Half the variance of the difference of two frames, against the mean, is the photon-transfer curve;
@@ -83,7 +83,7 @@ def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) ->
 
 
 def noise_share(transfer: Transfer, patch: int) -> str:
-    """How large the noise of a patch is against its light, in words."""
+    """Signal-to-noise ratio of a patch, in words."""
     words = measured_ratio(transfer, patch)
     mean, sigma = transfer.mean_dn[patch], math.sqrt(transfer.variance_dn[patch])
     if words in ("one code only", "clipped"):
@@ -96,7 +96,7 @@ def noise_share(transfer: Transfer, patch: int) -> str:
 def patch_readouts(
     transfer: Transfer, patch: int, mean_e: float, floor: float
 ) -> tuple[Readout, ...]:
-    """What one patch shows, on which ``mean_e`` electrons of light are expected; see `floor_e2`."""
+    """Readouts of one patch with ``mean_e`` expected electrons of light; see `floor_e2`."""
     theory = format_number(mean_e / math.sqrt(mean_e + floor), 1)
     expected = "clipped" if transfer.clipped[patch] else theory
     sigma = math.sqrt(transfer.variance_dn[patch])
@@ -109,7 +109,7 @@ def patch_readouts(
 
 
 def sensor_readouts(gain: Gain | None, camera: Sensor, floor: float) -> tuple[Readout, ...]:
-    """What all patches together tell of the sensor, and the truth."""
+    """Estimates of the sensor from all patches, and the true values."""
     span = math.log2(saturation_e(camera) / math.sqrt(floor))
     return (
         Readout("gain", "Conversion gain, measured", measured_gain(gain), "e⁻/DN", "image"),
@@ -121,17 +121,17 @@ def sensor_readouts(gain: Gain | None, camera: Sensor, floor: float) -> tuple[Re
 
 
 def measured_ratio(transfer: Transfer, patch: int) -> str:
-    """Signal to noise of a patch, or why it has none to tell."""
+    """Signal-to-noise ratio of a patch, or why there is none."""
     sigma = math.sqrt(transfer.variance_dn[patch])
     if sigma == 0:
         return "one code only"
-    if transfer.clipped[patch]:  # part of the noise is cut off, and the ratio would flatter
+    if transfer.clipped[patch]:  # part of the noise is cut off, and the ratio would be too good
         return "clipped"
     return format_number(transfer.mean_dn[patch] / sigma, 1)
 
 
 def measured_gain(gain: Gain | None) -> str:
-    """With its standard error, of which two digits count."""
+    """The gain with its standard error, to two digits of the latter."""
     if gain is None:
         return "not measurable"
     digits = min(max(1 - math.floor(math.log10(gain.error_e_per_dn)), 0), 5)
@@ -168,9 +168,10 @@ def describe(settings: Settings, outputs: Outputs, camera: Sensor) -> str:
 
 
 def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
-    """How far the electrons of the patches are from Poisson's distribution."""
+    """Distance of the patches' electrons from Poisson's distribution."""
     mean_e = patch_light_e(outputs["light"]) + settings.dark
-    # Where the light or the cells differ within a patch, even patches as bright are judged.
+    # If the light or the cells differ within a patch, uniform patches of the same brightness are
+    # used.
     even = not (outputs["photograph"] or settings.unequal)
     counted = outputs["electrons"][0] if even else None
     return judge(counted, mean_e, settings.new_noise, cast(ShotModel, tier))

@@ -1,4 +1,4 @@
-"""What the sensor-noise figure computes: electrons → codes → transfer curve and picture."""
+"""The stages of the sensor-noise figure: electrons → codes → transfer curve and picture."""
 
 from dataclasses import dataclass
 from functools import cache, partial
@@ -18,45 +18,45 @@ from simulations.models.sensor.photon_transfer import Gain, estimate_gain, strai
 from simulations.scenes.sensor_noise import drawing
 
 SHOT, READ, CELLS = 1, 2, 4
-"""Streams of chance: of the electrons, of the amplifier, and of how the cells were made."""
+"""Streams of random numbers: electrons, amplifier, and the cells' pattern."""
 FRAMES = 2
-"""Exposures of the same light. What both share is the pattern of the cells, not noise."""
+"""Exposures of the same light. Both share the pattern of the cells, which is not noise."""
 FULL_WELL_E = 20_000.0
 BRIGHTEST_E = 2 * FULL_WELL_E
-"""Mean of the first patch at 0 EV: one stop more than a cell can hold."""
+"""Mean of the first patch at 0 EV: one stop above the full well."""
 PATCH_PX = 40
 """Side of a patch: its 1600 pixels give the variance to about 3.5 %."""
 STOPS = np.arange(drawing.ROWS * drawing.COLUMNS) / 2
-"""How much darker than the first each patch is."""
+"""Light of each patch relative to the first."""
 PHOTOGRAPH_PX = (drawing.COLUMNS * PATCH_PX, drawing.ROWS * PATCH_PX)
 CLOSE = (slice(8, 32), slice(2, 38))
-"""Rows and columns of a patch that are enlarged."""
+"""Rows and columns of the enlarged part of a patch."""
 MID_GREY = 0.2
-"""Of white, in light."""
+"""Brightness of white, in linear light."""
 CLIPPED_SHARE = 0.001
 """Patches with more of their pixels at the lowest or the highest code are left out of the fit."""
 
 
 @dataclass(frozen=True, slots=True)
 class Transfer:
-    """The photon-transfer curve of two frames; black level and mean dark signal taken off."""
+    """The photon-transfer curve of two frames, without black level and mean dark signal."""
 
     mean_dn: Floats
     """(24,)"""
     variance_dn: Floats
-    """(24,) half of that of the difference of the frames: EMVA 1288."""
+    """(24,) half of the variance of the difference of the frames: EMVA 1288."""
     one_frame_dn2: Floats
-    """(24,) from cell to cell in the first frame, which holds the pattern too."""
+    """(24,) variance between cells in the first frame, which includes the pattern."""
     fitted: Mask
-    """(24,) the patches that the gain was fitted to."""
+    """(24,) the patches used to fit the gain."""
     clipped: Mask
     """(24,) the patches with pixels at either end of the converter."""
     gain: Gain | None
-    """From the slope of the fitted part; None where that does not tell it."""
+    """Gain from the slope of the fitted part; None if that does not determine it."""
 
 
 def sensor_of(bits: int, iso: str, read_noise: float) -> photon_counting.Sensor:
-    """At ISO 100 the top code is a full well; a 64th of the codes lies below black."""
+    """The sensor: at ISO 100 the top code is a full well; a 64th of the codes is below black."""
     black = 2.0**bits / 64
     base = photon_counting.Sensor(
         full_well_e=FULL_WELL_E,
@@ -70,7 +70,7 @@ def sensor_of(bits: int, iso: str, read_noise: float) -> photon_counting.Sensor:
 
 
 def saturation_e(camera: photon_counting.Sensor) -> float:
-    """Electrons above which a pixel no longer tells light apart: well or converter is full."""
+    """Electrons at which a pixel saturates: the well or the converter is full."""
     top = (camera.highest_dn - camera.black_level_dn) * camera.gain_e_per_dn
     return min(camera.full_well_e, top)
 
@@ -92,15 +92,14 @@ def curve_of(camera: photon_counting.Sensor, dark: float) -> drawing.Curve:
 
 
 def _grain(stream: int, new_noise: int) -> Floats:
-    """(2, 24, 1600) standard normals of both frames, drawn once: the controls only decide how
-    strongly they show."""
+    """(2, 24, 1600) standard normals of both frames, drawn once: the controls only scale them."""
     rng = np.random.default_rng((new_noise, stream))
     return rng.standard_normal((FRAMES, STOPS.size, PATCH_PX**2), np.float32)
 
 
 def _cells(light: Floats, unequal: float) -> Floats:
-    """The light as cells take it in whose sensitivities differ by ``unequal`` per cent: (24, 1600),
-    or as it was where none does. The pattern is the sensor's own: another take has the same."""
+    """The light (24, 1600) measured by cells whose sensitivities differ by ``unequal`` per cent, or
+    unchanged for 0. The pattern is the same for all takes."""
     if not unequal:
         return light
     pattern = np.random.default_rng(CELLS).standard_normal((STOPS.size, PATCH_PX**2), np.float32)
@@ -109,7 +108,7 @@ def _cells(light: Floats, unequal: float) -> Floats:
 
 
 def _light(exposure: float, photograph: Photograph | None) -> Floats:
-    """Electrons that light frees: (24,) of the patches, or (24, 1600) of the reader's picture,
+    """Electrons freed by light: (24,) for the patches, or (24, 1600) for the reader's picture,
     whose white fills the well at 0 EV."""
     if photograph is None:
         return patch_means_e(exposure)
@@ -137,7 +136,7 @@ def _count(
 def count_patches(
     mean_e: Floats, rng: np.random.Generator, model: photon_counting.ShotModel
 ) -> Floats:
-    """(24, 1600) electrons counted where ``mean_e``, of patches or of cells, are expected."""
+    """(24, 1600) electrons counted, for the means ``mean_e`` of patches or cells."""
     return photon_counting.shot_noise(_flat(mean_e), rng, FULL_WELL_E, model)
 
 
@@ -149,14 +148,14 @@ def _flat(mean_e: Floats) -> Floats:
 
 
 def patch_means_e(exposure: float) -> Floats:
-    """(24,) electrons that light frees in a cell of each patch."""
+    """(24,) electrons freed by light in a cell of each patch."""
     return BRIGHTEST_E * 2.0 ** (exposure - STOPS)
 
 
 def _read(
     electrons: Floats, grain: Floats, bits: int, iso: str, read_noise: float
 ) -> NDArray[np.uint16]:
-    quiet = sensor_of(bits, iso, 0.0)  # the read noise is in the grain already
+    quiet = sensor_of(bits, iso, 0.0)  # the grain includes the read noise
     reported = electrons + np.float32(read_noise) * grain if read_noise else electrons
     signal = photon_counting.read_out(reported, quiet, np.random.default_rng(0))
     return photon_counting.quantise(signal, quiet.bits)
@@ -180,7 +179,7 @@ def _measure(
 
 
 def _gain(mean: Floats, variance: Floats) -> Gain | None:
-    """None where other noise hides how the variance rises with the light, or rounding does."""
+    """None if other noise or rounding hides the rise of the variance with the light."""
     try:
         return estimate_gain(mean, variance, PATCH_PX**2)
     except ValueError:
@@ -196,7 +195,7 @@ def _picture(codes: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
 
 @cache
 def _colour_of_code(bits: int) -> NDArray[np.uint8]:
-    """(codes, 4) canvas bytes of each code; fewer than there are pixels, at any ISO the same."""
+    """(codes, 4) canvas bytes of each code, the same for any ISO."""
     linear = photon_counting.develop(np.arange(2.0**bits), sensor_of(bits, "100", 0.0))
     colours: NDArray[np.uint8] = to_rgba8(encode_srgb(np.clip(linear, 0, 1))[None])[0]
     colours.flags.writeable = False
@@ -204,7 +203,7 @@ def _colour_of_code(bits: int) -> NDArray[np.uint8]:
 
 
 def enlarged(codes: NDArray[np.uint16], camera: photon_counting.Sensor) -> Raster:
-    """The middle of a patch (1600,), as bright as a mid-grey whatever its light, as bytes."""
+    """The middle of a patch (1600,) as bytes, scaled to a mid-grey."""
     signal = codes.reshape(PATCH_PX, PATCH_PX)[CLOSE] - camera.black_level_dn
     level = max(float(signal.mean()), float(signal.std()), 1.0)
     return to_rgba8(encode_srgb(np.clip(MID_GREY * signal / level, 0, 1)))

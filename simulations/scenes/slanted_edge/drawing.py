@@ -1,4 +1,4 @@
-"""The three panels: the picture of the edge, the light across it, and what is left of each wave."""
+"""The three panels: the picture of the edge, the light across it, and the MTF."""
 
 import math
 from collections.abc import Iterator
@@ -25,16 +25,16 @@ WAVES = Plot(Axis(0.0, 1.0, 34.0, 388.0), Axis(0.0, 1.05, 214.0, 40.0))
 NYQUIST = 0.5
 LEVELS = Scale(ticks=(0, 0.5, 1), grid=(0.5, 1), tick_style="muted small")
 SPECK = 1.4
-"""Length of the stroke that stands for a pixel."""
+"""Length of the stroke for a pixel."""
 
 
 def edge_end(angle_deg: float) -> Point:
-    """Where the edge leaves the picture at its upper border."""
+    """The point where the edge leaves the picture at its upper border."""
     return WIDTH / 2 + HEIGHT / 2 * math.tan(math.radians(angle_deg)), 0.0
 
 
 def angle_of(place: Point) -> float:
-    """In degrees: of the edge that would leave the picture above the place."""
+    """Angle in degrees of the edge that leaves the picture above a place."""
     right, up = float(place[0]) - WIDTH / 2, HEIGHT / 2 - float(place[1])
     return math.degrees(math.atan2(right, max(up, 1.0)))
 
@@ -88,7 +88,7 @@ def _specks(reading: EdgeReading) -> str:
 
 
 def waves_left(measured: Floats, true: Floats) -> str:
-    """What the formulae leave of each wave, and what the picture says of it."""
+    """The MTF by the formulae, and as measured from the picture."""
     return "".join(
         (
             WAVES.region(x=(NYQUIST, 1.0)),

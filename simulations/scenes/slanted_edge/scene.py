@@ -1,4 +1,4 @@
-"""Slanted Edge: one picture of an edge, and the contrast of every wave out of it."""
+"""Slanted Edge: one picture of an edge, and the MTF measured from it."""
 
 import math
 
@@ -61,7 +61,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def _rows(angle_deg: float) -> Readout:
-    """How many rows it takes the edge to move by one pixel."""
+    """Count of rows per pixel of shift of the edge."""
     name, label = "rows", "Rows to one pixel"
     if angle_deg == 0:
         return Readout(name, label, "∞", "", "world")
@@ -76,7 +76,7 @@ def _mtf50(name: str, label: str, left: Floats, pitch: float, role: str) -> Read
 
 
 def describe(settings: Settings, measured: Floats, true: Floats) -> str:
-    """What the picture of the edge says, or why it says nothing."""
+    """The measurement of the edge, or why there is none."""
     slant = f"An edge slanted by {format_number(settings.angle, 1)}°"
     if np.isnan(measured).any():
         return f"{slant}: too many rows meet it at the same place, so the picture gives no MTF."

@@ -1,4 +1,4 @@
-"""What the slanted edge computes: a picture of it, and what the picture says of lens and pixel."""
+"""The stages of the slanted edge: a picture, and the MTF measured from it."""
 
 import math
 
@@ -17,7 +17,7 @@ from simulations.models.sampling.slanted_edge import (
 ROWS, COLUMNS = 45, 60
 WAVELENGTH_UM = 0.55
 FREQUENCIES = np.linspace(0.0, 1.0, 51)
-"""Cycles per pixel: twice as far as the grid itself can show."""
+"""Cycles per pixel, up to twice the Nyquist frequency."""
 
 
 def lens_factor(frequency: Floats, aperture: float, pitch: float) -> Floats:
@@ -37,12 +37,12 @@ def _reading(picture: Floats) -> EdgeReading:
 
 
 def _measured(reading: EdgeReading) -> Floats:
-    """(51,) what is left of each wave, by the picture; NaN where it cannot say."""
+    """(51,) measured MTF; NaN where it is undetermined."""
     return reading.transfer(FREQUENCIES)
 
 
 def _true(angle: float, aperture: float, pitch: float) -> Floats:
-    """(51,) likewise, by the formulae of lens and pixel."""
+    """(51,) MTF by the formulae of lens and pixel."""
     pixel = edge_transfer(FREQUENCIES, math.radians(angle))
     return np.abs(lens_factor(FREQUENCIES, aperture, pitch) * pixel)
 

@@ -25,7 +25,7 @@ STRIP = 10
 WAVELENGTHS = Scale("wavelength", "nm", ticks=(400, 500, 600, 700), gap=STRIP)
 SHARES = Scale(ticks=(0, 1), grid=(1,))
 GREY = 0.15
-"""Added to the colours of the strip: none of them lies in the display's gamut."""
+"""Grey added to the colours of the strip, which are all outside the display's gamut."""
 
 
 def curve(heights: Floats, style: str) -> str:
@@ -34,7 +34,7 @@ def curve(heights: Floats, style: str) -> str:
 
 
 def area(heights: Floats, style: str) -> str:
-    """What lies under a spectrum."""
+    """The area under a spectrum."""
     return PLOT.area(WAVELENGTHS_NM, heights, style)
 
 
@@ -46,7 +46,7 @@ def axes() -> str:
 
 @cache
 def colours_below() -> Raster:
-    """(H, W, 4) the colours of the wavelengths as near as a display comes, under the floor."""
+    """(H, W, 4) the colours of the wavelengths as near as a display can show, under the floor."""
     picture = np.zeros((HEIGHT, WIDTH, 4), np.uint8)
     linear = np.clip(xyz_to_linear_rgb(OBSERVER) / 2.2 + GREY * OBSERVER.sum(1)[:, None] / 3, 0, 1)
     left, right, top = (round(end) for end in (PLOT.x.start, PLOT.x.end, PLOT.y.start))

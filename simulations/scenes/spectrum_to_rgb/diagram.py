@@ -1,4 +1,4 @@
-"""The chromaticity diagram of the spectrum figure: what is left of colours but for brightness."""
+"""The chromaticity diagram of the spectrum figure: colours without their brightness."""
 
 import math
 from functools import cache
@@ -20,9 +20,10 @@ PLOT = Plot(Axis(0.0, 0.82, 44.0, 298.2), Axis(0.0, 0.88, 284.0, 11.2))
 """310 units of the view box per unit of x and of y."""
 TICKS = Scale(ticks=(0.2, 0.4, 0.6, 0.8), grid=(0.2, 0.4, 0.6, 0.8))
 PURE_NM = np.arange(420.0, 641.0, 4.0)
-"""Pure colours that the edge is drawn through: beyond these it hardly moves, and the fits stray."""
+"""Wavelengths of the edge of all colours: beyond these it hardly moves, and the fits are
+inaccurate."""
 MARKED_NM = {460: "end", 480: "end", 500: "start", 520: "middle", 560: "start", 600: "start"}
-"""Of the edge, and on which side of its number it lies."""
+"""Labelled wavelengths of the edge, and the sides of their labels."""
 TEMPERATURES_K = np.arange(2000.0, 12001.0, 50.0)
 """The steps of its slider."""
 
@@ -43,14 +44,14 @@ def whites(light: str) -> tuple[Floats, Floats]:
 
 
 def temperature_at(place: Point, light: str) -> float:
-    """Of the white nearest to a place of the panel."""
+    """Temperature of the white nearest to a place of the panel."""
     kelvin, xy = whites(light)
     off = [math.dist(at(each), place) for each in xy]
     return float(kelvin[int(np.argmin(off))])
 
 
 def diagram(light: str, white_xy: Point, xyz: Floats, chosen: int, *, twin: bool) -> str:
-    """Pure colours, what a display can show, the whites, and the surfaces (2, 12, 3) in XYZ."""
+    """Pure colours, the display's gamut, the whites, and the surfaces (2, 12, 3) in XYZ."""
     pairs = xyz_to_xyy(xyz)[..., :2]
     line = whites(light if light == "daylight" else "planck")[1]
     here = at(pairs[0, chosen])

@@ -8,17 +8,17 @@ from simulations.scenes.spectrum_to_rgb.settings import SURFACES
 
 WIDTH, HEIGHT = 400, 320
 UNIT = 4
-"""Units of the view box per pixel."""
+"""View box units per pixel."""
 LEFT, TOP = 88, 12
 CELL, ROW, GAP = 24, 48, 12
-"""Width of a patch, its height, and what is free below it."""
+"""Width and height of a patch, and the gap below it."""
 ROWS = ("raw", "balanced", "sRGB", "eye, here", "eye, by day")
 
 
 def paint(cells: Raster) -> Raster:
     """Bytes (H, W, 4) of the panel from those of the patches (2 · rows, columns, 4).
 
-    Of each two rows of cells, the first is the upper half of a patch and the second its lower.
+    Of each two rows of cells, the first is the upper half of a patch, the second its lower half.
     """
     picture = np.zeros((HEIGHT // UNIT, WIDTH // UNIT, 4), np.uint8)
     halves = cells.repeat(ROW // UNIT // 2, axis=0).repeat(CELL // UNIT, axis=1)
@@ -43,13 +43,13 @@ def overlay(surface: str) -> str:
 
 
 def surface_at(place: Point) -> str:
-    """The surface whose column lies nearest to a place of the panel."""
+    """The surface whose column is nearest to a place of the panel."""
     column = int((float(place[0]) - LEFT) // CELL)
     return list(SURFACES)[min(max(column, 0), len(SURFACES) - 1)]
 
 
 def middle(surface: str) -> tuple[float, float]:
-    """Of its column."""
+    """The handle of the column."""
     return LEFT + (list(SURFACES).index(surface) + 0.5) * CELL, HEIGHT / 2
 
 

@@ -1,4 +1,4 @@
-"""From a spectrum to three numbers: a light, a surface and a sensor, and the colour that is meant.
+"""From a spectrum to three numbers: a light, a surface and a sensor, and the intended colour.
 
 The computation is in `simulations.scenes.spectrum_to_rgb.stages`.
 """
@@ -18,7 +18,7 @@ from simulations.scenes.spectrum_to_rgb.settings import Settings
 from simulations.scenes.spectrum_to_rgb.stages import NAMES, STAGES, Colours, held
 
 VISIBLE = 2.0
-"""ΔE that can just be seen."""
+"""Just noticeable ΔE."""
 LIGHTS = {
     "planck": "a glowing body of {:.0f} K",
     "daylight": "daylight of {:.0f} K",
@@ -29,7 +29,7 @@ SURFACES = {"cloth": "A dyed cloth", "sky": "A patch like blue sky", "white": "A
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """Spectra, what the sensor takes of them, the patches, and the chromaticities."""
+    """Spectra, the sensor's part of them, the patches, and the chromaticities."""
     colours: Colours = outputs["colours"]
     chosen = NAMES.index(settings.surface)
     pair = outputs["pairs"][:, chosen]
@@ -86,7 +86,7 @@ def _triple(values: Sequence[float] | np.ndarray) -> str:
 
 
 def _codes(linear: np.ndarray) -> str:
-    """As a display is sent them: held to what it can show."""
+    """Encoded for a display, clipped to its gamut."""
     codes = np.rint(255.0 * np.clip(encode_srgb(linear), 0.0, 1.0))
     return " / ".join(f"{code:.0f}" for code in codes)
 
@@ -114,7 +114,7 @@ def describe(settings: Settings, colours: Colours, chosen: int) -> str:
     return f"{told}."
 
 
-# All of it is a few sums over 81 wavelengths: there is nothing to trade, hence no tiers.
+# A few sums over 81 wavelengths: no tiers.
 SCENE = Scene(
     id="spectrum-to-rgb",
     title="From Spectrum to RGB",

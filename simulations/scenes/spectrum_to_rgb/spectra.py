@@ -1,4 +1,4 @@
-"""The first two panels of the spectrum figure: light × surface, and what the sensor takes of it."""
+"""The first two panels of the spectrum figure: light × surface, and × sensor."""
 
 import math
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ LETTERS = {"camera": ("R", "G", "B"), "eye": ("x̄", "ȳ", "z̄")}
 
 
 def light_and_surface(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -> str:
-    """The light, the reflectance (2, 81) of a surface and its twin, and what comes of both."""
+    """The light, the reflectance (2, 81) of a surface and its twin, and the reflected light."""
     height = light / light.max()
     parts = [
         axes(),
@@ -38,22 +38,22 @@ def light_and_surface(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -
 
 
 def band_mark(band_nm: float) -> tuple[float, float]:
-    """Where the cloth's band peaks."""
+    """The handle at the peak of the cloth's band."""
     return PLOT.at(band_nm, MOST)
 
 
 def width_mark(band_nm: float, width_nm: float) -> tuple[float, float]:
-    """Where the band has fallen to half its height, to the right."""
+    """The handle at half the height of the band, on the right."""
     return PLOT.at(band_nm + HALF_HEIGHT * width_nm, 0.5 * (LEAST + MOST))
 
 
 def width_at(place: Point, band_nm: float) -> float:
-    """The width at which the band would have half its height at a place."""
+    """The width for which the band has half its height at a place."""
     return (PLOT.values(place)[0] - band_nm) / HALF_HEIGHT
 
 
 def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw: Floats) -> str:
-    """The sensor's curves (81, 3), and what each takes of the light that a surface sends back."""
+    """The sensor's curves (81, 3), and their products with the light from a surface."""
     back = light / light.max() * reflectance
     scale = curves.max()
     parts = [axes()]

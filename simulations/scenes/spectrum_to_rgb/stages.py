@@ -1,6 +1,6 @@
-"""What the spectrum figure computes: light × surface × sensor → raw → balanced → sRGB.
+"""The stages of the spectrum figure: light × surface × sensor → raw → balanced → sRGB.
 
-Beside the camera's way runs the eye's: XYZ in this light, and in daylight, as the colour is meant.
+For comparison, XYZ for the eye in this light and in daylight, the intended colour.
 """
 
 from dataclasses import dataclass
@@ -32,41 +32,41 @@ from simulations.scenes.spectrum_to_rgb.patches import paint
 from simulations.scenes.spectrum_to_rgb.settings import SURFACES
 
 DAYLIGHT = daylight(D65_K)
-"""The light that colours are meant for, and in which the twins match."""
+"""The light of the intended colours, in which the twins match."""
 MEASURED = np.stack([chart_patch(name) for name in CHART])
 """(11, 81) the patches that do not change."""
 NAMES = tuple(SURFACES)
-"""Of the rows of surfaces: the cloth, then the patches as measured."""
+"""Names of the surfaces: the cloth, then the measured patches."""
 CURVES = {"camera": camera_curves(WAVELENGTHS_NM), "eye": OBSERVER}
 
 
 @dataclass(frozen=True, slots=True)
 class Colours:
-    """What becomes of twelve surfaces, and of their twins in a second row: (2, 12, 3) each."""
+    """The colours of twelve surfaces, and of their twins in a second row: (2, 12, 3) each."""
 
     raw: Floats
-    """The sensor's values; green sees 1 of white."""
+    """The sensor's values; white has a green of 1."""
     gains: Floats
-    """(3,) that make white grey."""
+    """(3,) gains that make white grey."""
     balanced: Floats
     srgb: Floats
-    """Linear, by the matrix; some outside of [0, 1]."""
+    """Linear sRGB by the matrix; some outside of [0, 1]."""
     xyz: Floats
-    """By the eye, in this light; white has Y = 1."""
+    """XYZ for the eye, in this light; white has Y = 1."""
     white_xy: tuple[float, float]
-    """The light's own colour."""
+    """XYZ of the light itself."""
     here: Floats
-    """Linear sRGB of what an eye sees that is used to this light."""
+    """Linear sRGB seen by an eye that is adapted to this light."""
     meant: Floats
-    """Linear sRGB of what it sees in daylight."""
+    """Linear sRGB seen in daylight."""
     error: Floats
     """(2, 12) ΔE of ``srgb`` from ``meant``."""
     apart: Floats
-    """(12,) ΔE of the twins, to the eye in this light."""
+    """(12,) ΔE of the twins for the eye in this light."""
 
 
 def held(temperature_k: float) -> float:
-    """The temperature that daylight takes."""
+    """The temperature, limited to the range of daylight."""
     return max(temperature_k, DAYLIGHT_K[0])
 
 
@@ -101,7 +101,7 @@ def _curves(sensor: str) -> Floats:
 
 
 def _fitted(curves: Floats, light: Floats, matrix: str) -> Floats:
-    """(3, 3) from balanced values to XYZ in daylight, least wrong for the measured patches."""
+    """(3, 3) from balanced values to XYZ in daylight, fitted to the measured patches."""
     source = light if matrix == "own" else DAYLIGHT
     white = exposed(source, curves, source)
     balanced = white_balance(exposed(MEASURED * source, curves, source), white)
@@ -110,7 +110,7 @@ def _fitted(curves: Floats, light: Floats, matrix: str) -> Floats:
 
 
 def _colours(light: Floats, pairs: Floats, curves: Floats, fitted: Floats) -> Colours:
-    """All that is shown of the colours."""
+    """All colours that are shown."""
     white = exposed(light, curves, light)
     raw = exposed(pairs * light, curves, light)
     balanced = white_balance(raw, white)

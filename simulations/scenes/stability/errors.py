@@ -1,7 +1,7 @@
-"""How far off two ways to compute a formula are, against how near to trouble it is asked.
+"""Errors of two computations of a formula, by distance from its singularity.
 
-At each distance from trouble some inputs are drawn, rounded to the format, and from then on taken
-as exact. The worst of them counts: one rounding may be lucky.
+At each distance some random inputs are rounded to the format and then taken as exact. The largest
+error counts, as a single rounding may be lucky.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,21 +16,21 @@ from simulations.scenes.stability.settings import LOWEST, STEP
 DISTANCES: Floats = np.array(
     [float(f"{10.0**power:.4g}") for power in np.arange(LOWEST, 0.1, STEP)]
 )
-"""(n,) from trouble, from the nearest."""
+"""(n,) distances from the singularity, nearest first."""
 DRAWS = 8
 NOTHING_RIGHT = 1.0
 NEAREST_SPACINGS = 4
-"""Of the format: below this share two numbers that should differ may round to the same."""
+"""Relative spacing of the format: numbers closer than this may round to the same."""
 
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Largest relative errors (n,) at `DISTANCES`; NaN where the format has no inputs that near."""
+    """Largest relative errors (n,) at `DISTANCES`; NaN if the format has no inputs that near."""
 
     written: Floats
     rearranged: Floats
     bound: Floats
-    """κ u: what rounding the inputs once would cost."""
+    """κ u: the error from rounding the inputs once."""
 
 
 def errors_of(formula: str, digits: str) -> Errors:
@@ -60,7 +60,7 @@ def _drawn(distance: float) -> np.random.Generator:
 
 
 def _angle(distance: float, kind: Kind) -> Found:
-    """Of quaternions between which lies half of the turn θ; ``distance`` is 2 tan θ/2."""
+    """Pairs of quaternions half of the rotation θ apart; ``distance`` is 2 tan θ/2."""
     rng = _drawn(distance)
     start = _unit(rng.uniform(0.2, 1.0, (DRAWS, 4)))
     aside = rng.uniform(-1.0, 1.0, (DRAWS, 4))
@@ -92,11 +92,11 @@ def _blur(distance: float, kind: Kind) -> Found:
 
 
 ROWS: Floats = np.array([[0.8, 0.0, 0.6], [-0.6, 0.0, 0.8]])
-"""Of the rotation that turns the world's axes into the camera's."""
+"""The rotation from the world's axes to the camera's."""
 
 
 def _origin(distance: float, kind: Kind) -> Found:
-    """The point is 5 m to 10 m before a camera that stands 10 m / ``distance`` from the origin."""
+    """The point is 5 m to 10 m in front of a camera at 10 m / ``distance`` from the origin."""
     rng = _drawn(distance)
     depth = rng.uniform(5.0, 10.0, DRAWS)
     seen = np.stack([rng.uniform(0.2, 0.5, DRAWS) * depth, np.zeros(DRAWS), depth], axis=-1)

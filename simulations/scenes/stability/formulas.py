@@ -1,7 +1,7 @@
 """Four formulas of the book, each as a textbook writes it and rearranged, in a given format.
 
-Each takes the format's numbers as they are and stays in the format throughout. What is said of
-them is measured against `simulations.scenes.stability.truth`.
+Each takes numbers of the format and computes in that format throughout. The reference is
+`simulations.scenes.stability.truth`.
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ from simulations.models.arrays import Floats
 K1 = -0.3
 FOLD = float(np.sqrt(-1.0 / (3.0 * K1)))
 LARGEST_SEEN = FOLD * 2.0 / 3.0
-"""Radii at which the barrel lens folds, and at which it shows that, in focal lengths."""
+"""Radius of the barrel lens's fold, and its image radius, in focal lengths."""
 
 
 def angle_by_arccosine(start: Floats, end: Floats) -> Floats:
@@ -31,7 +31,7 @@ def blur_in_dioptres(scale: Floats, focus: Floats, depth: Floats) -> Floats:
 
 
 def blur_by_distances(scale: Floats, focus: Floats, depth: Floats) -> Floats:
-    """The distances are subtracted first, which is exact where they are close."""
+    """The distances are subtracted first, which is exact if they are close."""
     return scale * np.abs(focus - depth) / ((focus - 1) * depth)
 
 
@@ -51,17 +51,17 @@ def pixel_from_camera(rows: Floats, point: Floats, centre: Floats) -> Floats:
 
 
 def radius_by_few_steps(seen: Floats) -> Floats:
-    """Five of Newton's steps, from where the point is seen."""
+    """Five Newton steps from the distorted radius."""
     return _newton(seen, 5)
 
 
 def radius_by_many_steps(seen: Floats) -> Floats:
-    """As many as halving needs from 1 down to the last bit of a double, and some."""
+    """Halvings from 1 to the last bit of a double, and some more."""
     return _newton(seen, 60)
 
 
 def _newton(seen: Floats, steps: int) -> Floats:
-    """r (1 + k₁ r²) = r_d, started on the axis's side, from where no step passes the solution."""
+    """r (1 + k₁ r²) = r_d, started on the axis's side, from which no step passes the solution."""
     k, r = seen.dtype.type(K1), seen
     for _ in range(steps):
         square = r * r
@@ -70,6 +70,6 @@ def _newton(seen: Floats, steps: int) -> Floats:
 
 
 def _dot(row: Floats, points: Floats) -> Floats:
-    """Written out: a library may fuse or reorder the terms, and the rounding is what counts."""
+    """Written out, as a library may fuse or reorder the terms, and the rounding matters."""
     x, y, z = (points[..., axis] for axis in range(3))
     return np.asarray(row[0] * x + row[1] * y + row[2] * z)

@@ -1,4 +1,4 @@
-"""The picture: both errors and the bound against the distance from trouble, on log–log axes."""
+"""The plot: both errors and the bound by distance from the singularity, on log–log axes."""
 
 from collections.abc import Mapping
 
@@ -28,9 +28,9 @@ WAYS: Mapping[str, tuple[str, str]] = {
     "origin": ("R p + t", "R (p − c)"),
     "fold": ("5 Newton steps", "60 steps"),
 }
-"""What the two curves are called."""
+"""Names of the two curves."""
 UNITS_OF_ROUNDING = 8
-"""Errors of so few units u are drawn as one: they are the last bits, and differ by machine."""
+"""Errors of at most so many units u are drawn as one, as they differ by machine."""
 PER_DECADE = 10
 """Heights that a curve can have."""
 
@@ -52,14 +52,14 @@ def shown(errors: Floats, digits: str) -> Floats:
 
 
 def mark(settings: Settings, errors: Errors) -> Point | None:
-    """On the curve as written; None where there is none."""
+    """The handle on the curve as written; None if it has no value."""
     at = place_of(settings)
     error = shown(errors.written, settings.digits)[at]
     return PLOT.at(float(DISTANCES[at]), float(error)) if np.isfinite(error) else None
 
 
 def power_at(place: Point) -> float:
-    """Power of ten of the distance at a place; at the nearer end for what lies outside."""
+    """Power of ten of the distance at a place, clamped to the axis."""
     across = min(max(float(place[0]), PLOT.x.start), PLOT.x.end)
     return float(np.log10(PLOT.x.value(across)))
 

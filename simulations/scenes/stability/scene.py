@@ -1,4 +1,4 @@
-"""Near Trouble: what rounding makes of a formula, as written and rearranged."""
+"""Near Trouble: rounding errors of a formula, as written and rearranged."""
 
 import math
 
@@ -12,7 +12,7 @@ from simulations.scenes.stability.settings import FORMULAS, Settings
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """Both errors and the bound, and how many digits are right where the mark stands."""
+    """Both errors and the bound, and the count of right digits at the mark."""
     errors: Errors = outputs["errors"]
     return Frame(
         panels=(Panel("plot", "", plot.WIDTH, plot.HEIGHT, overlay=plot.draw(settings, errors)),),
@@ -24,7 +24,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def right_digits(error: float) -> str:
-    """To a tenth of a digit; no inputs where there is no error."""
+    """Right digits to a tenth; a text if there are no inputs."""
     return "no inputs" if math.isnan(error) else format_number(-math.log10(error), 1)
 
 
@@ -33,7 +33,7 @@ def _written(settings: Settings, errors: Errors) -> str:
 
 
 def describe(settings: Settings, errors: Errors) -> str:
-    """Both ways where the mark stands, in one sentence."""
+    """Both computations at the mark, in one sentence."""
     at = plot.place_of(settings)
     where = f"{FORMULAS[settings.formula]} in {settings.digits}"
     if math.isnan(errors.written[at]):
@@ -51,7 +51,7 @@ def describe(settings: Settings, errors: Errors) -> str:
     )
 
 
-# The curves are worked out in some milliseconds, once for a formula and a format: no tiers.
+# The curves take some milliseconds, once per formula and format: no tiers.
 SCENE = Scene(
     id="stability",
     title="Near Trouble",

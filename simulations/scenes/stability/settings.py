@@ -12,7 +12,7 @@ FORMULAS = {
 }
 FORMATS = {"float64": "float64", "float32": "float32"}
 LOWEST, STEP = -15.0, 0.25
-"""Power of ten of the smallest distance from trouble, and the step between two."""
+"""Power of ten of the smallest distance from the singularity, and the step of distances."""
 
 
 @dataclass(frozen=True, slots=True)

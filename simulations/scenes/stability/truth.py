@@ -1,8 +1,8 @@
-"""What the formulas say of the very numbers that a program was given, by whole-number arithmetic.
+"""References of the formulas for given floating-point numbers, by whole-number arithmetic.
 
 A floating-point number is a whole number times a power of two. Sums and products of such numbers
-are kept exactly here; a quotient, a root or an arctangent is cut after `BITS` binary places, of
-which a double has 53. So no rounding of a formula under test hides in its own reference.
+are exact here; a quotient, a root or an arctangent is cut after `BITS` binary places, of which a
+double has 53. So the reference has none of the rounding under test.
 """
 
 from collections.abc import Sequence
@@ -31,7 +31,8 @@ def root(a: int) -> int:
 
 
 def arctangent(ratio: int) -> int:
-    """Of 0 or more: the argument is halved until it is small, then Gregory's series is summed."""
+    """Arctangent of 0 or more: the argument is halved until it is small, then Gregory's series is
+    summed."""
     if ratio > ONE:
         return 2 * arctangent(over(root(times(ratio, ratio) + ONE) - ONE, ratio))
     halvings = 0
@@ -46,7 +47,7 @@ def arctangent(ratio: int) -> int:
 
 
 def angle(start: Sequence[float], end: Sequence[float]) -> int:
-    """Of the turn between two quaternions: twice the angle between them, in rad."""
+    """Angle of the rotation between two quaternions: twice the angle between them, in rad."""
     a, b = [fixed(x) for x in start], [fixed(x) for x in end]
     along = sum(x * y for x, y in zip(a, b, strict=True))
     squares = sum(x * x for x in a) * sum(y * y for y in b)
@@ -78,7 +79,7 @@ def ideal_radius(k1: float, seen: float, guess: float) -> int:
 
 
 def relative_error(found: float, truth: int) -> float:
-    """|found − truth| / |truth|; 1, nothing right, for a result that is no number."""
+    """|found − truth| / |truth|; 1, with no right digit, for NaN."""
     if found != found or abs(found) == float("inf"):
         return 1.0
     return over(abs(fixed(found) - truth), abs(truth)) / ONE

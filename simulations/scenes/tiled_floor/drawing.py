@@ -23,24 +23,24 @@ from simulations.scenes.tiled_floor.view import (
 WIDTH, HEIGHT = float(WIDTH_PX), float(HEIGHT_PX)
 NAMES = ("v₁", "v₂", "v₃")
 NEAREST_M = 0.05
-"""Nothing nearer to the plane of the camera's centre is drawn."""
+"""Parts nearer to the plane of the camera's centre are not drawn."""
 ROOM = 14.0
-"""Units that a line of text takes."""
+"""Height of a line of text, in units."""
 NAME_WIDTH = 70.0
-"""Units that the name of the horizon takes, and a little more."""
+"""Width of the horizon's label, with a margin, in units."""
 
 type Point = tuple[float, float]
 type Place = Callable[[Floats], Point]
-"""From a pixel to the view box of a panel."""
+"""A map from a pixel to the view box of a panel."""
 
 
 def in_picture(pixel: Floats) -> Point:
-    """A unit of the view box is a pixel; the middle of the first one is at its middle."""
+    """Pixel to the picture's view box, whose unit is a pixel."""
     return float(pixel[0]) + 0.5, float(pixel[1]) + 0.5
 
 
 def in_plane(pixel: Floats) -> Point:
-    """The picture stands in the middle third."""
+    """Pixel to the image plane's view box; the picture is in the middle third."""
     x, y = in_picture(pixel)
     return (x + WIDTH) / WIDER, (y + HEIGHT) / WIDER
 
@@ -62,7 +62,7 @@ def inside(place: Point, margin: float = 0.0) -> bool:
 
 
 def clipped(start: Point, end: Point) -> tuple[Point, Point] | None:
-    """What of a segment lies in the panel (Liang and Barsky), if anything."""
+    """The part of a segment in the panel (Liang and Barsky), or None."""
     (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
     low, high = 0.0, 1.0
     for step, room in ((-dx, x), (dx, WIDTH - x), (-dy, y), (dy, HEIGHT - y)):
@@ -79,7 +79,7 @@ def clipped(start: Point, end: Point) -> tuple[Point, Point] | None:
 
 
 def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
-    """The horizon, the lines of the box that meet on it, and how the horizon measures the box."""
+    """The horizon, the lines of the box that meet on it, and the measurement of the box by it."""
     return "".join(
         (
             towards_vanishing(view, box, (0, 1), in_picture) if lines else "",
@@ -91,7 +91,7 @@ def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
 
 
 def plane_overlay(view: Camera, box: Box, lines: bool) -> str:
-    """The same beyond the borders of the picture, and where its uprights meet."""
+    """The same beyond the borders of the picture, and the vanishing point of vertical lines."""
     corner, size = in_plane(np.array([-0.5, -0.5])), (WIDTH / WIDER, HEIGHT / WIDER)
     principal = in_plane(view.K[:2, 2])
     return "".join(
@@ -132,7 +132,7 @@ def _pixel(view: Camera, point: Floats) -> Floats:
 
 
 def _end(view: Camera, point: Floats, direction: Floats) -> Floats:
-    """Where the image of a line ends: in its vanishing point, or so far off that it seems so."""
+    """End of the image of a line: its vanishing point, or a point very far away."""
     vanishing, start = view.K @ direction, _pixel(view, point)
     if vanishing[2] > 0.0 and np.abs(end := vanishing[:2] / vanishing[2]).max() < AT_INFINITY_PX:
         return np.asarray(end)
@@ -141,7 +141,7 @@ def _end(view: Camera, point: Floats, direction: Floats) -> Floats:
 
 
 def horizon(view: Camera, place: Place, back: Callable[[Point], Point]) -> str:
-    """Its line and its name; where it is not in the panel, in which direction it lies."""
+    """The horizon's line and label; its direction if it is not in the panel."""
     a, b, c = view.horizon
     found = line_in_rectangle(view.horizon, back((0.0, 0.0)), back((WIDTH, HEIGHT)))
     if not len(found):
@@ -157,7 +157,7 @@ def horizon(view: Camera, place: Place, back: Callable[[Point], Point]) -> str:
 
 
 def _horizon_name(view: Camera, place: Place, ends: tuple[Point, Point]) -> str:
-    """Above its right end, or above the left one where a vanishing point is near that."""
+    """Label above its right end, or above the left one if a vanishing point is near the right."""
     points = [place(pixel)[0] for pixel in view.vanishing[0][:2]]
     (x, y), anchor = max(ends), "end"
     if any(abs(x - other) < NAME_WIDTH for other in points):
@@ -169,7 +169,7 @@ def _horizon_name(view: Camera, place: Place, ends: tuple[Point, Point]) -> str:
 
 
 def upright(view: Camera, box: Box) -> str:
-    """The nearest edge of the box, led on to the horizon: as high as the camera there."""
+    """The nearest edge of the box, extended to the horizon, which is as high as the camera."""
     foot = near_upright(box)[0]
     ends = np.array([foot, (foot[0], foot[1], view.height)])
     pixels, seen = view.image(ends)
@@ -182,7 +182,7 @@ def upright(view: Camera, box: Box) -> str:
     parts = [drawing.line(*line, "camera thin dashed")]
     if inside(crossing):
         parts.append(drawing.dot(crossing, "camera", 3.5))
-    # On the side away from the middle of the horizon, which has a mark of its own.
+    # On the side away from the horizon's own mark in the middle.
     side, anchor = (-7.0, "end") if crossing[0] < view.K[0, 2] else (7.0, "start")
     label = (crossing[0] + side, crossing[1] + 16.0)
     if inside(label, 3.0 * ROOM):
@@ -192,7 +192,7 @@ def upright(view: Camera, box: Box) -> str:
 
 
 def vanishing_points(view: Camera, place: Place) -> str:
-    """Those that lie in the panel, with their names."""
+    """The vanishing points in the panel, with their labels."""
     parts = []
     for name, pixel, finite in zip(NAMES, *view.vanishing, strict=True):
         if not finite or not inside(place(pixel)):

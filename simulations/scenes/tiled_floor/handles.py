@@ -1,4 +1,4 @@
-"""Handles of the tiled floor: the box, the horizon, and where lines vanish."""
+"""Handles of the tiled floor: the box, the horizon, and the vanishing points."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -30,7 +30,7 @@ def _foot(settings: Settings, _outputs: Outputs) -> Point | None:
 
 
 def _foot_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """To what of the floor is seen there; in the sky, nowhere."""
+    """Move the box to the floor at a place; not available in the sky."""
     view = camera_of(settings)
     x, y, nearness = np.linalg.solve(
         ground_to_image(view.pose, view.K), [*from_picture(place), 1.0]
@@ -39,16 +39,16 @@ def _foot_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _top(settings: Settings, _outputs: Outputs) -> Point | None:
-    """The middle of its top."""
+    """The middle of the box's top."""
     box = box_of(settings)
     pixel, seen = camera_of(settings).image(np.array([box.x, box.y, box.height]))
     return in_picture(pixel) if seen else None
 
 
 def _top_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """The height at which the upright through the middle is seen nearest to the place.
+    """The height whose image, on the vertical line through the middle, is nearest to the place.
 
-    A height h is seen in (B + h V) / w, and that runs along a line through the image of the base.
+    The image of a height h is (B + h V) / w, on a line through the image of the base.
     """
     view, box = camera_of(settings), box_of(settings)
     base = ground_to_image(view.pose, view.K) @ [box.x, box.y, 1.0]
@@ -88,7 +88,7 @@ def _vanishing(index: int, to_panel: Callable[[np.ndarray], Point]) -> At:
 
 
 def _azimuth(view: Camera, pixel: Point) -> float:
-    """How far to the right of where the camera looks a pixel's ray goes, degrees, ±90."""
+    """Angle of a pixel's ray to the right of the camera's direction, degrees, ±90."""
     ray = view.pose[:3, :3].T @ np.linalg.solve(view.K, [*pixel, 1.0])
     forward = view.pose[2, :2]  # on the floor
     right = np.array([forward[1], -forward[0]])
@@ -103,7 +103,7 @@ def _first_pulled(from_panel: Callable[[Point], Point]) -> Pull:
 
 
 def _second_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """The rows across go both ways: to the right of a turn to the right, or to the left."""
+    """The rows across have two directions, to the right and to the left."""
     azimuth = _azimuth(camera_of(settings), from_plane(place))
     return {"yaw": math.copysign(90.0, azimuth) - azimuth}
 

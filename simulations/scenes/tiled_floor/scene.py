@@ -1,4 +1,4 @@
-"""A tiled floor in perspective: vanishing points, the horizon, and what they measure."""
+"""A tiled floor in perspective: vanishing points, the horizon, and measurements by them."""
 
 import math
 
@@ -50,14 +50,14 @@ def horizon_row(view: Camera) -> float:
 
 
 def field_of_view_deg(view: Camera) -> float:
-    """The angle between the ends of the row of the principal point, which may be beside it."""
+    """The angle between the ends of the row of the principal point, which may be outside it."""
     ends = np.array([-0.5, WIDTH_PX - 0.5]) - view.K[0, 2]
     left, right = np.arctan(ends / view.K[0, 0])
     return math.degrees(right - left)
 
 
 def _angle_deg(view: Camera) -> float:
-    """Between the two rows of tiles, from where they vanish and K alone."""
+    """Angle between the two rows of tiles, from their vanishing points and K alone."""
     first, second = view.directions[:2] @ view.K.T
     return math.degrees(float(angle_between(first, second, view.K)))
 

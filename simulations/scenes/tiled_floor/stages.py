@@ -1,4 +1,4 @@
-"""What the tiled floor computes: the camera; the floor; the photograph, with the box on it."""
+"""The stages of the tiled floor: the camera; the floor; the photograph, with the box."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +12,13 @@ from simulations.pictures.tiled_floor import Box, tiled_floor, with_box
 from simulations.scenes.tiled_floor.view import BOX_WIDTH_M, WIDTH_PX, Camera, camera
 
 COLUMNS, ROWS = 320, 240
-"""Of what is drawn: 4 for 5 pixels of the picture, each way."""
+"""Scale of the drawn picture: 4 for 5 pixels, each way."""
 WIDER = 3
-"""How many times as wide as the picture the second panel is; it has half as many pixels."""
+"""Width of the second panel in widths of the picture; it has half the pixels."""
 
 
 def _drawn_intrinsics(view: Camera) -> Floats:
-    """From the camera to the pixels that are drawn: x' + ½ = s (x + ½)."""
+    """From the camera's pixels to the drawn ones: x' + ½ = s (x + ½)."""
     s = COLUMNS / WIDTH_PX
     shift = 0.5 * (s - 1.0)
     return np.array([[s, 0.0, shift], [0.0, s, shift], [0.0, 0.0, 1.0]]) @ view.K
@@ -36,7 +36,7 @@ def _photograph(
 
 
 def _wider(photograph: Raster) -> Raster:
-    """The photograph at half its size in the middle of an image plane that is else empty."""
+    """The photograph at half its size in the middle of an otherwise empty image plane."""
     height, width = ROWS // 2, COLUMNS // 2
     rows = np.add(photograph[::2], photograph[1::2], dtype=np.uint16)
     plane = np.zeros((WIDER * height, WIDER * width, 4), np.uint8)

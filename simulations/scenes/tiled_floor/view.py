@@ -1,4 +1,4 @@
-"""What the camera over the tiled floor sees of lines, of the horizon and of the box."""
+"""The images of lines, of the horizon and of the box by the camera over the tiled floor."""
 
 import math
 from collections.abc import Iterator
@@ -16,16 +16,17 @@ from simulations.scenes.tiled_floor.settings import Settings
 
 WIDTH_PX, HEIGHT_PX = 400, 300
 MIDDLE = (200.0, 150.0)
-"""Where the principal point is before it is shifted."""
+"""The principal point before its shift."""
 AXES = np.array([(0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)])
-"""Directions of the tiles' rows, of those across them, and of uprights: they vanish in v₁, v₂, v₃.
+"""Directions of the tiles' rows, of those across, and of vertical lines, with the vanishing points
+v₁, v₂, v₃.
 """
 AT_INFINITY_PX = 1e5
-"""A vanishing point farther off is at infinity: rounding keeps it from being so exactly."""
+"""Vanishing points farther off count as infinite, as rounding keeps them from being exactly so."""
 BOX_WIDTH_M = 1.0
 
 
-@dataclass(frozen=True)  # without slots: what follows from a camera is kept with it
+@dataclass(frozen=True)  # without slots, for cached properties
 class Camera:
     """A camera above the floor."""
 
@@ -58,7 +59,7 @@ class Camera:
         return project(world_to_camera(points, self.pose), self.K)
 
 
-@lru_cache(maxsize=4)  # handles, overlays and readouts ask for it several times a frame
+@lru_cache(maxsize=4)  # handles, overlays and readouts call it several times a frame
 def camera(
     pitch: float,
     yaw: float,
@@ -100,7 +101,8 @@ def near_upright(box: Box) -> Floats:
 
 
 def height_in_picture(view: Camera, box: Box) -> float | None:
-    """Of the box, metres, from its image and the height of the camera; none where it has none."""
+    """Height of the box, metres, from its image and the height of the camera; None if
+    undetermined."""
     (foot, top), seen = view.image(near_upright(box))
     ratio, valid = height_by_horizon(foot, top, view.horizon, view.K @ view.directions[2])
     return float(ratio) * view.height if seen.all() and valid else None

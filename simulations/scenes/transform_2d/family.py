@@ -1,8 +1,8 @@
-"""The matrix that the explorer shows: one of each family, and what pulling a corner makes of it.
+"""The matrices of the explorer: one of each family, and the change by pulling a corner.
 
-Four corners have eight coordinates. Whoever pulls one corner uses up two freedoms of a family, and
-those that are left hold other corners in their places: none under a translation, the opposite one
-under a similarity (and under a rigid transformation, which then can only turn), two under an affine
+Four corners have eight coordinates. Pulling one corner uses two degrees of freedom of a family; the
+remaining ones keep other corners fixed: none under a translation, the opposite one under a
+similarity (and under a rigid transformation, which then can only turn), two under an affine
 transformation, all three under a homography.
 """
 
@@ -16,7 +16,7 @@ from simulations.models.geometry import transforms
 from simulations.scenes.transform_2d.square import SQUARE
 
 LOWER_LEFT, LOWER_RIGHT, UPPER_RIGHT, PULLED = range(4)
-"""Corners of the square. Of the upper left one no transformation here makes a point at infinity."""
+"""Indices of corners of the square. No transformation here maps the upper left one to infinity."""
 HELD: Mapping[str, tuple[int, ...]] = {
     "translation": (),
     "rigid": (LOWER_RIGHT,),
@@ -24,10 +24,10 @@ HELD: Mapping[str, tuple[int, ...]] = {
     "affine": (LOWER_LEFT, LOWER_RIGHT),
     "projective": (LOWER_LEFT, LOWER_RIGHT, UPPER_RIGHT),
 }
-"""The corners whose images stay where they are while one is pulled."""
+"""The corners whose images stay fixed while one is pulled."""
 FLAT = 0.05
-"""Share of its size, as an area or a scale, that a pull must leave the image: at 0 there would be
-no way back from it."""
+"""Least size of the image after a pull, as a share of its area or scale: at 0 it could not be
+pulled back."""
 
 _CORNERS = np.vstack([SQUARE.T, np.ones(4)])
 
@@ -54,7 +54,8 @@ def transformation(kind: str, amount: float) -> Floats:
 def pulled(kind: str, H: Floats, pull: Sequence[float]) -> Floats:
     """Matrices (..., 3, 3) like ``H`` of a family, with the image of one corner pulled away.
 
-    It stays in the family, so it follows as far as that allows, and holds still those of `HELD`.
+    The matrix stays in the family, so the corner follows as far as that allows, and those of `HELD`
+    stay fixed.
     """
     away = np.asarray(pull, float)
     return _PULLED[kind](np.asarray(H, float), away) if away.any() else H
@@ -85,7 +86,7 @@ def _scaled(H: Floats, away: Floats) -> Floats:
 
 
 def _about_opposite(H: Floats, away: Floats, allowed: Callable[[Floats], Floats]) -> Floats:
-    """Turned and scaled about the opposite corner's image, by a factor in the complex plane."""
+    """Rotate and scale about the opposite corner's image, by a factor in the complex plane."""
     centre = (H @ _CORNERS[:, LOWER_RIGHT])[..., :2]
     arm = _complex(pulled_corner(H) - centre)
     target = arm + _complex(away)
@@ -103,7 +104,7 @@ def _complex(vectors: Floats) -> Floats:
 
 
 def _sheared(H: Floats, away: Floats) -> Floats:
-    """Above the lower side, each point moves by as much as it lies high."""
+    """Move each point in proportion to its height above the lower side."""
     side = SQUARE[LOWER_RIGHT] - SQUARE[LOWER_LEFT]
     along = H[..., :2, :2] @ side
     up = pulled_corner(H) - (H @ _CORNERS[:, LOWER_LEFT])[..., :2]
@@ -120,10 +121,10 @@ def _cross(a: Floats, b: Floats) -> Floats:
 
 
 def _tilted(H: Floats, away: Floats) -> Floats:
-    """The other three corners keep their images, but not their w: that is what moves the fourth.
+    """Keep the images of the other three corners and change their w, which moves the fourth.
 
-    In homogeneous coordinates the fourth corner is the sum of its neighbours less the opposite
-    one, so that their weights in the sum say where it goes.
+    In homogeneous coordinates the fourth corner is the sum of its neighbours minus the opposite
+    one, so that their weights in the sum determine its image.
     """
     held = _CORNERS[:, HELD["projective"]] * [1.0, -1.0, 1.0]
     images = H @ held
@@ -136,7 +137,7 @@ def _tilted(H: Floats, away: Floats) -> Floats:
 
 
 def _share_left(rest: Floats, wanted: Floats) -> Floats:
-    """How much of the way from positive numbers to others can be gone until `FLAT` is left."""
+    """Largest share of the step from positive numbers to others that leaves `FLAT` of them."""
     short = wanted < FLAT * rest
     way = np.where(short, rest - wanted, 1.0)
     return np.where(short, (1.0 - FLAT) * rest / way, 1.0)

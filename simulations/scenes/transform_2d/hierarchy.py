@@ -19,7 +19,7 @@ class Rung:
     freedoms: int
     """Degrees of freedom."""
     keeps: str
-    """The property that it keeps and the next larger family gives up."""
+    """The property that it preserves and the next larger family does not."""
 
 
 RUNGS = {
@@ -33,7 +33,7 @@ RUNGS = {
 
 
 def hierarchy_panel(current: str) -> Panel:
-    """Five nested frames; each holds the families that it contains."""
+    """Five nested frames; each contains the smaller families."""
     parts = []
     for name, rung in reversed(RUNGS.items()):
         chosen = name == current
@@ -55,13 +55,13 @@ def frame_of(name: str) -> tuple[float, float, float, float]:
 
 
 def grip(name: str) -> Point:
-    """Where a family is taken hold of: between the words of its frame."""
+    """The handle of a family, between the words of its frame."""
     _, top, right, _ = frame_of(name)
     return right - 82.0, top + 25.0
 
 
 def innermost_at(place: Point) -> str:
-    """The smallest family whose frame lies around a place; outside all, the largest."""
+    """The smallest family whose frame contains a place; the largest outside of all."""
     for name in RUNGS:
         left, top, right, bottom = frame_of(name)
         if left <= place[0] <= right and top <= place[1] <= bottom:

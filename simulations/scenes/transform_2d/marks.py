@@ -1,4 +1,4 @@
-"""What is marked in the plane of the transform explorer: P, its image, and the corners."""
+"""The marks in the plane of the transform explorer: P, its image, and the corners."""
 
 from collections.abc import Iterator
 
@@ -13,13 +13,13 @@ from simulations.scenes.transform_2d.plane import HEIGHT, WIDTH, from_view, in_f
 from simulations.scenes.transform_2d.square import SQUARE
 
 CLEAR = 15.0
-"""Distance from a point to its label, in view box units: a finger's mark has room between."""
+"""Distance from a point to its label, in view box units, with space for a handle between."""
 LETTER = 8.2
-"""Room that a letter of a label takes where letters are largest."""
+"""Largest width of a letter of a label."""
 
 
 def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
-    """P, its image P′ and their coordinates, which the reader can check by hand.
+    """P, its image P′ and their coordinates.
 
     ``way`` (N, 3, 3) are the matrices of all amounts: P′ slides along a curve.
     """
@@ -39,7 +39,7 @@ def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
 
 
 def _track(way: Floats, point: Floats) -> list[Floats]:
-    """Runs of places (n, 2) of P′, parted where it passes through infinity and out of view."""
+    """Runs of places (n, 2) of P′, interrupted where it passes through infinity and out of view."""
     images, w = _images(way, point)
     places = to_view(images)
     seen = np.all((places >= -4.0) & (places <= [WIDTH + 4.0, HEIGHT + 4.0]), axis=1)
@@ -49,7 +49,7 @@ def _track(way: Floats, point: Floats) -> list[Floats]:
 
 
 def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> str:
-    """Coordinates beside a point: of P below it, of P′ above, on the right if there is room."""
+    """Coordinates next to a point: below P, above P′, on the right if there is space."""
     x, y = (format_number(float(value), digits) for value in point)
     words = f"{name} ({x}, {y})"
     left = place[0] > WIDTH - CLEAR - LETTER * len(words)
@@ -59,7 +59,7 @@ def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> s
 
 
 def corners(kind: str, H: Floats) -> Iterator[str]:
-    """Images of the corners that a pull holds in their places, as pins; the one to pull, solid."""
+    """Images of the corners that a pull keeps fixed, as pins; the one to pull, solid."""
     images, valid = apply_homography(H, SQUARE)
     held = family.HELD[kind]
     for index, place in enumerate(to_view(images)):
@@ -80,7 +80,7 @@ def _square(place: Floats, half: float, style: str) -> str:
 
 
 def nearest_amount(way: Floats, point: Floats, place: drawing.Point) -> int:
-    """The index of the matrix of ``way`` (N, 3, 3) that sends ``point`` nearest to a place."""
+    """The index of the matrix of ``way`` (N, 3, 3) that maps ``point`` nearest to a place."""
     off = _images(way, point)[0] - from_view(place)
     return int(np.nanargmin((off * off).sum(axis=1)))
 

@@ -1,4 +1,4 @@
-"""The plane of the transform explorer: its axes, the square, and the lines that meet infinity."""
+"""The plane of the transform explorer: its axes, the square, and the lines at infinity."""
 
 from dataclasses import dataclass
 
@@ -20,9 +20,9 @@ WIDTH, HEIGHT = 400.0, 330.0
 SCALE = 1.46
 """View box units per unit of the plane."""
 ORIGIN = np.array([100.0, 232.0])
-"""Where the plane's origin lies in the view box; the plane's y axis points up."""
+"""The plane's origin in the view box; the plane's y axis points up."""
 RIM = 4.0
-"""View box units around the view box that hide cut edges."""
+"""Margin around the view box, in its units, that hides cut edges."""
 FRAME = ((1, 0, RIM), (-1, 0, WIDTH + RIM), (0, 1, RIM), (0, -1, HEIGHT + RIM))
 """The view box and its rim, as half planes a x + b y + c ≥ 0."""
 TAKEN_Y = {"start": 247.0, "end": 224.0}
@@ -30,17 +30,17 @@ TAKEN_Y = {"start": 247.0, "end": 224.0}
 LABEL_HEIGHT = 12.0
 """Line height of a small label, in view box units."""
 LABEL_WIDTH = 60.0
-"""Room that a small label and its distance from a line take."""
+"""Size of a small label with its distance from a line."""
 
 
 @dataclass(frozen=True, slots=True)
 class Clipped:
-    """The image of a polygon or polyline, as far as there is one."""
+    """The visible image of a polygon or polyline."""
 
     points: Floats
     """(N, 2) in the plane; N = 0 where nothing is visible."""
     cut: bool
-    """Whether a part lies on or beyond the line that is sent to infinity."""
+    """Whether a part is on or beyond the line that is mapped to infinity."""
 
 
 def image_of(H: Floats, points: ArrayLike, closed: bool = True) -> Clipped:
@@ -64,7 +64,7 @@ CORNERS = from_view((-RIM, HEIGHT + RIM)), from_view((WIDTH + RIM, -RIM))
 
 
 def label_at(point: ArrayLike, right: float, down: float) -> Floats:
-    """Place of a label in the view box, so far from a point of the plane."""
+    """Place of a label in the view box, at an offset from a point of the plane."""
     return to_view(point) + np.array([right, down])
 
 
@@ -111,7 +111,7 @@ def figure(H: Floats, role: str) -> str:
 
 
 def lines_at_infinity(H: Floats) -> str:
-    """The line that H sends to infinity, and the horizon where H puts the points at infinity."""
+    """The line that H maps to infinity, and the horizon, the image of the points at infinity."""
     if not H[2, :2].any():
         return ""
     horizon = np.linalg.inv(H).T @ (0.0, 0.0, 1.0)
@@ -121,10 +121,10 @@ def lines_at_infinity(H: Floats) -> str:
 
 
 def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
-    """A line a x + b y + c = 0 of the plane across the view, where it crosses it.
+    """A line a x + b y + c = 0 of the plane, clipped to the view.
 
-    Its label stands at its left end (``start``) or its right end, on the side that the line
-    leaves; on the other side where it would run out of the view.
+    Its label is at its left end (``start``) or its right end, on the other side if it would extend
+    out of the view.
     """
     ends = line_in_rectangle(line, *CORNERS)
     if not len(ends):

@@ -18,11 +18,12 @@ from simulations.scenes.transform_2d.settings import Settings
 from simulations.scenes.transform_2d.square import SQUARE, grid_segments
 
 KEPT = 1e-9
-"""Largest measured change, in radians or as a share, that rounding explains."""
+"""Largest measured change, in radians or as a share, that counts as rounding."""
 
 
 def draw(settings: Settings, _outputs: Outputs) -> Frame:
-    """The square before and after, the ladder, and what the transformation measurably keeps."""
+    """The square before and after, the ladder, and the properties that the transformation
+    preserves."""
     kind = settings.transform
     H, point = matrix(settings), np.array([settings.point_x, settings.point_y])
     measured = measure_preservation(H, grid_segments())
@@ -56,7 +57,7 @@ def plane_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
 
 
 def point_readouts(H: Floats, point: Floats) -> tuple[Readout, ...]:
-    """Where P goes, and what it is divided by on the way."""
+    """The image of P, and the divisor w."""
     image, valid = transforms.apply_homography(H, point)
     w = float(H[2] @ [*point, 1.0])
     if not valid:
@@ -82,7 +83,7 @@ def entries_of(H: Floats) -> list[list[str]]:
 
 
 def area_ratio(H: Floats) -> float:
-    """Area of the square's image over that of the square; infinite where it is cut."""
+    """Area of the square's image over that of the square; infinite if it is cut."""
     image = image_of(H, SQUARE)
     return math.inf if image.cut else area(image.points) / area(SQUARE)
 
@@ -137,7 +138,7 @@ def describe(kind: str, H: Floats, measured: Preservation) -> str:
 
 
 def describe_point(H: Floats, point: Floats) -> str:
-    """Where P goes, in words."""
+    """The image of P, in words."""
     here = coordinates(point, 0)
     image, valid = transforms.apply_homography(H, point)
     return f"P at {here} goes to {coordinates(image, 1) if valid else 'infinity'}."

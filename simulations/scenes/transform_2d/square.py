@@ -15,7 +15,7 @@ def box(left: float, bottom: float, right: float, top: float) -> Floats:
 
 SQUARE = box(-HALF, -HALF, HALF, HALF)
 LETTER = (box(-24, -28, -12, 28), box(-12, 17, 24, 28), box(-12, -6, 14, 5))
-"""The bars of an F: a letter that no rotation makes of its mirror image."""
+"""The bars of an F, a letter that differs from its rotated mirror image."""
 
 
 def grid_segments() -> Floats:

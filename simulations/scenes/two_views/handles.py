@@ -11,7 +11,7 @@ from simulations.scenes.two_views.settings import Settings
 from simulations.scenes.two_views.view import in_picture, view_of
 
 NEAREST_M = 0.5
-"""A place nearer to the plane of the left camera, or behind it, stands for this depth."""
+"""Least depth, for places nearer to the plane of the left camera or behind it."""
 
 
 def _lamp(settings: Settings, _outputs: Outputs) -> Point:
@@ -21,7 +21,7 @@ def _lamp(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _lamp_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """Its height above the cameras' rays changes with it, that in the left picture does not."""
+    """Its height in the world changes with it; its height in the left picture does not."""
     Z, X = (float(value) for value in plan.metres_at(place))
     depth = max(Z, NEAREST_M)
     return {"depth": depth, "left_x": settings.focal_length * X / depth}
@@ -57,7 +57,7 @@ def _left_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _right(settings: Settings, _outputs: Outputs) -> Point | None:
-    """Nowhere where the right camera does not see it."""
+    """None if the right camera does not see it."""
     pixel = view_of(settings).right
     if not in_picture(pixel):
         return None
@@ -66,7 +66,7 @@ def _right(settings: Settings, _outputs: Outputs) -> Point | None:
 
 
 def _right_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """Along the epipolar line, to the depth that is seen there."""
+    """The depth at a place along the epipolar line."""
     view = view_of(settings)
     return {"depth": view.pair.depth(view.left, pictures.pixel_at(place))}
 

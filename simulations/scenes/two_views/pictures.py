@@ -1,4 +1,4 @@
-"""The two pictures: the lamp in each, and in the right one the line on which its image must lie."""
+"""The two pictures: the lamp in each, and the epipolar line in the right one."""
 
 import math
 
@@ -22,16 +22,16 @@ WIDTH, HEIGHT = 400.0, 300.0
 MIDDLE = np.array([200.0, 150.0])
 UNITS_PER_PX = 2.0
 MARKED_DEPTHS = (2.0, 4.0, 8.0, 16.0, math.inf)
-"""Where the lamp would be seen on the epipolar line at other depths, metres."""
+"""Depths marked on the epipolar line, metres."""
 BORDERS = (
     (1, 0, HALF_WIDTH_PX),
     (-1, 0, HALF_WIDTH_PX),
     (0, 1, HALF_HEIGHT_PX),
     (0, -1, HALF_HEIGHT_PX),
 )
-"""Of a picture, as half planes a x + b y + c ≥ 0 of its pixels."""
+"""A picture, as half planes a x + b y + c ≥ 0 of its pixels."""
 LABEL_WIDTH = 34.0
-"""Units that the name of a depth takes."""
+"""Width of a depth's label, in units."""
 
 
 def place(pixel: Floats) -> Floats:
@@ -60,13 +60,13 @@ def right_panel(view: View, floor: Raster, line: bool) -> Panel:
 
 
 def _foot(view: View) -> Floats:
-    """Of the post that bears the lamp: on the floor, below the cameras."""
+    """Foot of the lamp's post, on the floor, below the cameras."""
     X, _, Z = view.point
     return np.array([X, EYE_M, Z])
 
 
 def _within(points: Floats) -> Floats:
-    """What of a polyline, in pixels, lies in the picture."""
+    """A polyline, in pixels, clipped to the picture."""
     for limit in BORDERS:
         points = clip_half_plane(points, limit, closed=False)
     return points
@@ -82,7 +82,7 @@ def _post(top: Floats, foot: Floats) -> str:
 
 
 def _image(pixel: Floats) -> str:
-    """The lamp and its pixel, or in which direction it lies outside the picture."""
+    """The lamp and its pixel, or its direction if it is outside the picture."""
     words = f"({format_number(pixel[0], 1)}, {format_number(pixel[1], 1)}) px"
     if not in_picture(pixel):
         side = "left" if pixel[0] < 0 else "right"
@@ -97,13 +97,13 @@ def _image(pixel: Floats) -> str:
 
 
 def _row(view: View) -> str:
-    """The row of the left picture, in which parallel cameras would have the match."""
+    """The row of the match for parallel cameras."""
     row = float(view.left[1])
     return _drawn(np.array([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)]), "muted thin dashed")
 
 
 def _line(view: View) -> str:
-    """All of it faintly; boldly what belongs to depths from 1 m to infinity."""
+    """The whole line, with depths from 1 m to infinity in bold."""
     borders = np.array([HALF_WIDTH_PX, HALF_HEIGHT_PX])
     whole = line_in_rectangle(view.line, -borders, borders)
     seen = np.array([view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)])
@@ -111,7 +111,7 @@ def _line(view: View) -> str:
 
 
 def _depths(view: View) -> str:
-    """Marks on the line, named where there is room between them and the lamp's own label."""
+    """Marks on the line, with labels where they overlap neither one another nor the lamp's."""
     parts, taken = [], [float(place(view.right)[0])]
     for depth in MARKED_DEPTHS:
         endless = math.isinf(depth)
@@ -129,7 +129,8 @@ def _depths(view: View) -> str:
 
 
 def _disparity(view: View) -> str:
-    """From where the left picture has the lamp to where the right one has it; and the error."""
+    """The shift from the lamp's place in the left picture to that in the right one, with the
+    error."""
     parts = [_drawn(view.matches, "error bold")]
     if in_picture(view.left) and in_picture(view.right):
         start, end = place(view.left), place(view.right)

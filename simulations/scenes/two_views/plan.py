@@ -1,4 +1,4 @@
-"""The two views from above: centres, baseline, rays, and how far off the depth may be."""
+"""The two views from above: centres, baseline, rays, and the uncertainty of the depth."""
 
 import math
 
@@ -13,15 +13,15 @@ from simulations.scenes.two_views.view import HALF_WIDTH_PX, View
 WIDTH, HEIGHT = 400.0, 300.0
 TITLE = "From above (X drawn stretched)"
 CENTRE = np.array([30.0, 135.0])
-"""The left camera. Depth runs right; X runs down, as it does seen from above."""
+"""The left camera, seen from above: depth to the right, X downwards."""
 DEPTH_SCALE, SIDE_SCALE = 17.5, 32.0
 """View box units per metre."""
 LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT - 34.0))
-"""Half planes a x + b y + c ≥ 0 within which is drawn."""
+"""The drawing area, as half planes a x + b y + c ≥ 0."""
 FAR_M = 60.0
-"""As far as rays are drawn, beyond the panel."""
+"""Length of drawn rays, beyond the panel."""
 AXIS_M = 4.0
-"""How far from the right camera its axis is taken hold of."""
+"""Distance of the handle on the right camera's axis."""
 
 
 def above(Z: float, X: float) -> Floats:
@@ -35,7 +35,7 @@ def metres_at(place: drawing.Point) -> Floats:
 
 
 def axis_end(view: View) -> Floats:
-    """Where the axis of the right camera is taken hold of, in the view box."""
+    """The handle on the right camera's axis, in the view box."""
     angle = view.pair.toe_in_rad
     return above(AXIS_M * math.cos(angle), view.pair.baseline - AXIS_M * math.sin(angle))
 
@@ -46,7 +46,7 @@ def plan_panel(view: View) -> Panel:
 
 
 def _segment(start: Floats, end: Floats, style: str) -> str:
-    """What of a segment lies in the panel."""
+    """A segment clipped to the panel."""
     points = np.array([start, end])
     for limit in LIMITS:
         points = clip_half_plane(points, limit, closed=False)
@@ -66,7 +66,7 @@ def _depth_axis() -> str:
 
 
 def _cameras(view: View) -> str:
-    """Both centres, the baseline, and how far each camera sees to the sides."""
+    """Both centres, the baseline, and the fields of view."""
     pair = view.pair
     slope = HALF_WIDTH_PX / pair.focal_px
     left, right = above(0.0, 0.0), above(0.0, pair.baseline)
@@ -86,7 +86,7 @@ def _cameras(view: View) -> str:
 
 
 def _rays(view: View) -> str:
-    """The left ray, as far as it goes; the right one, which meets it in the lamp."""
+    """The left ray to its end, and the right one, which meets it in the lamp."""
     point = view.point
     far = view.at(FAR_M)
     ray = _segment(above(0.0, 0.0), above(far[2], far[0]), "ray")
@@ -94,7 +94,7 @@ def _rays(view: View) -> str:
 
 
 def _doubt(view: View) -> str:
-    """The part of the left ray that the match, with its error, leaves open."""
+    """The part of the left ray that is consistent with the match and its error."""
     near, far = view.at(view.nearest), view.at(min(view.farthest, FAR_M))
     centre = above(0.0, view.pair.baseline)
     bounds = (above(spot[2], spot[0]) for spot in (near, far))

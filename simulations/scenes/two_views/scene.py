@@ -1,4 +1,4 @@
-"""Two views of a lamp: its disparity, the epipolar line, and what depth costs in error."""
+"""Two views of a lamp: its disparity, the epipolar line, and the error of the depth."""
 
 import math
 
@@ -53,7 +53,7 @@ def _readouts(settings: Settings, view: View) -> tuple[Readout, ...]:
 
 
 def _parallel_depth(view: View) -> Readout:
-    """What the formula for parallel cameras makes of the disparity; some have none."""
+    """The depth by the formula for parallel cameras, if it is defined."""
     depth, valid = depth_from_disparity(view.disparity, view.pair.focal_px, view.pair.baseline)
     if not valid:
         return Readout("parallel", "f b / d", "none: d < 0", "", "image")

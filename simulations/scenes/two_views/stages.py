@@ -1,4 +1,4 @@
-"""What the two views compute: the floor, as each camera sees it."""
+"""The stages of the two views: the floor, as each camera sees it."""
 
 import math
 from collections.abc import Mapping
@@ -17,13 +17,13 @@ from simulations.scenes.two_views.settings import Settings
 from simulations.scenes.two_views.view import EYE_M, HALF_HEIGHT_PX, HALF_WIDTH_PX
 
 COARSE = "coarse"
-"""The draft of a moving focal length, on which both pictures depend."""
+"""The draft while the focal length moves, on which both pictures depend."""
 SAMPLES, COARSE_SAMPLES = 1.6, 1.1
-"""Pixels drawn to a pixel of the pictures, each way."""
+"""Drawn pixels per pixel of the pictures, each way."""
 
 
 def parameters(_settings: Settings, tier: str) -> Mapping[str, Value]:
-    """What the stages read besides the settings."""
+    """Further parameters of the stages."""
     return {"samples": COARSE_SAMPLES if tier == COARSE else SAMPLES}
 
 

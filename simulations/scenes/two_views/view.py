@@ -1,4 +1,4 @@
-"""A lamp, two cameras, its two images, and what the second one leaves open of its depth."""
+"""A lamp, two cameras, its two images, and the uncertainty of its depth."""
 
 import math
 from dataclasses import dataclass
@@ -22,18 +22,19 @@ EYE_M = 1.5
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """Two equal cameras; the right one is turned about its upright, towards the left one's axis."""
+    """Two equal cameras; the right one is rotated about its vertical axis, towards the left
+    one's."""
 
     focal_px: float
     baseline: float
     """Metres."""
     toe_in_rad: float
     K: Floats
-    """Of both; pixels are counted from the principal point."""
+    """Focal length of both; pixels are relative to the principal point."""
     R: Floats
     """From the left camera's frame to the right one's, and ..."""
     t: Floats
-    """... where that has the left camera, metres."""
+    """... the left camera's place in that frame, metres."""
 
     def line(self, left: Floats) -> Floats:
         """The epipolar line (3,) of a pixel of the left picture, a² + b² = 1."""
@@ -45,11 +46,11 @@ class Pair:
         return project(point @ self.R.T + self.t, self.K)[0]
 
     def vanishing(self, left: Floats) -> Floats:
-        """Where the right camera sees the end of a left pixel's ray."""
+        """The right camera's image of the end of a left pixel's ray."""
         return project(self.R @ [*(left / self.focal_px), 1.0], self.K)[0]
 
     def depth(self, left: Floats, right: Floats) -> float:
-        """Of a left pixel with its match; ∞ also where the match is beyond infinity."""
+        """Depth of a left pixel with its match; ∞ also if the match is beyond infinity."""
         depth, valid = depth_of_match(left, right, self.K, self.K, self.R, self.t)
         return float(depth) if valid else math.inf
 
@@ -60,7 +61,7 @@ class View:
 
     pair: Pair
     depth: float
-    """Metres before the left camera."""
+    """Depth in metres from the left camera."""
     left: Floats
     right: Floats
     line: Floats
@@ -73,7 +74,7 @@ class View:
 
     @property
     def point(self) -> Floats:
-        """In the left camera's frame, metres."""
+        """Place in the left camera's frame, metres."""
         return self.at(self.depth)
 
     @property
@@ -81,7 +82,7 @@ class View:
         return float(self.left[0] - self.right[0])
 
     def at(self, depth: float) -> Floats:
-        """Where the left pixel's ray is at a depth."""
+        """Point of the left pixel's ray at a depth."""
         return np.array([*(self.left / self.pair.focal_px), 1.0]) * depth
 
 
@@ -100,7 +101,7 @@ def pair_of(settings: Settings) -> Pair:
 
 
 def view_of(settings: Settings) -> View:
-    """What the figure shows at these settings."""
+    """The view at these settings."""
     pair, left = pair_of(settings), np.array([settings.left_x, -settings.left_up])
     ray = np.array([*(left / pair.focal_px), 1.0])
     right = pair.right(ray * settings.depth)

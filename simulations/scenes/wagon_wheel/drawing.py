@@ -27,9 +27,10 @@ CENTRE, RADIUS = (200.0, 150.0), 115.0
 
 HEAD = 9.0
 DIAL, DIAL_END, FASTEST = 18.0, math.radians(80.0), 6.0
-"""How far outside the rim the dial of speeds lies, how far from the top it ends, and where."""
+"""Distance of the dial of speeds from the rim, its end as an angle from the top, and the largest
+speed."""
 EXPOSED = 7.0
-"""Likewise, the arc of the exposure over the film."""
+"""Distance from the rim of the arc of the exposure, over the film."""
 
 BEFORE, AFTER = 6.0, 2.0
 """Frames of the past and the future that the plot shows."""
@@ -60,15 +61,15 @@ def wheel(spokes: int, angle_rad: float, speed: float) -> str:
 
 
 def marked_spoke(angle_rad: float) -> tuple[float, float]:
-    """The rim's end of it."""
+    """The end of the marked spoke at the rim."""
     return _polar(angle_rad, RADIUS - 4)
 
 
 def over_film(
     frame: int, apparent: float, certain: bool, turn_per_frame: float, shutter: float
 ) -> str:
-    """The frame's number, the way of a spoke while the shutter was open, and the motion that the
-    eye makes of the frames."""
+    """The frame's number, the path of a spoke while the shutter was open, and the apparent motion
+    of the frames."""
     opened = turn_per_frame * frame
     way = [
         _polar(opened + turn_per_frame * shutter * step / 24, RADIUS + EXPOSED)
@@ -87,30 +88,30 @@ def over_film(
 
 
 def shutter_closes(frame: int, turn_per_frame: float, shutter: float) -> tuple[float, float]:
-    """Where the first spoke ends, in the frame on show."""
+    """End of the first spoke, in the current frame."""
     return _polar(turn_per_frame * (frame + shutter), RADIUS + EXPOSED)
 
 
 def on_dial(speed: float) -> tuple[float, float]:
-    """Where the dial has a speed, in turns per second. Slow ones have more room than fast ones."""
+    """Place of a speed, in turns per second, on the dial, whose scale is wider for slow ones."""
     turned = math.copysign(math.sqrt(min(abs(speed) / FASTEST, 1.0)), speed)
     return _polar(-math.pi / 2 + turned * DIAL_END, RADIUS + DIAL)
 
 
 def speed_at(place: Point) -> float:
-    """The speed that the dial has in the direction of a place."""
+    """The speed on the dial in the direction of a place."""
     across, up = float(place[0]) - CENTRE[0], CENTRE[1] - float(place[1])
     turned = math.atan2(across, up) / DIAL_END
     return FASTEST * math.copysign(turned * turned, turned)
 
 
 def angle_at(place: Point) -> float:
-    """Of a place about the wheel's centre, clockwise from the right, in radians."""
+    """Angle of a place about the wheel's centre, clockwise from the right, in radians."""
     return math.atan2(float(place[1]) - CENTRE[1], float(place[0]) - CENTRE[0])
 
 
 def _dial() -> Iterator[str]:
-    """Above the wheel: speeds to the right turn it clockwise."""
+    """The dial above the wheel; speeds to the right turn it clockwise."""
     arc = [_polar(-math.pi / 2 + DIAL_END * step / 24, RADIUS + DIAL) for step in range(-24, 25)]
     yield polyline(arc, "muted thin faint")
     whole = [on_dial(float(speed)) for speed in range(-int(FASTEST), int(FASTEST) + 1)]
@@ -123,7 +124,7 @@ def _dial() -> Iterator[str]:
 
 
 def _arrow(speed: float, style: str) -> str:
-    """Along the dial from the top to a speed; only an arc where that is shorter than its head."""
+    """An arrow along the dial from the top to a speed; without head if it is shorter than that."""
     end = on_dial(speed)
     top = -math.pi / 2
     angle = math.atan2(end[1] - CENTRE[1], end[0] - CENTRE[0])
@@ -135,10 +136,10 @@ def _arrow(speed: float, style: str) -> str:
 
 
 def track(per_frame: float, seen_per_frame: float, certain: bool, time: float) -> str:
-    """Where the spokes are against time: lines for the truth, dots for the frames.
+    """Positions of the spokes over time: lines for the truth, dots for the frames.
 
-    ``per_frame`` and ``seen_per_frame`` are in spoke spacings per frame; the spokes look alike,
-    so that the picture repeats at every whole spacing.
+    ``per_frame`` and ``seen_per_frame`` are in spoke spacings per frame; the spokes are equal, so
+    that the picture repeats at every whole spacing.
     """
     slopes = [seen_per_frame] if certain else [seen_per_frame, -seen_per_frame]
     first, last = math.ceil(time - BEFORE - 1e-9), math.floor(time + 1e-9)
@@ -146,7 +147,7 @@ def track(per_frame: float, seen_per_frame: float, certain: bool, time: float) -
     parts = [*_axes(time)]
     parts.append(_lines(per_frame, 0.0, time, time - BEFORE, time + AFTER, "world thin"))
     for slope in slopes:
-        # Through the dots: on frame n both waves are at a whole number of spacings more or less.
+        # Through the dots: on frame n the two waves differ by a whole number of spacings.
         at = frames[-1] if frames else 0
         shift = (per_frame - slope) * at
         parts.append(_lines(slope, shift, time, time - BEFORE, float(last), "error dashed"))
@@ -174,7 +175,7 @@ def _dots(per_frame: float, frames: list[int], now: float) -> Iterator[str]:
     """The spokes in each frame taken so far."""
     for frame in frames:
         u = per_frame * frame
-        # Rounded, so that a dot on the very edge is on the same side on every machine.
+        # Rounded, so that a dot exactly on the edge is on the same side on every machine.
         first = math.ceil(round(-u, 9))
         places = np.arange(first, math.floor(round(ROWS - u, 9)) + 1) + u
         yield from (dot(PLOT.at(frame - now, float(place)), "image", 4.0) for place in places)
@@ -182,7 +183,7 @@ def _dots(per_frame: float, frames: list[int], now: float) -> Iterator[str]:
 
 def _axes(now: float) -> Iterator[str]:
     frames = range(max(math.ceil(now - BEFORE), 0), math.floor(now + AFTER) + 1)
-    # A name in a corner would be cut in half as it comes or goes.
+    # A label in a corner would be cut in half as it appears or disappears.
     clear = [frame for frame in frames if -BEFORE + 0.1 < frame - now < AFTER - 0.1]
     ticks = [(frame - now, str(frame)) for frame in clear]
     yield PLOT.frame(Scale("time", "frames", ticks), Scale(ticks=range(int(ROWS) + 1)))
@@ -203,5 +204,5 @@ UNITS_PER_FRAME = (PLOT.x.end - PLOT.x.start) / (BEFORE + AFTER)
 
 
 def _polar(angle_rad: float, radius: float) -> tuple[float, float]:
-    """Clockwise from the right."""
+    """A place at an angle, clockwise from the right."""
     return (CENTRE[0] + radius * math.cos(angle_rad), CENTRE[1] + radius * math.sin(angle_rad))

@@ -1,4 +1,4 @@
-"""The film of the wagon wheel: frames exposed by one of several rules, and how far off each is."""
+"""The film of the wagon wheel: frames exposed by one of several rules, and their errors."""
 
 import math
 from collections.abc import Iterator
@@ -26,13 +26,13 @@ TIERS = (
     "jittered-16",
     "instants-64",
 )
-"""Rungs of the ladder `exposure-blur`, all but the smear: it needs a motion in a straight line."""
+"""Rungs of the ladder `exposure-blur`, without the smear, which needs motion in a straight line."""
 PARTS = 12
-"""Steps in which the pixels are judged: each takes a few milliseconds."""
+"""Steps of the error estimate: each takes a few milliseconds."""
 
 
 def exposure_of(tier: str, frame: int) -> Exposure:
-    """How the tier averages over the exposure; random instants differ from frame to frame."""
+    """The tier's mean over the exposure; random instants differ between frames."""
     kind, _, count = tier.partition("-")
     match kind:
         case "integral":
@@ -49,7 +49,7 @@ def exposure_of(tier: str, frame: int) -> Exposure:
 
 
 def frame_at(time: float) -> int:
-    """Number of the film frame on show; frame 0 starts at time 0."""
+    """Number of the current film frame; frame 0 starts at time 0."""
     return math.floor(time + 1e-9)
 
 
@@ -77,7 +77,8 @@ STAGES = (
 def judge(
     canvas: Canvas, spokes: int, turn_per_frame: float, shutter: float, time: float, tier: str
 ) -> Iterator[Readout]:
-    """RMS over the pixels where spokes pass, of the light between wall and wood; more each step."""
+    """RMS error over the pixels where spokes pass, of the light between wall and wood; more pixels
+    with each step."""
     frame = frame_at(time)
     swept = turn_per_frame * shutter
     row = spoked_wheel.bars(canvas, spokes, turn_per_frame * frame, swept)
@@ -111,7 +112,7 @@ def _moments(row: Bars) -> Floats:
     direction = math.copysign(1.0, row.swept)
     for pixel_edge in (-0.5, 0.5):
         for spoke_edge in (-0.5, 0.5):
-            # How far the nearest such pair of edges has to go; the next ones are a spacing behind.
+            # Distance of the nearest such pair of edges; the next ones are a spacing behind.
             way = direction * (row.place + pixel_edge * row.pixel - spoke_edge * row.duty) % 1.0
             ends += [(way + k) / abs(row.swept) for k in range(math.ceil(abs(row.swept)))]
     return np.sort(np.minimum(ends, 1.0), axis=0)

@@ -1,5 +1,5 @@
-"""Handles of the wagon wheel: the marked spoke, the speed on its dial, the end of the
-exposure, and the run of time."""
+"""Handles of the wagon wheel: the marked spoke, the speed on its dial, the end of the exposure, and
+the time."""
 
 import math
 from collections.abc import Mapping
@@ -24,7 +24,7 @@ def _turn_per_frame(settings: Settings) -> float:
 
 
 def _spoke(settings: Settings, _outputs: Outputs) -> Point | None:
-    """A wheel that stands cannot be turned by letting time pass."""
+    """None for a wheel that does not turn, which time does not move."""
     if settings.speed == 0:
         return None
     return marked_spoke(_turn_per_frame(settings) * settings.time)
@@ -36,9 +36,9 @@ def _spoke_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _reached(place: Point, turn: float, start: float, now: float, end: float) -> float:
-    """After how many frames from ``start``, 0 to ``end``, a spoke points to a place.
+    """Frames from ``start``, 0 to ``end``, after which a spoke points to a place.
 
-    Of all rounds the one nearest to ``now``; where none will do, the end that comes closest.
+    Of all turns that nearest to ``now``; otherwise the end that is closest.
     """
     ahead = _half_turn(angle_at(place) - turn * (start + now)) / turn
     around = 2 * math.pi / abs(turn)
@@ -52,7 +52,7 @@ def _reached(place: Point, turn: float, start: float, now: float, end: float) ->
 
 
 def _half_turn(angle: float) -> float:
-    """The same direction, from -π to π."""
+    """The angle, reduced to -π to π."""
     return math.remainder(angle, 2 * math.pi)
 
 
@@ -75,7 +75,7 @@ def _exposure_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _time(settings: Settings, _outputs: Outputs) -> Point:
-    """Of frame 0, in a plot that has no end at the left."""
+    """Place of frame 0, in a plot without a left end."""
     return (-settings.time * UNITS_PER_FRAME, 0.0)
 
 

@@ -1,8 +1,8 @@
 """Wagon Wheel: a turning wheel, the film of it, and the motion that the film shows.
 
-Angles grow clockwise, as a wheel turns that rolls to the right. Time counts in film frames, so
-that one step of it is one frame; a frame is exposed from its start for the shutter's share of
-the frame time, and then shown until the next.
+Angles are clockwise, as for a wheel that rolls to the right. Time counts in film frames, so that
+one step of it is one frame; a frame is exposed from its start for the shutter's share of the frame
+time, and then shown until the next.
 """
 
 import math
@@ -23,12 +23,12 @@ STILL = 1e-9
 
 
 def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
-    """What the film shows changes from frame to frame, not with every instant."""
+    """The film changes from frame to frame, not continuously."""
     return {"frame": frame_at(settings.time)}
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The wheel now, the frame on show, and the spokes' positions against time."""
+    """The wheel now, the current frame, and the spokes' positions over time."""
     spokes, rate, speed = settings.spokes, settings.frame_rate, settings.speed
     time = settings.time
     seen, certain = apparent_wheel_speed(speed, spokes, rate)
@@ -79,7 +79,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def _signed(apparent: float, certain: bool) -> str:
-    """With its sign; with both at the tie."""
+    """The speed with its sign, or with both signs at the tie."""
     if not certain:
         return f"±{format_number(abs(apparent))}"
     plus = "+" if apparent > 0.005 else ""
@@ -87,7 +87,7 @@ def _signed(apparent: float, certain: bool) -> str:
 
 
 def direction(apparent: float, certain: bool) -> str:
-    """What the film seems to show."""
+    """The apparent motion of the film."""
     if not certain:
         return "turn either way"
     if abs(apparent) < STILL:
@@ -122,7 +122,7 @@ def describe(settings: Settings, apparent: float, certain: bool, contrast: float
 
 
 def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
-    """How far the frame on show is from the integral over its exposure."""
+    """Error of the current frame against the integral over its exposure."""
     per_frame = 2 * math.pi * settings.speed / settings.frame_rate
     return judge(
         outputs["canvas"], settings.spokes, per_frame, settings.shutter, settings.time, tier
@@ -139,7 +139,7 @@ SCENE = Scene(
     parameters=parameters,
     tiers=TIERS,
     default_tier="integral",
-    # Fewer instants are a thing to look at while the wheel turns; more are too slow for that.
+    # Few instants are useful while the wheel turns; more are too slow.
     draft_tier="instants-16",
     ladder="exposure-blur",
     estimate=estimate,
