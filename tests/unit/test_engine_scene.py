@@ -36,11 +36,6 @@ def scene_of(**changed: Any) -> Scene[Settings]:
     return Scene("s", "S", Settings, draw, **changed)
 
 
-def test_two_stages_of_one_name_are_refused() -> None:
-    with pytest.raises(ValueError, match="two stages named 'told'; legal: a name for each"):
-        scene_of(stages=(*STAGES, *STAGES))
-
-
 @pytest.mark.parametrize("value", [None, 3])
 def test_a_module_without_a_scene_is_refused(
     monkeypatch: pytest.MonkeyPatch, value: object
@@ -67,35 +62,32 @@ def test_a_button_must_drive_a_slider_of_its_scene() -> None:
         Scene("s", "S", Driving, lambda _settings, _outputs: Frame((), (), ""))
 
 
-def test_tiers_need_a_default_and_a_draft_among_them() -> None:
-    with pytest.raises(ValueError, match="tier"):
-        scene_of(tiers=("fast", "exact"))
-    with pytest.raises(ValueError, match="tier 'slow'"):
-        scene_of(tiers=("fast",), default_tier="fast", draft_tier="slow")
-    with pytest.raises(ValueError, match="tier 'fast'"):
-        scene_of(default_tier="fast")
+SHADED = {**TIERS, "ladder": "shading"}
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"stages": (*STAGES, *STAGES)}, "two stages named 'told'; legal: a name for each"),
+        ({"tiers": ("fast", "exact")}, "tier"),
+        ({"tiers": ("fast",), "default_tier": "fast", "draft_tier": "slow"}, "tier 'slow'"),
+        ({"default_tier": "fast"}, "tier 'fast'"),
+        (TIERS, "no ladder to label them"),
+        ({**SHADED, "tier_labels": {"slow": "Slow"}}, r"labels .'slow'.*legal: .'coarse', 'fine'"),
+        ({"drafted": ("sise",)}, "drafted 'sise'"),
+        ({**SHADED, "drafted_in": {"fine": ("sise",)}}, "drafted 'sise'"),
+        ({**SHADED, "drafted_in": {"finer": ("size",)}}, r"drafted_in .*'finer'.*legal: \('coarse"),
+        ({**SHADED, "own_drafts": {"coarse": ("size",)}}, "'coarse' is a tier; legal: another"),
+        ({"own_drafts": {"rough": ("sise",)}}, "drafted 'sise'"),
+    ],
+)
+def test_a_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        scene_of(**changed)
 
 
 def test_a_drag_is_answered_by_the_default_where_no_draft_is_named() -> None:
     assert scene_of(tiers=("fast",), default_tier="fast", ladder="shading").draft_tier == "fast"
-
-
-def test_tiers_need_labels_or_a_ladder_that_has_them() -> None:
-    with pytest.raises(ValueError, match="no ladder to label them"):
-        scene_of(**TIERS)
-    scene_of(**TIERS, ladder="shading")
-
-
-def test_words_for_a_tier_that_the_scene_lacks_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"labels .'slow'.*legal: .'coarse', 'fine'"):
-        scene_of(**TIERS, ladder="shading", tier_labels={"slow": "Slow"})
-
-
-def test_only_controls_of_the_scene_can_be_drafted() -> None:
-    with pytest.raises(ValueError, match="drafted 'sise'"):
-        scene_of(drafted=("sise",))
-    with pytest.raises(ValueError, match="drafted 'sise'"):
-        scene_of(**TIERS, ladder="shading", drafted_in={"fine": ("sise",)})
 
 
 def test_a_draft_of_its_own_stands_in_for_the_default_and_what_is_dearer() -> None:
@@ -110,23 +102,10 @@ def test_a_draft_of_its_own_stands_in_for_the_default_and_what_is_dearer() -> No
     assert "rough of 1" in scene.render(Settings(), "rough", StageCache()).description
 
 
-def test_a_draft_of_its_own_is_no_tier_and_serves_controls_that_there_are() -> None:
-    with pytest.raises(ValueError, match="own draft 'coarse' is a tier; legal: another name"):
-        scene_of(**TIERS, ladder="shading", own_drafts={"coarse": ("size",)})
-    with pytest.raises(ValueError, match="drafted 'sise'"):
-        scene_of(own_drafts={"rough": ("sise",)})
-
-
-def test_only_tiers_of_the_scene_can_have_drags_of_their_own() -> None:
-    with pytest.raises(ValueError, match=r"drafted_in .*'finer'.*legal: \('coarse', 'fine'\)"):
-        scene_of(**TIERS, ladder="shading", drafted_in={"finer": ("size",)})
-
-
 def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both() -> None:
     double = Stage("told", lambda size, tier, double: f"{tier}: {size:g}, twice {double:g}")
     scene = scene_of(
-        **TIERS,
-        ladder="shading",
+        **SHADED,
         stages=(double,),
         parameters=lambda settings, tier: {"double": 2 * settings.size + (tier == "coarse")},
     )
@@ -136,23 +115,19 @@ def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both() -> Non
 
 
 def test_what_is_worked_out_may_stand_for_a_setting() -> None:
-    scene = scene_of(
-        **TIERS, ladder="shading", stages=STAGES, parameters=lambda _settings, _tier: {"size": 7}
-    )
+    scene = scene_of(**SHADED, stages=STAGES, parameters=lambda _settings, _tier: {"size": 7})
     assert scene.render(Settings(2), "", StageCache()).description == "Size 2, fine of 7."
 
 
 def test_where_there_is_nothing_to_compute_no_stage_runs_and_none_is_reported() -> None:
-    scene = scene_of(
-        **TIERS, ladder="shading", stages=STAGES, parameters=lambda _settings, _tier: None
-    )
+    scene = scene_of(**SHADED, stages=STAGES, parameters=lambda _settings, _tier: None)
     frame = scene.render(Settings(2), "fine", StageCache())
     assert frame.description == "Size 2, nothing."
     assert frame.stages == ()
 
 
 def test_a_tier_that_the_scene_lacks_is_its_default() -> None:
-    scene = scene_of(**TIERS, ladder="shading", stages=STAGES)
+    scene = scene_of(**SHADED, stages=STAGES)
     for tier in ("", "fine", "no such tier"):
         frame = scene.render(Settings(), tier, StageCache())
         assert frame.description == "Size 1, fine of 1."
@@ -208,7 +183,7 @@ def test_every_scene_of_the_table_loads_under_its_own_id(scene_id: str) -> None:
 
 
 def test_the_worker_gets_a_clamped_frame_and_its_pixels(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = scene_of(**TIERS, ladder="shading", stages=STAGES)
+    scene = scene_of(**SHADED, stages=STAGES)
     monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
     reply = browser.render("figure-1", "s", '{"size": 99}', "no such tier")
     assert json.loads(reply.meta)["description"] == "Size 2, fine of 2."

@@ -33,14 +33,6 @@ def test_along_and_against_p_the_turning_is_where_the_one_dimensional_map_has_it
         assert asked([radius * direction], lens)[0] == (radius < turns)
 
 
-@pytest.mark.parametrize("k1", [-0.3, 0.3])
-def test_within_the_sure_radius_no_direction_turns_over_with_radial_terms_either(k1: float) -> None:
-    sure = sheet_of(RadialProfile((k1,)), 0.05, 0.02).sure
-    steepness = 3 if k1 < 0 else 1  # f' is least in a barrel, g in a pincushion
-    gap = 1 + steepness * k1 * min(sure, 9) ** 2 - 6 * np.hypot(0.05, 0.02) * min(sure, 9)
-    assert gap == pytest.approx(0.0, abs=1e-9) or sure == np.inf
-
-
 def test_a_fold_however_narrow_is_seen() -> None:
     """1 − 0.9 s + 5 k₂ s² falls below zero over a few parts in a million of the radius."""
     lens = Distortion(k1=-0.3, k2=0.0405 * (1 - 1e-11), p1=1e-30)

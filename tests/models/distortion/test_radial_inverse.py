@@ -75,24 +75,6 @@ def steps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     return made
 
 
-@pytest.mark.parametrize(
-    ("profile", "images"),
-    [
-        (RadialProfile((-1 / 3,)), np.linspace(0.0, 0.6, 50)),
-        (RadialProfile((-1 / 3,)), 2 / 3 * (1 - np.logspace(-7, -1, 50))),
-        (RadialProfile((1.0,)), np.linspace(0.0, 5.0, 50)),
-        (PROFILES[2], np.linspace(0.0, 2.0, 50)),
-    ],
-    ids=["mild", "up to the fold", "strong", "rational"],
-)
-def test_from_the_first_guess_two_steps_are_enough(
-    steps: list[float], profile: RadialProfile, images: Floats
-) -> None:
-    """Samples crowd where a fold flattens the curve, so that the guess is as good there."""
-    assert invert_bracketed(profile, images)[1].all()
-    assert len(steps) == 2
-
-
 @pytest.mark.parametrize("size", [1e-3, 1.0, 1e4])
 @pytest.mark.parametrize("short_of_it", [1e-9, 1e-12, 1e-14, 1e-15, 3e-16])
 def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(

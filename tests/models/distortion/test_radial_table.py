@@ -1,7 +1,5 @@
 """The table that undoes lenses: against bisection, and where it must not be used."""
 
-from collections.abc import Callable
-
 import numpy as np
 import pytest
 from support.radial_profiles import bisect
@@ -123,16 +121,3 @@ def test_a_cell_that_is_off_by_more_than_a_trillionth_ends_the_table_before_it(
     doctored[:, -1] *= 1.0 + error
     at_the_axis = radial_table._checked_reach(profile, fold, grid, doctored)
     assert at_the_axis == (table.reach if held else 0.0)
-
-
-@pytest.mark.parametrize(("count", "tables"), [(2047, 0), (2048, 1)])
-def test_a_table_is_made_for_2048_points_and_more(count: int, tables: int) -> None:
-    images = np.linspace(0.0, 0.5, count)
-    calls: tuple[Callable[[], object], ...] = (
-        lambda: invert(RadialProfile((0.3, 0.1)), images),
-        lambda: undistort(np.stack((images, images), -1), Distortion(k1=0.3, k2=0.1)),
-    )
-    for undo in calls:
-        inverse_table.cache_clear()
-        undo()
-        assert inverse_table.cache_info().misses == tables

@@ -59,14 +59,6 @@ def test_points_all_over_the_picture_come_back(
     np.testing.assert_allclose(undo(distort(SCATTERED, lens), lens), SCATTERED, atol=within)
 
 
-@pytest.mark.parametrize("name", [name for name in INVERSES if name[-1].isdigit()])
-def test_a_name_of_the_table_that_ends_in_a_number_takes_so_many_steps(name: str) -> None:
-    kind, _, steps = name.rpartition("-")
-    run = {"newton": undistort_newton, "fixed-point": undistort_fixed_point}[kind]
-    lens = Distortion(k1=-0.2)
-    np.testing.assert_array_equal(INVERSES[name](RADII, lens), run(RADII, lens, int(steps)))
-
-
 @pytest.mark.parametrize("name", ["closed-form", "checked-table", "newton-bracketed"])
 def test_the_careful_ones_put_what_lies_past_the_fold_on_it(name: str) -> None:
     lens = Distortion(k1=-0.5)

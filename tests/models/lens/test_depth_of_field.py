@@ -12,7 +12,7 @@ from simulations.models.lens.depth_of_field import (
     blur_layer,
     composite,
 )
-from simulations.models.lens.disc_blur import NARROW_RADIUS, disc_blur, disc_kernel
+from simulations.models.lens.disc_blur import NARROW_RADIUS, disc_blur
 
 
 def point_of_light(size: int = 129) -> Floats:
@@ -25,14 +25,6 @@ def test_what_is_sharp_comes_back_as_it_is() -> None:
     layer, picture = Layer(np.ones((4, 3, 3), np.float32), 0, 0), np.ones((3, 4, 4), np.float32)
     assert blur_layer(layer) is layer
     assert blur_by_depth(picture, np.zeros((4, 4))) is picture
-
-
-@pytest.mark.parametrize("radius", [0.1, 0.5, 0.52])
-def test_a_layer_is_blurred_by_a_disc_that_lies_within_a_pixel(radius: float) -> None:
-    column = disc_kernel(radius)[:, 1]
-    assert column[0] > 0
-    blurred = blur_layer(Layer(point_of_light(9), 0, 0, radius))
-    assert blurred.planes[0, 5:8, 6] == pytest.approx(column)
 
 
 @pytest.mark.parametrize("radius", [0.1, 0.2, 0.7, 2.0, 3.3, 11.0])

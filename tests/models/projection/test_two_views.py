@@ -14,7 +14,6 @@ from simulations.models.projection.two_views import (
     depth_from_disparity,
     depth_of_match,
     epipolar_lines,
-    essential_matrix,
     fundamental_matrix,
 )
 
@@ -32,11 +31,6 @@ def pair() -> tuple[Floats, Floats]:
     right, valid = pinhole.project(POINTS @ R.T + T, SECOND)
     assert valid.all()
     return left, right
-
-
-def test_the_essential_matrix_has_two_equal_singular_values_and_a_zero() -> None:
-    sizes = np.linalg.svd(essential_matrix(R, T), compute_uv=False)
-    assert sizes / np.linalg.norm(T) == pytest.approx((1.0, 1.0, 0.0))
 
 
 def test_epipolar_lines_are_those_of_opencv() -> None:

@@ -60,15 +60,6 @@ def test_each_filter_reaches_as_far_as_it_says_on_both_sides(kind: str, reach: f
     np.testing.assert_allclose(kernel.weights, kernel.weights[::-1], atol=1e-16)
 
 
-def test_a_chirp_has_the_local_frequency_it_says() -> None:
-    point, x, step = prefilters.prefilter("none"), np.linspace(-3, 3, 7), 1e-5
-    after, before = (
-        prefilters.filtered_wave(point, x + sign * step, 0.2, 0.05) for sign in (1, -1)
-    )
-    turns = np.angle(after / before) / (2 * np.pi * 2 * step)
-    np.testing.assert_allclose(turns, 0.2 + 0.05 * x, atol=1e-7)
-
-
 @pytest.mark.parametrize("factor", [1, 2, 4, 8])
 def test_points_in_a_pixel_have_the_transfer_of_their_comb(factor: int) -> None:
     """|sin πf / (n sin πf/n)|: the sum of n equal waves with a phase of 2πf/n between them."""
