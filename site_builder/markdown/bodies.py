@@ -35,17 +35,13 @@ def _inner_blocks(
     return read_blocks(tokens, context)
 
 
+def _nothing(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> None:
+    if tokens:
+        context.problem(call.line, f"{{{call.name}}} with a body; legal: nothing below its options")
+
+
 CAPTION = Body("a caption", _passage)
 """Plain Markdown, or nothing; the reader gets a `Passage`."""
 BLOCKS = Body("text and other directives", _inner_blocks, nests=True)
 """Anything, but something; the template gets it as ``inside``."""
-
-
-def no_body(expected: str) -> Body[None]:
-    """Nothing at all; ``legal`` says what stands in its place."""
-
-    def refuse(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> None:
-        if tokens:
-            context.problem(call.line, f"{{{call.name}}} with a body; legal: {expected}")
-
-    return Body("nothing", refuse)
+NO_BODY = Body("nothing", _nothing)

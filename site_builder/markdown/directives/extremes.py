@@ -6,7 +6,7 @@ from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_ans
 from simulations.registry import found
 from site_builder.benchmarks.loading import imported
 from site_builder.diagnostics import cause
-from site_builder.markdown.bodies import no_body
+from site_builder.markdown.bodies import NO_BODY
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.parse_context import ParseContext
 
@@ -69,7 +69,7 @@ EXTREMES = Directive(
     name="extremes",
     doc="the hard cases of a model",
     argument=Argument("model", "names no table", MODULES, "table of extremes"),
-    body=no_body("the table speaks alone"),
+    body=NO_BODY,
     read=read_hard_cases,
     template="extremes",
     numbered=Numbered("Table", lambda call: f"extremes-{call.argument}"),

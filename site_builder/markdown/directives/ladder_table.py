@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
-from site_builder.markdown.bodies import no_body
+from site_builder.markdown.bodies import NO_BODY
 from site_builder.markdown.directive import LABEL, Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
@@ -34,7 +34,7 @@ LADDER_TABLE = Directive(
     doc="all measured ladders",
     argument=Argument("Caption", lacks="has no caption"),
     options=(LABEL,),
-    body=no_body("a caption behind its name, no more"),
+    body=NO_BODY,
     read=read_ladder_table,
     template="ladder-table",
     numbered=Numbered("Table", lambda _use: "table-ladders"),

@@ -12,48 +12,35 @@ from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Source
 from site_builder.page_model.passage import Passage
 
-FORM = "package.module:function"
 type Definition = ast.FunctionDef | ast.ClassDef
 
 
 def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) -> Source | None:
     module, _, name = call.argument.partition(":")
     path = f"{module.replace('.', '/')}.py"
-    source = _text_of(module, name, path, call, context)
-    if source is None:
-        return None
     try:
+        source = _text_of(module, path, context.shared.root)
         definitions = _definitions(source)
+        if name not in definitions:
+            public = [known for known in definitions if not known.startswith("_")]
+            raise LookupError(unknown(f"definition in {module}", name, public))
+    except LookupError as error:
+        context.problem(call.line, str(error.args[0]))
+        return None
     except (SyntaxError, ValueError) as error:
         line = getattr(error, "lineno", None) or 1
         context.problem(call.line, f"module {module!r} is no Python: {path}:{line}")
-        return None
-    if name not in definitions:
-        public = [known for known in definitions if not known.startswith("_")]
-        context.problem(call.line, unknown(f"definition in {module}", name, public))
         return None
     first, last = _span(definitions[name])
     code = dedent("\n".join(source.splitlines()[first - 1 : last])) + "\n"
     return Source(module, name, path, first, code, caption)
 
 
-def _text_of(
-    module: str, name: str, path: str, call: DirectiveCall, context: ParseContext
-) -> str | None:
-    """The module's file, or None and a diagnostic."""
-    if not (module and name):
-        expected = f"':::{{source}} {FORM}'"
-        context.problem(call.line, f"{{source}} {call.argument!r}; legal: {expected}")
-        return None
-    file = (
-        own_or_engine(context.shared.root, path)
-        if is_engine(module)
-        else context.shared.root / path
-    )
+def _text_of(module: str, path: str, root: Path) -> str:
+    """The module's file. Raises `LookupError`."""
+    file = own_or_engine(root, path) if is_engine(module) else root / path
     if not file.is_file() or not module.startswith("simulations."):
-        modules = _modules(context.shared.root / "simulations")
-        context.problem(call.line, unknown("module", module, modules))
-        return None
+        raise LookupError(unknown("module", module, _modules(root / "simulations")))
     return file.read_text(encoding="utf-8", errors="replace")
 
 
@@ -87,7 +74,7 @@ def _modules(package: Path) -> list[str]:
 SOURCE = Directive(
     name="source",
     doc="the real code of a function",
-    argument=Argument(FORM, lacks="names no function"),
+    argument=Argument("package.module:function", lacks="names no function"),
     body=CAPTION,
     read=read_source,
     template="source",

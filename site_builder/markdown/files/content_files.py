@@ -3,13 +3,12 @@
 import re
 from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
+from xml.etree import ElementTree
 
 from site_builder.diagnostics import unknown
 from site_builder.markdown.directive import FileKind
 
 PICTURES = FileKind("picture file", (".svg", ".png", ".jpg", ".jpeg", ".webp"))
-SVG_ROOT = re.compile(r"<svg\b[^>]*>")
-ATTRIBUTE = r"\s{name}\s*=\s*[\"']([^\"']*)[\"']"
 LENGTH = re.compile(r"\s*(\d+\.?\d*|\.\d+)\s*(px)?\s*")
 
 type Size = tuple[int, int]
@@ -57,18 +56,15 @@ def _raster_size(file: Path) -> Size | None:
 
 
 def _svg_size(file: Path) -> Size | None:
-    root = SVG_ROOT.search(file.read_text(encoding="utf-8", errors="replace"))
-    if root is None:
+    try:
+        root = ElementTree.parse(file).getroot()
+    except (ElementTree.ParseError, ValueError):
         return None
-    given = [LENGTH.fullmatch(_attribute(name, root[0])) for name in ("width", "height")]
-    if given[0] and given[1]:
-        return round(float(given[0][1])), round(float(given[1][1]))
-    box = _attribute("viewBox", root[0]).replace(",", " ").split()
-    if len(box) != 4 or not all(LENGTH.fullmatch(value) for value in box[2:]):
-        return None
-    return round(float(box[2])), round(float(box[3]))
-
-
-def _attribute(name: str, tag: str) -> str:
-    given = re.search(ATTRIBUTE.format(name=name), tag)
-    return given[1] if given else ""
+    shown = [LENGTH.fullmatch(root.get(name, "")) for name in ("width", "height")]
+    box = root.get("viewBox", "").replace(",", " ").split()
+    drawn = [LENGTH.fullmatch(value) for value in box[2:]] if len(box) == 4 else []
+    for found in (shown, drawn):
+        sides = [round(float(side[1])) for side in found if side]
+        if len(sides) == 2:
+            return sides[0], sides[1]
+    return None

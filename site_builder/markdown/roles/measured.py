@@ -1,16 +1,17 @@
 """``{measured}`srgb exact native```: a measured number in running text, never typed.
 
-The words are a ladder, one of its tiers, and what is wanted: ``native`` or ``browser`` for the
-time with its unit, a metric for the error with its unit, ``verdict`` for what the table says,
-and ``bare`` after a metric for the error without its unit.
-``each`` is the browser's time for one pixel or point, ``frame`` its share of a frame of a thirtieth
-of a second, ``efficiency`` 1/(variance × time) beside the ladder's first tier.
-``TIER over TIER`` asks how many times as much the first is than the second, without a unit. A
-single word asks for something about all: ``ladders``, ``tiers`` or ``beaten`` (counts), or what
-the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
+LADDER TIER native, browser     time with its unit
+LADDER TIER METRIC              error with its unit
+LADDER TIER each                time in the browser for one pixel or point
+LADDER TIER frame               the same time as a share of a thirtieth of a second
+LADDER TIER efficiency          1/(variance × time) beside the ladder's first tier
+LADDER TIER METRIC bare         a number without its unit
+LADDER TIER over TIER METRIC    how many times as much the first is as the second
+tiers, beaten                   how many there are of all ladders
+processor, python, numpy, …     what it was measured on
 """
 
-from site_builder.benchmarks.judgements import efficiency, frame_percent, nanoseconds_each, verdict
+from site_builder.benchmarks.judgements import efficiency, frame_percent, nanoseconds_each
 from site_builder.benchmarks.measurements import (
     SIDES,
     MeasuredLadder,
@@ -29,9 +30,9 @@ from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role
 
-COUNTS = ("ladders", "tiers", "beaten")
+COUNTS = ("tiers", "beaten")
 UNIT_COSTS = ("each", "frame", "efficiency")
-WANTED = "native|browser|each|frame|efficiency|METRIC|verdict"
+WANTED = "native|browser|each|frame|efficiency|METRIC"
 LEGAL = f"legal: 'LADDER TIER {WANTED}', or 'LADDER TIER over TIER …'"
 
 
@@ -51,24 +52,18 @@ def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH
 
 
 def _about_all(name: str, measurements: Measurements) -> str:
-    expected = (*COUNTS, *measurements.machine)
-    if name not in expected:
-        raise MeasurementError(unknown("measured thing", name, expected))
     if name in measurements.machine:
         return str(measurements.machine[name])
-    ladders = measurements.all()
-    if name == "ladders":
-        return str(len(ladders))
-    tiers = [(ladder, item) for ladder in ladders for item in ladder.tiers]
-    if name == "beaten":
-        tiers = [(ladder, item) for ladder, item in tiers if ladder.beaten_by(item, "browser")]
-    return str(len(tiers))
+    if name not in COUNTS:
+        expected = (*COUNTS, *measurements.machine)
+        raise MeasurementError(unknown("measured thing", name, expected))
+    tiers = [(ladder, item) for ladder in measurements.all() for item in ladder.tiers]
+    beaten = [item for ladder, item in tiers if ladder.beaten_by(item, "browser")]
+    return str(len(beaten if name == "beaten" else tiers))
 
 
 def _one(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
     _check_tier(measured, tier)
-    if wanted == "verdict":
-        return verdict(measured, measured[tier], words)
     if wanted in SIDES:
         return with_unit(words.numeral(milliseconds(measured[tier].times[wanted].ms)), "ms")
     if wanted in UNIT_COSTS:
@@ -110,7 +105,7 @@ def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | No
         return item.times[wanted].ms, "ms"
     units = {metric.id: metric.unit for metric in ladder.metrics}
     if wanted not in units:
-        expected = (*SIDES, *UNIT_COSTS, "verdict", *units)
+        expected = (*SIDES, *UNIT_COSTS, *units)
         raise MeasurementError(unknown(f"number of {ladder.id}", wanted, expected))
     return item.errors[wanted], units[wanted]
 
