@@ -16,10 +16,8 @@ from site_builder.book_root import ENGINE, VARIABLE
 from site_builder.guide.book import guide_files, write_guide
 from site_builder.guide.classes import read_classes
 from site_builder.guide.pages import (
-    EXAMPLES,
     NoExampleError,
     directive_page,
-    read_examples,
 )
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.directives.quiz import QUIZ
@@ -48,11 +46,6 @@ def test_every_directive_and_role_has_its_section(guide: Path) -> None:
         headings = [heading.text.strip() for heading in read_html(html).all("h2")]
         declared = [item.name for item in names]
         assert [heading for heading in headings if heading in declared] == declared
-
-
-def test_an_example_is_of_something_that_there_is() -> None:
-    declared = {item.name for item in DIRECTIVES} | {f"role-{role.name}" for role in ROLES}
-    assert set(read_examples(EXAMPLES)) <= declared
 
 
 def test_a_new_directive_without_an_example_is_told_where_to_write_one() -> None:

@@ -63,10 +63,6 @@ def test_a_worker_keeps_its_address_and_holds_what_it_imports(bundle: Bundle) ->
     assert b"replied" in bundle.files["js/runtime/worker.js"]
 
 
-def test_a_module_that_nothing_imports_is_left_out(bundle: Bundle) -> None:
-    assert not any(b"unused" in script for script in bundle.files.values())
-
-
 def test_addresses_beside_a_module_lead_where_they_led(bundle: Bundle) -> None:
     later = bundle.files[chunk(bundle, b'"editor"')]
     assert b'new URL("./../css/editor.css",import.meta.url)' in later

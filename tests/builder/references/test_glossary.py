@@ -7,9 +7,8 @@ import pytest
 from support.html_outline import Page, read_html
 from support.little_book import rendered
 
-from site_builder.build import Options, check_site, render_site
+from site_builder.build import Options, check_site
 from site_builder.diagnostics import Diagnostic
-from site_builder.output.assets import content_bytes
 from site_builder.references.glossary import Glossary, Term
 
 type MakeBook = Callable[..., Options]
@@ -37,12 +36,9 @@ Fields of view and **poses**; a composed pose.
 
 
 def built(make_book: MakeBook, body: str = BODY) -> dict[str, Page]:
-    site = render_site(make_book(body, {FILE: GLOSSARY}))
-    return {
-        path.removesuffix("/index.html"): read_html(content_bytes(data))
-        for path, data in site.items()
-        if path.endswith("index.html")
-    }
+    site = rendered(make_book(body, {FILE: GLOSSARY}))
+    pages = [path for path in site if path.endswith("index.html")]
+    return {path.removesuffix("/index.html"): read_html(site[path]) for path in pages}
 
 
 def marks(page: Page) -> list[str]:
@@ -79,10 +75,8 @@ def test_the_first_use_in_a_chapter_is_marked_and_tells_its_definition(
     (mark, other) = page.all("a", "term")
     assert mark.attributes["href"] == "../glossary/#field-of-view"
     definitions = page.all("div", "definition")
-    assert {item.attributes["id"] for item in definitions} == {
-        mark.attributes["aria-describedby"],
-        other.attributes["aria-describedby"],
-    }
+    described = {term.attributes["aria-describedby"] for term in (mark, other)}
+    assert {item.attributes["id"] for item in definitions} == described
     assert all("popover" in item.attributes for item in definitions)
 
 

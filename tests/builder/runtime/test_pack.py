@@ -14,7 +14,8 @@ import pytest
 from support.waves import LADDERS, SCENES, WAVES, on_waves
 
 from site_builder.runtime.freeze import Frozen
-from site_builder.runtime.imports import imports_of, module_files, read_imports
+from site_builder.runtime.imports import imports_of, module_files, reach, read_imports
+from site_builder.runtime.modules import CORE, ENTRY, cut
 from site_builder.runtime.pack import (
     book_modules,
     chunks_of,
@@ -116,3 +117,14 @@ def test_browser_and_host_run_the_same_numpy() -> None:
     import numpy as np
 
     assert np.__version__ == NUMPY_VERSION
+
+
+def test_a_part_and_the_core_have_all_that_a_scene_or_a_ladder_imports() -> None:
+    imports = imports_of(book_modules(WAVES / "simulations"))
+    parts = cut(imports, SCENES, LADDERS)
+    wanted = {f"scene-{key}": name for key, name in SCENES.items()}
+    wanted |= {f"ladder-{key}": name for key, name in LADDERS.items()}
+    assert reach(imports, ENTRY) <= parts[CORE]
+    for part, module in wanted.items():
+        assert reach(imports, module) <= parts[part] | parts[CORE], part
+        assert not parts[part] & parts[CORE], part

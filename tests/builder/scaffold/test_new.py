@@ -64,11 +64,6 @@ def test_its_code_is_formatted_and_free_of_lint(first_book: Path) -> None:
         assert done.returncode == 0, done.stdout
 
 
-def test_a_new_chapter_is_the_last_of_the_book(first_book: Path) -> None:
-    outline = (first_book / "content" / "book.toml").read_text(encoding="utf-8")
-    assert '  "02-step-by-step",\n  "03-second-fall",\n]' in outline
-
-
 def test_a_book_has_a_question_of_each_kind(first_book: Path) -> None:
     texts = "".join(file.read_text("utf-8") for file in first_book.glob("content/*.md"))
     for kind in (":kind: number", ":kind: order", ":kind: figure", ":kind: multiple", "{predict}"):

@@ -1,7 +1,10 @@
-"""The controls of a figure as its template gets them."""
+"""A figure as its template gets it: controls, and the menu of accuracies."""
 
 from dataclasses import dataclass
 from typing import Any
+
+import pytest
+from support.toy_ladder import toy_ladder
 
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
@@ -11,6 +14,7 @@ from site_builder.figures.initial_frames import InitialFrame
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.passage import Passage
 from site_builder.pages.views.control import control_cells
+from site_builder.pages.views.simulation import tier_labels
 
 
 def draw(_settings: Any, _outputs: Outputs) -> Frame:
@@ -45,3 +49,32 @@ def test_a_menu_of_long_words_has_a_row_of_a_phone_to_itself() -> None:
     cells, _ = control_cells(still(Settings), ())
     narrow = [cell.spans.partition(";")[0] for cell in cells]
     assert narrow == ["--narrow: 12", "--narrow: 12", "--narrow: 6", "--narrow: 6"]
+
+
+@dataclass(frozen=True, slots=True)
+class Empty:
+    """No controls."""
+
+
+def tiered(**fields: Any) -> Scene[Empty]:
+    tiers = ("rough", "fine")
+    return Scene("s", "S", Empty, draw, tiers=tiers, default_tier="fine", **fields)
+
+
+@pytest.fixture(autouse=True)
+def _of_the_book(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("site_builder.pages.views.simulation.load_ladder", toy_ladder)
+
+
+@pytest.mark.parametrize(
+    ("fields", "rough", "fine"),
+    [
+        ({"ladder": "toy"}, "Rough", "Fine"),
+        ({"ladder": "toy", "tier_labels": {"fine": "In every pixel"}}, "Rough", "In every pixel"),
+        ({"tier_labels": {"fine": "Smooth", "rough": "Coarse"}}, "Coarse", "Smooth"),
+    ],
+)
+def test_tiers_are_named_by_their_scene_or_else_by_their_ladder(
+    fields: dict[str, Any], rough: str, fine: str
+) -> None:
+    assert tier_labels(tiered(**fields)) == (("rough", rough), ("fine", fine))
