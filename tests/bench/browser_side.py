@@ -11,8 +11,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from playwright.sync_api import Page, sync_playwright
-from support.chromium import HOW_TO, find_chromium, launch_arguments
+from playwright.sync_api import Page
+from support.chromium import open_chromium
 from support.scripts import write_scripts
 from support.static_server import serving
 
@@ -43,20 +43,13 @@ class BrowserSide:
 
 @contextmanager
 def browser_meter(root: Path) -> Iterator[BrowserSide]:
-    executable = find_chromium()
-    if executable is None:
-        raise SystemExit(HOW_TO)
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+    with tempfile.TemporaryDirectory() as folder, open_chromium() as browser:
         pyodide = _lay_out(root, Path(folder))
-        browser = playwright.chromium.launch(executable_path=executable, args=launch_arguments())
-        try:
-            with serving(Path(folder)) as server:
-                page = browser.new_page()
-                page.set_default_timeout(0)
-                page.goto(server.url)
-                yield BrowserSide(page, f"Chromium {browser.version.split('.')[0]}", pyodide)
-        finally:
-            browser.close()
+        with serving(Path(folder)) as server:
+            page = browser.new_page()
+            page.set_default_timeout(0)
+            page.goto(server.url)
+            yield BrowserSide(page, f"Chromium {browser.version.split('.')[0]}", pyodide)
 
 
 def _lay_out(root: Path, site: Path) -> str:

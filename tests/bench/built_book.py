@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from playwright.sync_api import JSHandle, Page, sync_playwright
-from support.chromium import HOW_TO, find_chromium, launch_arguments
+from playwright.sync_api import JSHandle, Page
+from support.chromium import open_chromium
 from support.reader import DESK
 from support.static_server import serving
 
@@ -18,17 +18,10 @@ RESTS = """() => [...document.querySelectorAll('simulation-figure')]
 @contextmanager
 def open_book(site: Path) -> Iterator[tuple[Page, str]]:
     """A page, and the address of the book."""
-    executable = find_chromium()
-    if executable is None:
-        raise SystemExit(HOW_TO)
-    with sync_playwright() as playwright, serving(site) as server:
-        browser = playwright.chromium.launch(executable_path=executable, args=launch_arguments())
-        try:
-            page = browser.new_page(viewport=DESK, service_workers="block", bypass_csp=True)
-            page.set_default_timeout(60_000)
-            yield page, server.url
-        finally:
-            browser.close()
+    with open_chromium() as browser, serving(site) as server:
+        page = browser.new_page(viewport=DESK, service_workers="block", bypass_csp=True)
+        page.set_default_timeout(60_000)
+        yield page, server.url
 
 
 def script(page: Page, name: str) -> JSHandle:

@@ -8,8 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from bench.costs import keep
-from playwright.sync_api import Browser, sync_playwright
-from support.chromium import HOW_TO, find_chromium, launch_arguments
+from playwright.sync_api import Browser
+from support.chromium import open_chromium
 from support.host import Host, hosting
 
 from site_builder.book_root import ROOT
@@ -73,13 +73,7 @@ def measure(browser: Browser, host: Host) -> Iterator[tuple[str, int, int | None
 
 @contextmanager
 def browser_and_host(site: Path = SITE) -> Iterator[tuple[Browser, Host]]:
-    executable = find_chromium()
-    assert executable, HOW_TO
-    with (
-        sync_playwright() as playwright,
-        playwright.chromium.launch(executable_path=executable, args=launch_arguments()) as browser,
-        hosting(site, packed_copies(site)) as host,
-    ):
+    with open_chromium() as browser, hosting(site, packed_copies(site)) as host:
         yield browser, host
 
 

@@ -20,8 +20,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from playwright.sync_api import Page, sync_playwright
-from support.chromium import find_chromium, launch_arguments
+from playwright.sync_api import Page
+from support.chromium import open_chromium
 
 ROOT = Path(__file__).resolve().parents[2]
 PARTS = ("content", "simulations", "site_builder", "static", "LICENSE")
@@ -69,7 +69,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="bench.edit_loop", description=__doc__)
     parser.add_argument("--rounds", type=int, default=7)
     given = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder, browser_page() as page:
+    with tempfile.TemporaryDirectory() as folder, open_chromium() as browser:
+        page = browser.new_page(service_workers="block")
         book = Path(folder) / "book"
         copy_book(book)
         with served(book) as address:
@@ -88,15 +89,6 @@ def copy_book(folder: Path) -> None:
             shutil.copytree(ROOT / part, folder / part, ignore=ignored)
         else:
             shutil.copy(ROOT / part, folder / part)
-
-
-@contextmanager
-def browser_page() -> Iterator[Page]:
-    executable = find_chromium()
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=executable, args=launch_arguments())
-        yield browser.new_page(service_workers="block")
-        browser.close()
 
 
 @contextmanager

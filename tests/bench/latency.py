@@ -3,8 +3,8 @@
 Every slider of every scene of the built book is dragged from end to end and back by a script that
 stands outside the book's own: see ``js/drag.js``. A time runs from an event to the first animation
 frame after the one that shows the answer, so that it is a whole number of display frames, about.
-What is found goes into a JSON file, one row a slider; a slider whose 95th percentile is beyond its
-scene's bound is named at the end. ``--scene`` for some scenes only: their rows replace the old.
+A slider whose 95th percentile is beyond its scene's bound is named at the end. ``--scene`` for some
+scenes only.
 Of all scenes, a summary goes to what pages cost, for the book to tell.
 """
 
@@ -12,8 +12,8 @@ import argparse
 import json
 import statistics
 import sys
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -105,18 +105,10 @@ def summary(rows: Sequence[Latency]) -> dict[str, float]:
     }
 
 
-def merged(old: Sequence[Mapping[str, Any]], new: Sequence[Latency]) -> list[dict[str, Any]]:
-    """New rows in place of the old ones of their scenes."""
-    scenes = {found.scene for found in new}
-    kept = [dict(each) for each in old if each["scene"] not in scenes]
-    return [*kept, *(asdict(found) for found in new)]
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(prog="bench.latency", description=__doc__)
     parser.add_argument("--scene", action="append", default=[])
     parser.add_argument("--site", type=Path, default=ROOT / "build" / "site")
-    parser.add_argument("--json", type=Path, default=ROOT / "build" / "bench" / "latency.json")
     asked = parser.parse_args()
     book = json.loads((asked.site / "book.json").read_text(encoding="utf-8"))
     wanted = asked.scene or [each["id"] for each in book["simulations"]]
@@ -126,10 +118,6 @@ def main() -> int:
         for found in measure(page, address, book, wanted):
             rows.append(found)
             print(line(found), flush=True)
-    old = json.loads(asked.json.read_text(encoding="utf-8")) if asked.json.is_file() else []
-    asked.json.parent.mkdir(parents=True, exist_ok=True)
-    text = json.dumps(merged(old, rows), ensure_ascii=False, indent=1)
-    asked.json.write_text(text + "\n", encoding="utf-8")
     if not asked.scene:
         keep("frames", summary(rows))
     late = [found for found in rows if found.late]

@@ -1,17 +1,15 @@
-"""What one moved control costs of a whole frame: ``PYTHONPATH=tests python -m bench.stage_costs``,
-or of single controls, ``… camera.back``.
+"""What one moved control costs of a whole frame: ``PYTHONPATH=tests python -m bench.stage_costs``.
 
 The frame after the move, and the same frame with nothing at hand, take turns, so that a busy
 moment of the machine falls on both; of each, the fastest counts, in time of the processor. What is
 found goes into ``content/stage-costs.json``, from which the book's table is made.
 """
 
-import json
-import sys
 import time
-from collections.abc import Collection
 from pathlib import Path
 from typing import Any
+
+from bench.record import write
 
 from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
@@ -62,28 +60,16 @@ def measure_move(
     }
 
 
-def measure(scene_id: str, known: dict[str, Any], wanted: Collection[str]) -> dict[str, object]:
-    """All moves of a scene; where single ones are wanted, the others as they are known."""
+def measure(scene_id: str) -> dict[str, object]:
+    """All moves of a scene."""
     scene, start = load_scene(scene_id), START[scene_id]
     time_frame(scene, start, StageCache())  # whatever is prepared once only
     moves = {}
     for control, value in MOVES[scene_id].items():
-        if wanted and f"{scene_id}.{control}" not in wanted:
-            moves[control] = known[control]
-            continue
         moves[control] = {"to": value, **measure_move(scene, start, {control: value})}
         print(f"{scene_id}: {control} {moves[control]}")
     return {"start": start, "moves": moves}
 
 
-def main() -> None:
-    known = json.loads(DATA.read_text(encoding="utf-8"))
-    found = {
-        scene_id: measure(scene_id, known.get(scene_id, {}).get("moves", {}), sys.argv[1:])
-        for scene_id in MOVES
-    }
-    DATA.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main()
+    write({scene_id: measure(scene_id) for scene_id in MOVES}, DATA)

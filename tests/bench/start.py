@@ -7,8 +7,7 @@ is touched at once. The other page is what Pyodide's documentation tells authors
 Pyodide, numpy and the modules, import them, draw. It has the files of Pyodide's release, from the
 same server.
 
-``--json FILE`` adds the runs to those that the file holds, so that they can be made a few at a
-time; medians and ratios are of all. ``--keep`` puts these among the costs that the book tells.
+``--keep`` puts medians and ratios among the costs that the book tells.
 """
 
 import argparse
@@ -23,7 +22,6 @@ from statistics import median
 from typing import Any
 
 from bench.costs import keep
-from bench.machine import describe_machine
 from bench.record import significant
 from playwright.sync_api import BrowserContext, BrowserType, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
@@ -116,14 +114,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="bench.start", description=__doc__)
     parser.add_argument("--site", type=Path, default=SITE)
     parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--json", type=Path, help="add the runs to those of this file")
     parser.add_argument("--keep", action="store_true", help="tell them in the book")
     given = parser.parse_args()
     executable = find_chromium()
     if executable is None:
         raise SystemExit(HOW_TO)
-    kept = given.json and given.json.is_file()
-    runs: list[Run] = json.loads(given.json.read_text())["runs"] if kept else []
+    runs: list[Run] = []
     with sync_playwright() as playwright, laid_out(given.site) as address:
         start = partial(profile, playwright.chromium, str(executable))
         for _ in range(given.rounds):
@@ -133,10 +129,6 @@ def main() -> None:
     print(json.dumps(record, indent=1))
     if given.keep:
         keep("start", record)
-    if given.json:
-        machine = describe_machine("Chromium", VERSIONS.pyodide)
-        kept_as = {"scene": SCENE, "machine": machine, **record, "runs": runs}
-        given.json.write_text(json.dumps(kept_as, indent=1) + "\n", encoding="utf-8")
 
 
 def summary(runs: Sequence[Run]) -> dict[str, Any]:

@@ -29,7 +29,10 @@ KINDS = {
     "login": (Fault(lambda _: LOGIN, media_type="text/html"), "a web page came"),
     "login as file": (Fault(lambda _: LOGIN), "a web page came"),
     "type": (Fault(media_type="text/plain"), "the server sends"),
-    "other release": (Fault(lambda table: table.replace(b'"sha256-', b'"sha256-A')), "damaged or does not belong"),
+    "other release": (
+        Fault(lambda table: table.replace(b'"sha256-', b'"sha256-A')),
+        "damaged or does not belong",
+    ),
 }
 """What is wrong with a file, and what is said of it."""
 FAULTS = {

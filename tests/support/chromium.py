@@ -4,12 +4,15 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+
+from playwright.sync_api import Browser, sync_playwright
 
 from site_builder.editions.chromium import find_chromium, launch_arguments
 
-__all__ = ["find_chromium", "find_headless_shell", "launch_arguments"]
+__all__ = ["find_chromium", "find_headless_shell", "launch_arguments", "open_chromium"]
 
 HOW_TO = (
     "the browser tests need Chromium, and none could be found or installed; "
@@ -27,6 +30,19 @@ def find_headless_shell() -> Path | None:
     """
     found = shutil.which(SHELL)
     return Path(found) if found else None
+
+
+@contextmanager
+def open_chromium() -> Iterator[Browser]:
+    """The whole browser, for measuring; raises `SystemExit` where there is none."""
+    found = find_chromium()
+    if found is None:
+        raise SystemExit(HOW_TO)
+    with (
+        sync_playwright() as playwright,
+        playwright.chromium.launch(executable_path=found, args=launch_arguments()) as browser,
+    ):
+        yield browser
 
 
 def install_commands() -> list[list[str]]:

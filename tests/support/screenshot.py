@@ -3,8 +3,8 @@
 import sys
 from pathlib import Path
 
-from playwright.sync_api import Page, sync_playwright
-from support.chromium import find_chromium, launch_arguments
+from playwright.sync_api import Page
+from support.chromium import open_chromium
 from support.static_server import serving
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -37,14 +37,11 @@ def readme_picture(page: Page) -> Path:
 
 
 def main(address: str) -> None:
-    chromium = find_chromium()
-    with serving(ROOT / "build" / "site") as server, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=launch_arguments())
+    with open_chromium() as browser, serving(ROOT / "build" / "site") as server:
         page = browser.new_page(viewport={"width": 1280, "height": 860})
         page.goto(server.url + (address or "lens-distortion/"))
         page.wait_for_function(ALIVE)
         print(page_picture(page, address) if address else readme_picture(page))
-        browser.close()
 
 
 if __name__ == "__main__":
