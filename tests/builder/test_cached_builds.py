@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from support.little_book import files_of
 
 from simulations.registry import load_scene
 from site_builder import cache, chapters
@@ -16,52 +17,6 @@ from site_builder.markdown.chapter import Draft, read_chapter
 from site_builder.markdown.targets import Targets
 from site_builder.output.assets import content_bytes
 
-FILES = {
-    "content/book.toml": """\
-title = "Small Book"
-subtitle = "A book for tests."
-prerequisites = "None."
-chapters = ["00-first", "01-second"]
-""",
-    "content/00-first.md": """\
----
-title: First
-summary: The first chapter.
----
-
-## A section
-
-A pinhole is small {cite}`zhang2000`, as $x = 1$ is.
-
-:::{figure} images/plan.svg
-:alt: A plan.
-A plan.
-:::
-
-""",
-    "content/01-second.md": """\
----
-title: Second
-summary: The second chapter.
----
-
-## Another
-
-Text, and {ref}`a-section`; $y = 2$. The area is {readout}`transform-2d area amount=40`.
-
-:::{simulation} transform-2d
-:amount: 20
-Move it.
-:::
-""",
-    "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 30"/>\n',
-    "content/references.bib": """\
-@article{zhang2000,
-  author = {Zhang, Zhengyou}, title = {A flexible technique}, journal = {PAMI}, year = {2000},
-}
-""",
-    "content/glossary.toml": '["pinhole"]\nsays = "A small hole."\nexplained = "first#a-section"\n',
-}
 EDITS = {
     "a sentence": ("content/00-first.md", "is small", "is tiny"),
     "the title of a section": ("content/00-first.md", "## A section", "## The section"),
@@ -79,7 +34,7 @@ type Built = Mapping[str, bytes] | str
 @pytest.fixture
 def book(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> Options:
     monkeypatch.setattr(cache, "STARTED_NS", float("inf"))  # else sources may be too young
-    return replace(make_book(files=FILES), load_scene=load_scene)
+    return replace(make_book(files=files_of("cached")), load_scene=load_scene)
 
 
 @pytest.fixture(scope="module")

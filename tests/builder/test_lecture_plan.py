@@ -3,48 +3,17 @@
 from collections.abc import Callable
 
 from support.html_outline import read_html
-from support.little_book import rendered
+from support.little_book import files_of, rendered
 
 from site_builder.build import Options
 
 type MakeBook = Callable[..., Options]
 
-ASKED = "What?\n- [x] this\n  : yes\n- [ ] that\n  : no\n:::\n"
-FIRST = f"""
-## Lines
-
-:::{{simulation}} demo
-Here.
-:::
-
-:::{{quiz}} within
-{ASKED}
-## Planes
-
-:::{{simulation}} demo
-There.
-:::
-
-## Questions
-
-:::{{quiz}} at-the-end
-{ASKED}"""
-PLAN = """\
-intro = "What teaches what."
-
-[[section]]
-number = "2.1"
-title = "Primitives"
-note = "Points and lines."
-taught = [
-  "first#lines",
-]
-"""
 FILE = "content/lecture-plan.toml"
 
 
 def test_a_section_is_listed_with_what_it_shows_and_asks_and_no_other(make_book: MakeBook) -> None:
-    page = read_html(rendered(make_book(FIRST, {FILE: PLAN}))["lecture-plan/index.html"])
+    page = read_html(rendered(make_book(files=files_of("lecture-plan")))["lecture-plan/index.html"])
     links = [link.attributes["href"] for link in page.all("a") if "li" in link.inside]
     assert [link for link in links if link and link.startswith("../first/#")] == [
         "../first/#lines",
@@ -55,9 +24,11 @@ def test_a_section_is_listed_with_what_it_shows_and_asks_and_no_other(make_book:
 
 
 def test_the_contents_lead_to_the_plan_where_there_is_one(make_book: MakeBook) -> None:
-    def links(files: dict[str, str]) -> list[str | None]:
-        page = read_html(rendered(make_book(FIRST, files))["first/index.html"])
-        return [link.attributes.get("href") for link in page.all("a")]
-
-    assert "../lecture-plan/" not in links({})
-    assert "../lecture-plan/" in links({FILE: PLAN})
+    files = files_of("lecture-plan")
+    for given in (files, {name: text for name, text in files.items() if name != FILE}):
+        site = rendered(make_book(files=given))
+        led_to = {
+            link.attributes.get("href") for link in read_html(site["first/index.html"]).all("a")
+        }
+        assert ("../lecture-plan/" in led_to) is (FILE in given)
+        (make_book().root / FILE).unlink(missing_ok=True)

@@ -1,6 +1,7 @@
 """A little book, checked and rendered, and its one scene."""
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
@@ -17,6 +18,13 @@ from site_builder.output.assets import content_bytes
 OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 """Of two chapters, and no figure on the cover."""
 FRONT = "---\ntitle: First\nsummary: The first chapter.\n---\n"
+
+
+def files_of(name: str) -> dict[str, str]:
+    """The files of a book in ``fixtures/little_books``, by path."""
+    root = Path(__file__).parents[1] / "fixtures" / "little_books" / name
+    files = (file for file in root.rglob("*") if file.is_file())
+    return {file.relative_to(root).as_posix(): file.read_text("utf-8") for file in files}
 
 
 def diagnostics(options: Options) -> list[Diagnostic]:

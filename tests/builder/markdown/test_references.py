@@ -4,69 +4,12 @@ from collections.abc import Callable, Mapping
 
 import pytest
 from support.html_outline import Page, read_html
-from support.little_book import rendered
+from support.little_book import files_of, rendered
 
 from site_builder.build import Options
 
 type MakeBook = Callable[..., Options]
 
-FIRST = """
-## Shared words
-
-$$
-a = b
-$$ (balance)
-
-:::{note}
-$$c = d$$
-:::
-
-:::{simulation} demo
-Here.
-:::
-
-:::{simulation} demo
-:::
-
-:::{example} Twice two
-Four.
-:::
-
-:::{table} Numbers
-:label: some-numbers
-| a |
-|---|
-| 1 |
-:::
-
-:::{quiz} same
-What?
-- [x] this
-  : yes
-- [ ] that
-  : no
-:::
-"""
-SECOND = """---
-title: Second
-summary: s
----
-
-## Shared words
-
-See {ref}`first`, {ref}`first` again, {ref}`balance`, {ref}`first#figure-demo`,
-{ref}`figure-demo-2`, {ref}`some-numbers`, {ref}`example-twice-two`, {ref}`quiz-same`,
-{ref}`first#shared-words`, {ref}`#shared-words`, and {ref}`the number {number} <balance>`.
-
-$$e = f$$
-
-:::{simulation} demo
-:::
-
-:::{figure} images/plan.svg
-:alt: A plan
-:::
-"""
 IN_ORDER = 'chapters = ["00-first", "01-second"]\n'
 SWAPPED = 'chapters = ["01-second", "00-first"]\n'
 APPENDED = 'chapters = ["00-first"]\nappendices = ["01-second"]\n'
@@ -77,8 +20,8 @@ def outline(order: str) -> str:
 
 
 def pages(make_book: MakeBook, order: str) -> Mapping[str, Page]:
-    files = {"content/book.toml": outline(order), "content/01-second.md": SECOND}
-    site = rendered(make_book(FIRST, files))
+    files = {**files_of("references"), "content/book.toml": outline(order)}
+    site = rendered(make_book(files=files))
     return {name: read_html(site[f"{name}/index.html"]) for name in ("first", "second")}
 
 

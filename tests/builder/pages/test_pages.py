@@ -8,68 +8,16 @@ from pathlib import Path
 
 import pytest
 from support.html_outline import Page, read_html
-from support.little_book import rendered
+from support.little_book import files_of, rendered
 
 from site_builder.build import Options
 from site_builder.pages.licences import gather_licences
 from site_builder.runtime.pinned import VERSIONS
 
-BODY = """
-## Start
-
-See [the second](01-second.md#a-section) or [this section](#start).
-
-:::{simulation} demo
-:k1: -0.25
-:tier: fast
-A caption with $k_1$.
-:::
-
-:::{note}
-What happens at zero?
-
-:::{simulation} demo
-Again.
-:::
-:::
-
-:::{quiz} first-quiz
-How many "degrees"?
-
-- [ ] 4
-  : A similarity: less than `</script>` four.
-- [x] 6
-  : Yes.
-:::
-
-:::{example} By hand
-Twice two is four.[^note]
-:::
-
-:::{source} simulations.models.thing:double
-It doubles.
-:::
-
-:::{figure} images/plan.svg
-:alt: A plan
-A *plan*.
-:::
-
-:::{table} Two columns
-| a | b |
-|---|---|
-| 1 | 2 |
-:::
-
-### Detail
-
-[^note]: Check it.
-"""
-
 
 @pytest.fixture
 def site(make_book: Callable[..., Options]) -> Mapping[str, bytes]:
-    return rendered(make_book(BODY))
+    return rendered(make_book(files=files_of("pages")))
 
 
 @pytest.fixture

@@ -6,62 +6,20 @@ import sys
 from pathlib import Path
 
 import pytest
+from support.little_book import files_of
 
 ROOT = Path(__file__).resolve().parents[3]
-BOOK = """\
-title = "Small Book"
-subtitle = "A book for tests."
-prerequisites = "None."
-hero = "transform-2d"
-hero_caption = "It turns."
-address = "https://example.org/small/"
-source = "https://example.org/small/source/{path}"
-chapters = ["00-first", "01-second"]
-"""
-FIRST = """\
----
-title: First
-summary: The first chapter.
----
-
-## A section
-
-Öl is {term}`fluid`: $x^2$, {cite}`k`.
-
-```python
-print("text")
-```
-
-:::{simulation} transform-2d
-Turn it.
-:::
-
-:::{quiz} sure
-Is it?
-- [x] Yes
-  : It is.
-- [ ] No
-  : It is.
-:::
-"""
-FILES = {
-    "content/book.toml": BOOK,
-    "content/00-first.md": FIRST,
-    "content/01-second.md": "---\ntitle: Second\nsummary: More.\n---\n\nText.\n",
-    "content/references.bib": "@misc{k, author = {A, B}, title = {T}, year = 2000}\n",
-    "content/glossary.toml": '[fluid]\nsays = "It flows."\nexplained = "first#a-section"\n',
-    "content/news.toml": '[[entry]]\ndate = 2026-11-22\ntitle = "Out"\nsays = "It is."\n',
-}
 ONE = {"TZ": "UTC", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "1"}
 OTHER = {"TZ": "Pacific/Auckland", "LC_ALL": "C", "PYTHONHASHSEED": "77"}
 PLAIN = "import sys; from pathlib import Path; from site_builder.build import build_site; "
 PLAIN += "build_site(Path(sys.argv[1]), Path(sys.argv[2]), runtime=False)"
 
 
-def write_book(root: Path, names: list[str]) -> None:
-    for name in names:
+def write_book(root: Path, *, reverse: bool = False) -> None:
+    files = files_of("equal")
+    for name in sorted(files, reverse=reverse):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(FILES[name], encoding="utf-8")
+        (root / name).write_text(files[name], encoding="utf-8")
     (root / "static").symlink_to(ROOT / "static")
     (root / "simulations").symlink_to(ROOT / "simulations")
 
@@ -77,8 +35,8 @@ def build(how: list[str], folder: Path, settings: dict[str, str], umask: int) ->
 @pytest.mark.deep
 def test_two_machines_build_the_same_bytes(tmp_path: Path) -> None:
     one, other = tmp_path / "one", tmp_path / "an öther" / "place"
-    write_book(one, sorted(FILES))
-    write_book(other, sorted(FILES, reverse=True))
+    write_book(one)
+    write_book(other, reverse=True)
     first = build(["-c", PLAIN], one, ONE, 0o022)
     second = build([str(ROOT / "tests/support/odd_machine.py")], other, OTHER, 0o077)
     assert {"sitemap.xml", "feed.xml", "card.png"} <= {name.removeprefix("site/") for name in first}

@@ -3,58 +3,16 @@
 from collections.abc import Callable
 
 import pytest
+from support.little_book import files_of
 
 from site_builder.build import Options, check_site
 from site_builder.pages.reading_time import reading_minutes
 from site_builder.render.sections import Section, chapter_sections
 
-TEXT = """
-An opening with a **term**.
-
-## Bent *lines* {#bend}
-
-The factor $k_1$ counts, $a + b + c + d + e + f + g + h$.
-
-$$ displayed = 1 $$
-
-```python
-secret = "code"
-```
-
-:::{simulation} demo
-Pull it.
-:::
-
-:::{note} Silent title
-In an aside.
-:::
-
-:::{quiz} many
-How many?
-- [x] seven
-  : Right: nine.
-- [ ] eight
-  : Wrong.
-:::
-
-:::{predict} guess
-:kind: choice
-A guess?
-- [x] ten
-  : Good.
-- [ ] eleven
-  : Bad.
-:::
-
-:::{answer} guess
-It is twelve.
-:::
-"""
-
 
 @pytest.fixture
 def sections(make_book: Callable[..., Options]) -> tuple[Section, ...]:
-    book, *_ = check_site(make_book(TEXT.replace(" {#bend}", "")))
+    book, *_ = check_site(make_book(files=files_of("sections")))
     return chapter_sections(book.chapters[0], lambda _figure: "A barrel.")
 
 
