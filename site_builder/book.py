@@ -1,4 +1,4 @@
-"""A chapter and the whole book, read: what is checked, and then becomes HTML."""
+"""A chapter and the whole book, read, before they are checked and rendered."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -108,7 +108,7 @@ class Chapter:
 
 @dataclass(frozen=True, slots=True)
 class Taught:
-    """A section of a chapter, with what it shows and asks."""
+    """A section of a chapter, with its figures and questions."""
 
     chapter: Target
     section: Target
@@ -157,7 +157,7 @@ class Book:
     symbols: Mapping[str, tuple[Meaning, ...]] = field(default_factory=dict)
     """By the chapter for which they are declared, or `BOOK`."""
     settings: Settings = UNSET
-    """All that ``book.toml`` says."""
+    """Of ``book.toml``."""
     words: Words = ENGLISH
     """Those of the interface."""
     address: str = ""

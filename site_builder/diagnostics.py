@@ -78,9 +78,9 @@ def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
 
 
 def cause(error: Exception) -> str:
-    """``ZeroDivisionError: a division by zero, at simulations/…/scene.py:12``: what stopped code
-    that is not the builder's own, and where."""
-    said = words_of(error)
-    told = f"{type(error).__name__}: {said}" if said else type(error).__name__
+    """``ZeroDivisionError: a division by zero, at simulations/…/scene.py:12``: an exception of
+    an author's code, and where it was raised."""
+    words, name = words_of(error), type(error).__name__
+    message = f"{name}: {words}" if words else name
     place = place_of(error)
-    return f"{told}, at {place}" if place else told
+    return f"{message}, at {place}" if place else message

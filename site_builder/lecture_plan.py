@@ -1,6 +1,6 @@
 """``content/lecture-plan.toml``: the sections of another textbook, and ours that teach them.
 
-Only the sections are named there. What each shows and asks is read off the chapters.
+The file only names sections. Their figures and questions are found in the chapters.
 """
 
 from collections.abc import Iterator, Sequence

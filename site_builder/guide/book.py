@@ -11,7 +11,7 @@ from site_builder.scaffold.files import SUFFIX, filled
 
 OWN = Path(__file__).with_name("book")
 TAKEN = ("simulations", "content/measurements.json")
-"""What the guide has of a new book."""
+"""Files that the guide takes from the template of a new book."""
 
 
 def guide_files() -> dict[str, bytes]:
@@ -43,8 +43,8 @@ def guide_files() -> dict[str, bytes]:
 
 
 def write_guide(folder: Path) -> None:
-    """Write the guide into ``folder``, in the place of what was there; what has not changed keeps
-    its time, so that a server of the guide builds only for what has."""
+    """Replace the contents of ``folder`` by the guide. Unchanged files are left alone, so that a
+    server of the guide builds only what has changed."""
     files = guide_files()
     for old in sorted(folder.rglob("*")) if folder.is_dir() else ():
         if old.is_file() and old.relative_to(folder).as_posix() not in files:

@@ -27,7 +27,7 @@ EXAMPLES = Path(__file__).with_name("examples")
 
 
 class NoExampleError(LookupError):
-    """A declaration that no example shows; the message says what to write."""
+    """A declaration without an example; the message names the file to write."""
 
 
 def directive_page(directives: Sequence[Directive[Any]] = DIRECTIVES) -> str:

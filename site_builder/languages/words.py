@@ -1,8 +1,8 @@
-"""Words of the interface in one language: ``LANGUAGE.toml`` beside this file.
+"""Words of the interface in one language: ``LANGUAGE.toml`` in this folder.
 
 A key is the name of its table and its own: ``search.close``. A text has placeholders,
 ``{count} of {most}``; one that depends on a number is a table with the forms ``one`` and ``other``,
-chosen by ``count``. What stands below ``script`` is what scripts say.
+chosen by ``count``. Scripts use the texts below ``script``.
 """
 
 import re
@@ -17,7 +17,7 @@ from markupsafe import Markup
 HERE = Path(__file__).parent
 FORMS = frozenset({"one", "other"})
 SCRIPT = "script."
-"""Begins the keys of what scripts say."""
+"""Begins the keys of the texts for scripts."""
 DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
 
 type Text = str | Mapping[str, str]
@@ -63,7 +63,7 @@ class Words:
 
     @property
     def of_scripts(self) -> dict[str, Text]:
-        """What scripts say, by keys that begin behind ``script.``."""
+        """The texts for scripts, by keys without ``script.``."""
         return {
             key.removeprefix(SCRIPT): text
             for key, text in self.texts.items()

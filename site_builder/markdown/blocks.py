@@ -61,7 +61,7 @@ def _end_of_element(tokens: Sequence[Token], start: int) -> int:
 
 
 def _without_directives(element: Sequence[Token], context: ParseContext) -> list[Token]:
-    """Directives inside lists and quotations would be lost in a run of prose: report them."""
+    """Prose; a directive inside a list or quotation, which has no place there, is reported."""
     for token in element:
         if token.type == "directive_open":
             call: DirectiveCall = token.meta["call"]

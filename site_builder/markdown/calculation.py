@@ -143,7 +143,7 @@ def _assigned(target: ast.expr, value: object) -> Iterator[tuple[str, object]]:
 
 
 def _formatted(written: str, context: ParseContext) -> Iterator[tuple[str, str]]:
-    """Digits, and the exponent of ten or nothing, of each number that is asked for."""
+    """Digits, and the exponent of ten or nothing, of each number."""
     expression, spec = FORM.fullmatch(written).groups()  # type: ignore[union-attr]
     value = evaluate(expression, names_for(context))
     several = isinstance(value, tuple) or (isinstance(value, np.ndarray) and value.ndim > 0)

@@ -35,8 +35,7 @@ def parse_chapter(text: str, context: ParseContext) -> Draft:
         context.problem(line, message)
     matter = read_front_matter(tokens, context)
     position, name = context.position, context.chapter
-    title, said = matter.title, position.name
-    target = Target(position.kind, name, "", position.mark, title, 1, name=said)
+    target = Target(position.kind, name, "", position.mark, matter.title, 1, name=position.name)
     return Draft(tokens, matter, target, number_targets(tokens, name, context), context)
 
 

@@ -1,4 +1,4 @@
-"""What a directive is: one value that says how it is written, what reads it and what shows it.
+"""A directive as one value: how it is written, what reads it and what shows it.
 
 The parser, the checks, the table of templates and the author's guide all follow from these
 values; ``directives/__init__.py`` lists them.
@@ -58,11 +58,11 @@ class Argument:
     form: str
     """As the author's guide shows it: ``scene-id``."""
     lacks: str = ""
-    """What is said of a directive without it: ``names no scene``. Nothing: it may be left out."""
+    """The message where it is missing: ``names no scene``. Empty: it is optional."""
     expected: Collection[str] | None = None
     """All that it may be; None: any text, for the reader to judge."""
     kind: str = ""
-    """What it is one of, where ``expected`` says: ``table of extremes``."""
+    """The name of what ``expected`` lists: ``table of extremes``."""
     file: FileKind | None = None
     """The file of ``content/`` that it names."""
 
@@ -92,7 +92,7 @@ class Body[B]:
     read: Callable[[DirectiveCall, Sequence[Token], ParseContext], B]
     """Its tokens as the directive's reader gets them; reports what may not stand there."""
     nests: bool = False
-    """Whether it is made of blocks, which the page keeps with the directive's own."""
+    """Whether it is made of blocks, which the template gets as ``inside``."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,8 +24,8 @@ ROLE_NAMES = tuple(role.name for role in ROLES)
 def annotate(tokens: Sequence[Token], context: ParseContext) -> None:
     """Give formulae, code, links and headings what rendering needs; report what is illegal."""
     for token, line in located(tokens):
-        if see := SEEN_TO.get(token.type):
-            see(token, line, context)
+        if handle := HANDLERS.get(token.type):
+            handle(token, line, context)
     list_headings(tokens, context)
     glue_formulae(tokens)
 
@@ -110,8 +110,7 @@ def _gather_link(token: Token, line: int, context: ParseContext) -> None:
 
 
 def _drop_html(token: Token, line: int, context: ParseContext) -> None:
-    """Comments are the author's own; other HTML, which would escape every check, is let through
-    only where ``book.toml`` says so."""
+    """Drop comments; report other HTML, which no check covers, unless ``book.toml`` trusts it."""
     markup = token.content.strip()
     if context.shared.raw_html and not markup.startswith("<!--"):
         return
@@ -136,7 +135,7 @@ def _refuse_picture(_token: Token, line: int, context: ParseContext) -> None:
     context.problem(line, f"picture in running text; legal: {expected}")
 
 
-SEEN_TO: Mapping[str, Callable[[Token, int, ParseContext], None]] = {
+HANDLERS: Mapping[str, Callable[[Token, int, ParseContext], None]] = {
     "math_inline": _set_formula,
     "math_block": _set_formula,
     "math_block_label": _set_formula,
@@ -148,4 +147,4 @@ SEEN_TO: Mapping[str, Callable[[Token, int, ParseContext], None]] = {
     "html_inline": _drop_html,
     "html_block": _drop_html,
 }
-"""What `annotate` does with each kind of token."""
+"""What `annotate` calls for each kind of token."""

@@ -1,4 +1,4 @@
-"""Numbers and ids of a page, given out before a word is looked at, since words speak of them.
+"""Numbers and ids of a page, assigned before its text is read, which may refer to them.
 
 Figures, equations, tables, examples, predictions and questions are counted by chapter, in the
 order of the page. An id comes from what its author wrote, never from a number, and so stays when
@@ -27,8 +27,8 @@ LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 def number_targets(
     tokens: Sequence[Token], chapter: str, context: ParseContext
 ) -> tuple[Target, ...]:
-    """Every thing of the page that a reference may lead to, in order. Directives, equations and
-    headings learn their ids and numbers."""
+    """Every thing of the page that a reference may lead to, in order. Equations and
+    headings get their ids and targets here."""
     numbering = _Numbering(chapter, context)
     closed: list[bool] = []
     for index, token in enumerate(tokens):
@@ -92,8 +92,8 @@ class _Numbering:
         line, text = (opening.map or [0])[0] + 1, plain_text(inline)
         name = self.context.take_id(slug(text), line, "heading")
         opening.attrSet("id", name)
-        said = self.context.shared.words("labels.section", title=text)
-        target = Target("Section", self.chapter, name, "", text, line, name=said)
+        shown = self.context.shared.words("labels.section", title=text)
+        target = Target("Section", self.chapter, name, "", text, line, name=shown)
         closing.meta["target"] = target
         self.targets.append(target)
 
@@ -107,7 +107,7 @@ class _Numbering:
         self.counts[kind] += 1
         number = f"{self.context.position.mark}.{self.counts[kind]}"
         label = self.context.shared.words.label(kind)
-        said = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
-        target = Target(kind, self.chapter, name, number, "", line, labelled, said)
+        shown = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
+        target = Target(kind, self.chapter, name, number, "", line, labelled, shown)
         self.targets.append(target)
         return target

@@ -1,4 +1,4 @@
-"""What is at hand, and what is gathered, while one Markdown file is read."""
+"""What one Markdown file is read with, and what is collected while it is read."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -85,18 +85,18 @@ class ParseContext:
     values: dict[str, object] = field(default_factory=dict)
     """Functions and values that ``calc`` blocks of the page name."""
     env: dict[str, Any] = field(default_factory=dict)
-    """What the parser keeps between parsing and rendering: link references, footnotes."""
+    """The parser's own state: link references, footnotes."""
     headings: list[Heading] = field(default_factory=list)
     links: list[Link] = field(default_factory=list)
     """Links that lead out of the book."""
     ids: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PAGE_IDS, 0))
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
     figures: list[Place] = field(default_factory=list)
-    """All of the page, in order: known before a word is looked at, since words speak of them."""
+    """All of the page, in order, found before its text is read, which may refer to them."""
     placed: dict[int, Target] = field(default_factory=dict)
-    """What is numbered of the page's directives, by the line that opens them."""
+    """Numbered directives of the page, by the line that opens them."""
     introduced: set[str] = field(default_factory=set)
-    """Chapters whose titles the page has told."""
+    """Chapters that the page has named with their titles."""
     citations: list[Citation] = field(default_factory=list)
     term_uses: list[TermUse] = field(default_factory=list)
     index_marks: list[IndexMark] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""What a role is, ``{name}`words``` in running text, and the inline rule that finds its uses."""
+"""A role, ``{name}`words``` in running text, as one value, and the inline rule that finds it."""
 
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -22,7 +22,7 @@ class Linked:
     fill: Callable[[str], str] | None = None
     """What each run of its words becomes; without it they stay."""
     meta: Mapping[str, object] = field(default_factory=dict)
-    """What later passes over the page ask of it."""
+    """For later passes over the page."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,20 +35,19 @@ class Role:
     doc: str
     """What becomes of it, for the same guide."""
     text: Callable[[str, ParseContext], str] | None = None
-    """What the page says instead of the words; without it the words stay, in the role's colour."""
+    """The text in place of the words; without it the words stay, in the role's colour."""
     link: Callable[[str, str | None, int, ParseContext], Linked] | None = None
     """The link that the words become. It gets them, what stands in ``<…>`` at their end, and its
     line; and reports what is wrong there."""
     inline: Callable[[str, int, ParseContext], Sequence[Token]] | None = None
     """What stands instead of the words, several links for example; reports what is wrong."""
     refuses: type[Exception] = LookupError
-    """What ``text`` raises where the words ask for nothing that there is."""
+    """What ``text`` raises where its words are wrong."""
 
 
 def role_rule(roles: Mapping[str, Role], state: StateInline, silent: bool) -> bool:
     """A token ``role`` that holds the words, until annotation replaces them; or the words within
-    ``role_open`` and ``role_close``, coloured or linked. Unknown names are left to annotation too,
-    which knows their line."""
+    ``role_open`` and ``role_close``, coloured or linked. Annotation reports unknown names."""
     match = USE.match(state.src, state.pos)
     if not match:
         return False

@@ -1,4 +1,4 @@
-"""One use of a directive against what the directive says of itself."""
+"""The check of one directive in a text against its declaration."""
 
 import re
 from dataclasses import replace
@@ -13,8 +13,8 @@ from site_builder.markdown.parse_context import ParseContext
 def checked(
     directive: Directive[Any], call: DirectiveCall, context: ParseContext
 ) -> DirectiveCall | None:
-    """The use with legal options only and with their defaults; None where it lacks its argument
-    or has one that is not legal. Everything illegal is reported."""
+    """The call with legal options only and with their defaults; None where its argument is missing
+    or illegal. Everything illegal is reported."""
     options = _checked_options(directive, call, context)
     if fault := _fault_of_argument(directive, call, context):
         context.problem(call.line, fault)

@@ -1,5 +1,5 @@
-"""The parts of a page, and those of them that other parts of the builder ask for: simulations are
-drawn, quoted modules get a page. A directive keeps the class of what it shows in its own file.
+"""The parts of a page. Those that other parts of the builder use are here, simulations and quoted
+modules; the content of every other directive is a class in its own file.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -13,7 +13,7 @@ from site_builder.page_model.places import Target
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """A part of a page: a run of plain Markdown, or what one directive says."""
+    """A part of a page: a run of plain Markdown, or one directive."""
 
     template: str
     """Its file below ``templates/blocks/``, without ``.html``."""

@@ -9,9 +9,9 @@ from typing import Literal
 
 from markdown_it.token import Token
 
-KEPT = ("mathml", "before", "after", "target", "id", "subId", "label")
-"""What renderers ask of a token's ``meta``: a formula as MathML and the text that stays on its
-line, the target that a heading or an equation is, and what footnotes are counted by."""
+META = ("mathml", "before", "after", "target", "id", "subId", "label")
+"""What renderers use of a token's ``meta``: a formula as MathML and the text beside it, the target
+of a heading or equation, the numbers of footnotes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ def _copy(token: Token) -> Token:
         children=None if token.children is None else [_copy(child) for child in token.children],
         content=token.content,
         info=token.info,
-        meta={name: token.meta[name] for name in KEPT if name in token.meta},
+        meta={name: token.meta[name] for name in META if name in token.meta},
         block=token.block,
         hidden=token.hidden,
     )

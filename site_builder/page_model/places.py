@@ -86,7 +86,7 @@ class TermUse:
 
 @dataclass(frozen=True, slots=True)
 class IndexMark:
-    """A place in the text that its author wants in the index."""
+    """A place in the text that the index lists."""
 
     entry: str
     section: str
@@ -136,7 +136,7 @@ class Need:
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """A link of the author's, kept to be checked once all pages are read."""
+    """An author's link to a page of the book, checked once all pages are read."""
 
     target: str
     line: int

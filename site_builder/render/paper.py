@@ -28,7 +28,7 @@ def table_open(_token: Token) -> str:
 
 
 def plain_open(token: Token) -> str:
-    """Without attributes that speak to scripts."""
+    """Without the attributes that are for scripts."""
     attributes = (
         f' {name}="{escape(str(value))}"'
         for name, value in token.attrs.items()

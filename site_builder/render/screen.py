@@ -52,7 +52,7 @@ def renderer_with(rules: Rules) -> PassageRenderer:
 
 
 def _render_rule(html: Callable[[Token], str]) -> Callable[..., str]:
-    """``html`` with the signature that markdown-it wants."""
+    """``html`` with the signature of markdown-it's rules."""
 
     def rule(
         _renderer: RendererProtocol,
@@ -67,8 +67,8 @@ def _render_rule(html: Callable[[Token], str]) -> Callable[..., str]:
 
 
 def formula(token: Token) -> str:
-    """In a line of text; nothing where it could not be set, which is reported. Browsers take a
-    formula for a picture, so the stop, bracket or unit beside it is kept on its line."""
+    """In a line of text, together with the stop, bracket or unit at its side; empty where it could
+    not be set, which is reported."""
     mathml, meta = mathml_of(token), token.meta
     if "before" not in meta and "after" not in meta:
         return mathml
@@ -98,7 +98,7 @@ def heading_open(token: Token) -> str:
 
 
 def heading_close(words: Words, token: Token) -> str:
-    """With a link to the section beside it, which is no part of the heading's name."""
+    """After it a link to the section, which is no part of the heading's name."""
     target: Target = token.meta["target"]
     label = escape(words("frame.link_to", title=target.title))
     link = f'<a class="anchor" href="#{target.id}" aria-label="{label}"></a>'
@@ -126,7 +126,7 @@ def role(
     options: OptionsDict,
     env: EnvType,
 ) -> str:
-    """What a role put in the place of its words."""
+    """What a role made of its words."""
     token = tokens[index]
     if token.children:
         return str(renderer.render(token.children, options, env))
@@ -141,4 +141,4 @@ RULES: Rules = {
     "heading_open": heading_open,
     "table_close": table_close,
 }
-"""Those of every medium that knows HTML."""
+"""Those of every medium in HTML."""

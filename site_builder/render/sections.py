@@ -1,6 +1,6 @@
 """The book in plain words, section by section, as the search sees it.
 
-It is read as its reader sees it at first: answers, and what waits for a guess, are left out.
+Answers, and what is hidden until a guess, are left out.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -31,7 +31,7 @@ class Section:
     figures: str
     """Titles, descriptions and captions of figures."""
     questions: str
-    """What is asked, never what is right."""
+    """Without their answers."""
 
     def count_words(self) -> int:
         return sum(
@@ -44,10 +44,10 @@ class _Draft:
     anchor: str
     title: str = ""
     terms: list[str] = field(default_factory=list)
-    said: dict[Channel, list[str]] = field(default_factory=dict)
+    texts: dict[Channel, list[str]] = field(default_factory=dict)
 
     def add(self, channel: Channel, text: str) -> None:
-        self.said.setdefault(channel, []).append(text)
+        self.texts.setdefault(channel, []).append(text)
 
     def finished(self) -> Section:
         terms = (" ".join(term.split()).rstrip(".,:;?") for term in self.terms)
@@ -59,12 +59,11 @@ class _Draft:
         )
 
     def _text(self, channel: Channel) -> str:
-        return " ".join("".join(self.said.get(channel, ())).split())
+        return " ".join("".join(self.texts.get(channel, ())).split())
 
 
 def sections_of(blocks: Iterable[Block], describe: Describe) -> tuple[Section, ...]:
-    """What stands before the first heading, and each section; those that say nothing are left
-    out."""
+    """What stands before the first heading, and each section; empty ones are left out."""
     reader = _Reader(describe)
     reader.read(blocks)
     return tuple(reader.finished())
@@ -102,13 +101,13 @@ class _Reader:
             if isinstance(block.content, Prose):
                 self.add_words(block.content.words, "text")
             elif plain := PLAIN[block.template]:
-                said = plain(block.content)
-                if block.target and said.channel != "question":
-                    self.drafts[-1].add(said.channel, f"{block.target.name} ")
+                content = plain(block.content)
+                if block.target and content.channel != "question":
+                    self.drafts[-1].add(content.channel, f"{block.target.name} ")
                 if isinstance(block.content, Simulation):
                     self.drafts[-1].add("figure", f"{self.describe(block.content)} ")
-                for words in said.words:
-                    self.add_words(words, said.channel)
+                for words in content.words:
+                    self.add_words(words, content.channel)
                 self.read(block.inside)
 
     def add_words(self, words: str | Passage, channel: Channel) -> None:

@@ -8,7 +8,7 @@ FORM = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
 class ScaffoldError(ValueError):
-    """Something new cannot be made; the message says what is legal."""
+    """Something new cannot be made."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,7 @@ TOOLS = (
     "tests/support/chromium.py",
     "tests/support/static_server.py",
 )
-"""What every book needs beside the engine: pins, the bench, and a way to publish."""
+"""What every book needs besides the engine: pins, the bench, and a way to publish."""
 LEFT_OUT = ("__pycache__", "node_modules")
 
 
@@ -75,7 +75,7 @@ def _licence() -> str:
 
 
 def _version(declared: str) -> str:
-    """With the commit, where there is one to know."""
+    """With the commit, where it is known."""
     command = ["git", "-C", str(ENGINE), "rev-parse", "--short", "HEAD"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -1,4 +1,4 @@
-"""``{answer} id``: what is shown once the reader has guessed, or asked to see it."""
+"""``{answer} id``: what is hidden until the reader has guessed, or asked to see it."""
 
 from collections.abc import Sequence
 
@@ -18,7 +18,7 @@ def read_reveal(call: DirectiveCall, _body: Sequence[Block], context: ParseConte
 
 ANSWER = Directive(
     name="answer",
-    doc="what waits until the guess of that id is made",
+    doc="what is hidden until the prediction of that id is answered",
     argument=Argument("id", lacks="names no prediction"),
     body=BLOCKS,
     read=read_reveal,

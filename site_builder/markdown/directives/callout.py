@@ -21,7 +21,7 @@ KINDS = {
 
 @dataclass(frozen=True, slots=True)
 class Callout:
-    """An aside; what it says is in the blocks inside."""
+    """An aside; its text is in the blocks inside."""
 
     kind: str
     title: Passage

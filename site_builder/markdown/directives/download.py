@@ -13,7 +13,7 @@ ACTIVE = (
     ".html", ".htm", ".xhtml", ".xht", ".shtml", ".mht", ".mhtml", ".xml", ".xsl", ".xslt", ".svgz",
     ".js", ".mjs",
 )  # fmt: skip
-"""Opened at the book's address, a page of these could do there what the book's own can."""
+"""Files that a browser would run with the rights of the book's own pages."""
 UNITS = ("bytes", "kB", "MB", "GB")
 
 
@@ -27,7 +27,7 @@ class Download:
     """What it is called once it is there."""
     size: str
     words: Passage
-    """What is in it; nothing where the name says it."""
+    """A description; may be empty."""
 
 
 def read_download(call: DirectiveCall, words: Passage, context: ParseContext) -> Download | None:
@@ -45,7 +45,7 @@ def read_download(call: DirectiveCall, words: Passage, context: ParseContext) ->
 
 
 def _runs(file: Path) -> bool:
-    """Of SVG only what is looked for, and checked, as a picture is inert."""
+    """An SVG is checked only where its name ends in ``.svg``."""
     kind = file.suffix.lower()
     return kind in ACTIVE or (kind == ".svg" and file.suffix != kind)
 

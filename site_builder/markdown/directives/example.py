@@ -14,7 +14,7 @@ from site_builder.page_model.passage import Passage, Plain
 
 @dataclass(frozen=True, slots=True)
 class Example:
-    """A worked example; what it says is in the blocks inside."""
+    """A worked example; its text is in the blocks inside."""
 
     title: Passage
 

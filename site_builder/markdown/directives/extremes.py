@@ -1,4 +1,4 @@
-"""``{extremes} model``: the hard cases of a model, asked while the book is built."""
+"""``{extremes} model``: a table of a model's hard cases, computed while the book is built."""
 
 from dataclasses import dataclass
 
@@ -46,7 +46,7 @@ def read_hard_cases(
         table: HardCases = imported(MODULES[call.argument]).TABLE
         return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
     except Exception as error:  # whatever its code may raise is the author's to see
-        message = f"hard cases {call.argument!r} cannot be asked: {cause(error)}"
+        message = f"hard cases {call.argument!r} cannot be computed: {cause(error)}"
         context.problem(call.line, message)
         return None
 

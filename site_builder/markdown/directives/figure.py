@@ -30,9 +30,9 @@ class Figure:
     alt: str
     caption: Passage
     size: Size | None
-    """Its own, so that its room is kept before it is there."""
+    """Its own, so that the page reserves its space."""
     width: str = ""
-    """How wide it is shown, where its author says it: ``60%`` or ``320px``."""
+    """``60%`` or ``320px``; empty: its own."""
     dark: str = ""
     """Path of what is shown in its place on dark paper."""
 

@@ -21,7 +21,7 @@ class LadderFigure:
     default_reason: Passage
     """Why its default was chosen; nothing where another metric than the first judges."""
     open: bool
-    """Whether chart and table are shown before they are asked for."""
+    """Whether chart and table are shown at first."""
 
 
 def read_ladder(

@@ -32,7 +32,7 @@ class Video:
     alt: str
     poster: str
     size: Size | None
-    """Of the still, so that its room is kept before it is there."""
+    """Of the still, so that the page reserves its space."""
     captions: str
     """Nothing for a film without words."""
     language: str

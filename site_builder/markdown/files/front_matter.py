@@ -35,7 +35,7 @@ class Entry:
 
 @dataclass(frozen=True, slots=True)
 class FrontMatter:
-    """What a chapter says of itself; empty where that is missing or wrong, which is reported."""
+    """A chapter's own description; empty where it is missing or wrong, which is reported."""
 
     title: str = ""
     summary: str = ""

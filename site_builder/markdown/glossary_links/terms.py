@@ -1,7 +1,7 @@
 """Terms of the glossary in the text of a chapter: each is found, and the first use is marked.
 
-A mark is a link to the glossary. Only running text carries marks: a heading, a caption, a
-question or an answer that waits for one does not, nor does what is a link already.
+A mark is a link to the glossary. Only running text has marks: no heading, caption, question, hidden
+answer or link.
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,8 +17,8 @@ from site_builder.page_model.places import IndexMark, TermUse
 from site_builder.references.glossary import Term
 
 QUESTIONS = ("quiz", "predict")
-"""Directives whose words are no uses: they say what is wrong, too."""
-WAITING = ("answer",)
+"""Directives whose words are no uses, since they state what is wrong, too."""
+HIDDEN = ("answer",)
 
 
 def mark_terms(tokens: Sequence[Token], context: ParseContext) -> None:
@@ -54,7 +54,7 @@ class _Walk:
     def paragraph(self, inline: Token, *, running: bool) -> None:
         if any(name in QUESTIONS for name, _ in self.open):
             return
-        marks = running and all(nests and name not in WAITING for name, nests in self.open)
+        marks = running and all(nests and name not in HIDDEN for name, nests in self.open)
         inline.children = list(self._marked(inline, marks=marks))
 
     def _marked(self, inline: Token, *, marks: bool) -> Iterator[Token]:

@@ -37,7 +37,7 @@ LEGAL = f"legal: 'LADDER TIER {WANTED}', or 'LADDER TIER over TIER …'"
 
 
 def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH) -> str:
-    """What stands in the text for what is ``asked``. Raises `MeasurementError`."""
+    """The text for ``asked``. Raises `MeasurementError`."""
     match asked.split():
         case [name]:
             return _about_all(name, measurements)

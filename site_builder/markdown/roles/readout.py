@@ -1,7 +1,7 @@
 """``{readout}`lens-distortion corner k1=-0.2```: a number that a figure shows, never typed.
 
 The words are a scene, one of its readouts, and the controls that differ from their defaults;
-``tier=ID`` chooses an accuracy. What stands in the text is what the figure says at that setting,
+``tier=ID`` chooses an accuracy. The text gets what the figure shows at that setting,
 with its unit; ``bare`` at the end leaves the unit out. The scene is drawn while the book is
 built, once for each setting.
 """

@@ -1,7 +1,7 @@
-"""``{ref}`figure-lens-distortion```: a link that says what it leads to, number and all.
+"""``{ref}`figure-lens-distortion```: a link with the name and number of its target.
 
 A target is a chapter's id, an element's id, or ``CHAPTER#ID``. Without words of its own the link
-says the name of its target: “Chapter 4 (Lens Distortion)” where a page first speaks of that
+is named after its target: “Chapter 4 (Lens Distortion)” at the first link of a page to that
 chapter and “Chapter 4” after that, “Figure 4.2”, “Equation (4.7)”. In words before ``<TARGET>``,
 ``{name}``, ``{number}``, ``{title}`` and ``{chapter}`` are filled in.
 """
@@ -44,7 +44,7 @@ def _attributes(target: Target, chapter: Target, context: ParseContext) -> dict[
 
 
 def _name(target: Target, chapter: Target, context: ParseContext) -> str:
-    """What the link says; a chapter is introduced with its title."""
+    """The words of the link; the first to a chapter has its title."""
     here = target.chapter == context.chapter
     if target.kind == "Section":
         elsewhere = {"title": target.title, "chapter": chapter.name}

@@ -1,5 +1,5 @@
-"""``{term}`two stops <stop>```: a term of the glossary where its words alone do not tell, or where
-a second use is to be marked. ``{term}`the stop sign <none>```: words that are no term.
+"""``{term}`two stops <stop>```: a term of the glossary that is not found by its words, or a
+second use to be marked. ``{term}`the stop sign <none>```: words that are no term.
 """
 
 from site_builder.markdown.parse_context import ParseContext
@@ -23,7 +23,7 @@ def marked(words: str, given: str | None, line: int, context: ParseContext) -> L
 
 
 def term_link(term: Term, line: int, context: ParseContext) -> dict[str, str]:
-    """Attributes of a link to the glossary; its definition is told where it stands."""
+    """Attributes of a link to the glossary."""
     return {
         "class": "term",
         "id": context.free_id(f"term-{term.id}", line),

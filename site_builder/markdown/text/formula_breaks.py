@@ -1,7 +1,7 @@
 """Where a line may break beside a formula, and where a displayed row may become two.
 
-Browsers take a formula for a picture: they break the line between it and the comma that follows,
-or its unit, even at a no-break space.
+Browsers break the line between a formula and the comma or unit that follows it, even at a no-break
+space.
 """
 
 import re

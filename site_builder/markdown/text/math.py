@@ -10,7 +10,7 @@ from site_builder.files import file_hash
 from site_builder.formulae.temml import LOCK, PROGRAM, TexError, set_tex
 
 COLOURS = (*frame.ROLES[1:], "muted")
-"""Colours of ideas, and of what steps back; frames also know the empty role."""
+"""Roles of colours that a formula may name; frames also have the empty role."""
 INSTEAD = {"tag": "a label behind the formula", "qty": r"'\pu{1.5 m}'"}
 """Commands of Temml with no meaning, or another than is likely meant; what is legal instead."""
 EMPTY = r"a formula that shows nothing; legal: '$…$' around one, or '\$' for the sign itself"
@@ -23,7 +23,7 @@ NO_MACROS: Macros = {}
 
 
 class UnsupportedTexError(ValueError):
-    """The formula cannot be set; the message says which part of it."""
+    """The formula cannot be set; the message names the part."""
 
 
 def to_mathml(tex: str, *, display: bool, macros: Macros = NO_MACROS) -> str:
@@ -67,7 +67,7 @@ def _role(match: re.Match[str]) -> str:
 
 
 def _in_words(message: str, tex: str) -> str:
-    """What Temml says, with the formula."""
+    """Temml's message, with the formula."""
     if found := UNKNOWN.match(message):
         return f"unsupported TeX command '{found[1]}' in {quoted(tex)}"
     return f"cannot set {quoted(tex)}: {message[:1].lower()}{message[1:]}"

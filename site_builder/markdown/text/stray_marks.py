@@ -1,5 +1,5 @@
-"""Marks without their partner, and numbers of places that the book gives out itself. CommonMark
-prints the former, or drops what it cannot place, in silence; in a book either is a slip."""
+"""Mistakes in Markdown that CommonMark prints, or drops, without a word: unpaired marks, syntax of
+other kinds of Markdown, numbers of figures and chapters, which may change."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -34,8 +34,7 @@ SLIPS = tuple(
         ),
     )
 )
-"""What stands in running text only by mistake, and what would be legal. The last is the syntax of
-other kinds of Markdown."""
+"""Patterns of mistakes in running text, each with what is legal."""
 LINE_SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
@@ -47,12 +46,12 @@ LINE_SLIPS = tuple(
         ),
     )
 )
-"""Likewise at the beginning of a line."""
+"""Likewise at the start of a line."""
 FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
 
 
 def stray_marks_rule(state: StateCore) -> None:
-    """Report what looks as if it were missing its other half."""
+    """Report them all, with their lines."""
     lines = state.src.split("\n")
     problems = state.env.setdefault("problems", [])
     line = 1
@@ -93,7 +92,7 @@ def _is_closed(fence: Token, lines: Sequence[str]) -> bool:
 
 
 def _in_table(table: Token, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
-    """Rows of more cells than the table has heads, or of fewer: cells are lost, or empty."""
+    """Rows with more cells than the table has heads, which are dropped, or with fewer."""
     first, end = table.map or [0, 0]
     heads = len(_cells(lines[first]))
     for number in range(first + 2, end):
@@ -108,8 +107,7 @@ def _cells(line: str) -> list[str]:
 
 
 def _lost_addresses(state: StateCore) -> Iterator[tuple[int, str]]:
-    """Lines like ``[Note]: beware`` that give an address to a link which is nowhere: all that they
-    say would be lost."""
+    """Lines like ``[Note]: beware`` that define the address of no link, which are dropped."""
     references = state.env.get("references")
     if not references:
         return
@@ -122,7 +120,7 @@ def _lost_addresses(state: StateCore) -> Iterator[tuple[int, str]]:
 
 
 def _lost_footnotes(state: StateCore, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
-    """Notes that nothing in the text leads to, and all but the first of one label."""
+    """Notes without a reference, and all but the first of one label, which are dropped."""
     uses = state.env.get("footnotes", {}).get("refs")
     if not uses:
         return

@@ -68,7 +68,7 @@ def _joined(base: str, index: str | None) -> str:
 
 @cache
 def covers(declared: str, symbol: str) -> bool:
-    r"""Whether the meaning of one says the other's: ``h_{11}`` that of ``h_{32}``, ``t_x`` that of
+    r"""Whether the meaning of one covers the other: ``h_{11}`` that of ``h_{32}``, ``t_x`` that of
     ``t_y``, ``x`` and ``\mathbf{x}`` that of ``x_0``."""
     base, _, index = symbol.partition("_")
     given, _, other = declared.partition("_")

@@ -1,4 +1,4 @@
-"""Dashes, ellipses, and numbers kept with their units. (Quotation marks are markdown-it's
+"""Dashes, ellipses, and no-break spaces before units. (Quotation marks are markdown-it's
 ``smartquotes``; its ``replacements`` rule is not used, because it would turn an enumeration's
 "(c)" into a copyright sign.)"""
 
