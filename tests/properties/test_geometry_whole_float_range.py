@@ -4,8 +4,14 @@ No warning (pytest turns them into errors), no exception but a `ValueError` with
 nothing that is not a number unless the mask says so.
 """
 
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
 import numpy as np
+import pytest
 from hypothesis import given
+from hypothesis import strategies as st
 from support.float_range import any_float, arrays, ask, assert_finite_where_valid, finite_float
 
 from simulations.models.arrays import Floats
@@ -20,33 +26,123 @@ from simulations.models.geometry import (
 )
 from simulations.models.projection import affine_cameras, pinhole, vanishing
 
+type Rows = dict[str, tuple[Callable[[Any], Any], tuple[int, ...]]]
+"""Functions of an array, and its shape."""
+
 K = pinhole.intrinsics((800.0, 790.0), (320.0, 240.0), 0.5)
 P = pinhole.camera_matrix(K, pinhole.look_at([1.0, 2.0, -3.0], [0, 0, 0], [0, 1, 0]))
+ALONG_Y = [0.0, 1.0, 0.0]
 
 
 def is_rotation(R: Floats, tolerance: float = 1e-9) -> bool:
     return np.allclose(R @ np.swapaxes(R, -1, -2), np.eye(3), atol=tolerance)
 
 
-@given(arrays(4, 3))
-def test_projected_points_are_finite_where_valid_and_nan_elsewhere(points: Floats) -> None:
-    pixels, valid = pinhole.project(points, K)
-    assert_finite_where_valid((pixels, valid))
-    assert np.isnan(pixels[~valid]).all()
-    assert (points[valid, 2] > 0).all()
+def through_parallel_camera(v: Floats) -> Any:
+    camera = affine_cameras.paraperspective_camera(K, v[0])
+    return affine_cameras.project_affine(v[1:], camera)
 
 
-@given(arrays(4, 4))
-def test_homogeneous_points_project_to_finite_pixels_or_none(points: Floats) -> None:
-    pixels, valid = pinhole.project_homogeneous(points, P)
-    assert_finite_where_valid((pixels, valid))
-    assert np.isnan(pixels[~valid]).all()
+def through_orthographic_camera(v: Floats) -> Any:
+    camera = affine_cameras.orthographic_camera(v[0, 0], (v[0, 1], v[0, 2]))
+    return affine_cameras.project_affine(v[1:], camera)
 
 
-@given(arrays(5))
-def test_intrinsics_are_finite_or_refused(v: Floats) -> None:
-    matrix = ask(pinhole.intrinsics, (v[0], v[1]), (v[2], v[3]), v[4])
-    assert matrix is None or np.isfinite(matrix).all()
+def of_pairs(estimate: Callable[[Floats, Floats], Any], v: Floats) -> Any:
+    return estimate(v[:, :2], v[:, 2:])
+
+
+MASKED: Rows = {
+    "project": (lambda v: pinhole.project(v, K), (4, 3)),
+    "project_homogeneous": (lambda v: pinhole.project_homogeneous(v, P), (4, 4)),
+    "paraperspective_camera": (through_parallel_camera, (5, 3)),
+    "orthographic_camera": (through_orthographic_camera, (5, 3)),
+    "vanishing_point": (lambda v: vanishing.vanishing_point(v, K), (2, 3)),
+    "horizon": (lambda v: vanishing.horizon(v, K), (3,)),
+    "line_through": (lambda v: lines_and_planes.line_through(*v), (2, 2)),
+    "plane_through": (lambda v: lines_and_planes.plane_through(v[0], v[1], ALONG_Y), (2, 3)),
+    "intersection": (lambda v: lines_and_planes.intersection(*v), (2, 3)),
+    "apply_homography": (lambda v: transforms.apply_homography(v[:3], v[3:, :2]), (7, 3)),
+    **{
+        estimate.__name__: (partial(of_pairs, estimate), (5, 4))
+        for estimate in (
+            homography_estimation.estimate_homography,
+            homography_estimation.estimate_affine,
+            homography_estimation.estimate_similarity,
+            homography_estimation.estimate_rigid,
+        )
+    },
+}
+
+
+@pytest.mark.parametrize("name", MASKED)
+@given(st.data())
+def test_answers_are_finite_where_valid_and_nan_elsewhere(name: str, data: st.DataObject) -> None:
+    function, shape = MASKED[name]
+    answer = ask(function, data.draw(arrays(*shape)))
+    if answer is not None:
+        assert_finite_where_valid(answer)
+
+
+def parts(H: Floats) -> list[float]:
+    found = homography_algebra.decompose(H)
+    return [found.tx, found.ty, found.scale_x, found.shear]
+
+
+FINITE: Rows = {
+    "intrinsics": (lambda v: pinhole.intrinsics((v[0], v[1]), (v[2], v[3]), v[4]), (5,)),
+    "look_at": (lambda v: pinhole.look_at(*v), (3, 3)),
+    "projective": (transforms.projective, (3, 3)),
+    "similarity": (lambda v: transforms.similarity(*v), (4,)),
+    "clip_to_visible": (lambda v: transforms.clip_to_visible(v[:3], v[3:, :2]), (8, 3)),
+    "invert": (homography_algebra.invert, (3, 3)),
+    "decompose": (parts, (3, 3)),
+    "to_rotation_vector": (quaternions.to_rotation_vector, (2, 4)),
+    "logarithm": (rotations.logarithm, (3, 3)),
+    "euler.from_matrix": (lambda v: euler.from_matrix(v, "ZYX")[0], (3, 3)),
+}
+
+
+@pytest.mark.parametrize("name", FINITE)
+@given(st.data())
+def test_answers_are_finite_or_refused(name: str, data: st.DataObject) -> None:
+    function, shape = FINITE[name]
+    answer = ask(function, data.draw(arrays(*shape)))
+    assert answer is None or np.isfinite(answer).all()
+
+
+ROTATIONS: Rows = {
+    "look_at": (lambda v: pinhole.look_at(*v)[:3, :3], (3, 3)),
+    "quaternions.to_matrix": (quaternions.to_matrix, (2, 4)),
+    "exponential": (rotations.exponential, (3,)),
+    "from_axis_angle": (lambda v: rotations.from_axis_angle(v[:3], v[3]), (4,)),
+    "nearest_rotation": (rotations.nearest_rotation, (3, 3)),
+    "euler.to_matrix": (lambda v: euler.to_matrix("zxz", v), (3,)),
+}
+
+
+@pytest.mark.parametrize("name", ROTATIONS)
+@given(st.data())
+def test_rotations_are_orthogonal_or_refused(name: str, data: st.DataObject) -> None:
+    function, shape = ROTATIONS[name]
+    R = ask(function, data.draw(arrays(*shape)))
+    assert R is None or is_rotation(R)
+
+
+QUATERNIONS: Rows = {
+    "normalise": (quaternions.normalise, (2, 4)),
+    "from_rotation_vector": (quaternions.from_rotation_vector, (3,)),
+    "slerp": (lambda v: rotations.slerp(v[:4], v[4:8], v[8]), (9,)),
+    "nlerp": (lambda v: rotations.nlerp(v[:4], v[4:8], v[8]), (9,)),
+}
+
+
+@pytest.mark.parametrize("name", QUATERNIONS)
+@given(st.data())
+def test_quaternions_are_of_unit_norm_or_refused(name: str, data: st.DataObject) -> None:
+    function, shape = QUATERNIONS[name]
+    q = ask(function, data.draw(arrays(*shape)))
+    assert q is None or np.allclose(np.linalg.norm(q, axis=-1), 1.0)
 
 
 @given(any_float, any_float)
@@ -55,149 +151,9 @@ def test_field_of_view_is_an_angle(focal_mm: float, sensor_mm: float) -> None:
     assert angle is None or 0.0 <= angle <= np.pi
 
 
-@given(arrays(3), arrays(3), arrays(3))
-def test_a_camera_looks_somewhere_or_is_refused(eye: Floats, target: Floats, up: Floats) -> None:
-    pose = ask(pinhole.look_at, eye, target, up)
-    assert pose is None or (is_rotation(pose[:3, :3]) and np.isfinite(pose).all())
-
-
-@given(arrays(4, 3), arrays(3), any_float)
-def test_parallel_cameras_give_finite_pixels_or_are_refused(
-    points: Floats, reference: Floats, scale: float
-) -> None:
-    for camera in (
-        ask(affine_cameras.paraperspective_camera, K, reference),
-        ask(affine_cameras.orthographic_camera, scale, (reference[0], reference[1])),
-    ):
-        if camera is not None:
-            pixels, valid = affine_cameras.project_affine(points, camera)
-            assert_finite_where_valid((pixels, valid))
-            assert np.isnan(pixels[~valid]).all()
-
-
-@given(arrays(2, 3))
-def test_vanishing_points_are_finite_where_valid(directions: Floats) -> None:
-    assert_finite_where_valid(vanishing.vanishing_point(directions, K))
-
-
-@given(arrays(3))
-def test_horizons_are_finite_where_valid(normal: Floats) -> None:
-    assert_finite_where_valid(vanishing.horizon(normal, K))
-
-
-@given(arrays(2, 2), arrays(2, 3))
-def test_lines_and_planes_are_finite_where_valid(points: Floats, corners: Floats) -> None:
-    assert_finite_where_valid(lines_and_planes.line_through(*points))
-    assert_finite_where_valid(
-        lines_and_planes.plane_through(corners[0], corners[1], [0.0, 1.0, 0.0])
-    )
-
-
-@given(arrays(2, 3), arrays(2))
-def test_lines_meet_in_finite_points_or_nowhere(lines: Floats, point: Floats) -> None:
-    meet, valid = lines_and_planes.intersection(*lines)
-    assert_finite_where_valid((meet, valid))
-    assert valid or np.isnan(meet).all()
-    assert lines_and_planes.signed_distance(point, lines).shape == (2,)
-
-
-@given(arrays(3, 3), arrays(4, 2))
-def test_homographies_map_to_finite_points_or_none(H: Floats, points: Floats) -> None:
-    images, valid = transforms.apply_homography(H, points)
-    assert_finite_where_valid((images, valid))
-    assert np.isnan(images[~valid]).all()
-
-
-@given(arrays(3, 3))
-def test_a_projective_matrix_is_finite_or_refused(h: Floats) -> None:
-    H = ask(transforms.projective, h)
-    assert H is None or np.isfinite(H).all()
-
-
-@given(any_float, any_float, any_float, any_float)
-def test_similarities_are_finite_or_refused(
-    scale: float, angle_rad: float, tx: float, ty: float
-) -> None:
-    H = ask(transforms.similarity, scale, angle_rad, tx, ty)
-    assert H is None or np.isfinite(H).all()
-
-
-@given(arrays(3, 3), arrays(5, 2))
-def test_a_clipped_polygon_is_finite_and_mappable(H: Floats, polygon: Floats) -> None:
-    kept = ask(transforms.clip_to_visible, H, polygon)
-    if kept is not None:
-        assert kept.shape[1:] == (2,)
-        assert np.isfinite(kept).all()
-
-
 @given(arrays(3, 3))
 def test_conditions_are_at_least_one(H: Floats) -> None:
     assert homography_algebra.condition_number(H) >= 1.0 - 1e-9
-
-
-@given(arrays(3, 3))
-def test_inverses_and_parts_are_finite_or_refused(H: Floats) -> None:
-    inverse = ask(homography_algebra.invert, H)
-    assert inverse is None or np.isfinite(inverse).all()
-    parts = ask(homography_algebra.decompose, H)
-    assert parts is None or np.isfinite([parts.tx, parts.ty, parts.scale_x, parts.shear]).all()
-
-
-@given(arrays(5, 2), arrays(5, 2))
-def test_estimates_are_finite_where_valid(source: Floats, target: Floats) -> None:
-    for estimate in (
-        homography_estimation.estimate_homography,
-        homography_estimation.estimate_affine,
-        homography_estimation.estimate_similarity,
-        homography_estimation.estimate_rigid,
-    ):
-        answer = ask(estimate, source, target)
-        if answer is not None:
-            assert_finite_where_valid(answer)
-
-
-@given(arrays(2, 4))
-def test_quaternions_are_of_unit_norm_or_refused(q: Floats) -> None:
-    unit = ask(quaternions.normalise, q)
-    if unit is not None:
-        assert np.allclose(np.linalg.norm(unit, axis=-1), 1.0)
-        assert is_rotation(quaternions.to_matrix(q))
-        assert np.isfinite(quaternions.to_rotation_vector(q)).all()
-
-
-@given(arrays(4), arrays(4), any_float)
-def test_paths_between_orientations_stay_on_the_sphere(
-    start: Floats, end: Floats, share: float
-) -> None:
-    for path in (rotations.slerp, rotations.nlerp):
-        q = ask(path, start, end, share)
-        assert q is None or np.isclose(np.linalg.norm(q), 1.0)
-
-
-@given(arrays(3), any_float)
-def test_exponentials_are_rotations_or_refused(vector: Floats, angle_rad: float) -> None:
-    R = ask(rotations.exponential, vector)
-    assert R is None or is_rotation(R)
-    R = ask(rotations.from_axis_angle, vector, angle_rad)
-    assert R is None or is_rotation(R)
-    q = ask(quaternions.from_rotation_vector, vector)
-    assert q is None or np.isclose(np.linalg.norm(q), 1.0)
-
-
-@given(arrays(3, 3))
-def test_only_rotations_have_logarithms_and_angles(matrix: Floats) -> None:
-    vector = ask(rotations.logarithm, matrix)
-    assert vector is None or np.isfinite(vector).all()
-    answer = ask(euler.from_matrix, matrix, "ZYX")
-    assert answer is None or np.isfinite(answer[0]).all()
-    R = ask(rotations.nearest_rotation, matrix)
-    assert R is None or is_rotation(R)
-
-
-@given(arrays(3))
-def test_three_angles_make_a_rotation_or_are_refused(angles_rad: Floats) -> None:
-    R = ask(euler.to_matrix, "zxz", tuple(angles_rad))
-    assert R is None or is_rotation(R)
 
 
 @given(arrays(3, of=finite_float))
