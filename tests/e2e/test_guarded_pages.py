@@ -6,12 +6,11 @@ import hashlib
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage
+from playwright.sync_api import Browser
 from support.host import hosting
-from support.reader import DESK
+from support.reader import Reader, visit
 
 from site_builder.offline.release import integrity
 from site_builder.pages.policy import ANYTHING_INLINE, FOR_TOOLS
@@ -42,23 +41,10 @@ STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)
 NAMED = re.compile(r'(?:src|href)="([^"]+)" integrity="([^"]+)"')
 
 
-class Visit:
-    """A page under the policy of the published book, sent as a header: that one holds workers."""
-
-    def __init__(self, page: Any, url: str) -> None:
-        self.page, self.url = page, url
-        self.complaints: list[str] = []
-        page.add_init_script(WATCH)
-        page.on("pageerror", lambda error: self.complaints.append(str(error)))
-        page.on("console", self._note)
-
-    def _note(self, said: ConsoleMessage) -> None:
-        if said.type == "error":
-            self.complaints.append(said.text)
-
-    def refused(self) -> list[str]:
-        found: list[str] = self.page.evaluate("refused.splice(0)")
-        return found
+def refused(reader: Reader) -> list[str]:
+    """What the policy has refused since this was last asked."""
+    found: list[str] = reader.page.evaluate("refused.splice(0)")
+    return found
 
 
 def published_policy(site: Path) -> str:
@@ -76,17 +62,15 @@ def published_policy(site: Path) -> str:
 
 
 @pytest.fixture(scope="module")
-def guarded(brisk_chromium: Browser, built_site: Path) -> Iterator[Visit]:
+def guarded(brisk_chromium: Browser, built_site: Path) -> Iterator[Reader]:
+    """Under the policy of the published book, sent as a header: that one holds workers."""
     header = {"/*": {"Content-Security-Policy": published_policy(built_site)}}
-    with (
-        hosting(built_site, rules=header) as host,
-        brisk_chromium.new_context(viewport=DESK, service_workers="block") as context,
-    ):
-        yield Visit(context.new_page(), host.url)
+    with hosting(built_site, rules=header) as host, visit(brisk_chromium, host, WATCH) as someone:
+        yield someone
 
 
-def test_a_figure_comes_alive_and_its_python_opens_under_the_policy(guarded: Visit) -> None:
-    guarded.page.goto(guarded.url + CHAPTER)
+def test_a_figure_comes_alive_and_its_python_opens_under_the_policy(guarded: Reader) -> None:
+    guarded.open(CHAPTER, live=False)
     figure = guarded.page.locator("simulation-figure").first
     guarded.page.wait_for_selector("simulation-figure[data-state=live]", timeout=60_000)
     figure.locator(".open-python").click()
@@ -94,12 +78,12 @@ def test_a_figure_comes_alive_and_its_python_opens_under_the_policy(guarded: Vis
     # As CodeMirror's own styles have it, which a policy may well refuse.
     scroller = figure.locator(".cm-scroller")
     assert scroller.evaluate("element => getComputedStyle(element).display") == "flex"
-    assert guarded.refused() == []
-    assert guarded.complaints == []
+    assert refused(guarded) == []
+    guarded.assert_no_complaints()
 
 
-def test_formulae_need_no_more_of_their_face_than_the_book_uses(guarded: Visit) -> None:
-    guarded.page.goto(guarded.url + CHAPTER)
+def test_formulae_need_no_more_of_their_face_than_the_book_uses(guarded: Reader) -> None:
+    guarded.open(CHAPTER, live=False)
     guarded.page.evaluate("document.fonts.ready")
     names = guarded.page.evaluate(
         "performance.getEntriesByType('resource').map(({name}) => name.split('/').at(-1))"
@@ -107,12 +91,12 @@ def test_formulae_need_no_more_of_their_face_than_the_book_uses(guarded: Visit) 
     assert [name for name in names if name.startswith("maths")] == ["maths.woff2"]
 
 
-def test_what_found_its_way_into_a_page_neither_runs_nor_calls_anyone(guarded: Visit) -> None:
-    guarded.page.goto(guarded.url + "licences/")
+def test_what_found_its_way_into_a_page_neither_runs_nor_calls_anyone(guarded: Reader) -> None:
+    guarded.open("licences/", live=False)
     guarded.page.evaluate(INTRUDE)
     assert guarded.page.evaluate("globalThis.ran") is None
     assert guarded.page.evaluate("getComputedStyle(document.body).visibility") == "visible"
-    assert sorted(set(guarded.refused())) == [
+    assert sorted(set(refused(guarded))) == [
         "connect-src https://elsewhere.example/",
         "img-src https://elsewhere.example/one.png",
         "script-src-attr inline",

@@ -131,15 +131,3 @@ def test_keys_can_be_turned_off(visitor: Reader) -> None:
     visitor.page.keyboard.press("/")
     expect(visitor.page.locator("dialog.search")).to_be_visible()
     visitor.page.keyboard.press("Escape")
-
-
-def test_without_scripts_nothing_is_offered_that_does_nothing(
-    chromium: Any, server: Any, book: Any
-) -> None:
-    context = chromium.new_context(java_script_enabled=False)
-    page = context.new_page()
-    page.goto(server.url + chapter_with_sections(book))
-    assert page.locator(".site-header button:visible").count() == 0
-    assert page.locator("dialog:visible").count() == 0
-    expect(page.locator("#contents ol a").first).to_be_visible()
-    context.close()

@@ -115,15 +115,6 @@ def test_a_reset_takes_guesses_back(plain_reader: Reader, book: Any) -> None:
     ).is_visible()
 
 
-def test_without_scripts_every_answer_is_at_hand(chromium: Any, server: Any) -> None:
-    context = chromium.new_context(java_script_enabled=False)
-    page = context.new_page()
-    page.goto(server.url + "lens-distortion/")
-    assert page.locator(".answer-body").first.is_visible()
-    assert page.locator("form[data-predict] noscript, form[data-predict] details").count() > 0
-    context.close()
-
-
 def form_of(reader: Reader, item: Any) -> Locator:
     return reader.page.locator(f'form[data-predict="{item["id"]}"]')
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import PurePosixPath
-from typing import Any
+from typing import Any, Protocol
 
 from playwright.sync_api import (
     Browser,
@@ -14,7 +14,6 @@ from playwright.sync_api import (
     Request,
     ViewportSize,
 )
-from support.static_server import StaticServer
 
 FIGURES = "document.querySelectorAll('simulation-figure')"
 LIVE = f"[...{FIGURES}].every((figure) => figure.dataset.state === 'live')"
@@ -41,6 +40,12 @@ new PerformanceObserver((list) => window.shifts.push(...list.getEntries()
                       moved: entry.sources.map((source) => source.node?.className ?? '')}))))
   .observe({type: 'layout-shift', buffered: true});
 """
+
+
+class Serving(Protocol):
+    """A server, by the address of what it serves."""
+
+    url: str
 
 
 class Reader:
@@ -224,9 +229,7 @@ class Reader:
 
 
 @contextmanager
-def visit(
-    chromium: Browser, server: StaticServer, script: str = "", **options: Any
-) -> Iterator[Reader]:
+def visit(chromium: Browser, server: Serving, script: str = "", **options: Any) -> Iterator[Reader]:
     """A reader with a fresh browser profile, in whose pages ``script`` runs first.
 
     Nothing is kept for reading offline unless ``options`` allow it.
