@@ -72,8 +72,8 @@ def render(figure: str, scene_id: str, values: str, tier: str) -> Reply:
     ``values`` is a JSON object of control values; values left out take their defaults and numbers
     out of range are clamped. Raises `UnknownIdError` and `ControlError`.
     """
-    scene, asked = _asked(figure, scene_id, values, tier)
-    return _reply(scene.render(*asked))
+    scene, request = _request(figure, scene_id, values, tier)
+    return _reply(scene.render(*request))
 
 
 def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str) -> EditedReply:
@@ -88,8 +88,8 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
     printed = io.StringIO()
     try:
         with redirect_stdout(printed):
-            scene, asked = _asked(figure, scene_id, values, tier, edits)
-            reply = _reply(scene.render(*asked))
+            scene, request = _request(figure, scene_id, values, tier, edits)
+            reply = _reply(scene.render(*request))
     except BaseException as error:  # the reader's code may raise anything, `SystemExit` too
         problem = asdict(problem_with(error, edits))
     text = json.dumps(problem, ensure_ascii=False)
@@ -123,8 +123,8 @@ def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -
     wanted = (scene_id, values, tier, edits, _photographs.get(figure))
     begun, estimates = _judgements.get(figure, (None, iter(())))
     if begun != wanted:
-        scene, asked = _asked(figure, scene_id, values, tier, edits)
-        estimates = scene.estimates(*asked)
+        scene, request = _request(figure, scene_id, values, tier, edits)
+        estimates = scene.estimates(*request)
         _judgements[figure] = (wanted, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
@@ -135,10 +135,10 @@ def judge(figure: str, scene_id: str, values: str, tier: str, conditions: str) -
 
     Raises `UnknownIdError`, `ControlError` and `ExpressionError`.
     """
-    from simulations.engine.conditions import first_met  # most readers never need it
+    from simulations.engine.conditions import first_true  # most readers never need it
 
-    scene, asked = _asked(figure, scene_id, values, tier)
-    return first_met(json.loads(conditions), asked[0], scene.render(*asked))
+    scene, request = _request(figure, scene_id, values, tier)
+    return first_true(json.loads(conditions), request[0], scene.render(*request))
 
 
 def pull(scene_id: str, values: str, tier: str, handle: str, x: float, y: float) -> str:
@@ -163,7 +163,7 @@ def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -
         _photographs[figure] = Photograph.from_canvas(number, rgba, width, height)
 
 
-def _asked(
+def _request(
     figure: str, scene_id: str, values: str, tier: str, edits: str = ""
 ) -> tuple[Scene[Any], tuple[Any, str, StageCache, Photograph | None]]:
     """The scene that draws a figure, the book's or the reader's, and its settings and cache."""

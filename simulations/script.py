@@ -11,7 +11,7 @@ from simulations.registry import load_scene, scene_module
 WIDTH = 96
 """Width of a line of text."""
 SCRIPT = '''\
-"""{told}
+"""{paragraphs}
 """
 
 from simulations.engine.stages import StageCache
@@ -29,17 +29,17 @@ for item in frame.readouts:
 '''
 
 
-def script(scene_id: str, values: str, tier: str, told: str) -> str:
+def script(scene_id: str, values: str, tier: str, paragraphs: str) -> str:
     """A Python script that prints the readouts of a scene.
 
-    ``values`` is a JSON object of control values, as for `simulations.browser.render`, and ``told``
-    a JSON list of paragraphs for the beginning of the script. Raises `UnknownIdError` and
+    ``values`` is a JSON object of control values, as for `simulations.browser.render`, and
+    ``paragraphs`` a JSON list of texts for the beginning of the script. Raises `UnknownIdError` and
     `ControlError`.
     """
     scene = load_scene(scene_id)
     settings = scene.clamp(json.loads(values))
     return SCRIPT.format(
-        told="\n\n".join(fill(text, WIDTH) for text in json.loads(told)),
+        paragraphs="\n\n".join(fill(text, WIDTH) for text in json.loads(paragraphs)),
         module=scene_module(scene_id),
         settings="\n".join(f"    {name}={getattr(settings, name)!r}," for name in _lasting(scene)),
         tier=tier,

@@ -38,10 +38,10 @@ def module_source(module: str) -> str:
     if not is_editable(module):
         raise ValueError(f"module {module!r}; legal: one in simulations/{', '.join(ROOMS)}")
     loader: Any = import_module(module).__loader__
-    return str(loader.get_source(module) or _kept_source(module))
+    return str(loader.get_source(module) or _stored_source(module))
 
 
-def _kept_source(module: str) -> str | None:
+def _stored_source(module: str) -> str | None:
     """The module's file in `SOURCES`."""
     package = module.rpartition(".")[0]
     return zipimporter(f"{SOURCES}/{package.replace('.', '/')}").get_source(module)

@@ -6,14 +6,14 @@ from traceback import walk_tb
 
 from simulations.editing.definitions import is_editable
 from simulations.editing.program import Place, RefusedEditError
-from simulations.engine.said import Said
+from simulations.engine.message import Message
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
     """An exception, and the line of an edit that caused it."""
 
-    message: str | Said
+    message: str | Message
     """Message of Python or of the engine."""
     definition: str = ""
     """``MODULE:NAME`` of the edited definition; empty if no edited definition was running."""
@@ -29,7 +29,7 @@ def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
     """
     if isinstance(error, RefusedEditError):
         return Problem(error.message, error.definition, error.line)
-    told = f"{type(error).__name__}: {error}".removesuffix(": ")
+    text = f"{type(error).__name__}: {error}".removesuffix(": ")
     steps = [
         (str(frame.f_globals.get("__name__")), line) for frame, line in walk_tb(error.__traceback__)
     ]
@@ -40,19 +40,19 @@ def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
         if place.holds(module, line)
     ]
     if not edited:
-        return Problem(_with_place(told, steps, places))
+        return Problem(_with_place(text, steps, places))
     depth, place, line = edited[-1]
-    message = _with_place(told, steps[depth + 1 :], places)
+    message = _with_place(text, steps[depth + 1 :], places)
     return Problem(message, place.definition, line - place.first + 1)
 
 
 def _with_place(
     error: str, steps: Sequence[tuple[str, int]], places: Sequence[Place]
-) -> str | Said:
+) -> str | Message:
     """The message with the innermost line of the book's own code."""
     for module, line in reversed(steps):
         if is_editable(module):
             above = (p.added for p in places if p.module == module and p.first < line)
             place = {"file": f"{module.replace('.', '/')}.py", "line": str(line - sum(above))}
-            return Said("workshop.raised_in", {"error": error, **place})
+            return Message("workshop.raised_in", {"error": error, **place})
     return error

@@ -22,7 +22,7 @@ from simulations.editing.definitions import (
     is_editable,
     module_source,
 )
-from simulations.engine.said import Said
+from simulations.engine.message import Message
 
 type Edits = Mapping[str, str]
 """Definition, ``MODULE:NAME``, to its new text."""
@@ -31,7 +31,7 @@ type Edits = Mapping[str, str]
 class RefusedEditError(Exception):
     """A text that cannot replace its definition."""
 
-    def __init__(self, definition: str, line: int, message: str | Said) -> None:
+    def __init__(self, definition: str, line: int, message: str | Message) -> None:
         super().__init__(message)
         self.message = message
         self.definition = definition
@@ -118,7 +118,7 @@ def _check(definition: str, text: str) -> None:
     except SyntaxError as error:
         raise RefusedEditError(definition, error.lineno or 1, f"SyntaxError: {error.msg}") from None
     if name not in {defined_name(statement) for statement in statements}:
-        raise RefusedEditError(definition, 1, Said("workshop.undefined", {"name": name}))
+        raise RefusedEditError(definition, 1, Message("workshop.undefined", {"name": name}))
 
 
 class _EditedLoader:

@@ -26,7 +26,7 @@ def names_in(settings: object, frame: Frame) -> Mapping[str, object]:
     return {**shown, **values_of(settings)}
 
 
-def first_met(conditions: Sequence[str], settings: object, frame: Frame) -> int | None:
+def first_true(conditions: Sequence[str], settings: object, frame: Frame) -> int | None:
     """The place of the first condition that holds, or None. Raises `ExpressionError`."""
     names = names_in(settings, frame)
     return next((at for at, text in enumerate(conditions) if evaluate(text, names)), None)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from simulations.engine.said import Said
+from simulations.engine.message import Message
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -100,7 +100,7 @@ class StageReport:
 
     name: str
     status: Literal["computed", "reused", "skipped"]
-    reason: str | tuple[Said, ...]
+    reason: str | tuple[Message, ...]
     """The reason: a text of the scene, or messages of the engine."""
 
 
@@ -122,8 +122,8 @@ class Frame:
             ("readouts", self.readouts, Readout),
         ):
             if not isinstance(entries, tuple) or not all(isinstance(e, legal) for e in entries):
-                told = entries if isinstance(entries, tuple) else (entries,)
-                given = ", ".join(type(entry).__name__ for entry in told)
+                entries_given = entries if isinstance(entries, tuple) else (entries,)
+                given = ", ".join(type(entry).__name__ for entry in entries_given)
                 raise TypeError(f"{name} {given}; legal: a tuple of {legal.__name__}")
         for kind, names in (
             ("panel", [panel.name for panel in self.panels]),

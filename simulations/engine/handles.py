@@ -71,7 +71,7 @@ def places(
             raise ValueError(f"handle {handle.name!r}: panel {handle.panel!r}; legal: {legal}")
         place = handle.at(settings, outputs)
         if place is not None and not _is_point(place):
-            raise TypeError(f"handle {handle.name!r}: at gives {place!r}; legal: (x, y) or None")
+            raise TypeError(f"handle {handle.name!r}: at returns {place!r}; legal: (x, y) or None")
         if place is None or not all(map(math.isfinite, place)):
             continue
         x, y = (float(value) for value in place)
@@ -102,7 +102,7 @@ def pulled(
     given = handle.pull(settings, place, **shown)
     if not isinstance(given, Mapping):
         legal = ", ".join(f"{name!r}: …" for name in handle.drives)
-        raise TypeError(f"handle {handle.name!r}: pull gives {given!r}; legal: {{{legal}}}")
+        raise TypeError(f"handle {handle.name!r}: pull returns {given!r}; legal: {{{legal}}}")
     for name, wanted in given.items():
         if name not in handle.drives:
             legal = ", ".join(handle.drives)

@@ -144,8 +144,10 @@ class Scene[S]:
 
     def drafts_of(self, tier: str) -> dict[str, str]:
         """For each control with a draft of its own, the name of that draft."""
-        dear = tier in self.tiers[self.tiers.index(self.default_tier) :] if self.tiers else True
-        drafts = self.own_drafts.items() if dear else ()
+        expensive = (
+            tier in self.tiers[self.tiers.index(self.default_tier) :] if self.tiers else True
+        )
+        drafts = self.own_drafts.items() if expensive else ()
         return {control: draft for draft, controls in drafts for control in controls}
 
     def _wrong_stages(self) -> Iterator[str]:

@@ -14,8 +14,8 @@ from typing import Any
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import StageReport
+from simulations.engine.message import Message
 from simulations.engine.photograph import Photograph
-from simulations.engine.said import Said
 
 type Parameter = Value | Photograph | None
 """A value that a stage may read: a setting, the tier, or the reader's own picture."""
@@ -25,8 +25,8 @@ type Outputs = Mapping[str, Any]
 """Output of each stage by its name, and what `simulations.engine.scene.Scene.run` adds."""
 
 
-UNNEEDED = (Said("workings.unneeded"),)
-UNCHANGED = (Said("workings.unchanged"),)
+UNNEEDED = (Message("workings.unneeded"),)
+UNCHANGED = (Message("workings.unchanged"),)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,16 +42,16 @@ class Stage:
     neutral: Callable[..., str] | None = None
     """Takes parameters by name. Returns why the stage would change nothing, or an empty string if
     it would change something."""
-    hands_on: str = ""
+    passes_on: str = ""
     """The earlier stage whose output is passed on if this one is neutral; ``compute`` need not take
     it. By default the first of ``after``."""
 
     def __post_init__(self) -> None:
         if self.neutral and not self.source:
-            raise ValueError(f"stage {self.name!r} is neutral; legal: with an input to hand on")
-        if self.hands_on and not self.neutral:
+            raise ValueError(f"stage {self.name!r} has neutral; legal: with an input to pass on")
+        if self.passes_on and not self.neutral:
             raise ValueError(
-                f"stage {self.name!r} hands on {self.hands_on!r}; legal: where it can be neutral"
+                f"stage {self.name!r} passes on {self.passes_on!r}; legal: where it can be neutral"
             )
         if len(_arguments(self.compute)) < len(self.after):
             raise ValueError(
@@ -67,7 +67,7 @@ class Stage:
     @property
     def source(self) -> str:
         """The stage whose output is passed on if this one is neutral; empty for none."""
-        return self.hands_on or next(iter(self.after), "")
+        return self.passes_on or next(iter(self.after), "")
 
     def takes(self, neutral: bool) -> tuple[str, ...]:
         """Names of the stages whose outputs are needed."""
@@ -77,11 +77,11 @@ class Stage:
         """Why the stage would change nothing; empty if it would change something."""
         if self.neutral is None:
             return ""
-        given = _picked(self.neutral, parameters, f"stage {self.name!r} asks for")
+        given = _picked(self.neutral, parameters, f"stage {self.name!r}: neutral reads")
         reason = self.neutral(**given)
         if not isinstance(reason, str):
             raise TypeError(
-                f"stage {self.name!r}: neutral gives {reason!r}; legal: why, as text, or ''"
+                f"stage {self.name!r}: neutral returns {reason!r}; legal: why, as text, or ''"
             )
         return reason
 
@@ -186,7 +186,7 @@ def _require(names: Sequence[str], known: Mapping[str, object], who: str) -> Non
             raise KeyError(f"{who} {name!r}; legal: {', '.join(known) or 'none'}")
 
 
-def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Said, ...]:
+def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Message, ...]:
     """What has changed since the most similar cached result.
 
     Without a cached result, what the stage depends on.
@@ -194,10 +194,10 @@ def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Said, ...]:
     cached = cache.entries.get(stage.name, {})
     changes = min((_changes(stage, key, old) for old in cached), key=len, default=())
     if changes:
-        return (Said("workings.changed", _named(changes)),)
-    reads = (Said("workings.reads", _named(stage.reads)),) if stage.reads else ()
-    follows = (Said("workings.follows", _named(stage.after)),) if stage.after else ()
-    return (*reads, *follows) or (Said("workings.independent"),)
+        return (Message("workings.changed", _named(changes)),)
+    reads = (Message("workings.reads", _named(stage.reads)),) if stage.reads else ()
+    follows = (Message("workings.follows", _named(stage.after)),) if stage.after else ()
+    return (*reads, *follows) or (Message("workings.independent"),)
 
 
 def _changes(stage: Stage, key: Key, cached: Key) -> tuple[str, ...]:

@@ -47,8 +47,8 @@ def _panel(name: str, title: str, highest: float) -> Panel:
         marks.append(line(PLOT.at(nyquist, 0), PLOT.at(nyquist, 1.2), "camera dashed"))
     marks += [
         line(PLOT.at(-1.6, 0), PLOT.at(1.6, 0), "muted"),
-        PLOT.below(Scale(ticks=(-1, 0, 1), tick_style="muted small")),
-        PLOT.below(Scale(ticks=((-0.5, "−½"), (0.5, "½")), tick_style="camera small")),
+        PLOT.x_axis(Scale(ticks=(-1, 0, 1), tick_style="muted small")),
+        PLOT.x_axis(Scale(ticks=((-0.5, "−½"), (0.5, "½")), tick_style="camera small")),
         label((PLOT.at(0.5, 0)[0] + 6, 20), "Nyquist", "camera small"),
     ]
     return Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks))

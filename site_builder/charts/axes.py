@@ -20,7 +20,7 @@ class ChartAxis:
         """View box coordinate of a value."""
         if self.none is not None and (value <= 0.0 if self.scale.log else math.isinf(value)):
             return self.none
-        return self.scale.held(value)
+        return self.scale.clamped(value)
 
     def ticks(self) -> tuple[Tick, ...]:
         """Values and their labels."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from simulations.engine import drawing
-from simulations.engine.plotting.labels import Label, Room, place_labels
+from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.cache import cached_result
 from site_builder.charts.axes import ChartAxis, linear_axis, log_axis
@@ -25,7 +25,7 @@ LEFT, RIGHT, TOP, BOTTOM = 51.0, 408.0, 34.0, 270.0
 NONE_ROW = 22.0
 """Height of the strip for tiers without any error."""
 RADIUS = 4.5
-FRAME = Room(LEFT, TOP - 6, RIGHT + 8, BOTTOM)
+FRAME = Rectangle(LEFT, TOP - 6, RIGHT + 8, BOTTOM)
 LETTERS = 0.85
 """Size of a name beside that of a figure's labels."""
 
@@ -159,7 +159,7 @@ def _spread(item: MeasuredTier, side: str, y: float, time: ChartAxis) -> tuple[P
 def _names(measured: MeasuredLadder, at: Place, lines: Sequence[Segment], grey: set[str]) -> str:
     """A name beside the browser's dot of each tier."""
     dots = [at(item, side) for item in measured.tiers for side in SIDES]
-    taken = [Room(x - RADIUS, y - RADIUS, x + RADIUS, y + RADIUS) for x, y in dots]
+    taken = [Rectangle(x - RADIUS, y - RADIUS, x + RADIUS, y + RADIUS) for x, y in dots]
     labels = [
         Label(
             at(item, "browser"),

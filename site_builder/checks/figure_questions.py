@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from simulations.engine.conditions import first_met
+from simulations.engine.conditions import first_true
 from simulations.engine.controls import ControlError, Slider
 from simulations.engine.expressions import ExpressionError
 from site_builder.book import Chapter
@@ -64,5 +64,5 @@ def reply_at(quiz: Quiz, figure: Simulation, values: Mapping[str, object]) -> Op
     settings = figure.scene.check(values)
     frame = frame_at(figure.scene, settings, figure.tier)
     asked = conditions(quiz)
-    met = first_met(asked, settings, frame)
+    met = first_true(asked, settings, frame)
     return quiz.options[len(asked) if met is None else met]

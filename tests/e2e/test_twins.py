@@ -15,7 +15,7 @@ from support.static_server import serving
 
 from simulations.engine.controls import Slider, describe
 from simulations.engine.frame import Frame, Panel, StageReport, to_json
-from simulations.engine.said import Said
+from simulations.engine.message import Message
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.benchmarks.quantities import milliseconds, with_unit
 from site_builder.charts.axes import linear_axis, log_axis
@@ -111,10 +111,10 @@ def test_the_count_of_stages(page: Page, statuses: list[Any]) -> None:
 
 
 def test_why_a_stage_was_computed_or_not(page: Page) -> None:
-    reads, follows = (Said(f"workings.{key}", {"names": "a, b"}) for key in ("reads", "follows"))
-    reasons: list[str | tuple[Said, ...]] = [
+    reads, follows = (Message(f"workings.{key}", {"names": "a, b"}) for key in ("reads", "follows"))
+    reasons: list[str | tuple[Message, ...]] = [
         (reads, follows),
-        (Said("workings.unneeded"),),
+        (Message("workings.unneeded"),),
         "no blur",
         "",
     ]

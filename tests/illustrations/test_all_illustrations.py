@@ -12,7 +12,7 @@ from support.label_boxes import labels
 
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.labels import Room
+from simulations.engine.plotting.labels import Rectangle
 
 ROOT = Path(__file__).resolve().parents[2]
 DRAWN = {name: draw() for name, draw in ILLUSTRATIONS.items()}
@@ -58,7 +58,7 @@ def test_nothing_is_drawn_outside_the_view_box(panel: Panel) -> None:
 
 @pytest.mark.parametrize("panel", PANELS)
 def test_labels_lie_inside_the_view_box(panel: Panel) -> None:
-    frame = Room(-1.0, -1.0, panel.width + 1.0, panel.height + 1.0)
+    frame = Rectangle(-1.0, -1.0, panel.width + 1.0, panel.height + 1.0)
     assert [
         label.text for label in labels(panel.overlay) if label.box.sticks_out_of(frame) > 0
     ] == []

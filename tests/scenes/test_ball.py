@@ -14,7 +14,7 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes._ball import ball as the_ball
-from simulations.scenes._ball.ball import LIT, RADIUS_PX, build_ball, judge, light_direction
+from simulations.scenes._ball.ball import LIT, RADIUS_PX, build_ball, light_direction, rms_error
 from simulations.scenes.lambertian_shading import scene as lambertian
 from simulations.scenes.phong import scene as glossy
 from simulations.scenes.phong.gloss import ALBEDO, true_light
@@ -126,12 +126,12 @@ def test_the_truth_is_that_of_the_models_in_double_precision(light_angle: float)
 
 def test_the_error_is_the_root_mean_square_over_the_ball_alone() -> None:
     truth = np.zeros(BALL.inner.shape)
-    assert judge(BALL, np.where(BALL.inner, 0.25, 9.0), truth).text == "0.25"
+    assert rms_error(BALL, np.where(BALL.inner, 0.25, 9.0), truth).text == "0.25"
     inner = np.flatnonzero(BALL.inner)
     half = np.zeros(truth.size)
     half[inner[::2]] = 0.5
     # Every second pixel off by a half: the mean square is an eighth.
-    assert float(judge(BALL, half.reshape(truth.shape), truth).text) == pytest.approx(
+    assert float(rms_error(BALL, half.reshape(truth.shape), truth).text) == pytest.approx(
         math.sqrt(1 / 8), abs=0.005
     )
 

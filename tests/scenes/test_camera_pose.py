@@ -7,7 +7,7 @@ import pytest
 from support.frames import frame_of, texts_of
 
 from simulations.models.projection.pinhole import look_at
-from simulations.scenes.camera_pose.room import stand
+from simulations.scenes.camera_pose.room import standpoint
 from simulations.scenes.camera_pose.scene import SCENE
 
 frame = partial(frame_of, SCENE)
@@ -15,20 +15,20 @@ frame = partial(frame_of, SCENE)
 
 def test_the_figure_starts_with_the_worked_example() -> None:
     expected = look_at((10, 0, 0), (0, 0, 0), (0, -1, 0))
-    np.testing.assert_allclose(stand(-90, 10, 0).pose, expected, atol=1e-12)
+    np.testing.assert_allclose(standpoint(-90, 10, 0).pose, expected, atol=1e-12)
     assert texts_of(frame())["t"] == "(0.0, 0.0, 10.0)"
     assert texts_of(frame())["lamp"] == "(3.0, −1.0, 8.0)"
 
 
 @pytest.mark.parametrize("pan", [-180, -60, 0, 33, 90])
 def test_t_is_the_worlds_origin_and_the_centre_is_where_the_camera_was_put(pan: float) -> None:
-    here = stand(pan, 4.0, 2.5)
+    here = standpoint(pan, 4.0, 2.5)
     np.testing.assert_allclose(here.t, here.seen(np.zeros(3)), atol=1e-12)
     np.testing.assert_allclose(here.centre, [4.0, 0.0, 2.5], atol=1e-12)
 
 
 def test_turning_on_the_spot_changes_both_parts_of_the_pose() -> None:
-    before, after = stand(-90, 10, 0), stand(-60, 10, 0)
+    before, after = standpoint(-90, 10, 0), standpoint(-60, 10, 0)
     np.testing.assert_allclose(before.centre, after.centre, atol=1e-12)
     assert not np.allclose(before.rotation, after.rotation)
     assert not np.allclose(before.t, after.t)

@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 from PIL import ImageFont
 
 from simulations.engine.drafting import SCRIPT_SIZE
-from simulations.engine.plotting.labels import Room
+from simulations.engine.plotting.labels import Rectangle
 
 ITALIC, UPRIGHT = 14.0, 13.5
 """The largest sizes of labels, in units of the view box: illustrations.css."""
@@ -28,7 +28,7 @@ class Label:
     """A text of a drawing and the room that it takes."""
 
     text: str
-    box: Room
+    box: Rectangle
 
 
 def in_illustrations(style: Sequence[str]) -> float:
@@ -47,7 +47,7 @@ def labels(
         yield Label("".join(element.itertext()), _box(element, size_of))
 
 
-def _box(element: ElementTree.Element, size_of: Callable[[Sequence[str]], float]) -> Room:
+def _box(element: ElementTree.Element, size_of: Callable[[Sequence[str]], float]) -> Rectangle:
     style = (element.get("class") or "").split()
     size = size_of(style)
     face = "italic" if "italic" in style else "strong" if "strong" in style else "sans"
@@ -58,7 +58,7 @@ def _box(element: ElementTree.Element, size_of: Callable[[Sequence[str]], float]
     share = {"start": 0.0, "middle": 0.5, "end": 1.0}[element.get("text-anchor", "start")]
     left = float(element.get("x", "nan")) - share * width
     baseline = float(element.get("y", "nan"))
-    return Room(left, baseline - 0.72 * size, left + width, baseline + 0.2 * size)
+    return Rectangle(left, baseline - 0.72 * size, left + width, baseline + 0.2 * size)
 
 
 def _width(text: str, face: str, size: float) -> float:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from simulations.engine.controls import Value
-from simulations.engine.said import Said
+from simulations.engine.message import Message
 from simulations.engine.stages import Stage, StageCache, run
 
 
@@ -80,7 +80,7 @@ def test_a_skipped_stage_says_why(counting: Counting) -> None:
 def test_a_stage_that_is_neutral_for_no_reason_is_refused() -> None:
     first = Stage("first", lambda: 1)
     careless: Any = lambda factor: factor == 1  # noqa: E731
-    with pytest.raises(TypeError, match="stage 'a': neutral gives False; legal: why, as text"):
+    with pytest.raises(TypeError, match="stage 'a': neutral returns False; legal: why, as text"):
         run((first, Stage("a", lambda x: x, ("first",), careless)), values(), StageCache())
 
 
@@ -126,7 +126,7 @@ def noisy_stages(calls: Counter[str]) -> tuple[Stage, ...]:
             lambda rays, lens_rays: called("lens", rays * lens_rays),
             ("rays",),
             lambda lens_rays: "" if lens_rays else "one ray",
-            hands_on="surfaces",
+            passes_on="surfaces",
         ),
         Stage("grain", lambda: called("grain", 0.25)),
         Stage(
@@ -158,7 +158,7 @@ def test_what_nothing_takes_is_not_computed(
     idle = {report.name: report.reason for report in done.reports if report.status == "skipped"}
     own = {"lens": "one ray", "noise": "no noise"}
     assert idle == {
-        stage.name: own.get(stage.name, (Said("workings.unneeded"),))
+        stage.name: own.get(stage.name, (Message("workings.unneeded"),))
         for stage in stages
         if stage.name not in made
     }
@@ -183,7 +183,7 @@ def test_a_stage_needs_an_argument_for_each_that_it_comes_after() -> None:
         (Stage("b", lambda x: x, ("source",)), "stage 'b' follows 'source'; legal: first"),
         (
             Stage("c", lambda x: x, ("first",), lambda depth: f"{depth}"),
-            "stage 'c' asks for 'depth'; legal: size, factor",
+            "stage 'c': neutral reads 'depth'; legal: size, factor",
         ),
     ],
 )
@@ -194,15 +194,15 @@ def test_a_stage_that_asks_for_what_does_not_exist_is_named(stage: Stage, messag
 
 
 def test_a_stage_without_inputs_has_nothing_to_hand_on() -> None:
-    with pytest.raises(ValueError, match="stage 'a' is neutral; legal: with an input"):
+    with pytest.raises(ValueError, match="stage 'a' has neutral; legal: with an input"):
         Stage("a", lambda: 1, neutral=lambda: "always")
 
 
 def test_what_is_handed_on_is_handed_on_by_a_stage_that_can_be_neutral() -> None:
-    with pytest.raises(ValueError, match="stage 'a' hands on 'b'; legal: where it can be neutral"):
-        Stage("a", lambda: 1, hands_on="b")
+    with pytest.raises(ValueError, match="stage 'a' passes on 'b'; legal: where it can be neutral"):
+        Stage("a", lambda: 1, passes_on="b")
     first = Stage("first", lambda: 1)
-    lost = Stage("a", lambda: 1, neutral=lambda: "always", hands_on="b")
+    lost = Stage("a", lambda: 1, neutral=lambda: "always", passes_on="b")
     with pytest.raises(KeyError, match="stage 'a' follows 'b'; legal: first"):
         run((first, lost), values(), StageCache())
 
@@ -211,7 +211,7 @@ def reasons(*arguments: Any) -> list[str]:
     return [spelt(report.reason) for report in run(*arguments).reports]
 
 
-def spelt(reason: str | Sequence[Said]) -> str:
+def spelt(reason: str | Sequence[Message]) -> str:
     """``reads a, b; unneeded``"""
     assert not isinstance(reason, str)
     parts = ((part.key.removeprefix("workings."), part.values.get("names", "")) for part in reason)

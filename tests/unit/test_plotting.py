@@ -13,7 +13,7 @@ from support.label_boxes import in_figures, labels
 
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.clipping import clipped
-from simulations.engine.plotting.labels import Label, Room, place_labels
+from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.letters import width_of
 from simulations.engine.plotting.plot import Plot
@@ -58,7 +58,7 @@ def test_a_place_leads_back_to_its_value(exponent: float, log: bool) -> None:
 
 @pytest.mark.parametrize("value", [-5.0, 0.0, 1e9])
 def test_what_is_held_lies_between_the_ends(value: float) -> None:
-    assert Axis(1, 100, 10, 90, log=True).held(value) in (10, 90)
+    assert Axis(1, 100, 10, 90, log=True).clamped(value) in (10, 90)
 
 
 def test_a_logarithmic_axis_has_no_place_for_zero() -> None:
@@ -170,7 +170,7 @@ def test_each_tick_stands_under_its_value() -> None:
 
 
 def test_a_tick_without_words_has_its_stroke_alone() -> None:
-    marks = PLOT.below(Scale(ticks=[(2, "two"), (3, "")]))
+    marks = PLOT.x_axis(Scale(ticks=[(2, "two"), (3, "")]))
     assert marks.count("M") == 2
     assert re.findall(">([^<]*)</text>", marks) == ["two"]
 
@@ -191,9 +191,11 @@ def test_labels_stand_inside_and_not_on_each_other(
     where: list[tuple[float, float]], words: list[str]
 ) -> None:
     wanted = [Label(point, name) for point, name in zip(where, words, strict=False)]
-    boxes = [label.box for label in labels(place_labels(wanted, Room(0, 0, 400, 300)), in_figures)]
+    boxes = [
+        label.box for label in labels(place_labels(wanted, Rectangle(0, 0, 400, 300)), in_figures)
+    ]
     assert len(boxes) == len(wanted)
-    assert all(box.sticks_out_of(Room(0, 0, 400, 300)) < 1e-6 for box in boxes)
+    assert all(box.sticks_out_of(Rectangle(0, 0, 400, 300)) < 1e-6 for box in boxes)
     assert all(a.shared(b) < 1e-6 for a, b in combinations(boxes, 2))
 
 
@@ -202,7 +204,8 @@ def test_a_label_makes_room_for_a_curve() -> None:
     (box,) = (
         label.box
         for label in labels(
-            place_labels([Label((200, 150), "peak")], Room(0, 0, 400, 300), [curve]), in_figures
+            place_labels([Label((200, 150), "peak")], Rectangle(0, 0, 400, 300), [curve]),
+            in_figures,
         )
     )
     assert not box.top < 138 < box.bottom
@@ -211,8 +214,8 @@ def test_a_label_makes_room_for_a_curve() -> None:
 def test_a_label_that_is_crowded_away_from_its_point_has_a_leader() -> None:
     crowd = [Label((200, 150 + n), "a long name", leader="muted thin") for n in range(12)]
     first, *_ = crowd
-    assert "<line" not in place_labels([first], Room(0, 0, 400, 300))
-    assert 'class="muted thin"' in place_labels(crowd, Room(0, 0, 400, 300))
+    assert "<line" not in place_labels([first], Rectangle(0, 0, 400, 300))
+    assert 'class="muted thin"' in place_labels(crowd, Rectangle(0, 0, 400, 300))
 
 
 def test_a_label_may_stand_beside_another_of_its_points() -> None:
@@ -220,7 +223,8 @@ def test_a_label_may_stand_beside_another_of_its_points() -> None:
     (box,) = (
         label.box
         for label in labels(
-            place_labels([wanted], Room(0, 0, 400, 300), taken=[Room(100, 0, 400, 300)]), in_figures
+            place_labels([wanted], Rectangle(0, 0, 400, 300), taken=[Rectangle(100, 0, 400, 300)]),
+            in_figures,
         )
     )
     assert box.right < 100

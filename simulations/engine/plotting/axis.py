@@ -51,7 +51,7 @@ class Axis:
             value, low, high = math.log(value), math.log(low), math.log(high)
         return self.start + (value - low) / (high - low) * (self.end - self.start)
 
-    def held(self, value: float) -> float:
+    def clamped(self, value: float) -> float:
         """The view box coordinate of a value, clamped to the ends."""
         low, high = sorted((self.low, self.high))
         return self.place(min(max(value, low), high))

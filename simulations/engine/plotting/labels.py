@@ -1,6 +1,6 @@
 """Labels next to their points: within the panel, without overlap, off the curves if possible.
 
-    place_labels([Label(peak, "peak", "ray"), Label(foot, "Nyquist")], Room(0, 0, 400, 300))
+    place_labels([Label(peak, "peak", "ray"), Label(foot, "Nyquist")], Rectangle(0, 0, 400, 300))
 
 Labels are placed in order, each in the best place that is left: the most important comes first.
 Costs are rounded, so that CPython and Pyodide choose alike.
@@ -39,7 +39,7 @@ SPACING = 5.0
 
 
 @dataclass(frozen=True, slots=True)
-class Room:
+class Rectangle:
     """A rectangle in view box units."""
 
     left: float
@@ -47,13 +47,13 @@ class Room:
     right: float
     bottom: float
 
-    def shared(self, other: "Room") -> float:
+    def shared(self, other: "Rectangle") -> float:
         """Area of the overlap."""
         width = min(self.right, other.right) - max(self.left, other.left)
         height = min(self.bottom, other.bottom) - max(self.top, other.top)
         return max(width, 0.0) * max(height, 0.0)
 
-    def sticks_out_of(self, other: "Room") -> float:
+    def sticks_out_of(self, other: "Rectangle") -> float:
         """Units by which it exceeds a rectangle, summed over the sides."""
         beyond = (
             (other.left - self.left, self.right - other.right),
@@ -101,30 +101,30 @@ class Placed:
 
     baseline: tuple[float, float]
     anchor: str
-    room: Room
+    box: Rectangle
     point: Point
 
 
 def place_labels(
     labels: Sequence[Label],
-    inside: Room,
+    inside: Rectangle,
     curves: Iterable[Sequence[Point]] = (),
-    taken: Sequence[Room] = (),
+    taken: Sequence[Rectangle] = (),
 ) -> str:
     """SVG of the labels, which avoid ``curves`` if possible and the rectangles ``taken``."""
     hidden = _along(curves)
-    rooms, marks = list(taken), []
+    boxes, marks = list(taken), []
     for wanted in labels:
-        best = _best(_places(wanted, inside), inside, rooms, hidden)
-        rooms.append(best.room)
-        end = best.room.nearest(best.point)
+        best = _best(_places(wanted, inside), inside, boxes, hidden)
+        boxes.append(best.box)
+        end = best.box.nearest(best.point)
         if wanted.leader and math.dist(end, best.point) > APART * wanted.distance:
             marks.append(line(end, best.point, wanted.leader))
         marks.append(label(best.baseline, wanted.words, wanted.style, best.anchor))
     return "".join(marks)
 
 
-def _places(wanted: Label, inside: Room) -> Iterator[Placed]:
+def _places(wanted: Label, inside: Rectangle) -> Iterator[Placed]:
     sides = [SIDES[wanted.prefer], *(s for name, s in SIDES.items() if name != wanted.prefer)]
     size = wanted.scale * size_of(wanted.style)
     width, height = wanted.scale * width_of(wanted.words, wanted.style), (ASCENT + DESCENT) * size
@@ -140,28 +140,30 @@ def _places(wanted: Label, inside: Room) -> Iterator[Placed]:
                 x = left + 0.5 * width
             top = middle - 0.5 * height
             anchor = ("end", "middle", "start")[right + 1]
-            room = Room(left, top, left + width, top + height)
-            yield Placed((x, top + ASCENT * size), anchor, room, point)
+            box = Rectangle(left, top, left + width, top + height)
+            yield Placed((x, top + ASCENT * size), anchor, box, point)
 
 
 def _best(
-    places: Iterator[Placed], inside: Room, rooms: Sequence[Room], hidden: np.ndarray
+    places: Iterator[Placed], inside: Rectangle, boxes: Sequence[Rectangle], hidden: np.ndarray
 ) -> Placed:
     chosen = next(places)
-    least = _cost(chosen.room, inside, rooms, hidden)
+    least = _cost(chosen.box, inside, boxes, hidden)
     for later, place in enumerate(places, start=1):
         if least <= LATER * later:
             break  # no later place can cost less
-        cost = LATER * later + _cost(place.room, inside, rooms, hidden)
+        cost = LATER * later + _cost(place.box, inside, boxes, hidden)
         if cost < least:
             chosen, least = place, cost
     return chosen
 
 
-def _cost(room: Room, inside: Room, rooms: Sequence[Room], hidden: np.ndarray) -> float:
-    cost = OUTSIDE * room.sticks_out_of(inside)
-    cost += ON_LABEL * sum(room.shared(other) for other in rooms)
-    return round(cost + ON_CURVE * room.holds(hidden), 3)
+def _cost(
+    box: Rectangle, inside: Rectangle, boxes: Sequence[Rectangle], hidden: np.ndarray
+) -> float:
+    cost = OUTSIDE * box.sticks_out_of(inside)
+    cost += ON_LABEL * sum(box.shared(other) for other in boxes)
+    return round(cost + ON_CURVE * box.holds(hidden), 3)
 
 
 def _along(curves: Iterable[Sequence[Point]]) -> np.ndarray:

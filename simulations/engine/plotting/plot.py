@@ -45,9 +45,9 @@ class Plot:
         """The place of two values, also outside the plot."""
         return self.x.place(x), self.y.place(y)
 
-    def held(self, x: float, y: float) -> tuple[float, float]:
+    def clamped(self, x: float, y: float) -> tuple[float, float]:
         """The place of two values, clamped to the plot."""
-        return self.x.held(x), self.y.held(y)
+        return self.x.clamped(x), self.y.clamped(y)
 
     def values(self, place: Point) -> Values:
         """The values at a place, also outside the plot; for handles."""
@@ -82,8 +82,8 @@ class Plot:
         self, x: Values | None = None, y: Values | None = None, style: str = "muted fill faint"
     ) -> str:
         """The rectangle between two values of one axis, or of each, clamped to the plot."""
-        left, right = (self.x.held(value) for value in x or (self.x.low, self.x.high))
-        foot, top = (self.y.held(value) for value in y or (self.y.low, self.y.high))
+        left, right = (self.x.clamped(value) for value in x or (self.x.low, self.x.high))
+        foot, top = (self.y.clamped(value) for value in y or (self.y.low, self.y.high))
         return polygon([(left, foot), (right, foot), (right, top), (left, top)], style)
 
     def upright(self, x: float, style: str = "muted thin dashed") -> str:
@@ -100,7 +100,7 @@ class Plot:
 
     def drop(self, x: float, y: float, style: str = "muted thin dashed", to: str = "x") -> str:
         """Lines from a point to the axes in ``to``: ``x``, ``y`` or ``xy``."""
-        here = self.held(x, y)
+        here = self.clamped(x, y)
         ends = {"x": (here[0], self.y.start), "y": (self.x.start, here[1])}
         if to not in ("x", "y", "xy"):
             raise ValueError(f"to={to!r}; legal: 'x', 'y', 'xy'")
@@ -108,7 +108,7 @@ class Plot:
 
     def mark(self, x: float, y: float, style: str = "", radius: float = 5.0) -> str:
         """A point with an outline against the curves under it, clamped to the plot."""
-        here = self.held(x, y)
+        here = self.clamped(x, y)
         return circle(here, radius + 0.5, "casing") + dot(here, style, radius)
 
     def frame(self, across: Scale, up: Scale, style: str = "muted") -> str:
@@ -117,8 +117,8 @@ class Plot:
             (
                 self.grid(across, up, f"{style} thin faint"),
                 self.axes(style),
-                self.below(across),
-                self.beside(up),
+                self.x_axis(across),
+                self.y_axis(up),
             )
         )
 
@@ -129,7 +129,7 @@ class Plot:
         lines += [[(left, y), (right, y)] for y in map(self.y.place, up.grid)]
         return path(lines, style) if lines else ""
 
-    def below(self, scale: Scale) -> str:
+    def x_axis(self, scale: Scale) -> str:
         """The ticks of x and its name."""
         foot, ticks = self.y.start + scale.gap, tuple(scale.ticks_on(self.x))
         strokes = path([[(x, foot), (x, foot + STROKE)] for x, _ in ticks], "muted thin")
@@ -143,7 +143,7 @@ class Plot:
             words.append(label((x, foot + TITLE_BELOW), scale.title, scale.style, anchor))
         return "".join((strokes if ticks else "", *words))
 
-    def beside(self, scale: Scale) -> str:
+    def y_axis(self, scale: Scale) -> str:
         """The ticks of y, with strokes if there is no grid line, and its name."""
         edge, ticks = self.x.start - scale.gap, tuple(scale.ticks_on(self.y))
         strokes = path([[(edge - STROKE, y), (edge, y)] for y, _ in ticks], "muted thin")

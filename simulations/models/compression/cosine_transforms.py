@@ -15,7 +15,7 @@ from simulations.models.compression.blocks import BLOCK, DCT, Transform, block_d
 
 FIXED_BITS = 13
 """Fraction bits of the cosines in `fixed_point`, as in the slow integer transform of libjpeg."""
-KEPT_BITS = 3
+PASS_BITS = 3
 """Fraction bits between its two passes."""
 SAMPLE_BITS = 2
 """Fraction bits of its samples: a mean of four whole codes is still exact."""
@@ -61,9 +61,9 @@ def by_fourier(blocks: Floats) -> Floats:
 def fixed_point(blocks: Floats) -> Floats:
     """32-bit integers: samples in quarters of a code, cosines of 13 bits, eighths in between."""
     samples = np.rint(blocks * 2**SAMPLE_BITS).astype(np.int32)
-    rows = _shift(np.matmul(_DCT_FIXED, samples), FIXED_BITS + SAMPLE_BITS - KEPT_BITS)
+    rows = _shift(np.matmul(_DCT_FIXED, samples), FIXED_BITS + SAMPLE_BITS - PASS_BITS)
     both = _shift(np.matmul(rows, _DCT_FIXED.T), FIXED_BITS)
-    return both / 2.0**KEPT_BITS
+    return both / 2.0**PASS_BITS
 
 
 def _shift(numbers: NDArray[np.int32], bits: int) -> NDArray[np.int32]:

@@ -70,7 +70,7 @@ def undo_decentred(seen: Floats, start: Floats, lens: DecentredLens) -> tuple[Fl
         valid = _solved(ideal, wanted, lens)
         lost = np.flatnonzero(~valid & np.isfinite(wanted).all(axis=1))
         if lost.size:
-            ideal[lost] = _kept_on_sheet(wanted[lost], begin[lost], lens)
+            ideal[lost] = _newton_on_sheet(wanted[lost], begin[lost], lens)
             valid[lost] = _solved(ideal[lost], wanted[lost], lens)
     ideal = np.where(valid[:, None], ideal, begin)
     return ideal.reshape(seen.shape), np.asarray(valid.reshape(seen.shape[:-1]))
@@ -91,7 +91,7 @@ def _residual(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Floats:
     return np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
 
 
-def _kept_on_sheet(wanted: Floats, start: Floats, lens: DecentredLens) -> Floats:
+def _newton_on_sheet(wanted: Floats, start: Floats, lens: DecentredLens) -> Floats:
     """Newton's method from well within the sheet, each step halved until it stays there and helps.
 
     Whole steps can jump over a fold and converge behind it. A point that no step helps stays

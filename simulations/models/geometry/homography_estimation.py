@@ -21,7 +21,7 @@ from simulations.models.geometry.transforms import affine, apply_homography, sim
 DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
-MOST_LOST = 1e-6
+LARGEST_ERROR = 1e-6
 """Largest error from rounding the entries of a homography, as a share of the spread of the
 points."""
 
@@ -45,15 +45,15 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
         the one picture times that of the other, as a share of their spread, where ε = 2.2e-16 and
         the distances are those from the origins. For two pictures 800 px wide, both a million px
         from the origin, the error is 1e-7 px, with a bound of 2e-6 px.
-    valid : also False if that bound exceeds `MOST_LOST`: then subtract a point near the middle of
-        each picture first. Also False if the source points are on both sides of the line that is
-        mapped to infinity, which no picture does.
+    valid : also False if that bound exceeds `LARGEST_ERROR`: then subtract a point near the
+        middle of each picture first. Also False if the source points are on both sides of the line
+        that is mapped to infinity, which no picture does.
     """
     before, after = _pairs(source, target)
     T_before, T_after = normalisation(before), normalisation(after)
     if len(before) < 4 or T_before is None or T_after is None:
         return _undetermined()
-    if np.finfo(float).eps * _remoteness(T_before) * _remoteness(T_after) > MOST_LOST:
+    if np.finfo(float).eps * _remoteness(T_before) * _remoteness(T_after) > LARGEST_ERROR:
         return _undetermined()
     system = _direct_linear_system(
         apply_homography(T_before, before)[0], apply_homography(T_after, after)[0]

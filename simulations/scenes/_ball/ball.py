@@ -172,7 +172,7 @@ def true_normals(ball: Ball) -> NDArray[np.float64]:
     return np.stack([x, y, np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))], axis=-1)
 
 
-def judge(ball: Ball, light: ArrayLike, truth: Floats) -> Readout:
+def rms_error(ball: Ball, light: ArrayLike, truth: Floats) -> Readout:
     """RMS difference of (h, w) linear light from the truth, over the pixels of the ball alone."""
     wrong = (np.asarray(light, np.float64) - truth)[ball.inner]
     label = "RMS error of the light against its formula in float64"

@@ -18,7 +18,7 @@ CLOSE = 3.0
 """Distance within which two places of a ring, seen nearly edge on, count as equal."""
 
 
-class Seen(Protocol):
+class ViewSettings(Protocol):
     """Settings with the direction of the eye, in degrees."""
 
     @property
@@ -50,16 +50,16 @@ def pair(place: Floats) -> Point:
     return float(place[0]), float(place[1])
 
 
-def _eye(settings: Seen, _outputs: object) -> Point:
+def _eye(settings: ViewSettings, _outputs: object) -> Point:
     return UNITS_PER_DEGREE * settings.azimuth, UNITS_PER_DEGREE * settings.elevation
 
 
-def _eye_pulled(_settings: Seen, place: Point) -> Mapping[str, Value]:
+def _eye_pulled(_settings: ViewSettings, place: Point) -> Mapping[str, Value]:
     turn, tilt = (value / UNITS_PER_DEGREE for value in place)
     return {"azimuth": (turn + 180.0) % 360.0 - 180.0, "elevation": tilt}
 
 
-def background[S: Seen](panel: str) -> Handle[S]:
+def background[S: ViewSettings](panel: str) -> Handle[S]:
     """The handle that turns the view of a panel."""
     at: Callable[..., Point] = _eye
     pull: Callable[..., Mapping[str, Value]] = _eye_pulled

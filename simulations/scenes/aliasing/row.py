@@ -123,7 +123,7 @@ def _curves(
 ) -> Iterator[str]:
     """``x`` in pixels."""
     yield PLOT.level(0.0, "muted thin")
-    yield PLOT.below(PIXELS)
+    yield PLOT.x_axis(PIXELS)
     yield PLOT.curve(x, wave, "world thin" if filtered is None else "world thin faint")
     if filtered is not None:
         yield PLOT.curve(x, filtered, "light thin")

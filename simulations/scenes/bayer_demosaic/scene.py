@@ -24,7 +24,7 @@ from simulations.scenes.bayer_demosaic.stages import (
     rms_codes,
 )
 
-NOTHING_TO_JUDGE = ("—",) * 4
+NO_MERITS = ("—",) * 4
 """The texts of `_merits` while there is only a mosaic."""
 
 
@@ -34,7 +34,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     if not settings.demosaic:
         return Frame(
             _mosaic(settings, outputs),
-            (_shares(), *_merits(*NOTHING_TO_JUDGE)),
+            (_shares(), *_merits(*NO_MERITS)),
             describe_mosaic(words),
         )
     return Frame(

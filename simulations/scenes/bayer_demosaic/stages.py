@@ -118,13 +118,13 @@ STAGES = (
         _bytes,
         ("display",),
         neutral=_mosaic_alone,
-        hands_on="bytes of the mosaic",
+        passes_on="bytes of the mosaic",
     ),
     Stage(
         "bytes of the error",
         _amplified,
         ("error",),
         neutral=_mosaic_alone,
-        hands_on="bytes of the truth",
+        passes_on="bytes of the truth",
     ),
 )

@@ -19,7 +19,7 @@ SHARES = Scale(ticks=(0, 0.5, 1, 1.5))
 
 def at(angle_deg: float, share: float) -> tuple[float, float]:
     """View box units, clamped to the panel."""
-    return PLOT.held(angle_deg, share)
+    return PLOT.clamped(angle_deg, share)
 
 
 def angle_at(place: Point) -> float:

@@ -9,7 +9,7 @@ from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes._still_life_camera.rays import principal_mm
 from simulations.scenes.camera.settings import Settings
 
-KEPT_M = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))
+SUBJECT_M = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))
 """Depth before the step of the thing that keeps its size."""
 
 
@@ -18,7 +18,9 @@ def after_step(settings: Settings) -> Settings:
     if not settings.back:
         return settings
     focus = settings.focus + settings.back
-    principal = principal_mm(settings.focal_length, settings.focus) * (1 + settings.back / KEPT_M)
+    principal = principal_mm(settings.focal_length, settings.focus) * (
+        1 + settings.back / SUBJECT_M
+    )
     return replace(settings, focal_length=focal_length(principal, focus), focus=focus)
 
 
@@ -27,7 +29,7 @@ def focal_before_step(principal: float, focus: float, back: float) -> float:
 
     ``focus`` is the distance before the step.
     """
-    return focal_length(principal / (1 + back / KEPT_M), focus)
+    return focal_length(principal / (1 + back / SUBJECT_M), focus)
 
 
 def focal_length(principal: float, focus: float) -> float:

@@ -31,7 +31,7 @@ LAMP_DISTANCE = 3.5
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class PlanView:
     """The quantities in the plan."""
 
     focus: float
@@ -97,7 +97,7 @@ def lamp_mark(light_angle: float, distance: float = LAMP_DISTANCE, back: float =
     return on_plan(distance * math.sin(angle), STILL_LIFE_MIDDLE - nearer, back)
 
 
-def draw_plan(plan: Standing) -> str:
+def draw_plan(plan: PlanView) -> str:
     """SVG markup."""
     half_tan, back = math.tan(plan.view_rad / 2), plan.back
     return "".join(
@@ -125,7 +125,7 @@ def _wedge(half_tan: float, back: float) -> str:
     return "".join(edges) + drawing.dot(edge_mark(half_tan, back), "camera")
 
 
-def _in_focus(plan: Standing, half_tan: float) -> str:
+def _in_focus(plan: PlanView, half_tan: float) -> str:
     focus, back = plan.focus, plan.back
     first, last = (min(limit, WALL_DISTANCE + back) for limit in (plan.near, plan.far))
     near_left, near_right = _slice(first, half_tan, back)
@@ -186,7 +186,7 @@ def _lamp(light_angle: float, back: float) -> str:
     return drawing.arrow(start, end, "light bold") + drawing.circle(start, 5.0, "light solid")
 
 
-def _camera(plan: Standing) -> str:
+def _camera(plan: PlanView) -> str:
     x, row = on_plan(0, 0)
     body = drawing.rectangle((x - 13, row + 5), 26, 15, "camera fill")
     lens = drawing.rectangle((x - 6, row - 1), 12, 6, "camera solid")

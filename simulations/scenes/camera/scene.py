@@ -25,7 +25,7 @@ from simulations.scenes._still_life_camera.rays import (
 from simulations.scenes.camera.dolly import after_step
 from simulations.scenes.camera.handles import HANDLES
 from simulations.scenes.camera.lens import bend_rays, half_view_tangent, margin_px, widest_barrel
-from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, Standing, draw_plan
+from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, PlanView, draw_plan
 from simulations.scenes.camera.sensor import develop_ideal, expose, shutter_s, vignette
 from simulations.scenes.camera.settings import STRONGEST_BARREL, Settings
 from simulations.scenes.camera.stages import BOWED, STAGES, TIERS
@@ -85,7 +85,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     near, far = depth_of_field_m(now)
     quality = decibels((rms_codes(photograph, outputs["noiseless picture"]) / 255.0) ** 2)
     plan = draw_plan(
-        Standing(
+        PlanView(
             focus=settings.focus,
             light_angle=settings.light_angle,
             focal_length=now.focal_length,

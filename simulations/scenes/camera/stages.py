@@ -99,7 +99,7 @@ STAGES = (
     Stage("light", light_surfaces, ("surfaces",)),
     Stage("defocus", defocus, ("light",), in_focus),
     Stage("overlay", overlay, ("defocus",)),
-    Stage("aperture rays", _aperture_rays, ("bent rays",), _no_rays, hands_on="overlay"),
+    Stage("aperture rays", _aperture_rays, ("bent rays",), _no_rays, passes_on="overlay"),
     Stage("enlargement", enlarge, ("aperture rays",), _own_rays),
     Stage("lens map", lens.lens_map, ("pinhole rays",), _no_warp),
     Stage("lens distortion", lens.distort_picture, ("enlargement", "lens map"), _no_warp),

@@ -14,8 +14,8 @@ from simulations.scenes.camera_pose.settings import Settings
 
 
 def _at(outputs: Outputs, forward: float) -> Point:
-    stand: Standpoint = outputs["stand"]
-    x, y = from_camera(stand)(np.array([0.0, 0.0, forward]))
+    standpoint: Standpoint = outputs["standpoint"]
+    x, y = from_camera(standpoint)(np.array([0.0, 0.0, forward]))
     return float(x), float(y)
 
 

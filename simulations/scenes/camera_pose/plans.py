@@ -49,34 +49,34 @@ def in_camera(points: Floats) -> Floats:
     return CAMERA_ORIGIN + UNITS_PER_M * np.asarray(points)[..., [0, 2]] * [1.0, -1.0]
 
 
-def from_camera(stand: Standpoint) -> Place:
+def from_camera(standpoint: Standpoint) -> Place:
     """Camera coordinates to the first panel."""
-    return lambda points: in_world((points - stand.t) @ stand.rotation)
+    return lambda points: in_world((points - standpoint.t) @ standpoint.rotation)
 
 
-def to_camera(stand: Standpoint) -> Place:
+def to_camera(standpoint: Standpoint) -> Place:
     """World coordinates to the second panel."""
-    return lambda points: in_camera(stand.seen(points))
+    return lambda points: in_camera(standpoint.seen(points))
 
 
-def world_panel(stand: Standpoint) -> Panel:
+def world_panel(standpoint: Standpoint) -> Panel:
     """The camera's place and its axes."""
-    origin, centre = in_world(np.zeros(3)), in_world(stand.centre)
+    origin, centre = in_world(np.zeros(3)), in_world(standpoint.centre)
     apart = float(np.hypot(*(centre - origin))) > UNITS_PER_M
     parts = (
         _furniture(in_world),
         drawing.line(origin, centre, "muted thin dashed") if apart else "",
         _axes(in_world, "world", ("X", "Z")),
-        _camera(from_camera(stand)),
-        _axes(from_camera(stand), "camera", ("x", "z")),
+        _camera(from_camera(standpoint)),
+        _axes(from_camera(standpoint), "camera", ("x", "z")),
         _lamp(in_world, LAMP),
     )
     return Panel("world", "In world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
 
 
-def camera_panel(stand: Standpoint) -> Panel:
+def camera_panel(standpoint: Standpoint) -> Panel:
     """The room in camera coordinates, and the arrow t to the world's origin."""
-    place = to_camera(stand)
+    place = to_camera(standpoint)
     centre, origin = CAMERA_ORIGIN, place(np.zeros(3))
     inside = bool(np.all(origin > 0.0) and origin[0] < WIDTH and origin[1] < HEIGHT)
     apart = float(np.hypot(*(origin - centre))) > UNITS_PER_M
@@ -88,7 +88,7 @@ def camera_panel(stand: Standpoint) -> Panel:
         drawing.text(name, "t", "ray strong halo") if apart and inside else "",
         _camera(in_camera),
         _axes(in_camera, "camera", ("x", "z")),
-        _lamp(place, stand.seen(LAMP)),
+        _lamp(place, standpoint.seen(LAMP)),
     )
     return Panel("camera", "In camera coordinates", WIDTH, HEIGHT, overlay="".join(parts))
 

@@ -50,7 +50,7 @@ class Standpoint:
         return world_to_camera(points, self.pose)
 
 
-def stand(pan: float, camera_x: float, camera_z: float) -> Standpoint:
+def standpoint(pan: float, camera_x: float, camera_z: float) -> Standpoint:
     """A camera at (camera_x, 0, camera_z), panned by so many degrees to the right."""
     R = from_axis_angle((0.0, 1.0, 0.0), math.radians(pan)).T
     return Standpoint(rigid_pose(R, -R @ np.array([camera_x, 0.0, camera_z])))

@@ -8,13 +8,13 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
 from simulations.scenes.camera_pose.handles import HANDLES
 from simulations.scenes.camera_pose.plans import camera_panel, triple, world_panel
-from simulations.scenes.camera_pose.room import LAMP, Standpoint, stand
+from simulations.scenes.camera_pose.room import LAMP, Standpoint, standpoint
 from simulations.scenes.camera_pose.settings import Settings
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The room twice, the pose, and the lamp in camera coordinates."""
-    here: Standpoint = outputs["stand"]
+    here: Standpoint = outputs["standpoint"]
     lamp = triple(here.seen(LAMP))
     return Frame(
         panels=(world_panel(here), camera_panel(here)),
@@ -41,6 +41,6 @@ SCENE = Scene(
     title="Camera Pose",
     settings=Settings,
     draw=draw,
-    stages=(Stage("stand", stand),),
+    stages=(Stage("standpoint", standpoint),),
     handles=HANDLES,
 )

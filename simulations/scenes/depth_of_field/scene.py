@@ -28,7 +28,7 @@ from simulations.scenes.depth_of_field.stages import (
     FIXED,
     STAGES,
     TIERS,
-    judge,
+    estimates,
     widest_px,
 )
 
@@ -163,7 +163,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
         yield Readout("error", "Error", "no picture", "", "error")
         return
     setting = (settings.focal_length, drawn_f_number(settings), settings.focus)
-    yield from judge(outputs["encoded"], outputs["pinhole rays"], *setting)
+    yield from estimates(outputs["encoded"], outputs["pinhole rays"], *setting)
 
 
 SCENE = Scene(

@@ -142,13 +142,13 @@ STAGES = (
         _rays,
         ("pinhole rays",),
         partial(_unless, SPIRALS, "every pixel has one ray"),
-        hands_on="filter",
+        passes_on="filter",
     ),
     Stage("encoded", encode, ("rays through the lens",)),
 )
 
 
-def judge(
+def estimates(
     picture: Raster, rays: Rays, focal_length: float, aperture: float, focus: float
 ) -> Iterator[Readout]:
     """RMS error against rays through the whole lens, after each ray per pixel.

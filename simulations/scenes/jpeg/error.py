@@ -16,7 +16,7 @@ BLOCKS_A_STEP = 120
 """Blocks per step, as extended precision is slow in a browser."""
 
 
-def judge(planes: Floats, coded: Coded, transform: Transform) -> Iterator[Readout]:
+def estimates(planes: Floats, coded: Coded, transform: Transform) -> Iterator[Readout]:
     """The largest error so far, and the count of changed codes, over more blocks with each step.
 
     ``planes`` (3, H, W) are those before the transform.

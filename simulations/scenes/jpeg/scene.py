@@ -18,7 +18,7 @@ from simulations.models.compression.zigzag import first_in_order
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
 from simulations.scenes.jpeg import drawing
-from simulations.scenes.jpeg.error import judge
+from simulations.scenes.jpeg.error import estimates
 from simulations.scenes.jpeg.handles import HANDLES
 from simulations.scenes.jpeg.settings import ALL, Settings
 from simulations.scenes.jpeg.stages import PHOTOGRAPH_PX, STAGES
@@ -128,7 +128,7 @@ def _kept(block_kept: int) -> str:
 
 def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
     """Errors of this picture's coefficients against the standard's sums."""
-    return judge(outputs["planes"], outputs["coded"], TRANSFORMS[tier])
+    return estimates(outputs["planes"], outputs["coded"], TRANSFORMS[tier])
 
 
 SCENE = Scene(

@@ -23,11 +23,11 @@ from simulations.scenes._ball.ball import (
     Ball,
     build_ball,
     camera_panel,
-    judge,
     light_direction,
     light_of_pixels,
     lit_normals,
     paint,
+    rms_error,
     true_cosine,
 )
 from simulations.scenes._ball.marks import HEIGHT, WIDTH
@@ -100,7 +100,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
     """Error of the picture against Lambert's law in float64, in one step."""
     ball: Ball = outputs["ball"]
     truth = settings.albedo * np.maximum(true_cosine(ball, settings.light_angle), 0.0)
-    yield judge(ball, outputs["shade"], truth)
+    yield rms_error(ball, outputs["shade"], truth)
 
 
 def describe(angle: float, theta_rad: float, code: int) -> str:

@@ -56,7 +56,7 @@ def corner_shift_marked(row: float) -> float:
 def _light(tangents: Floats, cos4: Floats, open_share: Floats) -> Iterator[str]:
     x, top = LIGHT.at(1.0, 1.0)
     yield LIGHT.grid(Scale(), SHARES)
-    yield LIGHT.beside(SHARES)
+    yield LIGHT.y_axis(SHARES)
     yield text((8, top - 12), "light", "")
     yield text((x - 16, top - 12), "rim", "camera", "end")
     yield text((x - 50, top - 12), "cos⁴", "light", "end")
@@ -69,9 +69,9 @@ def _light(tangents: Floats, cos4: Floats, open_share: Floats) -> Iterator[str]:
 def _shifts(corner_px: tuple[float, float]) -> Iterator[str]:
     left, foot = TANGENTS.start, SHIFT.y.start
     yield SHIFT.grid(Scale(), PIXELS)
-    yield SHIFT.beside(PIXELS)
+    yield SHIFT.y_axis(PIXELS)
     yield line((left, foot), (TANGENTS.end, foot), "muted")
-    yield SHIFT.below(ANGLES)
+    yield SHIFT.x_axis(ANGLES)
     yield text((8, SHIFT.y.end), "shift, px", "error")
     for name, shift, style in (
         ("red", corner_px[0], "error bold"),

@@ -31,7 +31,7 @@ FIRST_ROUND = 9
 """Least count of reference wavelengths: with fewer a channel would have no light."""
 
 
-def judge(
+def estimates(
     picture: Raster, corner_of: Callable[[float], Planes], factor: Floats
 ) -> Iterator[Readout]:
     """RMS of the close-up of ``picture``, in even, small steps.

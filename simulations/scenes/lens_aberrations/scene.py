@@ -20,7 +20,7 @@ from simulations.scenes.lens_aberrations.error import (
     CLOSE_TOP,
     corner_in,
     corner_light,
-    judge,
+    estimates,
 )
 from simulations.scenes.lens_aberrations.handles import HANDLES
 from simulations.scenes.lens_aberrations.section import section
@@ -96,7 +96,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
         corner_in, outputs["chart"], settings.glass, settings.stop, settings.aperture
     )
     factor = corner_light(settings.aperture, settings.rim, settings.natural)
-    return judge(outputs["encoded"], corner_of, factor)
+    return estimates(outputs["encoded"], corner_of, factor)
 
 
 SCENE = Scene(

@@ -12,13 +12,13 @@ from simulations.scenes.perspective_projection.view import (
     METRES_PER_PX,
     PERSPECTIVE,
     View,
-    look,
+    view_of_point,
 )
 
 
 def view_of(settings: Settings) -> View:
     """The view at these settings."""
-    return look(
+    return view_of_point(
         X=settings.point_x,
         Y=settings.point_y,
         Z=settings.depth,

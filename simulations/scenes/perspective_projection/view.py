@@ -95,7 +95,7 @@ def metres(value: float) -> str:
     return format_number(value, 1 if abs(10.0 * value - round(10.0 * value)) < 1e-6 else 2)
 
 
-def look(X: float, Y: float, Z: float, focal_px: float, camera: str) -> View:
+def view_of_point(X: float, Y: float, Z: float, focal_px: float, camera: str) -> View:
     """Project the point (X, Y, Z) with the principal point at (0, 0).
 
     Depth is rounded to the millimetre, so that Z = 0 is exact.

@@ -21,11 +21,11 @@ from simulations.scenes._ball.ball import (
     Ball,
     build_ball,
     camera_panel,
-    judge,
     light_direction,
     light_of_pixels,
     lit_normals,
     paint,
+    rms_error,
 )
 from simulations.scenes._ball.marks import HEIGHT, WIDTH
 from simulations.scenes.phong.drawing import lobe_plot, over_ball
@@ -129,7 +129,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
     truth = true_light(
         ball, settings.light_angle, settings.model, settings.shininess, settings.specular
     )
-    yield judge(ball, outputs["light"][..., 0], truth)
+    yield rms_error(ball, outputs["light"][..., 0], truth)
 
 
 def describe(settings: Settings, matte: float, shine: float) -> str:

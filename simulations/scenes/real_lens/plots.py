@@ -79,8 +79,8 @@ def _plot(glass: Glass, up: Axis) -> Plot:
 
 def _frame(glass: Glass, plot: Plot, name: str, ticks: Sequence[float]) -> Iterator[str]:
     yield plot.axes()
-    yield plot.beside(Scale(name, ticks=ticks, style="small", tick_style="muted small"))
-    yield plot.below(ALONG if glass.real else replace(ALONG, name="", ticks=()))
+    yield plot.y_axis(Scale(name, ticks=ticks, style="small", tick_style="muted small"))
+    yield plot.x_axis(ALONG if glass.real else replace(ALONG, name="", ticks=()))
     if not glass.real:
         middle = (0.5 * (LEFT + RIGHT), 0.5 * (TOP + FLOOR) - 16)
         yield text(middle, "no image behind this lens", "error halo", "middle")

@@ -71,8 +71,8 @@ def _readouts(glass: Glass, true: Rays) -> tuple[Readout, ...]:
         readout("focal", "f, thick lens", _focal(thick), "mm", role="image"),
         _place("thin_at", "Thin lens: image at", glass.thin_mm, ""),
         _place("thick_at", "Thick lens: image at", glass.paraxial_mm, "image"),
-        _told("true_at", "The ray crosses at", true, crossing, "ray"),
-        _told("aberration", "Spherical aberration", true, off, "error"),
+        _or_reason("true_at", "The ray crosses at", true, crossing, "ray"),
+        _or_reason("aberration", "Spherical aberration", true, off, "error"),
         _angle("incidence", "Ray meets the front at", glass, true, inside=False),
         _angle("refracted", "… and goes on at", glass, true, inside=True),
     )
@@ -91,7 +91,7 @@ def _place(name: str, label: str, along_mm: float, role: str) -> Readout:
     return readout(name, label, along_mm, "mm", role=role)
 
 
-def _told(name: str, label: str, true: Rays, value: float, role: str) -> Readout:
+def _or_reason(name: str, label: str, true: Rays, value: float, role: str) -> Readout:
     """A number, or the reason why there is none."""
     if true.fate[0] != PASSES:
         return Readout(name, label, section.FATES[int(true.fate[0])], "", role)

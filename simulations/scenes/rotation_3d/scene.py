@@ -20,7 +20,7 @@ from simulations.scenes.rotation_3d import sphere
 from simulations.scenes.rotation_3d.handles import HANDLES
 from simulations.scenes.rotation_3d.settings import Settings
 from simulations.scenes.rotation_3d.sphere import LABELS, START, Way
-from simulations.scenes.rotation_3d.stages import STAGES, Orientation, judge
+from simulations.scenes.rotation_3d.stages import STAGES, Orientation, speed_error
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -72,7 +72,7 @@ def describe(settings: Settings, off_rad: float, blend: Floats) -> str:
 
 def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
     """Error of the quaternions' path against constant speed on the arc, in one step."""
-    yield judge(outputs["orientation"], tier)
+    yield speed_error(outputs["orientation"], tier)
 
 
 SCENE = Scene(

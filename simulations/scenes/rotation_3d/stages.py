@@ -50,7 +50,7 @@ STAGES = (
 )
 
 
-def judge(here: Orientation, tier: str) -> Readout:
+def speed_error(here: Orientation, tier: str) -> Readout:
     """Error of the quaternions' path against constant speed on the arc."""
     share = np.linspace(0.0, 1.0, sphere.STEPS + 1)
     off_rad = turn_between_rad(

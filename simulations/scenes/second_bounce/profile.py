@@ -20,7 +20,7 @@ ALONG = np.concatenate([-PLACES[::-1], PLACES])
 
 def at(place: float, brightness: float) -> tuple[float, float]:
     """View box units, clamped to the panel."""
-    return PLOT.held(place, brightness)
+    return PLOT.clamped(place, brightness)
 
 
 def place_at(point: Point) -> float:

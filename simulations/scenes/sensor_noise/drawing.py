@@ -8,7 +8,7 @@ import numpy as np
 
 from simulations.engine.drawing import Point, circle, dot, line, rectangle, text
 from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.labels import Label, Room, place_labels
+from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.plotting.ticks import log_ticks
@@ -85,12 +85,12 @@ def transfer_plot(
     crosses: list[Point] = []
     if one_frame_dn2 is not None:
         pairs = zip(mean_dn, one_frame_dn2, strict=True)
-        crosses = [plot.held(float(mean), float(variance)) for mean, variance in pairs]
+        crosses = [plot.clamped(float(mean), float(variance)) for mean, variance in pairs]
         parts += map(_cross, crosses)
     for k, (mean, variance) in enumerate(zip(mean_dn, variance_dn, strict=True)):
-        at = plot.held(float(mean), float(variance))
+        at = plot.clamped(float(mean), float(variance))
         parts.append(dot(at, "image", 3.5) if fitted[k] else circle(at, 3.5, "image"))
-    chosen = plot.held(float(mean_dn[patch]), float(variance_dn[patch]))
+    chosen = plot.clamped(float(mean_dn[patch]), float(variance_dn[patch]))
     if level_dn is not None:
         foot = level_place(plot, level_dn)
         parts += [line(foot, chosen, "image thin"), dot(foot, "image", 5)]
@@ -108,12 +108,12 @@ def _cross(place: Point) -> str:
 
 def level_place(plot: Plot, level_dn: float) -> tuple[float, float]:
     """The handle of the light, on the axis of the mean."""
-    return plot.held(level_dn, plot.y.low)
+    return plot.clamped(level_dn, plot.y.low)
 
 
 def floor_place(plot: Plot, curve: Curve) -> tuple[float, float]:
     """The right end of the floor."""
-    return plot.held(plot.x.high, curve.floor_dn2)
+    return plot.clamped(plot.x.high, curve.floor_dn2)
 
 
 def plot_of(curve: Curve) -> Plot:
@@ -143,8 +143,8 @@ def _theory(plot: Plot, curve: Curve) -> Iterator[str]:
     means = np.geomspace(low, max(full, low), 60)
     # The straight line starts where it enters the plot.
     start = max(low, LOWEST_DN2 * gain)
-    yield line(plot.held(start, start / gain), plot.held(high, high / gain), "light dashed")
-    yield line(plot.held(low, floor_dn2), plot.held(high, floor_dn2), "error dashed")
+    yield line(plot.clamped(start, start / gain), plot.clamped(high, high / gain), "light dashed")
+    yield line(plot.clamped(low, floor_dn2), plot.clamped(high, floor_dn2), "error dashed")
     yield plot.curve(means, np.maximum(means / gain + floor_dn2, LOWEST_DN2), "ray bold")
     if full > low:
         yield plot.upright(full, "muted dashed")
@@ -160,10 +160,10 @@ def _names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) ->
     shot = np.maximum(means / gain, LOWEST_DN2)
     middle = math.sqrt(full * max(low, LOWEST_DN2 * gain))
     labels = [
-        Label(plot.held(low, floor), "floor", "error small halo", distance=8.0),
-        Label(plot.held(full, plot.y.high), "full", "muted small halo", "below left", 5.0),
+        Label(plot.clamped(low, floor), "floor", "error small halo", distance=8.0),
+        Label(plot.clamped(full, plot.y.high), "full", "muted small halo", "below left", 5.0),
         Label(
-            plot.held(middle, middle / gain),
+            plot.clamped(middle, middle / gain),
             "shot noise: mean / g",
             "light small halo",
             "below right",
@@ -175,9 +175,9 @@ def _names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) ->
     seen: list[Sequence[Point]] = [
         *plot.pieces(means, np.maximum(shot + floor, LOWEST_DN2)),
         *plot.pieces(means, shot),
-        [plot.held(low, floor), plot.held(high, floor)],
-        [plot.held(full, plot.y.low), plot.held(full, plot.y.high)],
+        [plot.clamped(low, floor), plot.clamped(high, floor)],
+        [plot.clamped(full, plot.y.low), plot.clamped(full, plot.y.high)],
         [chosen, (chosen[0], plot.y.start)],
     ]
-    inside = Room(plot.x.start + 2, plot.y.end, plot.x.end, plot.y.start - 2)
+    inside = Rectangle(plot.x.start + 2, plot.y.end, plot.x.end, plot.y.start - 2)
     return place_labels(labels, inside, seen)

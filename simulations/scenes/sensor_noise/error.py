@@ -15,7 +15,7 @@ EXPOSURES = 16
 """Exposures of the patches for the error of a tier."""
 
 
-def judge(
+def estimates(
     counted: Floats | None, mean_e: Floats, new_noise: int, model: ShotModel
 ) -> Iterator[Readout]:
     """The largest gap between the cumulatives of ``counted`` (24, 1600) and of ``mean_e`` (24,).

@@ -18,7 +18,7 @@ from simulations.models.sensor.photon_counting import SHOT_MODELS, Sensor, ShotM
 from simulations.models.sensor.photon_transfer import Gain
 from simulations.scenes.sensor_noise import drawing
 from simulations.scenes.sensor_noise.drawing import format_electrons
-from simulations.scenes.sensor_noise.error import judge
+from simulations.scenes.sensor_noise.error import estimates
 from simulations.scenes.sensor_noise.handles import HANDLES
 from simulations.scenes.sensor_noise.settings import Settings
 from simulations.scenes.sensor_noise.stages import (
@@ -174,7 +174,7 @@ def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readou
     # used.
     even = not (outputs["photograph"] or settings.unequal)
     counted = outputs["electrons"][0] if even else None
-    return judge(counted, mean_e, settings.new_noise, cast(ShotModel, tier))
+    return estimates(counted, mean_e, settings.new_noise, cast(ShotModel, tier))
 
 
 SCENE = Scene(

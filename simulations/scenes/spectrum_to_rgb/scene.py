@@ -15,7 +15,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.scenes.spectrum_to_rgb import axes, diagram, patches, spectra
 from simulations.scenes.spectrum_to_rgb.handles import HANDLES
 from simulations.scenes.spectrum_to_rgb.settings import Settings
-from simulations.scenes.spectrum_to_rgb.stages import NAMES, STAGES, Colours, held
+from simulations.scenes.spectrum_to_rgb.stages import NAMES, STAGES, Colours, daylight_temperature
 
 VISIBLE = 2.0
 """Just noticeable ΔE."""
@@ -93,7 +93,11 @@ def _codes(linear: np.ndarray) -> str:
 
 def describe(settings: Settings, colours: Colours, chosen: int) -> str:
     """The picture in one sentence."""
-    kelvin = held(settings.temperature) if settings.light == "daylight" else settings.temperature
+    kelvin = (
+        daylight_temperature(settings.temperature)
+        if settings.light == "daylight"
+        else settings.temperature
+    )
     light = LIGHTS[settings.light].format(kelvin)
     name = settings.surface.replace("-", " ")
     surface = SURFACES.get(settings.surface, f"A patch of the colour {name}")

@@ -65,7 +65,7 @@ class Colours:
     """(12,) ΔE of the twins for the eye in this light."""
 
 
-def held(temperature_k: float) -> float:
+def daylight_temperature(temperature_k: float) -> float:
     """The temperature, limited to the range of daylight."""
     return max(temperature_k, DAYLIGHT_K[0])
 
@@ -76,7 +76,7 @@ def light_of(light: str, temperature: float) -> Floats:
         case "planck":
             power = planck(temperature)
         case "daylight":
-            power = daylight(held(temperature))
+            power = daylight(daylight_temperature(temperature))
         case "fluorescent":
             power = fluorescent()
         case _:

@@ -18,7 +18,7 @@ class Rung:
     """Its name within a sentence."""
     freedoms: int
     """Degrees of freedom."""
-    keeps: str
+    preserves: str
     """The property that it preserves and the next larger family does not."""
 
 
@@ -73,6 +73,6 @@ def rung_labels(rung: Rung, left: float, top: float, role: str) -> str:
     right = WIDTH - left - 12.0
     return (
         drawing.text((left + 12.0, top + 21.0), rung.title, f"{role} strong")
-        + drawing.text((left + 12.0, top + 38.0), f"also keeps {rung.keeps}", f"{role} small")
+        + drawing.text((left + 12.0, top + 38.0), f"also keeps {rung.preserves}", f"{role} small")
         + drawing.text((right, top + 21.0), f"{rung.freedoms} DoF", role, "end")
     )

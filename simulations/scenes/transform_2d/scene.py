@@ -17,7 +17,7 @@ from simulations.scenes.transform_2d.plane import image_of
 from simulations.scenes.transform_2d.settings import Settings
 from simulations.scenes.transform_2d.square import SQUARE, grid_segments
 
-KEPT = 1e-9
+ROUNDING = 1e-9
 """Largest measured change, in radians or as a share, that counts as rounding."""
 
 
@@ -105,13 +105,13 @@ def preservation_readouts(measured: Preservation) -> tuple[Readout, ...]:
 
 
 def angle_verdict(change_rad: float) -> str:
-    if change_rad <= KEPT:
+    if change_rad <= ROUNDING:
         return "kept"
     return f"changed by up to {format_number(math.degrees(change_rad), 1)}°"
 
 
 def share_verdict(change: float) -> str:
-    if change <= KEPT:
+    if change <= ROUNDING:
         return "kept"
     if math.isinf(change):
         return "changed without bound"
@@ -133,8 +133,8 @@ def describe(kind: str, H: Floats, measured: Preservation) -> str:
         "parallel lines": measured.parallel_rad,
         "straight lines": measured.bend,
     }
-    kept = [name for name, change in changes.items() if change <= KEPT]
-    return f"The square under {RUNGS[kind].phrase} {size}; kept: {', '.join(kept)}."
+    preserved = [name for name, change in changes.items() if change <= ROUNDING]
+    return f"The square under {RUNGS[kind].phrase} {size}; kept: {', '.join(preserved)}."
 
 
 def describe_point(H: Floats, point: Floats) -> str:

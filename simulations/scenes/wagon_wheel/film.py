@@ -74,7 +74,7 @@ STAGES = (
 )
 
 
-def judge(
+def estimates(
     canvas: Canvas, spokes: int, turn_per_frame: float, shutter: float, time: float, tier: str
 ) -> Iterator[Readout]:
     """RMS error over the pixels where spokes pass, of the light between wall and wood; more pixels

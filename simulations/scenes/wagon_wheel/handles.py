@@ -42,8 +42,8 @@ def _reached(place: Point, turn: float, start: float, now: float, end: float) ->
     """
     ahead = _half_turn(angle_at(place) - turn * (start + now)) / turn
     around = 2 * math.pi / abs(turn)
-    whens = [now + ahead + rounds * around for rounds in (-1, 0, 1)]
-    within = [when for when in whens if -1e-9 <= when <= end + 1e-9]
+    times = [now + ahead + rounds * around for rounds in (-1, 0, 1)]
+    within = [when for when in times if -1e-9 <= when <= end + 1e-9]
     if within:
         return min(within, key=lambda when: abs(when - now))
     return min(

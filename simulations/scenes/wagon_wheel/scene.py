@@ -14,7 +14,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.sampling.aliasing import apparent_wheel_speed, box_mtf
 from simulations.scenes.wagon_wheel import drawing
-from simulations.scenes.wagon_wheel.film import STAGES, TIERS, frame_at, judge
+from simulations.scenes.wagon_wheel.film import STAGES, TIERS, estimates, frame_at
 from simulations.scenes.wagon_wheel.handles import HANDLES
 from simulations.scenes.wagon_wheel.settings import Settings
 
@@ -124,7 +124,7 @@ def describe(settings: Settings, apparent: float, certain: bool, contrast: float
 def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
     """Error of the current frame against the integral over its exposure."""
     per_frame = 2 * math.pi * settings.speed / settings.frame_rate
-    return judge(
+    return estimates(
         outputs["canvas"], settings.spokes, per_frame, settings.shutter, settings.time, tier
     )
 

@@ -7,7 +7,7 @@ from typing import Any
 from simulations.engine.controls import Choice, Control, Slider, Value, describe
 from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
-from simulations.engine.said import Said
+from simulations.engine.message import Message
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.figures.initial_frames import InitialFrame
@@ -171,7 +171,7 @@ def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
     return tuple((tier, labels[tier]) for tier in scene.tiers)
 
 
-def reason_text(reason: str | Sequence[Said], words: Words = ENGLISH) -> str:
+def reason_text(reason: str | Sequence[Message], words: Words = ENGLISH) -> str:
     """Why a stage was computed or not, as ``stage_report.js`` writes it."""
     if isinstance(reason, str):
         return reason

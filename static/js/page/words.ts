@@ -14,7 +14,7 @@ export function words(key: string, values: Record<string, string | number> = {})
 
 /**
  * What the engine says, in the language of the book; what a scene, or Python itself, says is text.
- * As `simulations/engine/said.py`.
+ * As `simulations/engine/message.py`.
  */
 export type Said = { key: string; values: Record<string, string> };
 

@@ -6,7 +6,7 @@ from scipy.fft import dctn
 
 from simulations.models.arrays import Floats
 from simulations.models.compression.cosine_transforms import (
-    KEPT_BITS,
+    PASS_BITS,
     TRANSFORMS,
     exact_block_dct,
     exact_cosines,
@@ -17,7 +17,7 @@ CODES = np.random.default_rng(5).integers(-128, 128, (3, 50, 8, 8)).astype(float
 ORACLE = dctn(CODES, type=2, norm="ortho", axes=(-2, -1))
 ALLOWED = {
     # Two roundings to an eighth, the first mixed by a second pass of unit rows.
-    "fixed-point": (1 + np.sqrt(8)) * 2.0 ** -(KEPT_BITS + 1) + 0.1,
+    "fixed-point": (1 + np.sqrt(8)) * 2.0 ** -(PASS_BITS + 1) + 0.1,
     # Sums of 64 products of up to 128, at 2⁻²⁴ each.
     "separable-32": 64 * 128 * 2.0**-24,
     "separable": 64 * 128 * 2.0**-52,

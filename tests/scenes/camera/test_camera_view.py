@@ -12,7 +12,7 @@ from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
 from simulations.pictures.still_life import things as still_life
 from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS, principal_mm
-from simulations.scenes.camera.dolly import KEPT_M, after_step, focal_before_step
+from simulations.scenes.camera.dolly import SUBJECT_M, after_step, focal_before_step
 from simulations.scenes.camera.scene import SCENE, view_of
 
 outputs = partial(outputs_of, SCENE, "layers")
@@ -90,7 +90,7 @@ def test_a_dolly_zoom_keeps_the_striped_ball_and_squeezes_the_depth(name: str) -
         x, y, z = pinhole.world_to_camera(ball.thing.solid.centre, still_life.WORLD_TO_CAMERA)
         away, r = z + back, ball.thing.solid.radius
         assert ball.depth.max() == pytest.approx(away)
-        scale = (KEPT_M + back) / KEPT_M
+        scale = (SUBJECT_M + back) / SUBJECT_M
         outline = math.sqrt(x**2 + y**2 + away**2 - r**2) / (away**2 - r**2) ** 1.5
         areas.append(ball.coverage.sum())
         ellipses.append(scale**2 * outline)
@@ -101,8 +101,8 @@ def test_a_dolly_zoom_keeps_the_striped_ball_and_squeezes_the_depth(name: str) -
 def test_after_a_step_back_the_lens_is_longer_and_the_focus_on_the_same_thing() -> None:
     now = after_step(SCENE.check({"back": 2}))
     assert now.focus == pytest.approx(5.2)
-    before = principal_mm(50, 3.2) / KEPT_M
-    assert principal_mm(now.focal_length, now.focus) / (KEPT_M + 2) == pytest.approx(before)
+    before = principal_mm(50, 3.2) / SUBJECT_M
+    assert principal_mm(now.focal_length, now.focus) / (SUBJECT_M + 2) == pytest.approx(before)
     assert focal_before_step(principal_mm(now.focal_length, 5.2), 3.2, 2) == pytest.approx(50)
 
 
