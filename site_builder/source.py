@@ -11,7 +11,7 @@ from simulations.engine.scene import Scene
 from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import OUTLINE, Book
 from site_builder.book_root import ENGINE
-from site_builder.cache import cached_reading, hash_of
+from site_builder.cache import cached_reading, hash_of, source_hash
 from site_builder.chapters import Page, targets_state
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.files import file_hash, folder_files, folder_hash
@@ -44,6 +44,10 @@ OWN_FOLDERS = (
     "runtime", "search", "source", "symbols",
 )  # fmt: skip
 """Folders of the site beside those of its chapters."""
+SCENE_FILE = re.compile(r"scenes/([^_/]\w*)/")
+"""What is no scene's alone stands in folders whose names begin with an underscore."""
+WORDS = re.compile(r"\{ref\}`[^`]*`|(\w+)")
+"""Without references, as a chapter may have the name of a scene."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,8 +86,8 @@ def read_book(
         ),
         _read_cached(root, GLOSSARY, problems, lambda own: read_glossary(root, own, words), words),
     )
-    state = _shared_state(root, outline)
-    pages = list(_pages(outline, shared, state, problems))
+    state_of = _states(root, outline)
+    pages = list(_pages(outline, shared, state_of, problems))
     targets = find_targets([page.survey() for page in pages], problems)
     known = targets_state(targets)
     _check_addresses(outline, problems)
@@ -95,6 +99,9 @@ def read_book(
     def meanings(own: Diagnostics) -> Mapping[str, tuple[Meaning, ...]]:
         context = ParseContext(SYMBOLS, shared, own, targets=targets)
         return read_meanings(read_symbols(root, own), context)
+
+    def read_cached[T](file: str, read: Callable[[Diagnostics], T]) -> T:
+        return _read_cached(root, file, problems, read, read.__name__, state_of(file), known)
 
     return Book(
         title=settings.title,
@@ -109,12 +116,14 @@ def read_book(
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
-        glossary=_read_cached(root, GLOSSARY, problems, definitions, "definitions", state, known),
-        symbols=_read_cached(root, SYMBOLS, problems, meanings, "meanings", state, known),
+        glossary=read_cached(GLOSSARY, definitions),
+        symbols=read_cached(SYMBOLS, meanings),
     )
 
 
-def _pages(outline: Outline, shared: Shared, state: bytes, problems: Diagnostics) -> Iterator[Page]:
+def _pages(
+    outline: Outline, shared: Shared, state_of: Callable[[str], bytes], problems: Diagnostics
+) -> Iterator[Page]:
     root = shared.root
     for name, line, position in outline.chapters:
         path = f"content/{name}.md"
@@ -122,7 +131,7 @@ def _pages(outline: Outline, shared: Shared, state: bytes, problems: Diagnostics
             problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(root)))
             continue
         _check_name(name, line, problems)
-        yield Page(path, read_text(root, path, problems), position, shared, state)
+        yield Page(path, read_text(root, path, problems), position, shared, state_of(path))
 
 
 def _read_cached[T](
@@ -132,13 +141,27 @@ def _read_cached[T](
     return cached_reading(path, (file_hash(root / path), *given), problems, read)
 
 
-def _shared_state(root: Path, outline: Outline) -> bytes:
-    """Hash of what all chapters are read with: the other files of ``content/``, and code."""
+def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
+    """The hash of what a file is read with: those of ``content/`` that are no chapters, and all
+    code but that of scenes that it does not name."""
     chapters = {f"{name}.md" for name, _, _ in outline.chapters}
     content = folder_files(root / "content").items()
     files = {name: file_hash(file) for name, file in content if name not in chapters}
-    code = [folder_hash(base / "simulations", "*.py") for base in (root, ENGINE)]
-    return hash_of(files, code, outline.words)
+    code: dict[str, list[bytes | None]] = {"": []}
+    for name, file in folder_files(root / "simulations").items():
+        scene = SCENE_FILE.match(name)
+        code.setdefault(scene[1] if scene else "", []).append(file_hash(file))
+    engine = folder_hash(ENGINE / "simulations", "*.py") if root != ENGINE else b""
+    shared = hash_of(files, code.pop(""), engine, outline.words)
+
+    def state_of(path: str) -> bytes:
+        file = root / path
+        text = file.read_text(encoding="utf-8", errors="replace") if file.is_file() else ""
+        named = code.keys() & set(WORDS.findall(text.replace("-", "_")))
+        scenes = [(code[s], source_hash(f"simulations.scenes.{s}.scene")) for s in sorted(named)]
+        return hash_of(shared, scenes)
+
+    return state_of
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:

@@ -1,11 +1,13 @@
 """Which modules the simulations import, read from their sources."""
 
 import ast
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
+
+from site_builder.cache import cached
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +71,7 @@ def outside(table: Table, modules: Iterable[str]) -> dict[str, str]:
 
 def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
     inside, others = set[str](), dict[str, str]()
-    for name, line, certain in _mentions(ast.parse(file.read_bytes(), path)):
+    for name, line, certain in _mentions(file.read_bytes(), path):
         if name in files:
             inside.add(name)
         elif name.partition(".")[0] not in files and (certain or _is_module(name)):
@@ -77,29 +79,30 @@ def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
     return Imports(frozenset(inside), others)
 
 
-def _mentions(tree: ast.Module) -> Iterator[tuple[str, int, bool]]:
-    """Names that may be modules, their line, and whether they certainly are.
+@cached
+def _mentions(source: bytes, path: str) -> tuple[tuple[str, int, bool], ...]:
+    """Names that may be modules, where each is first used, and whether they certainly are.
 
     A package of numpy need not be imported by name: ``np.fft`` imports it on first use.
     """
     aliases: dict[str, str] = {}
     attributes: list[ast.Attribute] = []
-    for node in ast.walk(tree):
+    found: dict[tuple[str, bool], int] = {}
+    for node in ast.walk(ast.parse(source, path)):
         if isinstance(node, ast.Attribute):
             attributes.append(node)
         elif isinstance(node, ast.Import):
             for alias in node.names:
                 aliases[alias.asname or alias.name] = alias.name
-                yield alias.name, node.lineno, True
+                found.setdefault((alias.name, True), node.lineno)
         elif isinstance(node, ast.ImportFrom) and node.module:
-            yield node.module, node.lineno, True
+            found.setdefault((node.module, True), node.lineno)
             for alias in node.names:
-                yield f"{node.module}.{alias.name}", node.lineno, False
+                found.setdefault((f"{node.module}.{alias.name}", False), node.lineno)
     for node in attributes:
-        if isinstance(node.value, ast.Name):
-            package = aliases.get(node.value.id)
-            if package:
-                yield f"{package}.{node.attr}", node.lineno, False
+        if isinstance(node.value, ast.Name) and (package := aliases.get(node.value.id)):
+            found.setdefault((f"{package}.{node.attr}", False), node.lineno)
+    return tuple((name, line, certain) for (name, certain), line in found.items())
 
 
 @cache

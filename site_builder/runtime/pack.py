@@ -95,8 +95,7 @@ def pack_runtime(
     machine = {name: fetched[name] for name in INTERPRETER}
     python, numpy = fetched[PYTHON_LIBRARY.name], fetched[NUMPY_WHEEL.name]
     files = book_modules(simulations)
-    given = {name: file_hash(file) for name, file in files.items()}
-    imports = cached_result("imports", given, lambda: imports_of(files))
+    imports = imports_of(files)
     modules = page_modules(imports, scenes, ladders)
     at_once, later = outside(imports, reach(imports, ENTRY)), outside(imports, modules)
     frozen = freeze_libraries(machine, python, numpy, at_once, later, folder)

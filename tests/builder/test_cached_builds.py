@@ -86,3 +86,17 @@ def test_a_chapter_is_read_again_only_when_it_changes(
     file.write_text(file.read_text().replace("is small", "is tiny"), encoding="utf-8")
     built(book, Cache(tmp_path))
     assert read == ["First"]
+
+
+@pytest.mark.parametrize(("scene", "chapters"), [("transform_2d", ["Second"]), ("brdf", [])])
+def test_the_code_of_a_scene_concerns_the_chapters_that_name_it(
+    scene: str, chapters: list[str], book: Options, tmp_path: Path, read: list[str]
+) -> None:
+    file = book.root / "simulations" / "scenes" / scene / "stages.py"
+    file.parent.mkdir(parents=True)
+    file.write_text("first", encoding="utf-8")
+    built(book, Cache(tmp_path))
+    read.clear()
+    file.write_text("second", encoding="utf-8")
+    built(book, Cache(tmp_path))
+    assert read == chapters
