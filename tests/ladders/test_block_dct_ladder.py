@@ -65,8 +65,3 @@ def test_a_coefficient_halfway_between_two_numbers_may_go_either_way() -> None:
     assert changed_per_million(tie + 0.01, tie, RUN.work) == 0.0
     clear = tie + 0.3 * LUMINANCE_TABLE
     assert changed_per_million(clear + 0.9 * LUMINANCE_TABLE, clear, RUN.work) == 1e6
-
-
-def test_the_default_is_better_than_everything_cheaper() -> None:
-    default = [tier.id for tier in LADDER.tiers].index(LADDER.default_tier)
-    assert all(worst()[tier.id] > worst()[LADDER.default_tier] for tier in LADDER.tiers[:default])

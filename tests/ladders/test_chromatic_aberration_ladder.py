@@ -7,7 +7,6 @@ import pytest
 from scipy.integrate import quad
 from support.ladder_run import LadderRun
 
-from simulations.engine.ladder import pareto_front
 from simulations.ladders.chromatic_aberration import (
     LADDER,
     LENS,
@@ -80,8 +79,3 @@ def test_without_fringes_there_is_nothing_to_err_on(tier: str) -> None:
 def test_the_metric_notices_a_target_that_is_a_thousandth_larger() -> None:
     near = Workload(RUN.work.x * np.float32(1.001), RUN.work.y * np.float32(1.001))
     assert rms(LADDER.tier("even-31").run(near), RUN.truth, RUN.work) > 5 * errors()["even-31"]
-
-
-def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
-    front = pareto_front([(pictures, errors()[tier]) for tier, pictures in PICTURES.items()])
-    assert front[list(PICTURES).index(LADDER.default_tier)]

@@ -5,7 +5,6 @@ from functools import cache
 import numpy as np
 import pytest
 
-from simulations.engine.ladder import pareto_front
 from simulations.ladders import wide_discs
 from simulations.ladders.depth_of_field import truth as depth_of_field_truth
 from simulations.ladders.depth_of_field.ladder import (
@@ -162,36 +161,3 @@ def test_a_card_out_of_focus_covers_the_share_of_the_lens_that_its_shadow_does()
 def test_the_metric_notices_a_picture_that_has_moved_by_a_pixel() -> None:
     assert fidelity_db(np.roll(truth(), 1, axis=2), truth(), WORK) < 30
     assert fidelity_db(truth() + 1e-3, truth(), WORK) == pytest.approx(60)
-
-
-def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
-    """Work in pictures' worth of values computed: a blur of a few taps counts as a picture."""
-    work = {"pinhole": 1, "discs": 5, "layered": 8, "binned": 7, "gather": 50}
-    work |= {"random-16": 16, "jittered-16": 16, "turned-16": 16}
-    work |= {"fibonacci-16": 16, "fibonacci-64": 64}
-    front = pareto_front([(cost, -psnr()[tier]) for tier, cost in work.items()])
-    assert front[list(work).index(LADDER.default_tier)]
-
-
-@pytest.mark.parametrize("count", [1, 16, 500])
-def test_points_of_a_spiral_share_the_disc_evenly(count: int) -> None:
-    points = fibonacci_disc(count)
-    square = np.sum(points**2, axis=1)
-    assert square.max() < 1
-    assert square.mean() == pytest.approx(0.5)
-    assert np.abs(points.mean(axis=0)).max() < 1 / np.sqrt(count)
-
-
-def test_random_points_have_the_moments_of_a_disc() -> None:
-    points = random_disc(200, (20, 20), np.random.default_rng(3))
-    assert points.shape == (200, 2, 20, 20)
-    assert np.sum(points**2, axis=1).max() <= 1
-    assert np.mean(points**2) == pytest.approx(0.25, abs=0.003)
-    assert np.mean(points) == pytest.approx(0, abs=0.005)
-
-
-def test_no_points_at_all_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
-        fibonacci_disc(0)
-    with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
-        random_disc(0, (), np.random.default_rng(0))

@@ -8,7 +8,6 @@ import pytest
 from scipy.integrate import quad
 from support.ladder_run import LadderRun
 
-from simulations.engine.ladder import pareto_front
 from simulations.ladders.edge_coverage import LADDER, disc_on
 
 RUN = LadderRun(LADDER)
@@ -117,10 +116,3 @@ def test_discs_smaller_than_a_pixel_or_larger_than_the_picture_are_covered_too()
             for covered in tier.run(work):
                 assert covered.shape == (8, 8)
                 assert ((covered >= 0) & (covered <= 1)).all()
-
-
-def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
-    samples = {"point": 1, "ramp": 1.1, "straight": 2, "curved": 2.5}
-    samples |= {f"box-{n}": n**2 for n in (2, 4, 8, 16)}
-    front = pareto_front([(work, measured("rms")[tier]) for tier, work in samples.items()])
-    assert front[list(samples).index(LADDER.default_tier)]

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from support.ladder_run import LadderRun
 
-from simulations.engine.ladder import pareto_front
 from simulations.ladders.exposure_blur import LADDER, rms, worst
 from simulations.pictures import moving_ball
 
@@ -99,10 +98,3 @@ def test_the_metrics_notice_an_exposure_that_begins_too_late() -> None:
     late = LADDER.tier("integral").run(type(RUN.work)(RUN.work.x - 0.5, RUN.work.y))
     assert rms(late, RUN.truth, RUN.work) > 0.01
     assert worst(late, RUN.truth, RUN.work) > 0.05
-
-
-def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
-    work = {"instants-1": 1, "smear": 2, "integral": 1.5, "instants-4": 4}
-    work |= {"random-16": 16, "jittered-16": 16, "instants-16": 16, "instants-64": 64}
-    front = pareto_front([(cost, tier_rms()[tier]) for tier, cost in work.items()])
-    assert front[list(work).index(LADDER.default_tier)]

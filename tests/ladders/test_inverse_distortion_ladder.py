@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from support.ladder_run import LadderRun
 
-from simulations.engine.ladder import pareto_front
 from simulations.ladders import inverse_strong
 from simulations.ladders.inverse_distortion import LADDER, rms_px
 from simulations.models.distortion.lens_model import (
@@ -60,17 +59,6 @@ def test_a_table_twice_as_long_errs_a_quarter_as_much() -> None:
     ]
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
     assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
-
-
-def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
-    polynomials = {"first-order": 1, "lookup-table": 3}  # an index and two look-ups
-    polynomials |= {f"newton-{steps}": 2 * steps for steps in (3, 4, 5)}
-    polynomials |= {f"fixed-point-{steps}": steps for steps in (5, 10, 20)}
-    polynomials |= {"checked-table": 11}  # two roots, five look-ups, a quartic
-    polynomials |= {"newton-bracketed": 14}  # 7, and choices in three steps as dear as one each
-    points = [(polynomials[tier.id], errors_px()[tier.id]) for tier in LADDER.tiers]
-    front = dict(zip(errors_px(), pareto_front(points), strict=True))
-    assert front[LADDER.default_tier]
 
 
 def test_the_metric_notices_another_lens() -> None:

@@ -99,11 +99,6 @@ def test_each_step_up_buys_digits() -> None:
     assert all(worse > 100 * better for worse, better in pairwise(order))
 
 
-def test_the_default_is_better_than_everything_cheaper() -> None:
-    default = [tier.id for tier in LADDER.tiers].index(LADDER.default_tier)
-    assert all(far_px()[tier.id] > far_px()[LADDER.default_tier] for tier in LADDER.tiers[:default])
-
-
 def test_a_lost_point_counts_a_thousand_pixels() -> None:
     lost = RUN.truth.copy()
     lost[0] = np.nan

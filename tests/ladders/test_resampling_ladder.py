@@ -5,7 +5,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-import scipy.ndimage
 import skimage.data
 from numpy.typing import NDArray
 
@@ -13,7 +12,6 @@ from simulations.ladders import resampling
 from simulations.ladders.resampling import LADDER, TURN_RAD, TURNS, Turned, Workload
 from simulations.models.error_measures import psnr_db
 from simulations.models.sampling.fine_detail import FineDetail, without_fine_detail
-from simulations.models.sampling.resampling import gather, gather_table
 from simulations.pictures.round_windows import FREQUENCIES, GOLDEN_RAD, SIZE
 
 KERNELS = ("nearest", "bilinear", "bicubic", "spline", "lanczos3")
@@ -86,14 +84,6 @@ def test_turns_of_thirty_degrees_put_most_pixels_back_where_they_were() -> None:
     assert np.rad2deg(TURN_RAD) in OTHER_ANGLES_DEG
 
 
-@pytest.mark.parametrize("angle_deg", [30.0, 45.0, 60.0])
-def test_angles_that_return_would_turn_the_order_of_the_two_cheapest_round(
-    angle_deg: float,
-) -> None:
-    pairs = zip(often_db(angle_deg, "nearest"), often_db(angle_deg, "bilinear"), strict=True)
-    assert all(nearest > bilinear + 1 for nearest, bilinear in pairs)
-
-
 @pytest.mark.parametrize("angle_deg", OTHER_ANGLES_DEG)
 def test_bilinear_is_nearer_the_truth_than_the_nearest_pixel_after_twelve_turns(
     angle_deg: float,
@@ -148,22 +138,6 @@ def test_each_turn_takes_the_contrast_that_the_triangles_spectrum_says() -> None
     assert detail(33.0, "bilinear")[0].in_place == pytest.approx(np.mean(left), abs=0.01)
 
 
-@pytest.mark.parametrize(("kernel", "order"), [("nearest", 0), ("bilinear", 1), ("spline", 3)])
-def test_scipy_reaches_the_same_figure(kernel: str, order: int) -> None:
-    _, truth, work = turned(33.0, kernel)
-    x, y = np.moveaxis(work.source_px, -1, 0)
-    once = np.stack(
-        [
-            scipy.ndimage.map_coordinates(
-                work.pictures[..., n].astype(float), [y, x], order=order, mode="nearest"
-            )
-            for n in range(3)
-        ],
-        axis=-1,
-    )
-    assert once_db(33.0, kernel) == pytest.approx(resampling.psnr_each(once, truth.once), abs=1e-2)
-
-
 def test_the_windows_leave_grey_where_turning_would_lose_a_picture() -> None:
     _, _, work = turned(33.0, "nearest")
     assert np.all(work.pictures[[0, 64], [0, 0]] == pytest.approx(0.5))
@@ -195,24 +169,3 @@ def test_on_photographs_two_pixels_of_shift_cost_more_than_all_fine_detail(name:
     dulled = without_fine_detail(grey)
     for axis in (0, 1):
         assert psnr_db(np.roll(grey, 2, axis), grey, crop=16) < psnr_db(dulled, grey, crop=16) - 3
-
-
-@pytest.mark.parametrize("name", PHOTOGRAPHS[:3])
-def test_on_photographs_too_a_full_circle_ranks_the_two_by_the_angle(name: str) -> None:
-    """30° returns and flatters the nearest pixel; 40° goes round as well, in nine turns."""
-    photograph = np.asarray(getattr(skimage.data, name)(), float) / 255
-    grey = (photograph.mean(-1) if photograph.ndim == 3 else photograph)[100:228, 100:228]
-    inside = np.hypot(*np.meshgrid(*2 * [np.arange(SIZE) - (SIZE - 1) / 2])) < 52
-    ahead = {}
-    for angle_deg, turns in ((30.0, 12), (40.0, 9)):
-        work = resampling.prepare(np.deg2rad(angle_deg))
-        left = {}
-        for kernel in ("nearest", "bilinear"):
-            table = gather_table(work.source_px, (SIZE, SIZE), kernel)
-            picture = grey
-            for _ in range(turns):
-                picture = gather(table, picture, fill=0.5)
-            left[kernel] = psnr_db(picture[inside], grey[inside])
-        ahead[angle_deg] = left["bilinear"] - left["nearest"]
-    assert ahead[40.0] > 1
-    assert ahead[30.0] < ahead[40.0] - 1.5

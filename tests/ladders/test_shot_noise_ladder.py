@@ -102,12 +102,6 @@ def test_skew_correction_takes_out_most_of_the_distance_from_one_electron_on() -
     assert worst()["gaussian"] > 2 * worst()["skewed"] > 10 * worst()["poisson"]
 
 
-def test_the_default_is_nearer_than_everything_rougher() -> None:
-    default = [tier.id for tier in LADDER.tiers].index(LADDER.default_tier)
-    rougher = LADDER.tiers[:default]
-    assert all(worst()[tier.id] > 5 * worst()[LADDER.default_tier] for tier in rougher)
-
-
 def test_the_distance_of_counts_one_too_high_is_the_largest_probability() -> None:
     shifted = distances(RUN.results["poisson"] + 1, RUN.truth)
     largest = [stats.poisson.pmf(int(mean), mean) for mean in LEVELS_E]

@@ -8,10 +8,10 @@ from simulations.engine.controls import Choice
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
-from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.color.srgb import decode_srgb
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import METHODS
-from simulations.pictures.balloon import WHOLE, balloon
+from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 from simulations.registry import load_ladder
 from simulations.scenes.bayer_demosaic.scene import SCENE
@@ -61,11 +61,6 @@ def test_the_loupe_enlarges_what_it_lies_on(
     np.testing.assert_array_equal(
         whole[row : row + 16, column : column + 20], pixels_of(shown, 1), strict=True
     )
-
-
-def test_beside_the_mosaic_stands_what_it_was_taken_of(cache: StageCache) -> None:
-    truth = np.rint(255 * encode_srgb(balloon()))
-    np.testing.assert_array_equal(pixels_of(frame(cache), 2)[..., :3], truth)
 
 
 def test_a_grey_picture_of_the_reader_s_has_nothing_to_get_wrong() -> None:

@@ -12,11 +12,6 @@ from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import LINE_D_UM
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_aberrations.colours import colours
-from simulations.scenes.lens_aberrations.drawing import corner_light_mark
-from simulations.scenes.lens_aberrations.error import (
-    CLOSE_LEFT,
-    CLOSE_TOP,
-)
 from simulations.scenes.lens_aberrations.scene import SCENE
 from simulations.scenes.lens_aberrations.section import passing
 from simulations.scenes.lens_aberrations.spectrum import LINES_UM, WIDTH_UM, bands
@@ -141,21 +136,6 @@ def test_more_wavelengths_come_nearer_to_the_whole_spectrum() -> None:
     tiers = ("gauss-1", "gauss-3", "even-16")
     one, three, sixteen = (final_error(tier, cache, glass="flint") for tier in tiers)
     assert one > 3 * three > 9 * sixteen
-
-
-def test_the_error_is_of_the_enlarged_corner_and_counts_its_vignetting() -> None:
-    """Ideal glass without a rim: nothing is left that could differ."""
-    assert final_error("even-16", glass="ideal", rim=0, natural="false") == 0
-    shown = frame(glass="crown")
-    np.testing.assert_array_equal(raster(shown, "corner"), raster(shown)[CLOSE_TOP:, CLOSE_LEFT:])
-
-
-def pulled(handle: str, place: tuple[float, float], **given: object) -> dict[str, object]:
-    return {**SCENE.pull(SCENE.check(given), handle, place)}
-
-
-def test_where_all_rims_leave_as_much_a_pull_keeps_the_present_one() -> None:
-    assert pulled("cut", corner_light_mark(1.0), aperture=16, rim=5) == {"rim": 5}
 
 
 @pytest.mark.parametrize("aperture", [1.4, 2.8, 16])

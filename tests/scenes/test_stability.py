@@ -43,11 +43,6 @@ def test_the_arctangent_has_far_more_places_than_a_double() -> None:
     assert isclose(as_float(quarter), pi)
 
 
-def test_a_fixed_number_is_the_double_itself() -> None:
-    for value in (0.1, -3.75, 2.0**-60, 1e16):
-        assert Fraction(truth.fixed(value), truth.ONE) == Fraction(value)
-
-
 def test_the_exact_pixel_and_blur_are_those_of_fractions() -> None:
     rows = ((0.8, 0.0, 0.6), (-0.6, 0.0, 0.8))
     point, centre = (1e9 + 3.5, 2e8, 7e8 + 5.25), (1e9, 2e8, 7e8)

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from support.frames import frame_of, pixels_of, texts_of
 
-from simulations.scenes.tiled_floor.drawing import clipped
 from simulations.scenes.tiled_floor.scene import SCENE
 
 frame = partial(frame_of, SCENE)
@@ -102,23 +101,3 @@ def test_the_wide_panel_holds_the_picture_in_its_middle() -> None:
     inner = plane[120:240, 160:320]
     np.testing.assert_allclose(inner[..., :3].mean(), picture[..., :3].mean(), atol=1.0)
     assert plane[..., 3].sum() == 255 * inner.shape[0] * inner.shape[1]
-
-
-@pytest.mark.parametrize(
-    ("start", "end", "left"),
-    [
-        ((-100, 150), (500, 150), ((0, 150), (400, 150))),
-        ((10, 10), (20, 20), ((10, 10), (20, 20))),
-        ((200, -50), (200, 1e5), ((200, 0), (200, 300))),
-        ((-10, 10), (-10, 90), None),
-        ((500, 0), (600, 300), None),
-        ((390, -10), (420, 20), None),
-    ],
-)
-def test_of_a_segment_what_lies_in_the_panel_is_drawn(
-    start: tuple[float, float],
-    end: tuple[float, float],
-    left: tuple[tuple[float, float], tuple[float, float]] | None,
-) -> None:
-    found = clipped(start, end)
-    assert found is None if left is None else np.allclose(found, left)  # type: ignore[arg-type]

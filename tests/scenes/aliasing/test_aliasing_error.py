@@ -53,10 +53,3 @@ def test_the_ideal_picture_is_the_plate_inside_the_band_and_grey_beyond() -> Non
     assert (truth[beyond] == 0.5).all()
     assert finest[inside].max() == pytest.approx(0.4, abs=0.02)
     assert finest[beyond].min() == pytest.approx(0.6, abs=0.02)
-
-
-def test_the_ideal_stripes_keep_their_phase() -> None:
-    truth, certain = ideal(pattern_of("stripes", 0.25, 30.0))
-    row = 0.5 + 0.5 * np.sin(np.radians(30 + 90 * np.arange(64)))
-    np.testing.assert_allclose(truth, np.tile(row, (48, 1)), atol=1e-12)
-    assert certain.all()

@@ -65,12 +65,6 @@ def test_the_pattern_of_the_cells_stays_from_take_to_take() -> None:
     assert np.corrcoef(*takes)[0, 1] == pytest.approx(expected, abs=0.05)
 
 
-def test_at_base_iso_the_top_code_is_a_full_well() -> None:
-    camera = sensor_of(12, "100", 0)
-    assert camera.gain_e_per_dn * (4095 - camera.black_level_dn) == pytest.approx(20_000)
-    assert sensor_of(12, "800", 0).gain_e_per_dn == pytest.approx(camera.gain_e_per_dn / 8)
-
-
 def test_patch_variances_are_shot_plus_read_plus_rounding() -> None:
     measured = transfer(bits=14, read_noise=20)
     gain = sensor_of(14, "100", 20).gain_e_per_dn
