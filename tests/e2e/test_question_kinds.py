@@ -12,6 +12,17 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
+def test_a_choice_is_asked_for_and_given_by_keyboard(plain_reader: Reader, book: Any) -> None:
+    form = open_question(plain_reader, book, questions(book, "single")[0])
+    form.locator("button[type=submit]").press("Enter")
+    assert "Choose" in form.locator(".feedback").inner_text()
+    assert form.get_attribute("data-answered") is None
+    form.locator("input").first.focus()
+    plain_reader.page.keyboard.press("Space")
+    plain_reader.page.keyboard.press("Enter")
+    assert form.get_attribute("data-answered") in ("correct", "wrong")
+
+
 def test_a_number_is_asked_for_and_given_by_keyboard(plain_reader: Reader, book: Any) -> None:
     quiz = questions(book, "number")[0]
     form = open_question(plain_reader, book, quiz)
