@@ -1,5 +1,6 @@
 """The files of a folder, and the hash of a file, read again only where it has changed."""
 
+import base64
 import hashlib
 import os
 from fnmatch import fnmatch
@@ -11,6 +12,11 @@ _known: dict[str, tuple[tuple[int, int, int], bytes]] = {}
 
 def bytes_hash(data: bytes) -> bytes:
     return hashlib.blake2b(data, digest_size=SIZE).digest()
+
+
+def integrity(data: bytes) -> str:
+    """As W3C Subresource Integrity writes a hash."""
+    return "sha256-" + base64.b64encode(hashlib.sha256(data).digest()).decode()
 
 
 def file_hash(file: Path | str) -> bytes | None:

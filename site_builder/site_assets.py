@@ -8,9 +8,8 @@ from typing import Any
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.files import folder_files
+from site_builder.files import folder_files, integrity
 from site_builder.markdown.files.content_files import PICTURES
-from site_builder.offline.release import integrity
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import MATHS_FACES, face_rule

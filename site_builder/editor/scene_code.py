@@ -21,6 +21,7 @@ from simulations.editing.definitions import (
 )
 from simulations.engine.scene import Scene
 from site_builder.cache import cached
+from site_builder.runtime.imports import is_module
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,14 +151,7 @@ def _imports(statement: ast.stmt) -> Iterator[tuple[str, str]]:
     for alias in statement.names:
         whole = f"{statement.module}.{alias.name}"
         local = alias.asname or alias.name
-        if is_editable(whole) and find_spec(statement.module) and _is_module(whole):
+        if is_editable(whole) and find_spec(statement.module) and is_module(whole):
             yield local, whole
         elif is_editable(statement.module):
             yield local, _key(statement.module, alias.name)
-
-
-def _is_module(name: str) -> bool:
-    try:
-        return find_spec(name) is not None
-    except ModuleNotFoundError:  # what it would lie in is no package
-        return False

@@ -1,10 +1,9 @@
 """The release that ``static/js/offline/service_worker.ts`` caches: its files and its name."""
 
-import base64
-import hashlib
 import json
 from collections.abc import Mapping
 
+from site_builder.files import integrity
 from site_builder.output.assets import Content, content_bytes
 
 LIST = "offline.json"
@@ -41,7 +40,3 @@ def address(name: str) -> str:
     'lens-distortion/'
     """
     return name.removesuffix("index.html") if name.split("/")[-1] == "index.html" else name
-
-
-def integrity(data: bytes) -> str:
-    return "sha256-" + base64.b64encode(hashlib.sha256(data).digest()).decode()

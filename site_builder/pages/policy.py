@@ -6,7 +6,7 @@ only attributes may hold any style, as the sizes of panels and the columns of fo
 
 from collections.abc import Sequence
 
-from site_builder.offline.release import integrity
+from site_builder.files import integrity
 
 ALWAYS = {
     "default-src": "'none'",

@@ -74,7 +74,7 @@ def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
     for name, line, certain in _mentions(file.read_bytes(), path):
         if name in files:
             inside.add(name)
-        elif name.partition(".")[0] not in files and (certain or _is_module(name)):
+        elif name.partition(".")[0] not in files and (certain or is_module(name)):
             others.setdefault(name, f"{path}:{line}")
     return Imports(frozenset(inside), others)
 
@@ -106,7 +106,7 @@ def _mentions(source: bytes, path: str) -> tuple[tuple[str, int, bool], ...]:
 
 
 @cache
-def _is_module(name: str) -> bool:
+def is_module(name: str) -> bool:
     try:
         return find_spec(name) is not None
     except ModuleNotFoundError:  # what it would lie in is no package

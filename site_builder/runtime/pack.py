@@ -1,6 +1,5 @@
 """Everything that the browser loads to run our Python, and the table of it: ``runtime.json``."""
 
-import base64
 import json
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -9,7 +8,7 @@ from pathlib import Path
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.book_root import ENGINE, is_engine
 from site_builder.cache import cached_result
-from site_builder.files import file_hash
+from site_builder.files import file_hash, integrity
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import (
@@ -65,7 +64,7 @@ class RuntimeBundle:
 
     def _hash(self, name: str) -> str:
         file = self.files.get(name)
-        return _integrity(file) if file else ""
+        return integrity(file.read_bytes()) if file else ""
 
 
 def pack_runtime(
@@ -203,7 +202,7 @@ def runtime_table(
         "library": LIBRARY,
         "libraries": {file.name: path for path, file in frozen.libraries.items()},
         "machine_code": sorted(chunk for chunk in later if libraries_of(frozen.archives[chunk])),
-        "integrity": {name: _integrity(file) for name, file in loaded.items()},
+        "integrity": {name: integrity(file.read_bytes()) for name, file in loaded.items()},
         "modules": later,
         "scenes": chunks("scene", scenes),
         "ladders": chunks("ladder", ladders),
@@ -214,10 +213,3 @@ def chunks_of(imports: Table, module: str, modules: Mapping[str, tuple[str, ...]
     """The chunks that ``module`` imports from, itself or through others of its package."""
     wanted = outside(imports, reach(imports, module)) if module in imports else {}
     return sorted(chunk for chunk, names in modules.items() if not wanted.keys().isdisjoint(names))
-
-
-def _integrity(file: Path) -> str:
-    """Hash of a file, as `fetch` takes it; of a file in the store, its folder is named by it."""
-    stored = stores.is_whole(file)
-    sha256 = file.parent.name if stored else stores.sha256(file.read_bytes())
-    return "sha256-" + base64.b64encode(bytes.fromhex(sha256)).decode()
