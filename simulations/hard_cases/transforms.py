@@ -285,7 +285,7 @@ TABLE = HardCases(
             call="plane_between_views(np.eye(3), np.eye(3), np.eye(4), [0.0, 1.0, 0.0, 0.0])",
             why="A plane through the first camera’s centre is seen as a line: n/d divides by 0.",
             returns="Refused.",
-            expected=refused("plane", "beside the first camera"),
+            expected=refused("plane", "not through the first camera"),
             naive="np.divide([0.0, 1.0, 0.0], 0.0)",
         ),
     ),

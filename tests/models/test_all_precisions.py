@@ -23,7 +23,7 @@ from simulations.models.sensor.photon_counting import SHOT_MODELS, shot_noise
 
 type Model = Callable[[Floats], Floats]
 PLACES = np.array([[1.3, 2.6], [0.2, 0.4]])
-D50_XY = chromaticity.D50_XY
+LAMP_XY = chromaticity.ILLUMINANT_A_XY
 SATIN = Material(0.5, 0.3, 0.4)
 
 
@@ -37,9 +37,8 @@ def each(name: str, kinds: Iterable[str], run: Callable[[Any, Floats], Floats]) 
 
 
 OF_COLOURS: dict[str, Model] = {
-    "adapt": lambda p: chromatic_adaptation.adapt(p, D65_XY, D50_XY),
+    "adapt": lambda p: chromatic_adaptation.adapt(p, D65_XY, LAMP_XY),
     "xyz_to_xyy": chromaticity.xyz_to_xyy,
-    "xyy_to_xyz": chromaticity.xyy_to_xyz,
     "luminance": cie.luminance,
     "linear_rgb_to_xyz": cie.linear_rgb_to_xyz,
     "rgb_to_ycbcr": ycbcr.rgb_to_ycbcr,

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from simulations.models.arrays import Floats, as_array, as_colours, as_floats, as_vectors
 from simulations.models.color import cie
 from simulations.models.color.chromatic_adaptation import adapt
-from simulations.models.color.chromaticity import D50_XY, xyy_to_xyz, xyz_to_xyy
+from simulations.models.color.chromaticity import ILLUMINANT_A_XY, xyz_to_xyy
 from simulations.models.color.cie import D65_XY
 from simulations.models.color.white_balance import white_balance
 from simulations.models.distortion import fisheye, lens_model
@@ -58,7 +58,6 @@ FUNCTIONS = [
     ("rotation_vector", 3, rotations.exponential),
     ("axis", 3, lambda v: rotations.from_axis_angle(v, 0.3)),
     ("quaternion", 4, quaternions.normalise),
-    ("quaternion", 4, quaternions.conjugate),
     ("second", 4, lambda v: quaternions.multiply(v, Q)),
     ("first", 4, lambda v: quaternions.multiply(Q, v)),
     ("vectors", 3, lambda v: quaternions.rotate(Q, v)),
@@ -71,9 +70,8 @@ FUNCTIONS = [
     ("points", 3, lambda v: transforms_3d.apply_transform(np.eye(4), v)),
     ("directions", 3, lambda v: fisheye.project_ideal(v, "equidistant")),
     ("xy", 2, lambda v: fisheye.unproject_fisheye(v, fisheye.Fisheye(0.1))),
-    ("colours", 3, lambda v: adapt(v, D65_XY, D50_XY)),
+    ("colours", 3, lambda v: adapt(v, D65_XY, ILLUMINANT_A_XY)),
     ("colours", 3, xyz_to_xyy),
-    ("colours", 3, xyy_to_xyz),
     ("colours", 3, cie.xyz_to_lab),
     ("colours", 3, lambda v: white_balance(v, (0.5, 1.0, 0.7))),
     ("normal", 2, lambda v: edge_coverage.straight_edge_coverage(0.1, v)),

@@ -20,7 +20,6 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from simulations.models.arrays import Floats
 from simulations.models.color import cie, srgb, ycbcr
-from simulations.models.color.chromaticity import xyy_to_xyz, xyz_to_xyy
 from simulations.models.compression import blocks as compression
 from simulations.models.distortion import lens_model
 from simulations.models.geometry import euler, quaternions, rotations, transforms
@@ -183,7 +182,6 @@ def test_colours_survive_every_conversion_and_its_way_back() -> None:
         (srgb.encode_srgb, srgb.decode_srgb),
         (cie.linear_rgb_to_xyz, cie.xyz_to_linear_rgb),
         (ycbcr.rgb_to_ycbcr, ycbcr.ycbcr_to_rgb),
-        (xyz_to_xyy, xyy_to_xyz),
     ):
         assert np.abs(back(there(colours)) - colours).max() <= 1e-14
 

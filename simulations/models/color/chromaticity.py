@@ -10,8 +10,6 @@ from simulations.models.arrays import Floats, as_colours
 from simulations.models.color.cie import D65_XY
 from simulations.models.require import require
 
-D50_XY = (0.3457, 0.3585)
-"""Warm daylight: the white of printed paper, and of colour profiles."""
 ILLUMINANT_A_XY = (0.44758, 0.40745)
 """A tungsten lamp of 2856 K."""
 
@@ -41,14 +39,6 @@ def xyz_to_xyy(xyz: ArrayLike) -> Floats:
         pair = scaled[..., :2] / total
     pair = np.where(total > 0, pair, np.asarray(D65_XY, colours.dtype))
     return np.concatenate([pair, colours[..., 1:2]], axis=-1)
-
-
-def xyy_to_xyz(xyy: ArrayLike) -> Floats:
-    """The inverse of `xyz_to_xyy`; infinite or NaN where y is 0."""
-    x, y, luminance = np.moveaxis(as_colours(xyy), -1, 0)
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        share = luminance / y
-        return np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
 
 
 def lab_distance(lab: ArrayLike, other: ArrayLike) -> Floats:

@@ -76,8 +76,3 @@ def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Floats:
         f = np.where(ratio > delta**3, np.cbrt(ratio), ratio / (3 * delta**2) + 4 / 29)
         fx, fy, fz = f[..., 0], f[..., 1], f[..., 2]
         return np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
-
-
-def linear_rgb_to_lab(linear: ArrayLike) -> Floats:
-    """Linear sRGB to CIE L*a*b* under D65."""
-    return xyz_to_lab(linear_rgb_to_xyz(linear))

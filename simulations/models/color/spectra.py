@@ -10,9 +10,8 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats
 from simulations.models.require import require
 
-STEP_NM = 5.0
 WAVELENGTHS_NM: Floats = np.linspace(380.0, 780.0, 81)
-"""(81,) the visible range in steps of `STEP_NM`."""
+"""(81,) the visible range in steps of 5 nm."""
 
 type Bell = tuple[float, float, float, float]
 """Height, wavelength of the peak, widths below and above it in nm: see `bell`."""

@@ -37,11 +37,6 @@ def canonical(quaternion: ArrayLike) -> Floats:
     return np.where(leading < 0.0, -q, q)
 
 
-def conjugate(quaternion: ArrayLike) -> Floats:
-    """(w, −x, −y, −z): the inverse of a unit quaternion."""
-    return as_vectors("quaternion", quaternion, 4) * np.array([1.0, -1.0, -1.0, -1.0])
-
-
 def multiply(second: ArrayLike, first: ArrayLike) -> Floats:
     """The rotation ``first`` followed by ``second``, (..., 4)."""
     a, b = as_vectors("second", second, 4), as_vectors("first", first, 4)

@@ -170,7 +170,7 @@ def clip_to_visible(
     """
     require("w_minimum", w_minimum, W_MINIMUM < w_minimum < 1.0, f"{W_MINIMUM} to 1")
     side = float(sign_of_w(_in_range("H", np.asarray(H, float)), seen))
-    require("seen", seen, side != 0.0, "beside the line that H sends to infinity")
+    require("seen", seen, side != 0.0, "off the line that H maps to infinity")
     matrix = side * _scaled(H)
     vertices = _in_range("polygon", _vertices(polygon))
     if not len(vertices):

@@ -54,7 +54,7 @@ def plane_between_views(
         "plane",
         numbers,
         np.isfinite(numbers).all() and abs(offset) > 1e-12 * float(np.linalg.norm(normal)),
-        "finite, beside the first camera",
+        "finite, not through the first camera",
     )
     R = check_rotation(pose[:3, :3])
     return _between(K_first, K_second, R - np.outer(pose[:3, 3], normal / offset))

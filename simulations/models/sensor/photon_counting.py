@@ -172,19 +172,6 @@ def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
     return np.rint(held).astype(np.uint16)
 
 
-def capture(
-    photons_per_s: ArrayLike,
-    exposure_s: float,
-    sensor: Sensor,
-    rng: np.random.Generator,
-    model: ShotModel = "poisson",
-) -> NDArray[np.uint16]:
-    """A raw picture in codes: `expose`, `shot_noise`, `read_out`, `quantise` in turn."""
-    mean_e = expose(photons_per_s, exposure_s, sensor)
-    counted_e = shot_noise(mean_e, rng, sensor.full_well_e, model)
-    return quantise(read_out(counted_e, sensor, rng), sensor.bits)
-
-
 def develop(raw_dn: ArrayLike, sensor: Sensor) -> Floats:
     """Codes (...) to linear light: 0 at the black level, 1 at the top; noise may be below 0."""
     span = sensor.highest_dn - sensor.black_level_dn

@@ -111,7 +111,7 @@ def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike, samples: int = 20_
         raise ValueError(f"variance does not rise with the mean, slope {slope:.3g}; legal: above 0")
     if share > LARGEST_ERROR:
         raise ValueError(
-            f"levels that tell the gain to {100 * share:.0f} % only; "
+            f"levels that determine the gain to {100 * share:.0f} % only; "
             f"legal: {100 * LARGEST_ERROR:.0f} % or better"
         )
     return Gain(1 / slope, share / slope)

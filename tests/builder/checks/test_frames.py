@@ -90,9 +90,9 @@ def test_a_raster_or_a_drawing_beyond_measure_is_refused(
 @pytest.mark.parametrize(
     ("fields", "says"),
     [
-        ({"pull": lambda _settings, _place: None}, "pull gives None; legal: {'k1': …}"),
+        ({"pull": lambda _settings, _place: None}, "pull returns None; legal: {'k1': …}"),
         ({"pull": lambda _settings, _place: {"z": 1}}, "a pull changes 'z'; legal: k1"),
-        ({"at": lambda _settings, _outputs: "x"}, "at gives 'x'; legal: (x, y) or None"),
+        ({"at": lambda _settings, _outputs: "x"}, "at returns 'x'; legal: (x, y) or None"),
         ({"panel": "plans"}, "panel 'plans'; legal: picture, plan"),
     ],
 )

@@ -10,11 +10,9 @@ from support.oracle_spectra import oracle
 from simulations.models.color import cie, white_balance
 from simulations.models.color.chromatic_adaptation import adapt, adaptation_matrix
 from simulations.models.color.chromaticity import (
-    D50_XY,
     ILLUMINANT_A_XY,
     lab_distance,
     white_xyz,
-    xyy_to_xyz,
     xyz_to_xyy,
 )
 from simulations.models.color.cie import D65_XY
@@ -26,7 +24,7 @@ COLOURS = RNG.uniform(0.0, 1.0, (50, 3))
 @pytest.mark.parametrize(
     ("method", "theirs"), [("bradford", "Bradford"), ("von-kries", "Von Kries")]
 )
-@pytest.mark.parametrize("lights", [(ILLUMINANT_A_XY, D65_XY), (D65_XY, D50_XY)])
+@pytest.mark.parametrize("lights", [(ILLUMINANT_A_XY, D65_XY), (D65_XY, ILLUMINANT_A_XY)])
 def test_matrices_are_those_of_colour_science(
     method: str, theirs: str, lights: tuple[tuple[float, float], tuple[float, float]]
 ) -> None:
@@ -42,16 +40,15 @@ def test_gains_in_rgb_are_white_balance() -> None:
     ours = cie.xyz_to_linear_rgb(adapt(COLOURS, ILLUMINANT_A_XY, D65_XY, "rgb"))
     np.testing.assert_allclose(ours, balanced, atol=1e-13)
     np.testing.assert_array_equal(
-        adapt(COLOURS, D65_XY, D50_XY), adapt(COLOURS, D65_XY, D50_XY, "bradford")
+        adapt(COLOURS, D65_XY, ILLUMINANT_A_XY),
+        adapt(COLOURS, D65_XY, ILLUMINANT_A_XY, "bradford"),
     )
 
 
 def test_chromaticities_and_whites_are_those_of_colour_science() -> None:
     np.testing.assert_allclose(xyz_to_xyy(COLOURS), oracle.XYZ_to_xyY(COLOURS), rtol=1e-14)
-    pairs = RNG.uniform(0.1, 0.5, (50, 3))
-    np.testing.assert_allclose(xyy_to_xyz(pairs), oracle.xyY_to_XYZ(pairs), rtol=1e-13)
     whites = oracle.CCS_ILLUMINANTS["CIE 1931 2 Degree Standard Observer"]
-    for name, xy in (("A", ILLUMINANT_A_XY), ("D50", D50_XY), ("D65", D65_XY)):
+    for name, xy in (("A", ILLUMINANT_A_XY), ("D65", D65_XY)):
         np.testing.assert_allclose(xy, whites[name], atol=5e-5)
         np.testing.assert_allclose(white_xyz(xy), oracle.xy_to_XYZ(xy), rtol=1e-14)
 
@@ -76,12 +73,6 @@ def test_every_colour_has_a_chromaticity_if_only_that_of_daylight(
     xyz: Sequence[float], xy: Sequence[float]
 ) -> None:
     np.testing.assert_allclose(xyz_to_xyy(xyz)[:2], xy, rtol=1e-15)
-
-
-def test_a_chromaticity_without_luminance_is_no_colour() -> None:
-    np.testing.assert_array_equal(xyy_to_xyz([*D65_XY, 0.0]), 0.0)
-    assert np.isnan(xyy_to_xyz([0.5, 0.0, 0.0])[0])
-    assert xyy_to_xyz([0.5, 0.0, 1.0])[0] == np.inf
 
 
 def test_lights_at_the_edge_of_all_chromaticities_have_a_white() -> None:

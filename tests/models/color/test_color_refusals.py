@@ -7,7 +7,7 @@ from support.refusals import Call, assert_refused, each_of
 
 from simulations.models.color import cie, illuminants, observer, spectra, surfaces
 from simulations.models.color.chromatic_adaptation import adaptation_matrix
-from simulations.models.color.chromaticity import D50_XY, white_xyz
+from simulations.models.color.chromaticity import ILLUMINANT_A_XY, white_xyz
 from simulations.models.color.cie import D65_XY
 from simulations.models.color.white_balance import grey_world, white_balance
 
@@ -32,7 +32,11 @@ LIGHT = np.ones(81)
     ("chromaticity", lambda xy: adaptation_matrix(D65_XY, xy), NO_XY[:1]),
     ("light .* responses", lambda m: adaptation_matrix(GREEN, D65_XY, m), NO_RESPONSE),
     ("light .* responses", lambda m: adaptation_matrix(D65_XY, GREEN, m), NO_RESPONSE),
-    ("'.*'; legal: bradford, von", lambda m: adaptation_matrix(D65_XY, D50_XY, m), ["cat02"]),
+    (
+        "'.*'; legal: bradford, von",
+        lambda m: adaptation_matrix(D65_XY, ILLUMINANT_A_XY, m),
+        ["cat02"],
+    ),
     (r"(white|chromaticity) \[.*legal: x, y", lambda w: cie.xyz_to_lab([1, 1, 1], w), NO_WHITE),
     ("triangle", cie.rgb_to_xyz_matrix, [ONE_LINE]),
     ("legal: x, y finite, y not 0", cie.rgb_to_xyz_matrix, [DARK_BLUE, NO_NUMBER]),

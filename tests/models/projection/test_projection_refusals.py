@@ -51,7 +51,7 @@ HALF = (0.85e308, 0.85e308, 0)
     ("above 0", lambda b: two_views.depth_from_disparity(1.0, 800.0, b), [0.0]),
     ("above 0", lambda f: two_views.depth_error(1.0, f, 1.0, 0.5), [0.0, INF]),
     ("above 0", lambda b: two_views.depth_error(1.0, 800.0, b, 0.5), [0.0]),
-    ("beside the first camera", lambda p: plane_between_views(K, K, np.eye(4), p), THROUGH),
+    ("not through the first camera", lambda p: plane_between_views(K, K, np.eye(4), p), THROUGH),
     ("reflection", lambda R: turned_camera(K, K, R), [np.diag([1.0, 1.0, -1.0])]),
     (r"K of shapes \(3, 4\)", lambda first: turned_camera(first, K, I3), [np.eye(3, 4)]),
 )
