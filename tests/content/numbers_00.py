@@ -47,11 +47,3 @@ def where_models_break() -> Says:
     for name in tomllib.loads((CONTENT / "book.toml").read_text(encoding="utf-8"))["chapters"]:
         headings = [line for line in source(name).splitlines() if line[:3] == "## "]
         assert any("breaks" in heading for heading in headings), name
-
-
-WORKED = (
-    one_list_of_links,
-    stripes_finer_than_the_grid,
-    specks_on_one_ray,
-    where_models_break,
-)

@@ -88,11 +88,3 @@ def a_hundredth_of_a_degree() -> Says:
     near = angle * np.linspace(0.9, 1.1, 2001)
     assert 1e-9 < np.abs(np.arccos(np.cos(near)) / near - 1).max() < 5e-9
     yield "The 0.01° are then right to eight digits."
-
-
-WORKED = (
-    a_hundredth_of_a_degree,
-    to_pan_tilt_and_roll_a_camera,
-    averages_of_matrices,
-    the_ladder_in_space,
-)

@@ -26,6 +26,3 @@ def five_steps_of_newton_near_a_fold() -> Says:
     assert 0 < slope < 0.1, "the slope comes close to zero"
     off_px = inversion_error_px(nearly, "newton-5")
     yield f"five steps of Newton are off by {off_px:.0f} px in the RMS"
-
-
-WORKED = (five_steps_of_newton_near_a_fold,)

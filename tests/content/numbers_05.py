@@ -148,15 +148,3 @@ def near_the_edge_of_two_white_planes() -> Says:
     planes = BOUNCE.run(BOUNCE.check(given), "", StageCache()).outputs["planes"]
     shown = shown_at(planes, 0.01)
     yield f"a factor of {shown.red / shown.lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"
-
-
-WORKED = (
-    near_the_edge_of_two_white_planes,
-    glass_at_a_slant,
-    schlick_at_all_angles,
-    the_peak_lies_beyond_the_mirror,
-    what_a_surface_returns,
-    the_printed_formulae,
-    a_highlight_between_corners,
-    halfway_exponent,
-)

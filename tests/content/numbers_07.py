@@ -3,7 +3,7 @@
 from math import pi, radians, tan
 
 import numpy as np
-from measured_words_10 import error
+from numbers_10_measured import error
 from support.worked_numbers import Says, source
 
 from simulations.ladders import resampling
@@ -180,18 +180,3 @@ def twelve_turns() -> Says:
     assert ahead.min() > 1
     assert ahead.max() < 3.5
     yield "by 1 to 3 dB on each of the three pictures"
-
-
-WORKED = (
-    moved_and_dulled,
-    twelve_turns,
-    the_border_belongs_to_neither_side,
-    what_a_cell_s_width_lets_through,
-    what_cell_and_plate_let_through,
-    what_pixels_as_small_as_points_would_add,
-    a_pixel_s_mtf_by_hand,
-    what_a_slant_is_good_for,
-    random_instants_err_more_than_even_ones,
-    the_cubic_s_weights_halfway,
-    the_spline_s_weights,
-)

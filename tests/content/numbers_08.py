@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import cache
 from math import ceil, inf, isclose, pi
 
-from measured_words_10 import error
+from numbers_10_measured import error
 from numpy import arange, interp
 from scipy.special import j1
 from support.worked_numbers import Says
@@ -208,19 +208,3 @@ def the_ball_that_gets_softer() -> Says:
         for focus in (1000, 10_000)
     )
     assert near > 3 * far
-
-
-WORKED = (
-    the_same_place_in_the_simulator,
-    when_the_lens_is_a_pinhole,
-    what_leaving_out_the_blur_costs,
-    how_far_the_lens_must_be_stopped_down,
-    the_still_life,
-    a_quarter_as_deep,
-    what_bending_the_picture_costs,
-    a_lens_that_hardly_bends,
-    where_the_points_of_a_lens_lie,
-    the_ball_that_gets_softer,
-    what_a_step_of_the_focus_leaves,
-    what_the_truth_is,
-)

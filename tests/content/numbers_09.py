@@ -50,10 +50,3 @@ def the_links_of_the_first_chapter() -> Says:
     assert rows == sorted(rows)
     assert len(links) == 7
     yield "Five of the seven lose information"
-
-
-WORKED = (
-    a_line_from_its_two_ends,
-    averaging_frames,
-    the_links_of_the_first_chapter,
-)

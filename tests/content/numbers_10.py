@@ -1,12 +1,10 @@
 """Chapter 10: speed and accuracy. Its results are measured; a few are worked out.
 
-What the text says of the measurements in words is in `measured_words_10`.
+What the text says of the measurements in words is in `numbers_10_measured`.
 """
 
 import numpy as np
-from carried_10 import CARRIED
-from left_out_10 import LEFT_OUT
-from measured_words_10 import SAID, error, measurements
+from numbers_10_measured import error, measurements
 from support.worked_numbers import Says
 
 from simulations.engine.ladder import pareto_front
@@ -95,18 +93,3 @@ def how_round_the_outlines_of_the_book_are() -> Says:
     focal_px = widest / PITCH_MM
     smallest = min(focal_px * ball.radius / depth for ball, depth in balls)
     yield f"with radii of {int(smallest)} pixels or more"
-
-
-WORKED = (
-    the_slope_of_the_fixed_point_s_map,
-    the_places_of_a_checked_table,
-    a_corner_of_the_pincushion,
-    how_near_the_fold_the_barrel_is_seen,
-    samples_of_a_box,
-    a_front_of_four,
-    what_the_opening_says,
-    how_round_the_outlines_of_the_book_are,
-    *SAID,
-    *CARRIED,
-    *LEFT_OUT,
-)

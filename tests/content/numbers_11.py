@@ -47,9 +47,3 @@ def past_the_fold() -> Says:
     radii = np.linspace(0, np.sqrt(1 / 0.3), 10_001)
     assert (radii * (1 - 0.3 * radii**2)).max() < 0.75
     yield "No ideal radius gives 0.75"
-
-
-WORKED = (
-    squares_that_overflow,
-    past_the_fold,
-)

@@ -6,6 +6,7 @@ stands.
 """
 
 from importlib import import_module
+from inspect import isgeneratorfunction
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,12 @@ from support.worked_numbers import Calculation, source
 
 HERE = Path(__file__).parent
 CHAPTERS = [import_module(file.stem) for file in sorted(HERE.glob("numbers_*.py"))]
-CALCULATIONS = [(module.CHAPTER, worked) for module in CHAPTERS for worked in module.WORKED]
+CALCULATIONS = [
+    (module.CHAPTER, found)
+    for module in CHAPTERS
+    for found in vars(module).values()
+    if isgeneratorfunction(found) and found.__module__ == module.__name__
+]
 
 
 @pytest.mark.parametrize(

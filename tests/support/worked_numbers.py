@@ -1,8 +1,8 @@
 """Numbers that a chapter works out in its own text, and where they stand in its source.
 
-A chapter may have a module ``tests/content/numbers_NN.py``: ``CHAPTER`` is its file, ``WORKED`` its
-calculations, functions that compute again with the models and yield the phrases in which the
-results stand.
+A chapter may have modules ``tests/content/numbers_NN….py``: ``CHAPTER`` is its file, and its
+generators are calculations, which compute again with the models and yield the phrases in which
+the results stand.
 """
 
 import re

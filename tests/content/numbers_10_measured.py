@@ -15,6 +15,7 @@ from simulations.registry import load_scene
 from site_builder.benchmarks.measurements import Measurements, read_measurements
 from site_builder.diagnostics import Diagnostics
 
+CHAPTER = "10-speed-and-accuracy"
 HALF_A_CODE = 0.5
 
 
@@ -75,11 +76,3 @@ def nine_wavelengths_of_the_figure() -> Says:
     for glass in ("crown", "flint"):
         *_, last = figure.estimates(figure.check({"glass": glass}), "even-9", StageCache())
         assert float(last.text) < HALF_A_CODE
-
-
-SAID = (
-    what_is_said_of_wide_discs,
-    two_steps_of_newton_are_enough_for_a_drawing,
-    counts_of_photons,
-    nine_wavelengths_of_the_figure,
-)

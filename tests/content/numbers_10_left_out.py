@@ -19,6 +19,7 @@ from simulations.models.light.interreflection import EDGES, bounced, mean_lamp_l
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 
+CHAPTER = "10-speed-and-accuracy"
 HALF_A_CODE = 0.5
 
 
@@ -128,6 +129,3 @@ def what_may_be_left_out() -> Says:
     yield f"| waves are longer than 12 px | {long:.1f} codes | {short:.1f} codes at 4 px |"
     near, far = map(float32_px, (1e4, 1e6))
     yield f"| the origin is within 10 km | {near:.2f} px | {far:.0f} px at 1000 km |"
-
-
-LEFT_OUT = (what_may_be_left_out,)

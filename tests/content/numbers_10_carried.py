@@ -7,6 +7,7 @@ from simulations.models.arrays import Floats
 from simulations.models.error_measures import root_mean_square
 from simulations.models.geometry.rotations import exponential
 
+CHAPTER = "10-speed-and-accuracy"
 FOCAL_PX, BASELINE_M, DEPTH_M = 800.0, 0.5, 10.0
 NOISE_PX, POINTS = 0.3, 50
 
@@ -76,6 +77,3 @@ def what_an_error_becomes_in_a_pose() -> Says:
     yield "| float32, the origin near the camera | 0.0005 mm in pose |"
     far_off, turned = pose_errors(far, np.float32, 0.0)
     yield f"| float32, the origin 4000 km away | {100 * far_off:.0f} cm and {turned:.1f}° in pose |"
-
-
-CARRIED = (what_an_error_becomes, what_an_error_becomes_in_a_pose)

@@ -1,6 +1,0 @@
-"""Chapter 1: transformations of the plane."""
-
-CHAPTER = "01-2d-transformations"
-
-
-WORKED = ()
