@@ -35,6 +35,13 @@ def check_frames(
     """Those of the figures as they first appear, and the illustrations."""
     known = known_classes(static)
     for (path, line), still in initial_frames.items():
+        scene = still.figure.scene
+        names = [control.name for control in scene.controls] + ["tier"] * bool(scene.tiers)
+        names += [readout.name for readout in still.frame.readouts]
+        for name in still.figure.in_sight:
+            if name not in names:
+                which = f"control or readout of {scene.id}"
+                problems.add(path, line, unknown(which, name, names))
         for panel in still.frame.panels:
             picture = still.pictures.get(panel.name)
             pixels = picture.width * picture.height if picture else 0

@@ -37,6 +37,9 @@ def contents[T](blocks: Iterable[Block], kind: type[T]) -> Iterator[T]:
     return (block.content for block in walk(blocks) if isinstance(block.content, kind))
 
 
+NO_WORDS = Passage()
+
+
 @dataclass(frozen=True, slots=True)
 class Prose:
     """Paragraphs, lists, headings, formulae: anything that plain Markdown makes."""
@@ -56,10 +59,13 @@ class Simulation:
     tier: str
     """Starting accuracy; the scene's default where the author named none."""
     caption: Passage
+    """What to try."""
     path: str
     line: int
-    workings_open: bool = False
-    """Whether it shows at first how it was computed."""
+    about: Passage = NO_WORDS
+    """What it shows, in a fold."""
+    in_sight: tuple[str, ...] = ()
+    """Names of the controls and readouts that are not folded; none where the first are shown."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,5 +1,6 @@
 """``{simulation} scene-id``: a live figure. Options are the scene's controls, ``tier``, and
-``workings``: whether it shows at first how it was computed."""
+``show``: the controls and readouts that are in sight. The first paragraph of its body is the
+caption, which says what to try; the others say what it shows and are folded."""
 
 from collections.abc import Sequence
 
@@ -19,6 +20,9 @@ from site_builder.markdown.scenes import find_scene, read_settings
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.passage import Plain, passage
 
+FIRST = 3
+"""Tokens of the first paragraph."""
+
 
 def read_simulation(
     call: DirectiveCall, body: Sequence[Token], context: ParseContext
@@ -26,17 +30,18 @@ def read_simulation(
     scene = find_scene(call.argument, call.line, context)
     if scene is None:
         return None
-    given = {name: option for name, option in call.options.items() if name != "workings"}
+    given = {name: option for name, option in call.options.items() if name != "show"}
     values = read_settings(scene, given, context)
     return Simulation(
         scene=scene,
         id=next(place.id for place in context.figures if place.lines[0] == call.line),
         tier=str(values.pop("tier", scene.default_tier)),
         values=values,
-        workings_open=call.text("workings") == "open",
-        caption=passage(body),
+        caption=passage(body[:FIRST]),
+        about=passage(body[FIRST:]),
         path=context.path,
         line=call.line,
+        in_sight=tuple(call.text("show").split()),
     )
 
 
@@ -46,12 +51,12 @@ SIMULATION = Directive(
     argument=Argument("scene-id", lacks="names no scene"),
     options=(
         OptionLine("tier", doc="its accuracy at first"),
-        OptionLine("workings", doc="how it was computed", expected=("folded", "open")),
+        OptionLine("show", doc="the controls and readouts that are not folded"),
     ),
     more_options="the starting value of any control",
-    body=Body("a caption", plain_tokens),
+    body=Body("what to try, and in further paragraphs what it shows", plain_tokens),
     read=read_simulation,
     template="simulation",
     numbered=Numbered("Figure", lambda call: f"figure-{call.argument}", again=True),
-    plain=lambda figure: Plain((figure.scene.title, figure.caption), "figure"),
+    plain=lambda figure: Plain((figure.scene.title, figure.caption, figure.about), "figure"),
 )

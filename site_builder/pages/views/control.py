@@ -1,23 +1,19 @@
-"""The controls of a figure as their template needs them: texts, and where each one stands."""
+"""The controls and readouts of a figure: texts, and which are in sight."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Value
-from simulations.engine.frame import format_number
+from simulations.engine.frame import Readout, format_number
 from site_builder.benchmarks.quantities import with_unit
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.pages.figure_grid import (
-    FOLDED,
-    IN_A_ROW,
-    cells_in_sight,
-    gather_buttons,
-    spans,
-)
 
-LONG_OPTION = 13
-"""Characters of an option, above which its menu would be cut in half the width of a phone."""
+IN_SIGHT = 3
+"""Controls, and readouts, that a figure shows at first; the others are folded."""
+TIER = "tier"
+"""Name of the menu of accuracies."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,54 +29,49 @@ class ControlView:
     """The longest that a slider's text can be: its room is kept, so that nothing moves."""
 
 
-@dataclass(frozen=True, slots=True)
-class CellView:
-    """What stands in one cell of the grid of controls."""
-
-    controls: tuple[ControlView, ...]
-    """One, or buttons in a run; none in the cell of the accuracy."""
-    spans: str
-    """Columns that it takes, by the room that there is, as CSS variables."""
+type Cell = tuple[ControlView, ...]
+"""A control, or buttons in a run; empty for the menu of accuracies."""
 
 
 def control_cells(
-    still: InitialFrame, tiers: Sequence[tuple[str, str]], words: Words = ENGLISH
-) -> tuple[tuple[CellView, ...], tuple[CellView, ...]]:
-    """The cells always in sight, and those that are folded where space is narrow.
+    still: InitialFrame, *, tiers: bool, words: Words = ENGLISH
+) -> tuple[tuple[Cell, ...], tuple[Cell, ...]]:
+    """The cells in sight, and the folded ones.
 
-    The last of all is the accuracy's, where there is a choice of it.
+    In sight are the controls that the author of the page names, else the first: a scene states its
+    settings in the order of their weight.
     """
-    cells = [*gather_buttons(still.figure.scene.controls), *([()] if tiers else [])]
-    lengths = [max(map(len, _options(cell, tiers)), default=0) for cell in cells]
-    # Three buttons need the room of two other controls; on a phone long words do, too.
-    places = [2 if len(cell) > 2 else 1 for cell in cells]
-    on_phones = [
-        2 if length > LONG_OPTION else place for length, place in zip(lengths, places, strict=True)
+    runs = [*gather_buttons(still.figure.scene.controls), *([()] if tiers else [])]
+    chosen = [
+        run
+        for name in still.figure.in_sight
+        for run in runs
+        if name in ([control.name for control in run] or [TIER])
     ]
-    kept = cells_in_sight(on_phones, IN_A_ROW["narrow"])
-
-    def taken(room: str) -> list[int]:
-        most, given = IN_A_ROW[room], on_phones if room == "narrow" else places
-        if room in FOLDED:
-            return [*spans(given[:kept], most), *spans(given[kept:], most)]
-        return spans(given, most)
-
-    by_room = zip(*(taken(room) for room in IN_A_ROW), strict=True)
-    views = tuple(
-        CellView(
-            tuple(_control(still, control, words) for control in cell),
-            "; ".join(f"--{room}: {span}" for room, span in zip(IN_A_ROW, row, strict=True)),
-        )
-        for cell, row in zip(cells, by_room, strict=True)
-    )
-    return views[:kept], views[kept:]
+    shown = list(dict.fromkeys(chosen)) or [run for run in runs if run][:IN_SIGHT]
+    folded = [run for run in runs if run not in shown]
+    cells = [
+        tuple(tuple(_control(still, control, words) for control in run) for run in part)
+        for part in (shown, folded)
+    ]
+    return cells[0], cells[1]
 
 
-def _options(cell: tuple[Control, ...], tiers: Sequence[tuple[str, str]]) -> list[str]:
-    """What a menu shows, one line at a time; nothing for other controls."""
-    if not cell:
-        return [label for _, label in tiers]
-    return list(cell[0].options.values()) if isinstance(cell[0], Choice) else []
+def gather_buttons(controls: Sequence[Control]) -> list[tuple[Control, ...]]:
+    """Each control by itself, but buttons that follow each other together."""
+    runs: list[tuple[Control, ...]] = []
+    for is_action, run in groupby(controls, key=lambda control: control.kind == "action"):
+        together = tuple(run)
+        runs += [together] if is_action else [(control,) for control in together]
+    return runs
+
+
+def readouts_in_sight(still: InitialFrame) -> tuple[tuple[Readout, ...], tuple[Readout, ...]]:
+    """The readouts in sight, and the folded ones, likewise."""
+    readouts, named = still.frame.readouts, still.figure.in_sight
+    chosen = [shown for shown in readouts if shown.name in named]
+    shown = tuple(chosen or readouts[:IN_SIGHT])
+    return shown, tuple(each for each in readouts if each not in shown)
 
 
 def _control(still: InitialFrame, control: Control, words: Words) -> ControlView:

@@ -14,8 +14,7 @@ from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.embedding import json_for_html
-from site_builder.pages.figure_grid import even_columns
-from site_builder.pages.views.control import CellView, control_cells, value_text
+from site_builder.pages.views.control import Cell, control_cells, readouts_in_sight, value_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,13 +52,12 @@ class SimulationView:
     """The scene's title, numbered where the page shows the scene again."""
     description: str
     panels: tuple[PanelView, ...]
+    cells: tuple[Cell, ...]
+    """Controls in sight."""
+    folded_cells: tuple[Cell, ...]
     readouts: tuple[Readout, ...]
-    cells: tuple[CellView, ...]
-    """Controls that are always in sight."""
-    folded: tuple[CellView, ...]
-    """Controls that are folded where space is narrow."""
-    columns: tuple[int, ...]
-    """Readouts in a row where space is narrow, middling and wide."""
+    """Readouts in sight."""
+    folded_readouts: tuple[Readout, ...]
     tiers: tuple[tuple[str, str], ...]
     """Id and label of each accuracy, cheap to dear."""
     stages: tuple[StageReport, ...]
@@ -73,7 +71,8 @@ class SimulationView:
 def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
     frame, tiers = still.frame, tier_labels(still.figure.scene)
-    cells, folded = control_cells(still, tiers, words)
+    cells, folded_cells = control_cells(still, tiers=bool(tiers), words=words)
+    readouts, folded_readouts = readouts_in_sight(still)
     return SimulationView(
         name=_name(still.figure),
         description=frame.description,
@@ -83,10 +82,10 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
             )
             for panel in frame.panels
         ),
-        readouts=tuple(replace(shown, text=words.numeral(shown.text)) for shown in frame.readouts),
         cells=cells,
-        folded=folded,
-        columns=tuple(even_columns(len(frame.readouts), most) for most in (2, 4, 6)),
+        folded_cells=folded_cells,
+        readouts=_numerals(readouts, words),
+        folded_readouts=_numerals(folded_readouts, words),
         tiers=tiers,
         stages=tuple(
             replace(stage, reason=reason_text(stage.reason, words)) for stage in frame.stages
@@ -95,6 +94,10 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         schema=json_for_html(schema(still)),
         prerendered=f"{assets}prerendered/{still.prerendered.file}" if still.prerendered else "",
     )
+
+
+def _numerals(readouts: Sequence[Readout], words: Words) -> tuple[Readout, ...]:
+    return tuple(replace(shown, text=words.numeral(shown.text)) for shown in readouts)
 
 
 def _picture(still: InitialFrame, panel: str, assets: str) -> tuple[str, tuple[int, int]]:

@@ -1,5 +1,6 @@
 """A figure as its template gets it: controls, and the menu of accuracies."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,12 +9,12 @@ from support.toy_ladder import toy_ladder
 
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
-from simulations.engine.settings import choice, slider
+from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.passage import Passage
-from site_builder.pages.views.control import control_cells
+from site_builder.pages.views.control import ControlView, control_cells
 from site_builder.pages.views.simulation import tier_labels
 
 
@@ -21,12 +22,24 @@ def draw(_settings: Any, _outputs: Outputs) -> Frame:
     return Frame((), (), "Nothing.")
 
 
-def still(settings: type) -> InitialFrame:
+def still(settings: type, in_sight: tuple[str, ...] = ()) -> InitialFrame:
     scene = Scene("s", "S", settings, draw)
     values = {control.name: control.default for control in scene.controls}
-    return InitialFrame(
-        Simulation(scene, "figure-s", {}, "", Passage(), "", 1), values, draw(None, {}), {}
-    )
+    figure = Simulation(scene, "figure-s", {}, "", Passage(), "", 1, in_sight=in_sight)
+    return InitialFrame(figure, values, draw(None, {}), {})
+
+
+@dataclass(frozen=True, slots=True)
+class Five:
+    a: float = slider("A", 5, 0, 9, 1)
+    b: float = slider("B", 5, 0, 9, 1)
+    play: int = action("Play")
+    again: int = action("Again")
+    c: float = slider("C", 5, 0, 9, 1)
+
+
+def names(cells: Iterable[tuple[ControlView, ...]]) -> list[str]:
+    return ["+".join(item.control.name for item in cell) for cell in cells]
 
 
 def test_a_slider_keeps_the_room_of_its_longest_value() -> None:
@@ -34,21 +47,20 @@ def test_a_slider_keeps_the_room_of_its_longest_value() -> None:
     class Settings:
         yaw: float = slider("Yaw", 5, -170, 90, 5, unit="\N{DEGREE SIGN}")
 
-    ((cell,), _) = control_cells(still(Settings), ())
-    assert [item.longest for item in cell.controls] == ["\N{MINUS SIGN}170\N{DEGREE SIGN}"]
+    ((cell,), _) = control_cells(still(Settings), tiers=False)
+    assert [item.longest for item in cell] == ["\N{MINUS SIGN}170\N{DEGREE SIGN}"]
 
 
-def test_a_menu_of_long_words_has_a_row_of_a_phone_to_itself() -> None:
-    @dataclass(frozen=True, slots=True)
-    class Settings:
-        picture: str = choice("Picture", {"a": "Room", "b": "Chart"})
-        camera: str = choice("Camera", {"a": "Scaled orthographic", "b": "Perspective"})
-        depth: float = slider("Depth", 5, 0, 9, 1)
-        width: float = slider("Width", 5, 0, 9, 1)
+def test_the_first_three_are_in_sight_and_the_others_folded_with_the_accuracy() -> None:
+    shown, folded = control_cells(still(Five), tiers=True)
+    assert names(shown) == ["a", "b", "play+again"]
+    assert names(folded) == ["c", ""]
 
-    cells, _ = control_cells(still(Settings), ())
-    narrow = [cell.spans.partition(";")[0] for cell in cells]
-    assert narrow == ["--narrow: 12", "--narrow: 12", "--narrow: 6", "--narrow: 6"]
+
+def test_an_author_says_what_is_in_sight() -> None:
+    shown, folded = control_cells(still(Five, ("tier", "c")), tiers=True)
+    assert names(shown) == ["", "c"]
+    assert names(folded) == ["a", "b", "play+again"]
 
 
 @dataclass(frozen=True, slots=True)
