@@ -73,7 +73,8 @@ def test_a_drag_that_leaves_geometry_alone_needs_no_draft(
     )
     computed = [name for name, status in statuses if status == "computed"]
     assert computed == ["read noise", "quantisation", "sRGB"]
-    assert figure.locator(".stages-count").inner_text().startswith("3 computed")
+    count = figure.locator(".stages-count").text_content()
+    assert str(count).startswith("3 computed")
 
 
 @pytest.mark.parametrize(

@@ -37,6 +37,7 @@ SCROLLED = """() => [...document.querySelectorAll("main *:not(pre, .panels)")]
 OUT_OF_REACH = """async () => {
   const found = () => [...document.querySelectorAll("main *")]
     .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
+    .filter((one) => one.checkVisibility())
     .filter((one) => one.scrollWidth > one.clientWidth + 1 && one.tabIndex < 0)
     .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`);
   for (let left = 300; left && found().length; left -= 1) await new Promise(requestAnimationFrame);
@@ -50,8 +51,11 @@ COVERED = """() => {
     .filter((one) => one.checkVisibility() && one.getBoundingClientRect().left < side.right - 1)
     .map((one) => one.id || one.className);
 }"""
-HIDDEN = """() => [...document.querySelectorAll("simulation-figure .control")]
-  .filter((one) => !one.checkVisibility()).map((one) => one.textContent.trim().slice(0, 40))"""
+CROWDED = """() => [...document.querySelectorAll("simulation-figure")].flatMap((figure) => {
+  const seen = (what) => [...figure.querySelectorAll(what)].filter((one) => one.checkVisibility());
+  const [cells, numbers] = [seen(".control-cell").length, seen("output").length];
+  return cells > 3 || numbers > 3 ? [`${figure.dataset.simulation}: ${cells}, ${numbers}`] : [];
+})"""
 SMALL_LABELS = """(least) => [...document.querySelectorAll(
     ":is(simulation-figure, .drawing) svg.overlay"
   )]
@@ -123,7 +127,7 @@ AT_A_DESK = {
     1440: [*fits(1440), REACH, LABELS],
     1280: [
         Look("lies under the contents", COVERED),
-        Look("a control is folded away", HIDDEN),
+        Look("shows more than three controls or readouts at first", CROWDED),
     ],
 }
 BY_PHONE = {

@@ -121,6 +121,7 @@ def test_a_link_of_a_prediction_sets_all_that_its_claim_depends_on(
 ) -> None:
     page = guest.page
     start = figure.evaluate("f => JSON.parse(f.querySelector('script.schema').textContent).values")
+    guest.uncover(figure)
     figure.locator("[name=correct]").check(force=True)
     figure.locator("[name=k2]").fill("0.3")
     link = page.locator("[data-answers] a.set[data-figure=figure-lens-distortion]").first

@@ -186,6 +186,7 @@ class Reader:
     def choose(self, figure: Locator, name: str, option: str) -> None:
         """Choose an option of a menu, and wait for the frame that it makes."""
         frames = self.frames(figure)
+        self.uncover(figure)
         figure.locator(f"select[name={name}]").select_option(option)
         self.wait_frame(figure, frames)
 
@@ -198,6 +199,11 @@ class Reader:
             timeout=START_MS,
         )
         return figure.locator(".accuracy-value").inner_text()
+
+    def uncover(self, figure: Locator) -> None:
+        """Open the fold of a figure's further controls, where it has one."""
+        for fold in figure.locator(".more-controls").all():
+            fold.evaluate("fold => { fold.open = true; }")
 
     def unfold(self, figure: Locator) -> None:
         """Have the figure show how it was computed."""
