@@ -8,14 +8,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from site_builder.book import LecturePlan, Lesson, Taught
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.targets import Targets
 from site_builder.page_model.places import Target
 from site_builder.settings.declared import Reader
 from site_builder.source_text import read_toml
 
 FILE = "content/lecture-plan.toml"
-KEYS = ("intro", "section")
 END = "questions"
 """Id of the section that closes a chapter."""
 
@@ -26,16 +25,11 @@ def read_lecture_plan(root: Path, targets: Targets, problems: Diagnostics) -> Le
     if toml is None:
         return None
     reader = Reader(FILE, toml, problems)
-    for key in toml.table:
-        if key not in KEYS:
-            reader.report((key,), unknown("key", key, KEYS))
-    entries = toml.table.get("section")
-    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        reader.report(("section",), "no sections; legal: each below a line '[[section]]'")
+    read = reader.tables(Lesson, "section", ("intro",))
+    if read is None:
         return None
     lessons: list[Lesson] = []
-    for place, entry in enumerate(entries):
-        lesson = reader.table(Lesson, entry, ("section", place))
+    for place, lesson in enumerate(read):
         sections = tuple(_sections(lesson, toml.line("section", place), targets, reader))
         chapters = dict.fromkeys(item.section.chapter for item in sections)
         closing = (end for chapter in chapters if (end := _closing(chapter, targets)))

@@ -41,14 +41,7 @@ def read_news(root: Path, chapters: Collection[str], problems: Diagnostics) -> t
     if toml is None:
         return ()
     reader = Reader(FILE, toml, problems)
-    for name in toml.table:
-        if name != ENTRY:
-            reader.report((name,), unknown("key", name, (ENTRY,)))
-    entries = toml.table.get(ENTRY)
-    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        reader.report((ENTRY,), f"no entries; legal: each below '[[{ENTRY}]]'")
-        return ()
-    news = tuple(reader.table(News, entry, (ENTRY, index)) for index, entry in enumerate(entries))
+    news = reader.tables(News, ENTRY) or ()
     _check(news, chapters, reader)
     return news
 

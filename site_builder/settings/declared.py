@@ -1,6 +1,6 @@
 """Keys of a TOML table, declared as fields of a frozen dataclass; tables read by them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from typing import Any
 
@@ -57,6 +57,20 @@ class Reader:
                 self.report((*at, name), unknown(f"key{_inside(at)}", name, declared))
         read = {name: self._value(item, given, at) for name, item in declared.items()}
         return of(**others, **{name: each for name, each in read.items() if each is not MISSING})
+
+    def tables[T](
+        self, of: type[T], name: str, others: Collection[str] = ()
+    ) -> tuple[T, ...] | None:
+        """The tables ``[[name]]``; None, and a report, where there are none. ``others`` are the
+        other keys of the file."""
+        for given in self.toml.table:
+            if given not in (name, *others):
+                self.report((given,), unknown("key", given, (*others, name)))
+        entries = self.toml.table.get(name)
+        if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+            self.report((name,), f"no [[{name}]]; legal: one or more, each below '[[{name}]]'")
+            return None
+        return tuple(self.table(of, entry, (name, at)) for at, entry in enumerate(entries))
 
     def report(self, at: Keys, message: str) -> None:
         self.problems.add(self.path, self.toml.line(*at), message)

@@ -1,14 +1,9 @@
 """Code blocks, coloured by classes."""
 
-from functools import cache
 from html import escape
-from typing import TYPE_CHECKING
 
 from site_builder.cache import cached
 from site_builder.diagnostics import unknown
-
-if TYPE_CHECKING:
-    from pygments.lexer import Lexer
 
 LANGUAGES = ("python", "console", "text", "bash", "javascript", "json", "toml", "markdown")
 
@@ -32,24 +27,17 @@ def code_html(code: str, language: str) -> str:
     return f"{opening}{body}\n</code></pre>\n"
 
 
-@cache
-def _lexer(language: str) -> "Lexer":
-    """It takes as long to make one as to colour some lines."""
-    from pygments.lexers import get_lexer_by_name
-
-    return get_lexer_by_name(language)
-
-
 @cached
 def highlighted_lines(code: str, language: str) -> list[str]:
     """Each line of ``code`` as HTML of its own. Raises `UnknownLanguageError`."""
     # Imported only where something is not cached.
     from pygments import highlight
     from pygments.formatters import HtmlFormatter
+    from pygments.lexers import get_lexer_by_name
     from pygments.util import ClassNotFound
 
     try:
-        lexer = _lexer(language)
+        lexer = get_lexer_by_name(language)
     except ClassNotFound:
         raise UnknownLanguageError(unknown("language", language, LANGUAGES)) from None
     # Pygments closes its spans at the end of each line.
