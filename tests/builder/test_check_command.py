@@ -33,24 +33,16 @@ def run(run: Run) -> Run:
 def test_programs_get_the_fields_that_are_promised(
     run: Run, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run("check", "--json", body=TWO) == 1
+    assert run("check", "--json", body="A price of 5$ each.\n") == 1
     said = capsys.readouterr()
     assert said.err == ""
     assert json.loads(said.out) == {
-        "mistakes": 2,
+        "mistakes": 1,
         "warnings": 0,
         "diagnostics": [
             {
                 "file": "content/00-first.md",
                 "line": 5,
-                "column": 5,
-                "severity": "error",
-                "message": "unknown directive 'nott'; did you mean 'note'?",
-                "suggestion": "'note'",
-            },
-            {
-                "file": "content/00-first.md",
-                "line": 8,
                 "column": 13,
                 "severity": "error",
                 "message": r"'$' opens or closes no formula; legal: '$…$', or '\$' for the sign "

@@ -102,14 +102,6 @@ def test_a_page_lists_every_move_and_a_frame_with_nothing_at_hand(
         ({"demo": {"start": {}, "moves": {}}}, "no median for empty data"),
         ({"demo": {"start": {}, "moves": {"zoom": MOVE}}}, "unknown parameter 'zoom'"),
     ],
-    ids=[
-        "no file",
-        "another scene",
-        "a list",
-        "no moves",
-        "empty moves",
-        "a control that has gone",
-    ],
 )
 def test_stale_data_say_how_to_measure_again(
     make_book: Callable[..., Options], content: object, said: str

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from site_builder import browser_parts, browser_python, npm
+from site_builder.book_root import ENGINE
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import Diagnostic
 from site_builder.editor.bundle import HERE, EditorBundle
@@ -16,12 +17,14 @@ from site_builder.pages.licences import gather_licences
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import VERSIONS
 
+LOCKS = sorted((ENGINE / "site_builder").rglob("package-lock.json"))
 PAGE = "::::{simulation} demo\nText.\n::::\n"
 
 
-def test_every_package_is_pinned_by_a_hash_and_the_lock_names_no_address() -> None:
-    lock = json.loads((HERE / "package-lock.json").read_text(encoding="utf-8"))
-    packages = [item for name, item in lock["packages"].items() if name]
+@pytest.mark.parametrize("lock", LOCKS, ids=lambda file: file.parent.name)
+def test_every_package_is_pinned_by_a_hash_and_the_lock_names_no_address(lock: Path) -> None:
+    locked = json.loads(lock.read_text(encoding="utf-8"))["packages"]
+    packages = [item for name, item in locked.items() if name]
     assert all(item["integrity"].startswith("sha512-") for item in packages)
     assert not any("resolved" in item for item in packages)
 

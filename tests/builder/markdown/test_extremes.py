@@ -41,20 +41,15 @@ TABLE = HardCases(
 )
 
 
-@pytest.fixture
-def page(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> str:
+def test_a_table_shows_every_case_what_the_model_answers_and_what_others_do(
+    make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """With this file's table, as if it lay where a book has its tables."""
     monkeypatch.setitem(extremes.MODULES, "halves", __name__)
-    return rendered(make_book(":::{extremes} halves\n:::\n"))["first/index.html"].decode()
-
-
-def test_a_table_shows_every_case_and_what_is_asked(page: str) -> None:
+    page = rendered(make_book(":::{extremes} halves\n:::\n"))["first/index.html"].decode()
     for case in TABLE.cases:
         assert f'id="extremes-halves-{case.id}"' in page
         assert case.call in page
-
-
-def test_it_shows_what_the_model_answers_and_what_others_do(page: str) -> None:
     assert "320.5" in page
     assert "ValueError: length=-1; legal: 0 or more" in page
     assert ">320<" in page, "the textbook's formula"
