@@ -16,8 +16,7 @@ from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import Bundle, bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets, without_comments
-from site_builder.pages.features import parts_script, question_files, sheets_not_for, shown_in
-from site_builder.pages.render import back_matter
+from site_builder.pages.question_files import question_files
 
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
@@ -49,13 +48,11 @@ def gather_assets(
     and what searches, in one folder: ``folder``, or one that is named by what is in it. Raises
     `BuildError`."""
     content = folder_files(root / "content")
-    static: dict[str, Content] = {**folder_files(own_or_engine(root, "static"))}
-    shown = shown_in(book, dict(back_matter(book)))
-    static |= question_files(shown)
-    scripts = _scripts(book, static, shown)
+    static = {**folder_files(own_or_engine(root, "static")), **question_files(book)}
+    scripts = _scripts(book, static)
     files: Files = {
         **scripts.files,
-        **_style_sheets(book, static, shown, scripts.beside),
+        **_style_sheets(book, static, scripts.beside),
         **{
             name: file
             for name, file in static.items()
@@ -77,23 +74,17 @@ def gather_assets(
     return Assets(folder, files, scripts.at_once)
 
 
-def _scripts(book: Book, static: Files, shown: Collection[str]) -> Bundle:
-    """Those that the book uses."""
+def _scripts(book: Book, static: Files) -> Bundle:
     sources = {name: file for name, file in static.items() if name.startswith(("js/", "../"))}
-    written = {
-        "js/book.js": book_script(book.settings, book.words),
-        "js/book_parts.js": parts_script(shown),
-    }
+    written = {"js/book.js": book_script(book.settings, book.words)}
     return bundle_scripts({**sources, **written}, *(name for name in SOURCES if name in sources))
 
 
-def _style_sheets(
-    book: Book, static: Files, shown: Collection[str], beside: Collection[str]
-) -> Files:
+def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
     """The sheet of all pages, and those that scripts load."""
     own = book_css(book.words) + "".join(map(face_rule, MATHS_FACES))
     sheets = {name: file for name, file in static.items() if name.startswith("css/")}
-    joined = join_style_sheets(sheets, STYLE_SHEET, own, without=sheets_not_for(shown))
+    joined = join_style_sheets(sheets, STYLE_SHEET, own)
     return {name: file for name, file in joined.items() if name in {STYLE_SHEET, *beside}}
 
 

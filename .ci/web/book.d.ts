@@ -1,4 +1,4 @@
-/** Modules that are written while a book is built, by `book_files.py` and `features.py` there. */
+/** Modules that are written while a book is built, by `book_files.py` and `question_files.py` there. */
 
 /** What the scripts know of the book. */
 declare module "*/book.js" {
@@ -6,21 +6,6 @@ declare module "*/book.js" {
   export const DECIMAL: string;
   export const STORAGE: string;
   export const WORDS: Record<string, string | { one: string; other: string }>;
-}
-
-/** Those of the scripts that it shows something for. */
-declare module "*/book_parts.js" {
-  export interface Part {
-    /** Listen; called once. */
-    install(): void;
-    /** A page has come into place. */
-    arrive?(): void;
-    /** The address has become another one of the same page. */
-    returned?(): void;
-    /** The page is about to make way for another; its address may be that one's already. */
-    leave?(page: string): void;
-  }
-  export const PARTS: Part[];
 }
 
 /** The kinds of questions that it asks. */

@@ -1,7 +1,7 @@
 """One style sheet in place of a tree of imports: a browser fetches each ``@import`` in turn."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from pathlib import PurePosixPath
 
 from site_builder.diagnostics import BuildError, Diagnostic
@@ -13,10 +13,10 @@ IMPORT = re.compile(r'^@import "([^"]+)";\n', re.MULTILINE)
 
 
 def join_style_sheets(
-    files: Mapping[str, Content], entry: str, more: str = "", without: Collection[str] = ()
+    files: Mapping[str, Content], entry: str, more: str = ""
 ) -> dict[str, Content]:
     """``files`` with the sheet ``entry`` holding, in order, what it imports from its own folder,
-    but for the sheets ``without``, and ``more`` at its end.
+    and ``more`` at its end.
 
     The imported sheets are left out. Raises `BuildError` where one is missing or lies in another
     folder, where its relative addresses would be wrong.
@@ -29,10 +29,7 @@ def join_style_sheets(
         raise BuildError(_mistake(sheet, name, entry) for name in wrong)
     rest = {path: content for path, content in files.items() if path not in taken.values()}
 
-    def text(name: str) -> str:
-        return "" if name in without else content_bytes(files[taken[name]]).decode("utf-8")
-
-    joined = IMPORT.sub(lambda found: text(found[1]), sheet)
+    joined = IMPORT.sub(lambda found: content_bytes(files[taken[found[1]]]).decode("utf-8"), sheet)
     return {**rest, entry: (joined + more).encode("utf-8")}
 
 

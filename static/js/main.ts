@@ -3,7 +3,9 @@
  * Listeners sit on the document, so that they outlive a change of chapter.
  */
 
-import { PARTS } from "./book_parts.js";
+import * as figures from "./editor/feature.js";
+import * as ladders from "./ladder/bench.js";
+import * as cases from "./page/case_filter.js";
 import { installContents } from "./page/contents.js";
 import { ask as followScroll, installHeader } from "./page/header.js";
 import { installKeys } from "./page/keys.js";
@@ -16,8 +18,24 @@ import { watchScrollers } from "./page/scrollers.js";
 import { installSearch } from "./page/search.js";
 import { watchSections } from "./page/sections.js";
 import { FORGETFUL } from "./page/storage.js";
+import * as terms from "./page/terms.js";
 import { installTheme, showTheme } from "./page/theme.js";
 import { words } from "./page/words.js";
+import * as keeping from "./question/keeping.js";
+import * as questions from "./question/questions.js";
+
+/** What a part of pages does. */
+interface Part {
+  /** Listen; called once. */
+  install(): void;
+  /** A page has come into place. */
+  arrive?(): void;
+  /** The address has become another one of the same page. */
+  returned?(): void;
+  /** The page is about to make way for another; its address may be that one's already. */
+  leave?(page: string): void;
+}
+const PARTS: Part[] = [figures, ladders, cases, terms, questions, keeping];
 
 installTheme();
 addEventListener(FORGETFUL, () => notice(words("page.forgetful")));

@@ -1,19 +1,14 @@
-"""Readers get the scripts and style sheets that their book shows something for, and no others."""
+"""Readers get the scripts of the kinds of questions that their book asks, and no others."""
 
 from collections.abc import Callable, Mapping
-from pathlib import Path
 
 import pytest
 
 from site_builder.build import Options, render_site
-from site_builder.markdown.directives import DIRECTIVES
 from site_builder.output.assets import content_bytes
-from site_builder.output.style_sheets import IMPORT
-from site_builder.pages.features import PARTS, SHEETS
 
 type MakeBook = Callable[..., Options]
 
-STATIC = Path(__file__).parents[3] / "static"
 OWN_STATIC = (
     "css/book.css",
     "js/main.ts",
@@ -49,18 +44,10 @@ def holds(files: Mapping[str, str], text: str) -> bool:
     return any(text in script for name, script in files.items() if name.endswith(".js"))
 
 
-def test_a_book_of_plain_text_ships_what_turns_its_pages(make_book: MakeBook) -> None:
-    files = shipped(make_book("Text.\n", PLAIN))
-    assert holds(files, "installNavigation")
-    assert not any(holds(files, name) for name in ("LiveFigure", "form.quiz"))
-    css = files["css/book.css"]
-    assert [rule for rule in (".verdict", ".ladder-key", ".handle ") if f"\n{rule}" in css] == []
-
-
 def test_a_question_brings_its_own_kind_and_no_other(make_book: MakeBook) -> None:
     files = shipped(make_book(QUESTION, PLAIN))
     assert holds(files, "label.option")
-    assert not any(holds(files, name) for name in (".grip", "LiveFigure"))
+    assert not holds(files, ".grip")
     assert "\n.verdict" in files["css/book.css"]
 
 
@@ -68,12 +55,3 @@ def test_what_a_script_starts_or_loads_is_shipped_with_it(make_book: MakeBook) -
     files = shipped(make_book(QUESTION + "\n:::{simulation} demo\n:::\n", PLAIN))
     assert holds(files, "LiveFigure")
     assert {"js/runtime/worker.js", "css/workshop.css"} <= set(files)
-
-
-def test_the_table_names_what_there_is() -> None:
-    blocks = {directive.template for directive in DIRECTIVES} | {"prose"}
-    told = {"terms", "asked", "progress", "lecture-plan", "glossary", "index-of-terms"}
-    uses = {use for uses in SHEETS.values() for use in uses} | set(PARTS)
-    assert uses <= blocks | told
-    sheets = IMPORT.findall((STATIC / "css" / "book.css").read_text(encoding="utf-8"))
-    assert set(SHEETS) <= set(sheets)
