@@ -37,12 +37,12 @@ def points() -> list[tuple[int, float, str]]:
 def front() -> list[tuple[int, float, str]]:
     """The Pareto front of cost and error."""
     all_points = points()
-    kept = [
+    front = [
         p
         for p in all_points
         if not any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in all_points)
     ]
-    return sorted(kept)
+    return sorted(front)
 
 
 def draw() -> Illustration:

@@ -46,8 +46,8 @@ def distances(result: Floats, truth: Floats) -> Floats:
     bins = truth.shape[1]
     gaps = []
     for counted, cumulative in zip(result, truth, strict=True):
-        held = np.clip(counted, 0, bins - 1).astype(np.int64)
-        share = np.cumsum(np.bincount(held, minlength=bins)) / counted.size
+        clipped = np.clip(counted, 0, bins - 1).astype(np.int64)
+        share = np.cumsum(np.bincount(clipped, minlength=bins)) / counted.size
         gaps.append(np.abs(share - cumulative).max())
     return np.array(gaps)
 

@@ -9,7 +9,7 @@ from support.frames import estimates_of, frame_of, texts_of
 
 from simulations.engine.stages import StageCache
 from simulations.scenes.rotation_3d.scene import SCENE
-from simulations.scenes.rotation_3d.stages import orientation, ways
+from simulations.scenes.rotation_3d.stages import orientation, paths
 
 frame = partial(frame_of, SCENE)
 
@@ -46,7 +46,7 @@ def test_the_right_half_turn_does_not_hang_on_rounding() -> None:
 def test_the_camera_is_where_the_tier_puts_it(tier: str) -> None:
     """Away from the middle, where all of them agree; at 170° a straight line errs by degrees."""
     here = orientation(170.0, 0.0, 0.0)
-    turned = ways(here, tier)["slerp"](0.2)
+    turned = paths(here, tier)["slerp"](0.2)
     angle_deg = np.degrees(np.arctan2(turned[0, 2], turned[2, 2]))
     arc = np.radians(170 / 2)
     chord_deg = np.degrees(2 * np.arctan2(0.2 * np.sin(arc), 0.8 + 0.2 * np.cos(arc)))

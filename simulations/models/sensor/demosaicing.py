@@ -117,11 +117,11 @@ def _demosaic_line(cfa: Floats, pattern: str, method: str) -> Floats:
     filters = filter_colours(cfa.shape[0], cfa.shape[1], pattern).reshape(-1)
     line, places = cfa.reshape(-1), np.arange(cfa.size)
     rgb = np.empty((cfa.size, 3), cfa.dtype)
-    held = sorted(set(filters.tolist()))
-    for colour in held:
+    present = sorted(set(filters.tolist()))
+    for colour in present:
         known = places[filters == colour]
         at = known[np.abs(places[:, None] - known).argmin(1)] if method == "nearest" else places
         rgb[:, colour] = np.interp(at, known, line[known])
-    for colour in set(range(3)).difference(held):
-        rgb[:, colour] = rgb[:, held].mean(axis=1)
+    for colour in set(range(3)).difference(present):
+        rgb[:, colour] = rgb[:, present].mean(axis=1)
     return rgb.reshape(*cfa.shape, 3)

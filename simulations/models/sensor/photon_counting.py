@@ -168,8 +168,8 @@ def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
     _check_bits(bits)
     top = 2 ** int(bits) - 1
     # fmax, unlike clip, replaces NaN.
-    held = np.minimum(np.fmax(as_floats(signal_dn), 0), top)
-    return np.rint(held).astype(np.uint16)
+    clipped = np.minimum(np.fmax(as_floats(signal_dn), 0), top)
+    return np.rint(clipped).astype(np.uint16)
 
 
 def develop(raw_dn: ArrayLike, sensor: Sensor) -> Floats:

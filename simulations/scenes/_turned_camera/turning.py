@@ -27,16 +27,16 @@ class ViewSettings(Protocol):
     def elevation(self) -> float: ...
 
 
-def nearest(track: Floats, place: Point, apart: Floats) -> int:
+def nearest(track: Floats, place: Point, distances: Floats) -> int:
     """The index of the nearest place of a track (n, 2…); of equal ones, that with the least
-    ``apart``.
+    ``distances``.
 
     The front and the back of a ring seen edge on have the same places; the handle does not jump
     from one to the other.
     """
     off = np.hypot(track[:, 0] - place[0], track[:, 1] - place[1])
     close = np.flatnonzero(off <= off.min() + CLOSE)
-    index = int(close[np.argmin(apart[close])])
+    index = int(close[np.argmin(distances[close])])
     while True:
         around = range(max(index - 1, 0), min(index + 2, len(off)))
         best = min(around, key=lambda i: float(off[i]))

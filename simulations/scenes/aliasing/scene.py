@@ -44,7 +44,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     pattern = pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
     kernel = prefilter(settings.prefilter)
     left = float(transfer(kernel, pattern.frequency))
-    kept = abs(left) if own else amplitude_in_samples(pattern, left)
+    remaining = abs(left) if own else amplitude_in_samples(pattern, left)
     wave = "light" if own else "wave"
     over_picture, over_row = _overlays(pattern, kernel, own)
     return Frame(
@@ -54,14 +54,14 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             _panel(
                 "spectrum",
                 "Where its frequency ends up",
-                spectrum.draw(pattern, kernel, kept, own),
+                spectrum.draw(pattern, kernel, remaining, own),
             ),
         ),
-        readouts=_readouts(pattern, abs(left), kept),
+        readouts=_readouts(pattern, abs(left), remaining),
         description=(
             describe_own(settings, pattern, abs(left))
             if own
-            else describe(settings, pattern, abs(left), kept)
+            else describe(settings, pattern, abs(left), remaining)
         ),
     )
 
@@ -78,7 +78,7 @@ def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) ->
     return Panel(name, title, row.WIDTH, row.HEIGHT, raster, overlay, raster is not None)
 
 
-def _readouts(pattern: Pattern, passed: float, kept: float) -> tuple[Readout, ...]:
+def _readouts(pattern: Pattern, passed: float, remaining: float) -> tuple[Readout, ...]:
     frequency, alias = pattern.frequency * pattern.rate, pattern.alias * pattern.rate
     nyquist = NYQUIST * pattern.rate
     return (
@@ -87,7 +87,7 @@ def _readouts(pattern: Pattern, passed: float, kept: float) -> tuple[Readout, ..
         readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
         readout("period", "One stripe every", _period(alias), "px", digits=1, role="error"),
         readout("passed", "The filter passes", passed, "of the wave", digits=3, role="light"),
-        Readout("kept", "The samples keep", format_number(kept, 3), "of the wave", "image"),
+        Readout("kept", "The samples keep", format_number(remaining, 3), "of the wave", "image"),
     )
 
 
@@ -108,7 +108,7 @@ def amplitude_in_samples(pattern: Pattern, left: float) -> float:
     return abs(left)
 
 
-def describe(settings: Settings, pattern: Pattern, passed: float, kept: float) -> str:
+def describe(settings: Settings, pattern: Pattern, passed: float, remaining: float) -> str:
     """The true and the apparent wave, and its amplitude."""
     frequency, stripes = settings.frequency, settings.pattern == "stripes"
     alias = pattern.alias * pattern.rate
@@ -116,7 +116,7 @@ def describe(settings: Settings, pattern: Pattern, passed: float, kept: float) -
     true = f"{what} {'of ' if stripes else ''}{format_number(frequency)} cycles per pixel"
     if settings.rate != 1:
         true += f" at {_rate(settings)}"
-    strength = f"{format_number(100 * kept, 0)} % of their amplitude"
+    strength = f"{format_number(100 * remaining, 0)} % of their amplitude"
     if frequency == 0:
         return (
             f"{what} of no frequency: the picture has the same tone everywhere."
@@ -169,8 +169,8 @@ def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
     f = pattern.frequency
     if pattern.kind == "stripes":
         wave = np.sin(pattern.phase_rad + 2 * np.pi * f * (x + 0 * y))
-        held = np.full(wave.shape, f < NYQUIST)
-        return np.where(held, 0.5 + 0.5 * wave, 0.5), np.ones(wave.shape, bool)
+        resolved = np.full(wave.shape, f < NYQUIST)
+        return np.where(resolved, 0.5 + 0.5 * wave, 0.5), np.ones(wave.shape, bool)
     highest = 2 * f / pattern.width * np.maximum(np.abs(x), np.abs(y))
     wave = np.sin(pattern.phase_rad + 2 * np.pi * f / pattern.width * (x * x + y * y))
     light: Floats = np.where(highest < NYQUIST, 0.5 + 0.5 * wave, 0.5)
@@ -184,8 +184,8 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
         off = own.linear - ideal_own(outputs["photograph"], settings.rate)
     else:
         pattern = pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
-        truth, judged = ideal(pattern)
-        off = (pattern.picture(prefilter(settings.prefilter)) - truth)[judged]
+        truth, certain = ideal(pattern)
+        off = (pattern.picture(prefilter(settings.prefilter)) - truth)[certain]
     text = format_magnitude(root_mean_square(off), 1e-9)
     yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
 

@@ -27,8 +27,8 @@ ARC_TOP = 50.0
 """Row of the arrow from the true to the apparent frequency."""
 
 
-def draw(pattern: Pattern, kernel: Prefilter, kept: float, own: Own | None) -> str:
-    """SVG markup of the third panel; ``kept`` is the amplitude in the samples."""
+def draw(pattern: Pattern, kernel: Prefilter, remaining: float, own: Own | None) -> str:
+    """SVG markup of the third panel; ``remaining`` is the amplitude in the samples."""
     rate, frequency = pattern.rate, pattern.frequency * pattern.rate
     passed = abs(float(transfer(kernel, pattern.frequency)))
     band = _band(frequency) if pattern.kind == "zone_plate" else iter(())
@@ -37,7 +37,7 @@ def draw(pattern: Pattern, kernel: Prefilter, kept: float, own: Own | None) -> s
             *_axes(0.5 * rate),
             *(_detail(own) if own else band),
             _response(kernel, rate),
-            *_lines(pattern, passed, kept),
+            *_lines(pattern, passed, remaining),
         )
     )
 
@@ -85,7 +85,7 @@ def _detail(own: Own) -> Iterator[str]:
     yield text((12, PLOT.y.start + 41), "your picture, by octaves", "world small")
 
 
-def _lines(pattern: Pattern, passed: float, kept: float) -> Iterator[str]:
+def _lines(pattern: Pattern, passed: float, remaining: float) -> Iterator[str]:
     """The wave before the filter, after it, and in the samples."""
     frequency, alias = pattern.frequency * pattern.rate, pattern.alias * pattern.rate
     folded = pattern.frequency > 0.5
@@ -94,11 +94,11 @@ def _lines(pattern: Pattern, passed: float, kept: float) -> Iterator[str]:
     yield line(PLOT.at(frequency, 0), PLOT.at(frequency, passed), "world bold")
     yield dot(PLOT.at(frequency, passed), "world", 4.5)
     if folded:
-        yield line(PLOT.at(alias, 0), PLOT.at(alias, kept), "error bold")
-        yield dot(PLOT.at(alias, kept), "error", 4.5)
+        yield line(PLOT.at(alias, 0), PLOT.at(alias, remaining), "error bold")
+        yield dot(PLOT.at(alias, remaining), "error", 4.5)
         yield from _fold(frequency, alias)
-    elif not math.isclose(kept, passed):
-        yield dot(PLOT.at(frequency, kept), "image", 5.5)
+    elif not math.isclose(remaining, passed):
+        yield dot(PLOT.at(frequency, remaining), "image", 5.5)
     yield from _labels(frequency, alias, folded)
 
 

@@ -191,6 +191,6 @@ def _camera(plan: PlanView) -> str:
     body = drawing.rectangle((x - 13, row + 5), 26, 15, "camera fill")
     lens = drawing.rectangle((x - 6, row - 1), 12, 6, "camera solid")
     seen = f"{math.degrees(plan.view_rad):.0f}°"
-    told = f"{seen} at {plan.focal_length:.0f} mm" if plan.back else seen
-    label = drawing.text((x + 20, row + 17), told, "camera strong")
+    caption = f"{seen} at {plan.focal_length:.0f} mm" if plan.back else seen
+    label = drawing.text((x + 20, row + 17), caption, "camera strong")
     return body + lens + label

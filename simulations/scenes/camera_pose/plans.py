@@ -97,14 +97,14 @@ def _furniture(place: Place) -> str:
     """Walls, door and table, clipped to the panel."""
     walls = [np.stack([WALLS[i], WALLS[(i + 1) % 4]]) for i in range(4)]
     table = _cut(place(TABLE), closed=True)
-    middle, beside = place(np.stack([TABLE.mean(axis=0), DOOR.mean(axis=0) - DOOR_NAME]))
+    middle, door = place(np.stack([TABLE.mean(axis=0), DOOR.mean(axis=0) - DOOR_NAME]))
     return "".join(
         (
             *(_segment(place(wall), "world thin") for wall in walls),
             _segment(place(DOOR), "world bold"),
             drawing.polygon(table, "world thin fill") if len(table) else "",
             _name(middle, "table", "world small"),
-            _name(beside, "door", "world small"),
+            _name(door, "door", "world small"),
         )
     )
 

@@ -44,8 +44,8 @@ def drawn_f_number(settings: Settings) -> float:
     The widths of all discs are proportional to the aperture, so the focus and the sizes of things
     stay the same.
     """
-    asked = widest_px(settings.focal_length, settings.aperture, settings.focus)
-    return settings.aperture * max(asked / LARGEST_DRAWN_PX, 1.0)
+    widest = widest_px(settings.focal_length, settings.aperture, settings.focus)
+    return settings.aperture * max(widest / LARGEST_DRAWN_PX, 1.0)
 
 
 def parameters(settings: Settings, tier: str) -> dict[str, Value] | None:

@@ -30,8 +30,8 @@ def _bead_pulled(index: int, settings: Settings, place: Point) -> Mapping[str, V
     degrees = np.arange(-limit, limit + 1)
     track = rings.on_screen(ring.at(np.radians(degrees)), _view(settings))
     present = round(math.degrees(ring.angle_rad))
-    apart = np.abs(np.remainder(degrees - present + 180, 360) - 180)
-    return {ring.name: float(degrees[nearest(track, place, apart)])}
+    distances = np.abs(np.remainder(degrees - present + 180, 360) - 180)
+    return {ring.name: float(degrees[nearest(track, place, distances)])}
 
 
 def _rings(settings: Settings) -> tuple[rings.Ring, rings.Ring, rings.Ring]:

@@ -21,15 +21,15 @@ def estimates(planes: Floats, coded: Coded, transform: Transform) -> Iterator[Re
 
     ``planes`` (3, H, W) are those before the transform.
     """
-    worst, changed, judged = 0.0, 0, 0
+    worst, changed, compared = 0.0, 0, 0
     total = sum(codes.size // 64 for codes in coded.planes)
     for blocks, steps, codes in _parts(planes, coded):
         truth = exact_block_dct(blocks)
         worst = max(worst, float(np.abs(transform(blocks) - truth).max()))
         changed += int(np.count_nonzero(round_outwards(truth / steps) != codes))
-        judged += len(blocks)
+        compared += len(blocks)
         label = (
-            f"Largest error of a coefficient in {judged} of {total} blocks "
+            f"Largest error of a coefficient in {compared} of {total} blocks "
             f"({changed} round otherwise)"
         )
         yield Readout("error", label, format_magnitude(worst, 1e-15), "codes", "error")
@@ -41,7 +41,7 @@ def _parts(planes: Floats, coded: Coded) -> Iterator[tuple[Floats, Floats, NDArr
     fine, coarse = tables(coded.quality)
     samples = (planes[0], *(coarsen(plane, factor) for plane in planes[1:]))
     for plane, steps, codes in zip(samples, (fine, coarse, coarse), coded.planes, strict=True):
-        blocks, kept = to_blocks(plane).reshape(-1, 8, 8), codes.reshape(-1, 8, 8)
+        blocks, coefficients = to_blocks(plane).reshape(-1, 8, 8), codes.reshape(-1, 8, 8)
         for start in range(0, len(blocks), BLOCKS_A_STEP):
             part = slice(start, start + BLOCKS_A_STEP)
-            yield blocks[part], steps.astype(float), kept[part]
+            yield blocks[part], steps.astype(float), coefficients[part]

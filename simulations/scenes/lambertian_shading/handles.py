@@ -61,14 +61,14 @@ def _on_curve_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     theta = min(max(read_off(place)[0], 0.0), 180.0)
     light, limit = settings.light_angle, 90.0
 
-    def judged(angle: float) -> tuple[float, float]:
+    def misfit(angle: float) -> tuple[float, float]:
         """Error of the angle, and distance from the probe."""
         missed = abs(abs(math.remainder(light - angle, 360)) - theta)
         return round(missed, 6), abs(angle - settings.probe)
 
     both = (math.remainder(light + side * theta, 360) for side in (-1, 1))
     seen = [min(max(angle, -limit), limit) for angle in both]
-    return {"probe": min((*seen, -limit, limit), key=judged)}
+    return {"probe": min((*seen, -limit, limit), key=misfit)}
 
 
 def _paint(settings: Settings, _outputs: Outputs) -> Point:

@@ -68,12 +68,12 @@ def stops(factor: float) -> float:
 
 def describe(settings: Settings, lens: Colours, corner: tuple[float, float]) -> str:
     """The picture in one sentence."""
-    apart = CORNER_PX * float(lens.scale[2] - lens.scale[0])
-    if abs(apart) < 0.005:
+    shift = CORNER_PX * float(lens.scale[2] - lens.scale[0])
+    if abs(shift) < 0.005:
         fringe = "no coloured fringes in the corners"
     else:
-        larger = "blue larger than red" if apart > 0 else "red larger than blue"
-        fringe = f"{larger}, {format_number(abs(apart), 1)} pixels apart in the corners"
+        larger = "blue larger than red" if shift > 0 else "red larger than blue"
+        fringe = f"{larger}, {format_number(abs(shift), 1)} pixels apart in the corners"
     widest = float(lens.disc_px.max())
     soft = f"discs of up to {widest:.1f} pixels" if widest > 1 else "all colours sharp"
     share = corner[0] * corner[1]

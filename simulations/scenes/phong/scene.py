@@ -116,11 +116,11 @@ def lobes(settings: Settings, matte: float) -> str:
     """The lobe of the chosen model, and that of the other one."""
     light_rad, probe_rad = math.radians(settings.light_angle), math.radians(settings.probe)
     other = next(name for name in MODELS if name != settings.model)
-    chosen, beside = (
+    chosen, other_lobe = (
         lobe(settings.light_angle - settings.probe, name, settings.shininess, settings.specular)
         for name in (settings.model, other)
     )
-    return lobe_plot(light_rad - probe_rad, -probe_rad, chosen, beside, matte)
+    return lobe_plot(light_rad - probe_rad, -probe_rad, chosen, other_lobe, matte)
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:

@@ -96,13 +96,13 @@ def frequency_of(place: Point) -> float:
 
 def _curves(settings: Settings, lens: Lens, nyquist: float) -> Iterator[str]:
     each = links(settings, lens, FREQUENCIES)
-    together, held = np.abs(each.together), nyquist >= FREQUENCIES
+    together, resolved = np.abs(each.together), nyquist >= FREQUENCIES
     if settings.plate:
         yield PLOT.curve(FREQUENCIES, np.abs(each.plate), "muted")
     yield PLOT.curve(FREQUENCIES, np.abs(each.pixel), "camera")
     yield PLOT.curve(FREQUENCIES, np.abs(each.lens), "ray dashed")
-    yield PLOT.curve(FREQUENCIES[held], together[held], "image bold")
-    yield PLOT.curve(FREQUENCIES[~held], together[~held], "error bold")
+    yield PLOT.curve(FREQUENCIES[resolved], together[resolved], "image bold")
+    yield PLOT.curve(FREQUENCIES[~resolved], together[~resolved], "error bold")
 
 
 def _limits(settings: Settings, nyquist: float) -> Iterator[str]:

@@ -18,24 +18,24 @@ from simulations.scenes.rotation_3d.stages import orientation
 
 
 def _sight(settings: Settings, outputs: Outputs) -> Point:
-    blend = outputs["ways"][settings.blend](settings.t)
+    blend = outputs["paths"][settings.blend](settings.t)
     return pair(sphere.on_screen(blend[:, 2], _view(settings)))
 
 
 def _sight_pulled(settings: Settings, place: Point, tier: str) -> Mapping[str, Value]:
-    way = _way(settings.pan, settings.tilt, settings.roll, settings.blend, tier)
-    track = sphere.on_screen(way, _view(settings))
-    shares = np.arange(len(way))
+    path = _path(settings.pan, settings.tilt, settings.roll, settings.blend, tier)
+    track = sphere.on_screen(path, _view(settings))
+    shares = np.arange(len(path))
     index = nearest(track, place, np.abs(shares - round(100 * settings.t)))
     return {"t": index / 100}
 
 
 @lru_cache(maxsize=4)
-def _way(pan: float, tilt: float, roll: float, blend: str, tier: str) -> Floats:
+def _path(pan: float, tilt: float, roll: float, blend: str, tier: str) -> Floats:
     """The line of sight (101, 3) at each hundredth of the chosen path."""
     here = orientation(pan, tilt, roll)
-    ways = sphere.ways(here.angles_rad, here.C, here.q, BLENDS[tier])
-    return ways[blend](np.linspace(0.0, 1.0, 101))[:, :, 2]
+    paths = sphere.paths(here.angles_rad, here.C, here.q, BLENDS[tier])
+    return paths[blend](np.linspace(0.0, 1.0, 101))[:, :, 2]
 
 
 def _view(settings: Settings) -> Floats:

@@ -19,14 +19,14 @@ from simulations.models.geometry.rotation_paths import off_great_circle
 from simulations.scenes.rotation_3d import sphere
 from simulations.scenes.rotation_3d.handles import HANDLES
 from simulations.scenes.rotation_3d.settings import Settings
-from simulations.scenes.rotation_3d.sphere import LABELS, START, Way
+from simulations.scenes.rotation_3d.sphere import LABELS, START, Path
 from simulations.scenes.rotation_3d.stages import STAGES, Orientation, speed_error
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The camera on its path, and the three traces of its line of sight."""
     here: Orientation = outputs["orientation"]
-    there: dict[str, Way] = outputs["ways"]
+    there: dict[str, Path] = outputs["paths"]
     share, chosen = settings.t, settings.blend
     blend = there[chosen](share)
     off_rad = off_great_circle(quaternions.from_matrix(there["euler"](share)), START, here.q)

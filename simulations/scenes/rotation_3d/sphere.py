@@ -29,10 +29,10 @@ ROLES = {"slerp": "ray", "euler": "error", "matrix": "image"}
 LABELS = {"slerp": "quaternion slerp", "euler": "Euler angles", "matrix": "matrix entries"}
 MANNERS = {"slerp": "bold", "euler": "dashed", "matrix": "thin"}
 
-type Way = Callable[[ArrayLike], Floats]
+type Path = Callable[[ArrayLike], Floats]
 
 
-def ways(angles_rad: Sequence[float], C: Floats, q: Floats, blend: Blend) -> dict[str, Way]:
+def paths(angles_rad: Sequence[float], C: Floats, q: Floats, blend: Blend) -> dict[str, Path]:
     """From shares (...), 0 straight ahead and 1 at the end, to matrices (..., 3, 3).
 
     ``blend`` is one of `quaternion_blends.BLENDS`.
@@ -44,21 +44,23 @@ def ways(angles_rad: Sequence[float], C: Floats, q: Floats, blend: Blend) -> dic
     }
 
 
-def traces_of(all_ways: Mapping[str, Way], view: Floats) -> dict[str, Floats]:
+def traces_of(all_paths: Mapping[str, Path], view: Floats) -> dict[str, Floats]:
     """The places (n, 3) of the line of sight along each path: view box x, y, and depth."""
     shares = np.linspace(0.0, 1.0, STEPS + 1)
-    return {name: on_screen(way(shares)[:, :, 2], view) for name, way in all_ways.items()}
+    return {
+        name: on_screen(rotations(shares)[:, :, 2], view) for name, rotations in all_paths.items()
+    }
 
 
 def draw(
-    all_ways: Mapping[str, Way],
+    all_paths: Mapping[str, Path],
     traces: Mapping[str, Floats],
     view: Floats,
     chosen: str,
     share: float,
 ) -> str:
     """SVG markup of the panel: the traces, and the camera on the chosen path."""
-    blends = {name: way(share) for name, way in all_ways.items()}
+    blends = {name: rotations(share) for name, rotations in all_paths.items()}
     beads = [
         dot(on_screen(blend[:, 2], view), ROLES[name], 6.0 if name == chosen else 3.5)
         for name, blend in blends.items()

@@ -12,7 +12,7 @@ from simulations.models.geometry import euler, quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 from simulations.scenes._turned_camera.body import view_from
 from simulations.scenes.rotation_3d import sphere
-from simulations.scenes.rotation_3d.sphere import START, Way
+from simulations.scenes.rotation_3d.sphere import START, Path
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,16 +37,16 @@ def orientation(pan: float, tilt: float, roll: float) -> Orientation:
     return Orientation(angles_rad, C, q)
 
 
-def ways(here: Orientation, tier: str) -> dict[str, Way]:
+def paths(here: Orientation, tier: str) -> dict[str, Path]:
     """The paths from straight ahead to the orientation, by name."""
-    return sphere.ways(here.angles_rad, here.C, here.q, BLENDS[tier])
+    return sphere.paths(here.angles_rad, here.C, here.q, BLENDS[tier])
 
 
 STAGES = (
     Stage("orientation", orientation),
     Stage("view", view_from),
-    Stage("ways", ways, ("orientation",)),
-    Stage("traces", sphere.traces_of, ("ways", "view")),
+    Stage("paths", paths, ("orientation",)),
+    Stage("traces", sphere.traces_of, ("paths", "view")),
 )
 
 

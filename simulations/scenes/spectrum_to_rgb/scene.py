@@ -105,17 +105,19 @@ def describe(settings: Settings, colours: Colours, chosen: int) -> str:
         surface += f" that sends back light about {settings.band:.0f} nm"
     error = format_number(float(colours.error[0, chosen]), 1)
     outside = bool((np.abs(colours.meant[0, chosen] - 0.5) > 0.5).any())
-    told = (
+    sentence = (
         f"{surface} in the light of {light}: the sensor’s raw values are "
         f"{_triple(colours.raw[0, chosen])}, balanced and through the matrix they are the sRGB "
         f"codes {_codes(colours.srgb[0, chosen])}, {error} ΔE from the colour by daylight"
     )
     if outside:
-        told += ", which no display can show"
+        sentence += ", which no display can show"
     if settings.twin:
         apart = float(colours.apart[chosen])
-        told += f"; its twin is {'another' if apart > VISIBLE else 'the same'} colour to the eye"
-    return f"{told}."
+        sentence += (
+            f"; its twin is {'another' if apart > VISIBLE else 'the same'} colour to the eye"
+        )
+    return f"{sentence}."
 
 
 # A few sums over 81 wavelengths: no tiers.

@@ -103,8 +103,8 @@ def _origin(distance: float, kind: Kind) -> Found:
     centre = (10.0 / distance * np.array([0.64, 0.48, 0.6])).astype(kind)
     away = seen[:, :1] * ROWS[0] + seen[:, 2:] * ROWS[1]
     point, rows = (centre + away).astype(kind), ROWS.astype(kind)
-    told = rows.tolist(), centre.tolist()
-    exact = [truth.pixel(told[0], one, told[1]) for one in point.tolist()]
+    given = rows.tolist(), centre.tolist()
+    exact = [truth.pixel(given[0], one, given[1]) for one in point.tolist()]
     with np.errstate(divide="ignore", invalid="ignore"):
         written = formulas.pixel_from_origin(rows, point, centre)
     return (

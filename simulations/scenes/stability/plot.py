@@ -22,7 +22,7 @@ ACROSS: Mapping[str, str] = {
     "origin": "10 m / distance from the origin",
     "fold": "short of the largest radius, 1 − r_d / r_{d,max}",
 }
-WAYS: Mapping[str, tuple[str, str]] = {
+CURVE_NAMES: Mapping[str, tuple[str, str]] = {
     "angle": ("arccosine", "atan2 of two lengths"),
     "blur": ("1/Z − 1/s", "s − Z first"),
     "origin": ("R p + t", "R (p − c)"),
@@ -47,8 +47,8 @@ def place_of(settings: Settings) -> int:
 
 def shown(errors: Floats, digits: str) -> Floats:
     """Errors (n,) as drawn: see `UNITS_OF_ROUNDING` and `PER_DECADE`."""
-    held = np.maximum(errors, UNITS_OF_ROUNDING * unit_of(digits))
-    return np.asarray(10.0 ** (np.rint(PER_DECADE * np.log10(held)) / PER_DECADE))
+    floored = np.maximum(errors, UNITS_OF_ROUNDING * unit_of(digits))
+    return np.asarray(10.0 ** (np.rint(PER_DECADE * np.log10(floored)) / PER_DECADE))
 
 
 def mark(settings: Settings, errors: Errors) -> Point | None:
@@ -65,7 +65,7 @@ def power_at(place: Point) -> float:
 
 
 def draw(settings: Settings, errors: Errors) -> str:
-    written, rearranged = WAYS[settings.formula]
+    written, rearranged = CURVE_NAMES[settings.formula]
     place = mark(settings, errors)
     entries = [
         Entry(written, "error bold"),

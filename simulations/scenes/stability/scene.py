@@ -42,12 +42,12 @@ def describe(settings: Settings, errors: Errors) -> str:
         right_digits(float(plot.shown(each, settings.digits)[at]))
         for each in (errors.written, errors.rearranged)
     )
-    ways = plot.WAYS[settings.formula]
+    names = plot.CURVE_NAMES[settings.formula]
     power = format_number(settings.power, 2).rstrip("0").rstrip(".")
     distance = power_of_ten(int(settings.power)) if settings.power % 1 == 0 else f"10^{power}"
     return (
         f"{where}, at a distance of {distance} from trouble: "
-        f"{written} right digits by {ways[0]}, {rearranged} by {ways[1]}."
+        f"{written} right digits by {names[0]}, {rearranged} by {names[1]}."
     )
 
 

@@ -17,7 +17,7 @@ from simulations.scenes.transform_2d.square import SQUARE
 
 LOWER_LEFT, LOWER_RIGHT, UPPER_RIGHT, PULLED = range(4)
 """Indices of corners of the square. No transformation here maps the upper left one to infinity."""
-HELD: Mapping[str, tuple[int, ...]] = {
+FIXED: Mapping[str, tuple[int, ...]] = {
     "translation": (),
     "rigid": (LOWER_RIGHT,),
     "similarity": (LOWER_RIGHT,),
@@ -54,8 +54,8 @@ def transformation(kind: str, amount: float) -> Floats:
 def pulled(kind: str, H: Floats, pull: Sequence[float]) -> Floats:
     """Matrices (..., 3, 3) like ``H`` of a family, with the image of one corner pulled away.
 
-    The matrix stays in the family, so the corner follows as far as that allows, and those of `HELD`
-    stay fixed.
+    The matrix stays in the family, so the corner follows as far as that allows, and those of
+    `FIXED` stay fixed.
     """
     away = np.asarray(pull, float)
     return _PULLED[kind](np.asarray(H, float), away) if away.any() else H
@@ -126,13 +126,13 @@ def _tilted(H: Floats, away: Floats) -> Floats:
     In homogeneous coordinates the fourth corner is the sum of its neighbours minus the opposite
     one, so that their weights in the sum determine its image.
     """
-    held = _CORNERS[:, HELD["projective"]] * [1.0, -1.0, 1.0]
-    images = H @ held
+    fixed = _CORNERS[:, FIXED["projective"]] * [1.0, -1.0, 1.0]
+    images = H @ fixed
     ends = np.stack([pulled_corner(H), pulled_corner(H) + away], axis=-1)
     weights = np.linalg.solve(images, np.insert(ends, 2, 1.0, axis=-2))
     rest, wanted = weights[..., 0], weights[..., 1]
     share = _share_left(rest, wanted).min(axis=-1)[..., None]
-    moved = (images * (rest + share * (wanted - rest))[..., None, :]) @ np.linalg.inv(held)
+    moved = (images * (rest + share * (wanted - rest))[..., None, :]) @ np.linalg.inv(fixed)
     return moved / moved[..., 2:, 2:]
 
 

@@ -61,13 +61,13 @@ def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> s
 def corners(kind: str, H: Floats) -> Iterator[str]:
     """Images of the corners that a pull keeps fixed, as pins; the one to pull, solid."""
     images, valid = apply_homography(H, SQUARE)
-    held = family.HELD[kind]
+    fixed = family.FIXED[kind]
     for index, place in enumerate(to_view(images)):
         if not valid[index] or not _in_view(place):
             continue
         if index == family.PULLED:
             yield _square(place, 5.0, "image solid")
-        elif index in held:
+        elif index in fixed:
             yield _square(place, 4.0, "image solid faint")
 
 

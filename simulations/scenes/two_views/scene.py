@@ -67,7 +67,7 @@ def _interval(view: View) -> str:
 
 def _description(settings: Settings, view: View) -> str:
     turned = settings.toe_in
-    stand = f"{format_number(settings.baseline)} m apart, " + (
+    position = f"{format_number(settings.baseline)} m apart, " + (
         f"the right one turned in by {turned:.0f}°" if turned else "looking the same way"
     )
     seen = "" if in_picture(view.right) else ", outside the right picture"
@@ -85,7 +85,7 @@ def _description(settings: Settings, view: View) -> str:
     )
     error = settings.matching_error
     return (
-        f"Two cameras {stand}. A lamp {format_number(view.depth, 1)} m away has a disparity of "
+        f"Two cameras {position}. A lamp {format_number(view.depth, 1)} m away has a disparity of "
         f"{format_number(view.disparity, 1)} px and is {row}{seen}"
         + (f"; a match good to {format_number(error, 1)} px {doubt}." if error else ".")
     )
