@@ -1,7 +1,7 @@
 """Reading ``content/``: the outline in ``book.toml``, and the chapters it lists."""
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from string import ascii_uppercase
@@ -25,7 +25,7 @@ from site_builder.markdown.parser import make_parser
 from site_builder.markdown.scenes import find_scene
 from site_builder.markdown.text.math import Macros
 from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.places import Definition, Meaning, Position, chapter_id
+from site_builder.page_model.places import Position, chapter_id
 from site_builder.references.bibliography import EMPTY as NO_WORKS
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.bibliography import read_bibliography
@@ -81,10 +81,13 @@ def read_book(
         measurements or Measurements(),
         settings.trust.raw_html,
         outline.macros,
-        _read_cached(
-            root, BIBLIOGRAPHY, problems, lambda own: read_bibliography(root, own, words), words
+        cached_reading(
+            BIBLIOGRAPHY,
+            (file_hash(root / BIBLIOGRAPHY), words),
+            problems,
+            lambda own: read_bibliography(root, own, words),
         ),
-        _read_cached(root, GLOSSARY, problems, lambda own: read_glossary(root, own, words), words),
+        read_glossary(root, problems, words),
     )
     state_of = _states(root, outline)
     pages = list(_pages(outline, shared, state_of, problems))
@@ -93,16 +96,8 @@ def read_book(
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
-    def definitions(own: Diagnostics) -> tuple[Definition, ...]:
-        return read_definitions(ParseContext(GLOSSARY, shared, own, targets=targets))
-
-    def meanings(own: Diagnostics) -> Mapping[str, tuple[Meaning, ...]]:
-        context = ParseContext(SYMBOLS, shared, own, targets=targets)
-        return read_meanings(read_symbols(root, own), context)
-
-    def read_cached[T](file: str, read: Callable[[Diagnostics], T]) -> T:
-        return _read_cached(root, file, problems, read, read.__name__, state_of(file), known)
-
+    glossary = ParseContext(GLOSSARY, shared, problems, targets=targets)
+    symbols = ParseContext(SYMBOLS, shared, problems, targets=targets)
     return Book(
         title=settings.title,
         subtitle=settings.subtitle,
@@ -116,8 +111,8 @@ def read_book(
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
-        glossary=read_cached(GLOSSARY, definitions),
-        symbols=read_cached(SYMBOLS, meanings),
+        glossary=read_definitions(glossary),
+        symbols=read_meanings(read_symbols(root, problems), symbols),
     )
 
 
@@ -132,13 +127,6 @@ def _pages(
             continue
         _check_name(name, line, problems)
         yield Page(path, read_text(root, path, problems), position, shared, state_of(path))
-
-
-def _read_cached[T](
-    root: Path, path: str, problems: Diagnostics, read: Callable[[Diagnostics], T], *given: object
-) -> T:
-    """What ``read`` finds in the file ``path``."""
-    return cached_reading(path, (file_hash(root / path), *given), problems, read)
 
 
 def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
