@@ -37,7 +37,7 @@ __all__ = [
 _caches: dict[str, StageCache] = {}
 _photographs: dict[str, Photograph] = {}
 """The reader's own picture, by figure."""
-_judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
+_estimates: dict[str, tuple[object, Iterator[Readout]]] = {}
 """By figure: what is being estimated, and the estimates to come."""
 
 
@@ -102,7 +102,7 @@ def prepare(scene_id: str) -> None:
 
 
 def _cache_of(figure: str, scene: Scene[Any]) -> StageCache:
-    """An empty cache for the outputs at rest, of the draft, and of each of the scene's own
+    """The figure's cache, for the outputs at rest, of the draft, and of each of the scene's own
     drafts."""
     if figure not in _caches:
         _caches[figure] = StageCache(depth=StageCache().depth + len(scene.own_drafts))
@@ -120,12 +120,12 @@ def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -
     JSON of a `Readout`, or ``null`` if there is no better one. A call with other values starts
     anew. Raises `UnknownIdError` and `ControlError`.
     """
-    wanted = (scene_id, values, tier, edits, _photographs.get(figure))
-    begun, estimates = _judgements.get(figure, (None, iter(())))
-    if begun != wanted:
+    call = (scene_id, values, tier, edits, _photographs.get(figure))
+    begun, estimates = _estimates.get(figure, (None, iter(())))
+    if begun != call:
         scene, request = _request(figure, scene_id, values, tier, edits)
         estimates = scene.estimates(*request)
-        _judgements[figure] = (wanted, estimates)
+        _estimates[figure] = (call, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
 
@@ -154,7 +154,7 @@ def pull(scene_id: str, values: str, tier: str, handle: str, x: float, y: float)
 def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -> None:
     """Use the reader's picture, the bytes of a canvas, for the frames of ``figure`` from now on.
 
-    Empty ``pixels`` remove it. Raises `ValueError` for a wrong count of bytes.
+    ``None`` for ``pixels`` removes it. Raises `ValueError` for a wrong count of bytes.
     """
     if pixels is None:
         _photographs.pop(figure, None)
@@ -181,7 +181,7 @@ def forget(figure: str) -> None:
     """Free the memory of a figure that left the page."""
     _caches.pop(figure, None)
     _photographs.pop(figure, None)
-    _judgements.pop(figure, None)
+    _estimates.pop(figure, None)
 
 
 def measure(ladder_id: str, tier_id: str, budget_s: float) -> str:

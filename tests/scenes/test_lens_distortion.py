@@ -43,7 +43,7 @@ def picture(frame: Frame) -> Raster:
     return raster
 
 
-def test_the_ideal_lens_hands_on_the_pinhole_picture_untouched() -> None:
+def test_the_ideal_lens_passes_on_the_pinhole_picture_untouched() -> None:
     frame = render()
     assert {statuses(frame)[name] for name in ("map", "through-lens", "corrected")} == {"skipped"}
 

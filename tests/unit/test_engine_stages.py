@@ -66,7 +66,7 @@ def test_only_what_follows_a_change_is_computed(counting: Counting) -> None:
     assert statuses(counting.stages, values(factor=5), cache) == ["reused", "computed", "computed"]
 
 
-def test_a_neutral_stage_hands_on_the_same_object(counting: Counting) -> None:
+def test_a_neutral_stage_passes_on_the_same_object(counting: Counting) -> None:
     outputs = run(counting.stages, values(factor=1), StageCache()).outputs
     assert outputs["gain"] is outputs["source"]
     assert counting.calls["gain"] == 0
@@ -193,12 +193,12 @@ def test_a_stage_that_asks_for_what_does_not_exist_is_named(stage: Stage, messag
         run((first, stage), values(), StageCache())
 
 
-def test_a_stage_without_inputs_has_nothing_to_hand_on() -> None:
+def test_a_stage_without_inputs_has_nothing_to_pass_on() -> None:
     with pytest.raises(ValueError, match="stage 'a' has neutral; legal: with an input"):
         Stage("a", lambda: 1, neutral=lambda: "always")
 
 
-def test_what_is_handed_on_is_handed_on_by_a_stage_that_can_be_neutral() -> None:
+def test_what_is_passed_on_is_passed_on_by_a_stage_that_can_be_neutral() -> None:
     with pytest.raises(ValueError, match="stage 'a' passes on 'b'; legal: where it can be neutral"):
         Stage("a", lambda: 1, passes_on="b")
     first = Stage("first", lambda: 1)

@@ -12,8 +12,8 @@ from simulations.models.arrays import Planes
 from simulations.models.lens.disc_blur import check_radius, disc_blur
 
 LARGEST_REDUCED_RADIUS = 8.0
-"""Largest radius in pixels of the coarse grid. At least half of it remains, or a disc would lose
-its outline."""
+"""Largest radius in pixels of the grid that it is drawn on. On a coarser grid at least half of it
+remains, which is enough for the outline."""
 
 
 def pyramid_blur(planes: Planes, radius_px: float) -> Planes:

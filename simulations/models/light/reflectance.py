@@ -14,10 +14,10 @@ from simulations.models.arrays import Floats, Mask, as_floats
 from simulations.models.require import require
 
 SMALLEST_RADIUS = 1e-15
-"""Limits of a lamp's radius: its square and the inverse of that are finite in float32 too."""
+"""Least radius of a lamp: its square and the inverse of that are finite in float32 too."""
 
 UNIT_TOLERANCE = 1e-4
-"""How far the length of a direction may be from 1."""
+"""Tolerance for the length of a direction, which should be 1."""
 
 BRIGHTEST = 1e30
 """Largest colour of a light: finite in float32, also times that of a pixel."""
