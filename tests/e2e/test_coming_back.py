@@ -104,9 +104,7 @@ def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figur
         assert slider.input_value() == moved
         assert page.evaluate(GIVEN) == given
         assert sent.get_attribute("data-answered")
-        frames = reader.frames(figure)
-        slider.press("PageDown")
-        reader.wait_frame(figure, frames)
+        reader.press(figure, "PageDown")
 
 
 def requests_under_way(page: Page) -> set[Request]:

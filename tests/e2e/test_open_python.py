@@ -60,9 +60,7 @@ def result(reader: Reader, figure: Locator) -> str:
 
 def move(reader: Reader, figure: Locator, key: str) -> Any:
     """What the figure shows after a key on its first slider."""
-    frames = reader.frames(figure)
-    figure.locator("input[type=range]").first.press(key)
-    reader.wait_frame(figure, frames)
+    reader.press(figure, key)
     reader.settle(figure)
     return reader.shown(figure)
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Locator
+from playwright.sync_api import Browser
 from support.reader import FRUGAL, Reader, visit
 from support.static_server import StaticServer, serving
 
@@ -52,13 +52,6 @@ def reader(brisk_chromium: Browser, host: StaticServer) -> Iterator[Reader]:
         yield someone
 
 
-def move(reader: Reader, figure: Locator) -> None:
-    """Have Python compute a frame."""
-    frames = reader.frames(figure)
-    figure.locator("input[type=range]").first.press("PageUp")
-    reader.wait_frame(figure, frames)
-
-
 def test_a_page_of_an_earlier_release_runs_on_says_so_and_leads_to_a_whole_page_of_the_next(
     reader: Reader, host: StaticServer, next_release: Path
 ) -> None:
@@ -66,7 +59,7 @@ def test_a_page_of_an_earlier_release_runs_on_says_so_and_leads_to_a_whole_page_
     page, notice = reader.page, reader.page.locator(".notice")
     own = page.evaluate("document.body.dataset.runtime")
     figure = reader.figure(SCENE)
-    move(reader, figure)
+    reader.press(figure, "PageUp")
     host.root = next_release
 
     page.locator("[data-reveal]:visible").first.click()
@@ -75,7 +68,7 @@ def test_a_page_of_an_earlier_release_runs_on_says_so_and_leads_to_a_whole_page_
     notice.get_by_role("button", name="Close").click()
     assert "ladder-shading.zip could not be loaded: the server answered 404" in page.evaluate(ASK)
 
-    move(reader, figure)
+    reader.press(figure, "PageUp")
 
     page.locator(f"a[href='../{NEXT}']").last.click()
     page.wait_for_url(f"**/{NEXT}")

@@ -44,17 +44,6 @@ book._asked = next_frame
 """Whatever is asked of the book's interpreter next meets with a harm."""
 
 
-@pytest.fixture
-def chapter(book: Any) -> str:
-    """A chapter with a figure that has a slider."""
-    sliders = {
-        scene["id"]
-        for scene in book["simulations"]
-        if any(control["kind"] == "slider" for control in scene["controls"])
-    }
-    return str(next(c["url"] for c in book["chapters"] if sliders & set(c["simulations"])))
-
-
 def harm(visitor: Reader, code: str) -> Locator:
     """A live figure, whose next frame meets with ``code``; its first slider has been moved."""
     visitor.turn_to("lens-distortion/")
@@ -115,10 +104,10 @@ def test_an_exception_in_a_scene_is_told_and_the_next_try_finds_the_values_as_th
 
 
 def test_a_browser_without_webassembly_is_told_so_and_keeps_the_stills(
-    plain_reader: Reader, chapter: str
+    plain_reader: Reader,
 ) -> None:
-    plain_reader.open(chapter, live=False)
-    figure = plain_reader.page.locator("simulation-figure").first
+    plain_reader.open("lens-distortion/", live=False)
+    figure = plain_reader.figure("lens-distortion")
     figure.locator(".figure-message").wait_for(state="visible")
     assert "WebAssembly" in figure.locator(".figure-message").inner_text()
     assert not figure.locator("form.controls").is_visible()

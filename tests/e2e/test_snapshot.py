@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, expect
 from support.reader import FRUGAL, START_MS, Reader, visit
-from support.static_server import Fault, StaticServer, serving
+from support.static_server import FAULTS, Fault, StaticServer
 
 pytestmark = pytest.mark.browser
 
@@ -17,27 +17,13 @@ CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
 SNAPSHOT = "/snapshot.wasm"
 BUILT_ON = ("python", "numpy", "core")
 """The parts that a snapshot holds, so that they can come later."""
-LOGIN = b"<!DOCTYPE html><title>Sign in to this network</title>"
-
-
-def changed(content: bytes) -> bytes:
-    """One bit of it is another."""
-    middle = len(content) // 2
-    return content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
-
-
-@pytest.fixture(scope="module")
-def host(built_site: Path) -> Iterator[StaticServer]:
-    with serving(built_site) as server:
-        server.uncached = True
-        yield server
 
 
 @pytest.fixture
-def reader(brisk_chromium: Browser, host: StaticServer) -> Iterator[Reader]:
+def reader(brisk_chromium: Browser, uncached: StaticServer) -> Iterator[Reader]:
     """Someone who opens the book for the first time."""
-    host.faults = {}
-    with visit(brisk_chromium, host, FRUGAL) as someone:
+    uncached.faults = {}
+    with visit(brisk_chromium, uncached, FRUGAL) as someone:
         yield someone
 
 
@@ -50,19 +36,17 @@ def open_live(reader: Reader) -> None:
 def moved(reader: Reader) -> Any:
     """What the figure shows after a key on its first slider."""
     figure = reader.figure(SCENE)
-    frames = reader.frames(figure)
-    figure.locator("input[type=range]").first.press("ArrowRight")
-    reader.wait_frame(figure, frames)
+    reader.press(figure, "ArrowRight")
     reader.settle(figure)
     return reader.shown(figure)
 
 
 def test_figures_live_before_what_the_snapshot_holds_has_come_and_machine_code_that_they_need_later(
-    reader: Reader, host: StaticServer, built_site: Path
+    reader: Reader, uncached: StaticServer, built_site: Path
 ) -> None:
     """Though the snapshot comes late, and by the type of a file that a host does not know."""
-    host.faults = {SNAPSHOT: Fault(late_s=1, media_type="application/octet-stream")}
-    host.faults |= {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
+    uncached.faults = {SNAPSHOT: Fault(late_s=1, media_type="application/octet-stream")}
+    uncached.faults |= {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
     fetched = reader.note_parts()
     open_live(reader)
     (listed,) = built_site.glob("runtime/*/runtime.json")
@@ -73,38 +57,27 @@ def test_figures_live_before_what_the_snapshot_holds_has_come_and_machine_code_t
 
 
 def test_figures_show_what_they_show_after_a_plain_start_without_a_snapshot(
-    reader: Reader, host: StaticServer, brisk_chromium: Browser
+    reader: Reader, uncached: StaticServer, brisk_chromium: Browser
 ) -> None:
     fetched = reader.note_parts()
     reader.open(CHAPTER)
     after_snapshot = moved(reader)
     assert {*BUILT_ON} <= {*fetched}, "they come when a frame is computed"
-    host.faults = {SNAPSHOT: Fault(status=404)}
-    with visit(brisk_chromium, host, FRUGAL) as someone:
+    uncached.faults = {SNAPSHOT: Fault(status=404)}
+    with visit(brisk_chromium, uncached, FRUGAL) as someone:
         open_live(someone)
         assert not someone.page.locator(".figure-status:visible").count()
         assert moved(someone) == after_snapshot
 
 
 @pytest.mark.parametrize(
-    "fault",
-    [
-        pytest.param(Fault(changed), id="changed"),
-        *(
-            pytest.param(fault, id=name, marks=pytest.mark.deep)
-            for name, fault in {
-                "cut": Fault(cut=True),
-                "half": Fault(lambda content: content[: len(content) // 2]),
-                "login": Fault(lambda _: LOGIN, media_type="text/html"),
-                "login as file": Fault(lambda _: LOGIN),
-            }.items()
-        ),
-    ],
+    "kind",
+    [pytest.param(kind, marks=[] if kind == "changed" else pytest.mark.deep) for kind in FAULTS],
 )
 def test_from_a_damaged_snapshot_python_starts_plainly_and_the_page_says_nothing(
-    reader: Reader, host: StaticServer, fault: Fault
+    reader: Reader, uncached: StaticServer, kind: str
 ) -> None:
-    host.faults = {SNAPSHOT: fault}
+    uncached.faults = {SNAPSHOT: FAULTS[kind]}
     fetched = reader.note_parts()
     open_live(reader)
     assert {*BUILT_ON} <= {*fetched}
@@ -116,9 +89,9 @@ def test_from_a_damaged_snapshot_python_starts_plainly_and_the_page_says_nothing
     [BUILT_ON[0], *(pytest.param(name, marks=pytest.mark.deep) for name in BUILT_ON[1:])],
 )
 def test_what_a_frame_lacks_is_told_and_asked_for_again(
-    reader: Reader, host: StaticServer, name: str
+    reader: Reader, uncached: StaticServer, name: str
 ) -> None:
-    host.faults = {f"/{name}.zip": Fault(status=404)}
+    uncached.faults = {f"/{name}.zip": Fault(status=404)}
     open_live(reader)
     figure = reader.figure(SCENE)
     figure.locator("input[type=range]").first.press("ArrowRight")
@@ -126,6 +99,6 @@ def test_what_a_frame_lacks_is_told_and_asked_for_again(
     retry.wait_for(timeout=START_MS)
     message = figure.locator(".figure-message").inner_text()
     assert f"{name}.zip could not be loaded: the server answered 404" in message
-    host.faults = {}
+    uncached.faults = {}
     retry.click()
     reader.wait_live()

@@ -190,6 +190,12 @@ class Reader:
         figure.locator(f"select[name={name}]").select_option(option)
         self.wait_frame(figure, frames)
 
+    def press(self, figure: Locator, key: str) -> None:
+        """Press a key on the figure's first slider, and wait for the frame that it makes."""
+        frames = self.frames(figure)
+        figure.locator("input[type=range]").first.press(key)
+        self.wait_frame(figure, frames)
+
     def judged(self, figure: Locator) -> str:
         """The error of what the figure shows, once there is no better estimate to come."""
         self.unfold(figure)

@@ -34,6 +34,31 @@ class Fault:
     late_s: float = 0
 
 
+def half(content: bytes) -> bytes:
+    return content[: len(content) // 2]
+
+
+def changed(content: bytes) -> bytes:
+    """One bit of it is another."""
+    middle = len(content) // 2
+    return content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
+
+
+def login(_: bytes) -> bytes:
+    """What a network answers to whoever has not signed in."""
+    return b"<!DOCTYPE html><title>Sign in to this network</title>"
+
+
+FAULTS = {
+    "missing": Fault(status=404),
+    "cut": Fault(cut=True),
+    "half": Fault(half),
+    "changed": Fault(changed),
+    "login": Fault(login, media_type="text/html"),
+    "login as file": Fault(login),
+}
+
+
 class QuietServer(ThreadingHTTPServer):
     """A browser that leaves a page drops its downloads; that is no error of the server's."""
 
