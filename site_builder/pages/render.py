@@ -31,6 +31,7 @@ from site_builder.markdown.text.code import code_html, highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.passage import Passage
 from site_builder.page_model.places import Heading
+from site_builder.pages.embedding import json_for_html
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.policy import page_policy
@@ -39,7 +40,6 @@ from site_builder.pages.term_lists import card
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
-from site_builder.pages.views.progress import progress_data
 from site_builder.pages.views.question import kind_view, question_data
 from site_builder.pages.views.references import cited_works
 from site_builder.pages.views.simulation import SimulationView, view_simulation
@@ -126,7 +126,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     def add(template: str, path: str, **context: object) -> None:
         pages[path] = render(f"{template}.html", path, **context)
 
-    cover = {"counts": _counts(book), "cover": _cover(book), "progress": progress_data(book)}
+    cover = {"counts": _counts(book), "cover": _cover(book), "progress": _progress(book)}
     add("landing", "index.html", **cover)
     pages["404.html"] = render("not-found.html")  # which is served at any address
     add("licences", "licences/index.html", licences=licences)
@@ -358,6 +358,16 @@ def _counts(book: Book) -> dict[str, int]:
         "simulations": len(book.scenes),
         "questions": sum(len(chapter.quizzes) for chapter in book.chapters),
     }
+
+
+def _progress(book: Book) -> Markup:
+    """Questions and their editions by chapter, from which a reader's progress is counted."""
+    return json_for_html(
+        {
+            chapter.id: {quiz.id: quiz.edition for quiz in chapter.quizzes}
+            for chapter in book.chapters
+        }
+    )
 
 
 def nest_headings(headings: tuple[Heading, ...]) -> list[tuple[Heading, list[Heading]]]:

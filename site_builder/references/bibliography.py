@@ -5,7 +5,6 @@ found by its reader.
 """
 
 import re
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -111,7 +110,7 @@ class Work:
         return f"https://doi.org/{doi}" if doi else self.fields.get("url", "")
 
     @property
-    def told(self) -> str:
+    def reference(self) -> str:
         """The whole reference as a line of text."""
         parts = (f"{self.everyone} ({self.year})", self.fields.get("title", ""), self.venue)
         return f"{'. '.join(filter(None, parts))}."
@@ -156,7 +155,7 @@ def read_bibliography(root: Path, problems: Diagnostics, words: Words = ENGLISH)
     works = [_work(key, entry, lines.get(key, 1), words) for key, entry in entries.items()]
     for work in works:
         _check(work, problems)
-    return Bibliography({work.key: work for work in _told_apart(sorted(works, key=_order))})
+    return Bibliography({work.key: work for work in _with_letters(sorted(works, key=_order))})
 
 
 def _lines(text: str) -> dict[str, int]:
@@ -202,16 +201,15 @@ def _order(work: Work) -> tuple[str, ...]:
     return (*(name.casefold() for name in names[:1]), work.fields.get("year", ""), work.key)
 
 
-def _told_apart(works: list[Work]) -> list[Work]:
-    shared = Counter((work.who, work.year) for work in works)
-    used: Counter[tuple[str, str]] = Counter()
-    named = []
-    for work in works:
-        label = (work.who, work.year)
-        letter = ascii_lowercase[used[label]] if shared[label] > 1 else ""
-        used[label] += 1
-        named.append(replace(work, letter=letter))
-    return named
+def _with_letters(works: list[Work]) -> list[Work]:
+    """Works of the same authors and year get letters that tell them apart."""
+    labels = [(work.who, work.year) for work in works]
+    return [
+        replace(work, letter=ascii_lowercase[labels[:at].count(label)])
+        if labels.count(label) > 1
+        else work
+        for at, (work, label) in enumerate(zip(works, labels, strict=True))
+    ]
 
 
 def _check(work: Work, problems: Diagnostics) -> None:

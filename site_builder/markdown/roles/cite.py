@@ -46,7 +46,7 @@ def _link(work: Work, words: str, line: int, context: ParseContext) -> Iterator[
         "class": "citation",
         "id": name,
         "href": f"../references/#{work.key}",
-        "title": work.told,
+        "title": work.reference,
     }
     yield Token("link_open", "a", 1, attrs=attributes)
     yield _text(words)

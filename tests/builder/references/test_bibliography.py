@@ -43,11 +43,13 @@ def entry(key: str, authors: str, year: int) -> str:
 
 def test_a_reference_is_told_whole(tmp_path: Path) -> None:
     works = read(tmp_path, BIB)[0].works
-    assert works["zhang2000"].told == (
+    assert works["zhang2000"].reference == (
         "Zhang, Z. (2000). A Flexible technique. Some Journal 22(11), 1330–1334."
     )
     assert works["zhang2000"].address == "https://doi.org/10.1109/34.888718"
-    assert works["hartley2004"].told == ("Hartley, R. and Zisserman, A. (2004). Geometry. A Press.")
+    assert works["hartley2004"].reference == (
+        "Hartley, R. and Zisserman, A. (2004). Geometry. A Press."
+    )
 
 
 @pytest.mark.parametrize(
