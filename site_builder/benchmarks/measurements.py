@@ -16,7 +16,7 @@ no longer fits the ladders' code is refused when a page asks for it.
 """
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -73,6 +73,11 @@ class MeasuredLadder:
     """The one that the chart shows and that decides what is beaten."""
     machine: Mapping[str, object] = field(default_factory=dict)
     """What the times are of."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled by the names of its tiers, whose functions may be lambdas."""
+        tiers = [(item.tier.id, item.errors, item.times) for item in self.tiers]
+        return _restored, (self.ladder, tiers, self.metric.id, self.machine)
 
     def __getitem__(self, tier_id: str) -> MeasuredTier:
         return next(item for item in self.tiers if item.tier.id == self.ladder.tier(tier_id).id)
@@ -190,6 +195,18 @@ def _read_tier(ladder: Ladder, tier: Tier, entries: Mapping[str, Any]) -> Measur
     entry = entries[tier.id]
     errors = {metric.id: entry["errors"][metric.id] for metric in ladder.metrics}
     return MeasuredTier(tier, errors, {side: Timing(**entry[side]) for side in SIDES})
+
+
+def _restored(
+    ladder: Ladder,
+    tiers: Iterable[tuple[str, Mapping[str, float | None], Mapping[str, Timing]]],
+    metric_id: str,
+    machine: Mapping[str, object],
+) -> MeasuredLadder:
+    measured = tuple(
+        MeasuredTier(ladder.tier(tier), errors, times) for tier, errors, times in tiers
+    )
+    return MeasuredLadder(ladder, measured, _find_metric(ladder, metric_id), machine)
 
 
 def _find_metric(ladder: Ladder, metric_id: str) -> Metric:
