@@ -14,8 +14,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from bench.browser_side import browser_meter
-from bench.machine import describe_machine
-from bench.record import disagreements, ladder_record, merge, write
+from bench.record import describe_machine, disagreements, ladder_record, merge, write
 
 from simulations.engine.ladder import Ladder, TierResult, measure_tier
 from simulations.registry import LADDER_MODULES, load_ladder

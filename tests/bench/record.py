@@ -3,9 +3,13 @@
 
 import json
 import math
+import os
+import platform
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from simulations.engine.ladder import Ladder, TierResult
 
@@ -16,6 +20,19 @@ SMALL, FACTOR = 1e-3, 3.0
 which a library adds, and on the last place of its powers and sines: up to this factor."""
 NOTHING = 1e-9
 """Errors below this are alike, zero included."""
+
+
+def describe_machine(browser: str, pyodide: str) -> dict[str, object]:
+    """What the numbers were measured on, in general terms: no names, no paths."""
+    return {
+        "processor": platform.machine(),
+        "cores": os.cpu_count() or 1,
+        "system": platform.system(),
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+        "browser": browser,
+        "pyodide": pyodide,
+    }
 
 
 def ladder_record(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult]]]) -> Any:

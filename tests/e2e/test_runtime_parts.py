@@ -1,5 +1,5 @@
-"""What the browser fetches where Python starts plainly: what the page's scenes import, the rest
-only when asked for. What a memory spares is held by ``test_shipped_memory``."""
+"""What the browser fetches where Python starts without a snapshot: what the page's scenes import,
+and the rest on demand. Starts from a snapshot are in ``test_snapshot``."""
 
 import json
 import re
@@ -16,10 +16,9 @@ from simulations.registry import LADDER_MODULES, load_ladder
 
 pytestmark = pytest.mark.browser
 
-
-MEMORY = "snapshot.wasm"
+SNAPSHOT = "snapshot.wasm"
 OWN_TABLE = re.compile(rb' data-table="[^"]*"')
-"""By which a page knows the table as it was."""
+"""The hash by which a page knows the table."""
 AT_ONCE = {"python", "numpy", "core"}
 CALL = """async ([name, payload]) => {
   const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
@@ -29,15 +28,15 @@ CALL = """async ([name, payload]) => {
 
 @pytest.fixture(scope="module")
 def table(built_site: Path) -> Any:
-    """``runtime.json`` of a book that comes with no memory."""
+    """``runtime.json`` without the snapshot."""
     (file,) = built_site.glob("runtime/*/runtime.json")
-    told = json.loads(file.read_text(encoding="utf-8"))
-    return {**told, "integrity": {k: v for k, v in told["integrity"].items() if k != MEMORY}}
+    read = json.loads(file.read_text(encoding="utf-8"))
+    return {**read, "integrity": {k: v for k, v in read["integrity"].items() if k != SNAPSHOT}}
 
 
 @pytest.fixture(autouse=True)
 def plainly(server: StaticServer, table: Any) -> None:
-    """The host has that table, and pages do not know it as another."""
+    """Serve that table, and pages without its hash."""
     server.damaged["/runtime.json"] = json.dumps(table).encode()
     server.faults["/"] = Fault(lambda page: OWN_TABLE.sub(b"", page), media_type="text/html")
 
@@ -98,7 +97,7 @@ def test_a_page_fetches_what_its_scenes_import_and_a_later_page_what_is_still_mi
     assert not [url for url in asked if "editor" in url or "/python/" in url], "not opened yet"
 
 
-def test_a_part_that_nobody_foresaw_is_fetched_when_python_asks_for_it(
+def test_a_part_that_the_table_does_not_list_is_fetched_when_python_asks_for_it(
     reader: Reader, server: StaticServer, book: Any, table: Any, fetched: list[str]
 ) -> None:
     address, parts = a_chapter(book, table, bool)
@@ -132,7 +131,7 @@ def test_a_part_that_python_asks_for_in_vain_is_named_and_asked_for_again_at_the
 
 
 def foresee_nothing(server: StaticServer, table: Any) -> None:
-    """Have pages told of no scene what it imports."""
+    """Serve a table that lists no imports of scenes."""
     foreseen = {scene: [f"scene-{scene}"] for scene in table["scenes"]}
     server.damaged["/runtime.json"] = json.dumps({**table, "scenes": foreseen}).encode()
 
