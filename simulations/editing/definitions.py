@@ -48,7 +48,7 @@ def _stored_source(module: str) -> str | None:
 
 
 def definitions(source: str) -> dict[str, Definition]:
-    """What ``source`` defines at its top level, by name, in order. Raises `SyntaxError`."""
+    """The top-level definitions of ``source`` by name, in order. Raises `SyntaxError`."""
     lines = source.splitlines()
     statements = ast.parse(source).body
     found = {}

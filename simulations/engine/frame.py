@@ -91,7 +91,7 @@ class Place:
     """Name of the handle."""
     x: float
     y: float
-    """In view box units of its panel."""
+    """Place in view box units of its panel."""
 
 
 @dataclass(frozen=True, slots=True)

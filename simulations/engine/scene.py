@@ -30,7 +30,7 @@ class Scene[S]:
     """The stages in the order in which they run. They read settings, ``tier``, ``photograph`` and
     `parameters` by name."""
     handles: tuple[Handle[S], ...] = ()
-    """What can be grabbed in the picture; of overlapping marks, the nearest is taken."""
+    """The handles of the picture; of overlapping marks, the nearest is grabbed."""
     photograph: tuple[int, int] | None = None
     """Width and height in px of the reader's own picture, the parameter ``photograph``, which
     stages use in place of the book's; ``None`` if the scene takes none."""

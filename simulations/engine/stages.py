@@ -187,9 +187,9 @@ def _require(names: Sequence[str], known: Mapping[str, object], who: str) -> Non
 
 
 def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Message, ...]:
-    """What has changed since the most similar cached result.
+    """The changes since the most similar cached result.
 
-    Without a cached result, what the stage depends on.
+    If there is none, the parameters and stages that the stage depends on.
     """
     cached = cache.entries.get(stage.name, {})
     changes = min((_changes(stage, key, old) for old in cached), key=len, default=())

@@ -17,7 +17,7 @@ FOCAL, F_NUMBER, FOCUS, NEAR = 66.0, 0.74, 190.0, 128.0
 
 
 def tip() -> float:
-    """Where the light of the near point comes together."""
+    """The point where the light of the near point meets."""
     return float(thin_lens_image_distance(FOCAL, NEAR))
 
 

@@ -38,7 +38,7 @@ class Coded:
     luma: Codes
     """(block rows, block columns, 8, 8) quantised coefficients; rows are vertical frequencies."""
     differences: tuple[Codes, Codes]
-    """Likewise for blue and red difference, on their coarser grid."""
+    """Quantised coefficients of the blue and the red difference, on their coarser grid."""
     height: int
     """Rows of the picture."""
     width: int

@@ -28,9 +28,9 @@ class DecentredLens:
 
     radial: RadialProfile
     p1: float
-    """Of lens elements decentred along y."""
+    """Coefficient of lens elements decentred along y."""
     p2: float
-    """Of lens elements decentred along x."""
+    """Coefficient of lens elements decentred along x."""
 
     def linearised(self, x: Floats, y: Floats) -> Linearisation:
         """Images of points, and the derivatives there."""

@@ -148,7 +148,7 @@ def _solve(profile: RadialProfile, grid: Grid, image_squared: Floats, furthest: 
 
 
 def _excess(profile: RadialProfile, s: Floats, image_squared: Floats) -> Floats:
-    """How far s is from the root of ``s g² = t``, to first order: (s g² − t) / (g f')."""
+    """Error of s as a root of ``s g² = t``, to first order: (s g² − t) / (g f')."""
     g, g_slope = scale_and_slope(profile, s)
     return (s * g * g - image_squared) / (g * (g + 2.0 * s * g_slope))
 

@@ -28,9 +28,8 @@ def normalise(quaternion: ArrayLike) -> Floats:
 
 
 def canonical(quaternion: ArrayLike) -> Floats:
-    """Of q and −q (..., 4), scaled to unit norm, the one with w > 0.
-
-    Half turns have w = 0: there the first component that is not zero is made positive.
+    """q or −q (..., 4), scaled to unit norm, with w > 0. Half turns have w = 0: there the first
+    component that is not zero is made positive.
     """
     q = normalise(quaternion)
     leading = np.take_along_axis(q, (q != 0.0).argmax(axis=-1)[..., None], axis=-1)

@@ -1,4 +1,4 @@
-"""What each ray of the still life meets: places, normals, reflectances, edge coverage.
+"""The surfaces that rays of the still life meet: places, normals, reflectances, edge coverage.
 
 Nothing here depends on the light.
 """

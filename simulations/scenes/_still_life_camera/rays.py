@@ -51,7 +51,7 @@ def principal_mm(focal_length: float, focus: float) -> float:
 
 @lru_cache(maxsize=4)  # called several times a frame
 def ideal_reach(principal: float, k1: float) -> tuple[float, float]:
-    """How far right and down of the axis the sensor sees: the largest of x/z and of y/z.
+    """Reach of the sensor's view to the right of the axis and down: the largest x/z and y/z.
 
     The largest is in the corner, on the fold if that is nearer, or, with pincushion, in the middle
     of a side.

@@ -1,4 +1,4 @@
-"""What the Bayer figure computes: picture → mosaic → demosaic → display → error.
+"""The stages of the Bayer figure: picture → mosaic → demosaic → display → error.
 
 Picture, mosaic and reconstruction are in linear light, which a sensor counts. The error is that of
 encoded values, which a display shows.

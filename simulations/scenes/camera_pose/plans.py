@@ -12,7 +12,7 @@ from simulations.scenes.camera_pose.room import AXIS_M, DOOR, LAMP, TABLE, WALLS
 
 WIDTH, HEIGHT = 400.0, 340.0
 UNITS_PER_M = 20.0
-"""In both panels, so that the same lengths look the same."""
+"""Scale of both panels, so that equal lengths look equal."""
 WORLD_ORIGIN = np.array([100.0, 270.0])
 CAMERA_ORIGIN = np.array([200.0, 250.0])
 """The two origins in the view boxes; right is right, ahead or forward is up."""

@@ -27,7 +27,7 @@ def _lamp_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _brightest(settings: Settings, _outputs: Outputs) -> Point | None:
-    """Where the normal points to the lamp, if the camera sees it."""
+    """The point whose normal points to the lamp, if the camera sees it."""
     if abs(settings.light_angle) > 90:
         return None
     return on_equator(math.radians(settings.light_angle))
