@@ -1,8 +1,7 @@
-"""The command line: ``python -m site_builder build|check|serve|guide|pdf|epub|schema|new``."""
+"""The command line: ``python -m site_builder build|check|serve|guide|pdf|epub|new``."""
 
 import argparse
 import gc
-import json
 import os
 import sys
 from collections.abc import Sequence
@@ -17,7 +16,6 @@ from site_builder.cache import Cache, source_hash, using
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.output.writer import way_out
 from site_builder.sandbox import Limits, limited
-from site_builder.settings.described import book_schema
 
 NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
 """What ``new`` makes."""
@@ -72,8 +70,6 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             from site_builder.check_command import check
 
             return check(Options(ROOT, runtime=given.runtime), json=given.json)
-        case "schema":
-            print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
         case "new":
             from site_builder.scaffold.pieces import make_new  # needed only here
 
@@ -146,7 +142,6 @@ def _parser() -> argparse.ArgumentParser:
     add("serve", "build, show, and build again on every change", out, runtime, place)
     check = add("check", "report the mistakes in the sources", runtime)
     check.add_argument("--json", action="store_true", help="for editors and programs")
-    add("schema", "print the JSON schema of content/book.toml, for editors")
     guide = add("guide", "show the guide for authors, a book of its own", runtime, place)
     guide.add_argument("--build-only", action="store_true", help="do not serve it")
     new = add("new", "make a book, or a skeleton in this one, with its tests")

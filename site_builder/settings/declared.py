@@ -16,7 +16,7 @@ class Key:
     name: str
     kind: Kind
     doc: str
-    """What it sets, for the author's table and for editors."""
+    """What it sets, for the table in the guide."""
     default: object
     """`MISSING` where the key is required."""
     without: str

@@ -1,7 +1,7 @@
-"""Kinds of values in the author's TOML files: what is legal, as JSON schema, and how it is read."""
+"""Kinds of values in the author's TOML files: what is legal, and how it is read."""
 
 import re
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from datetime import date, datetime
 from typing import Any
@@ -15,8 +15,7 @@ class Kind:
 
     expected: str
     """What is legal, as error messages name it."""
-    schema: Mapping[str, Any]
-    """The same as JSON schema."""
+    legal: Callable[[Any], bool]
     convert: Callable[[Any], Any] = lambda value: value
     """The value as the builder has it. Raises `ValueError` where it is not legal after all."""
     table: type[Any] | None = None
@@ -24,74 +23,59 @@ class Kind:
 
     def read(self, value: object) -> Any:
         """Raises `ValueError` where the value is not legal."""
-        if not fits(value, self.schema):
+        if not self.legal(value):
             raise ValueError(self.expected)
         return self.convert(value)
 
 
-def fits(value: object, schema: Mapping[str, Any]) -> bool:
-    """Whether a value is legal by the part of JSON schema that is used here."""
-    if "enum" in schema:
-        return value in schema["enum"]
-    match schema.get("type"), value:
-        case "string", str():
-            return re.search(schema["pattern"], value) is not None
-        case "boolean", bool():
-            return True
-        case "integer", int():
-            return not isinstance(value, bool) and value >= schema["minimum"]
-        case "array", list():
-            items = schema["items"]
-            return len(value) >= schema["minItems"] and all(fits(item, items) for item in value)
-        case "object", dict():
-            items = schema.get("additionalProperties", {})
-            return all(fits(item, items) for item in value.values())
-        case None, _:
-            return True
-        case _:
-            return False
-
-
 def text(expected: str = '"some text"', pattern: str = r"\S") -> Kind:
     """Text in which the pattern is found."""
-    return Kind(expected, {"type": "string", "pattern": pattern})
+    found = re.compile(pattern).search
+    return Kind(expected, lambda value: isinstance(value, str) and found(value) is not None)
 
 
 def whole_number(least: int) -> Kind:
-    return Kind(f"a whole number from {least}", {"type": "integer", "minimum": least})
+    return Kind(
+        f"a whole number from {least}",
+        lambda value: isinstance(value, int) and not isinstance(value, bool) and value >= least,
+    )
 
 
 def one_of(names: Collection[str]) -> Kind:
-    return Kind(", ".join(f'"{name}"' for name in names), {"enum": [*names]})
+    return Kind(", ".join(f'"{name}"' for name in names), lambda value: value in [*names])
 
 
 def texts(expected: str, least: int = 0, among: Collection[str] = ()) -> Kind:
     """A list of at least so many texts, all of them ``among`` those where any are named."""
-    items = {"enum": [*among]} if among else TEXT.schema
-    return Kind(expected, {"type": "array", "items": items, "minItems": least}, tuple)
+
+    def legal(value: object) -> bool:
+        item = one_of(among) if among else TEXT
+        return isinstance(value, list) and len(value) >= least and all(map(item.legal, value))
+
+    return Kind(expected, legal, tuple)
 
 
 def entries(expected: str) -> Kind:
     """A table of texts whose keys the author names."""
-    items = {"type": "string", "pattern": ""}
-    return Kind(expected, {"type": "object", "additionalProperties": items})
+
+    def legal(value: object) -> bool:
+        return isinstance(value, dict) and all(isinstance(item, str) for item in value.values())
+
+    return Kind(expected, legal)
 
 
 def table(of: type[Any]) -> Kind:
     """A table whose keys the class ``of`` declares."""
-    return Kind("a table", {"type": "object"}, table=of)
+    return Kind("a table", lambda value: isinstance(value, dict), table=of)
 
 
-def _day(value: object) -> str:
-    if not isinstance(value, date) or isinstance(value, datetime):
-        raise ValueError
-    return value.isoformat()
-
-
-ADDRESS = {"type": "string", "pattern": r"^https?://[^/?#\s]+"}
 TEXT = text()
 PREFIX = text("small letters, digits and hyphens", "^[a-z0-9]+(?:-[a-z0-9]+)*$")
-SITE = Kind('"https://host/path/"', ADDRESS, site_address)
-SOURCE = Kind(f'"https://host/…/{PATH}"', ADDRESS, source_address)
-BOOLEAN = Kind("true or false", {"type": "boolean"})
-DAY = Kind("2026-11-22", {}, _day)
+SITE = Kind('"https://host/path/"', TEXT.legal, site_address)
+SOURCE = Kind(f'"https://host/…/{PATH}"', TEXT.legal, source_address)
+BOOLEAN = Kind("true or false", lambda value: isinstance(value, bool))
+DAY = Kind(
+    "2026-11-22",
+    lambda value: isinstance(value, date) and not isinstance(value, datetime),
+    date.isoformat,
+)

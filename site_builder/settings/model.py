@@ -1,5 +1,5 @@
-"""The keys of ``content/book.toml``. Reading, checks, the JSON schema and the table in the guide
-follow from these classes."""
+"""The keys of ``content/book.toml``. Reading, checks and the table in the guide follow from
+these classes."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
