@@ -17,7 +17,7 @@ NAMES = {"CPython", "Esc", "ISBN", "feed", "xml", "urn", "uuid"}
 """What is called the same in all languages, and parts of addresses."""
 OF_TEMPLATES = re.compile(r"""\bt\(\s*"([\w.-]+)("\s*~)?""")
 OF_PYTHON = re.compile(r"""\bwords\(\s*(f?)"([\w.-]+)""")
-OF_THE_ENGINE = re.compile(r"""\bSaid\(\s*"([\w.-]+)""")
+OF_THE_ENGINE = re.compile(r"""\bMessage\(\s*"([\w.-]+)""")
 OF_SCRIPTS = re.compile(r"""\bwords\(\s*(["`])([\w.-]+)""")
 QUOTED = re.compile(r"""["'`]([a-z][\w-]*(?:\.[\w-]+)+)["'`]""")
 MADE = (
