@@ -2,11 +2,11 @@
 says the same."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import asdict
 from math import inf
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 from playwright.sync_api import Browser, Page
@@ -52,93 +52,82 @@ def page(brisk_chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> I
         yield page
 
 
-def ask(page: Page, module: str, name: str, calls: list[list[Any]]) -> list[Any]:
-    """What the function ``name`` of a script answers to each list of arguments."""
-    return list(page.evaluate(CALL, [module, name, calls]))
+type Pairs = Iterator[tuple[list[Any], object]]
+"""Arguments, and what Python answers to them."""
 
 
 def sent(*stages: StageReport) -> list[Any]:
-    """What a frame tells the page of them."""
+    """The stages of a frame, as the page receives them."""
     frame = Frame((Panel("panel", "", 400, 300),), (), "Shows.", stages)
     return list(json.loads(to_json(frame))["stages"])
 
 
-def test_the_value_beside_a_slider(page: Page) -> None:
-    calls, texts = [], []
+def values_beside_sliders() -> Pairs:
     for scene_id in SCENE_MODULES:
         for control in load_scene(scene_id).controls:
             if isinstance(control, Slider):
                 nearest = control.minimum + control.step
                 for value in (control.minimum, nearest, control.default, control.maximum):
-                    calls.append([describe(control), value])
-                    texts.append(value_text(control, value))
-    assert ask(page, "figure/control_kinds", "formatValue", calls) == texts
+                    yield [describe(control), value], value_text(control, value)
 
 
-def test_a_number_and_its_unit(page: Page) -> None:
-    calls = [["16.0", "px"], ["30", "°"], ["none", ""], ["0.3", "codes of 255"]]
-    texts = [with_unit(text, unit) for text, unit in calls]
-    assert ask(page, "page/text", "withUnit", calls) == texts
+def numbers_with_units() -> Pairs:
+    for text, unit in (("16.0", "px"), ("30", "°"), ("none", ""), ("0.3", "codes of 255")):
+        yield [text, unit], with_unit(text, unit)
 
 
-def test_milliseconds_in_the_table_of_a_ladder(page: Page) -> None:
-    times = [
-        0.0,
-        0.00123,
-        0.0996,
-        0.41,
-        0.999,
-        9.94,
-        9.97,
-        42.4,
-        99.4,
-        99.7,
-        100.0,
-        1234.0,
-        56789.0,
-    ]
-    texts = [milliseconds(time) for time in times]
-    assert ask(page, "ladder/bench", "milliseconds", [[time] for time in times]) == texts
+def times_of_ladders() -> Pairs:
+    short = (0.0, 0.00123, 0.0996, 0.41, 0.999, 9.94, 9.97)
+    for time in (*short, 42.4, 99.4, 99.7, 100.0, 1234.0, 56789.0):
+        yield [time], milliseconds(time)
 
 
-@pytest.mark.parametrize(
-    "statuses", [[], ["computed"], ["reused", "computed", "skipped", "reused"]]
-)
-def test_the_count_of_stages(page: Page, statuses: list[Any]) -> None:
-    stages = [StageReport("stage", status, "") for status in statuses]
-    calls = [[sent(*stages)]]
-    assert ask(page, "figure/stage_report", "countStages", calls) == [count_stages(stages)]
+def counts_of_stages() -> Pairs:
+    for statuses in ("", "computed", "reused computed skipped reused"):
+        stages = [StageReport("stage", cast("Any", status), "") for status in statuses.split()]
+        yield [sent(*stages)], count_stages(stages)
 
 
-def test_why_a_stage_was_computed_or_not(page: Page) -> None:
+def reasons_of_stages() -> Pairs:
     reads, follows = (Message(f"workings.{key}", {"names": "a, b"}) for key in ("reads", "follows"))
-    reasons: list[str | tuple[Message, ...]] = [
-        (reads, follows),
-        (Message("workings.unneeded"),),
-        "no blur",
-        "",
-    ]
-    texts = [reason_text(reason) for reason in reasons]
-    calls = [[sent(StageReport("s", "skipped", reason))[0]["reason"]] for reason in reasons]
-    assert ask(page, "figure/stage_report", "reasonText", calls) == texts
+    reasons: tuple[str | tuple[Message, ...], ...] = (
+        *((reads, follows), (Message("workings.unneeded"),)),
+        *("no blur", ""),
+    )
+    for reason in reasons:
+        yield [sent(StageReport("s", "skipped", reason))[0]["reason"]], reason_text(reason)
 
 
-def test_a_number_as_the_language_writes_it(page: Page) -> None:
-    numbers = ["1.50", "undefined", "under 10⁻⁹", "∞", "f/2.8"]
-    texts = [ENGLISH.numeral(number) for number in numbers]
-    assert ask(page, "page/words", "numeral", [[number] for number in numbers]) == texts
+def numerals_of_the_language() -> Pairs:
+    for number in ("1.50", "undefined", "under 10⁻⁹", "∞", "f/2.8"):
+        yield [number], ENGLISH.numeral(number)
+
+
+def places_on_axes() -> Pairs:
+    """Of times, errors and decibels."""
+    for axis, nothing in (
+        (log_axis([0.02, 30.0], 48.0, 408.0), ()),
+        (log_axis([1e-9, 1e-3], 270.0, 34.0, none=290.0), (0.0,)),
+        (linear_axis([12.0, 55.5], 270.0, 34.0, none=20.0), (inf,)),
+    ):
+        for value in (1e-12, 1e-6, 0.5, 20.0, 1e4, *nothing):
+            yield [asdict(axis), value], axis.position(value)
 
 
 @pytest.mark.parametrize(
-    "axis",
+    ("module", "function", "pairs"),
     [
-        log_axis([0.02, 30.0], 48.0, 408.0),
-        log_axis([1e-9, 1e-3], 270.0, 34.0, none=290.0),
-        linear_axis([12.0, 55.5], 270.0, 34.0, none=20.0),
+        ("figure/control_kinds", "formatValue", values_beside_sliders),
+        ("page/text", "withUnit", numbers_with_units),
+        ("ladder/bench", "milliseconds", times_of_ladders),
+        ("figure/stage_report", "countStages", counts_of_stages),
+        ("figure/stage_report", "reasonText", reasons_of_stages),
+        ("page/words", "numeral", numerals_of_the_language),
+        ("ladder/chart", "position", places_on_axes),
     ],
-    ids=["time", "error", "decibels"],
 )
-def test_the_place_of_a_point_on_an_axis(page: Page, axis: Any) -> None:
-    values = [1e-12, 1e-6, 0.5, 20.0, 1e4] + ([0.0 if axis.scale.log else inf] if axis.none else [])
-    places = ask(page, "ladder/chart", "position", [[asdict(axis), v] for v in values])
-    assert places == pytest.approx([axis.position(value) for value in values])
+def test_a_script_answers_as_python_does(
+    page: Page, module: str, function: str, pairs: Callable[[], Pairs]
+) -> None:
+    calls, expected = zip(*pairs(), strict=True)
+    assert page.evaluate(CALL, [module, function, calls]) == pytest.approx(list(expected))
