@@ -14,7 +14,7 @@ from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
 from site_builder.cache import Cache, source_hash, using
 from site_builder.diagnostics import BuildError, Diagnostic, counted
-from site_builder.output.writer import way_out
+from site_builder.output.writer import advice
 from site_builder.sandbox import Limits, limited
 
 NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
@@ -42,7 +42,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"{mistakes}; nothing was written", file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"{error}{way_out(error)}", file=sys.stderr)
+        print(f"{error}{advice(error)}", file=sys.stderr)
         return 1
     except (ValueError, RuntimeError) as error:
         print(error, file=sys.stderr)

@@ -45,8 +45,8 @@ from site_builder.search.records import make_records
 from site_builder.site_assets import (
     NOW,
     Files,
+    author_files,
     gather_assets,
-    handed_out,
     in_page,
     prerendered_files,
 )
@@ -194,7 +194,7 @@ def render(
     made = {
         **(scene_files(book, parts.editor) if options.runtime else {}),
         **{f"{LIBRARY}/{name}": path for name, path in parts.search.scripts.items()},
-        **handed_out(book, root),
+        **author_files(book, root),
         **prerendered_files(initial_frames),
         **make_icons(root),
     }

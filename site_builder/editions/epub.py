@@ -35,7 +35,7 @@ MEDIA = {
 """Every kind of file in the book, by the end of its name."""
 ADDRESS = "%/:?#[]@!$&'()*+,;=~"
 """What may stand in an address, besides letters, digits and hyphens."""
-ROOM = "book/"
+FOLDER = "book/"
 """Folder of everything that the package lists."""
 
 
@@ -129,10 +129,12 @@ def _packed(book: Book, files: Mapping[str, bytes]) -> bytes:
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(zipfile.ZipInfo("mimetype"), "application/epub+zip", zipfile.ZIP_STORED)
-        container = render_template("editions/epub-container.xml", book, package=f"{ROOM}book.opf")
+        container = render_template(
+            "editions/epub-container.xml", book, package=f"{FOLDER}book.opf"
+        )
         _write(archive, "META-INF/container.xml", container.encode())
         for name, content in files.items():
-            _write(archive, ROOM + name, content)
+            _write(archive, FOLDER + name, content)
     return packed.getvalue()
 
 

@@ -24,7 +24,7 @@ def write_site(files: Mapping[str, Content], out: Path) -> tuple[str, ...]:
     if filled and not (out / "book.json").is_file():
         raise ValueError(f"{out} is not empty and holds no site; legal: an empty folder or a site")
     out.parent.mkdir(parents=True, exist_ok=True)
-    with _alone(out.parent):
+    with _locked(out.parent):
         fresh, old = (out.with_name(f".{out.name}-{age}") for age in ("new", "old"))
         if old.exists() and not out.exists():  # a build was killed while it put the new one there
             old.rename(out)
@@ -72,7 +72,7 @@ def _swap(fresh: Path, out: Path, old: Path) -> None:
         raise
 
 
-def way_out(error: OSError) -> str:
+def advice(error: OSError) -> str:
     """What to do where the disk takes nothing more."""
     full = error.errno in (errno.ENOSPC, errno.EDQUOT)
     shut = error.errno in (errno.EROFS, errno.EACCES, errno.EPERM)
@@ -95,7 +95,7 @@ def replace_file(file: Path, data: bytes) -> None:
 
 
 @contextmanager
-def _alone(folder: Path) -> Iterator[None]:
+def _locked(folder: Path) -> Iterator[None]:
     """Within, no other build replaces a site in this folder."""
     handle = os.open(folder, os.O_RDONLY)
     try:

@@ -242,7 +242,7 @@ def render_page(
         return Markup(' integrity="{}"').format(known) if known else Markup()
 
     shared = {
-        **in_words(site.book),
+        **book_context(site.book),
         **({} if rows is None else {"renderer": paper_renderer()}),
         "root": root,
         "assets": assets,
@@ -291,10 +291,10 @@ def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:
 
 def render_template(template: str, book: Book, **context: object) -> str:
     """What needs nothing of the site."""
-    return _environment().get_template(template).render(in_words(book), **context)
+    return _environment().get_template(template).render(book_context(book), **context)
 
 
-def in_words(book: Book) -> dict[str, object]:
+def book_context(book: Book) -> dict[str, object]:
     """What every template has of the book and its language; ``t`` is a text of the interface."""
     return {
         "book": book,

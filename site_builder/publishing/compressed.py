@@ -14,7 +14,7 @@ PACKED = frozenset(
     (".png", ".jpg", ".jpeg", ".webp", ".woff2", ".mp4", ".webm", ".pdf", ".gz", ".br")
 )
 """Kinds of files in which nothing is left to pack."""
-WORTH_IT = 0.95
+MOST_SHARE = 0.95
 """The largest size of a copy, as a share of the file's."""
 
 
@@ -41,7 +41,7 @@ def compressed_copies(files: Mapping[str, Content]) -> dict[str, bytes]:
         data = content_bytes(content)
         for ending, pack in PACKERS.items():
             packed = _pack_once(data, ending, pack)
-            if len(packed) < WORTH_IT * len(data):
+            if len(packed) < MOST_SHARE * len(data):
                 copies[name + ending] = packed
     return copies
 

@@ -13,7 +13,7 @@ import pytest
 
 from site_builder.build import Options
 from site_builder.editions.compose import compose
-from site_builder.editions.epub import ROOM, make_epub
+from site_builder.editions.epub import FOLDER, make_epub
 from site_builder.output.light_theme import resolve
 
 TOKENS = (Path(__file__).parents[3] / "static" / "css" / "tokens.css").read_text(encoding="utf-8")
@@ -47,15 +47,15 @@ def test_every_address_leads_to_a_file_and_an_element(book: zipfile.ZipFile) -> 
                 if re.match("[a-z]+:", address):
                     continue
                 path, fragment = urldefrag(address)
-                file = posixpath.normpath(posixpath.join(ROOM, unquote(path))) if path else name
+                file = posixpath.normpath(posixpath.join(FOLDER, unquote(path))) if path else name
                 assert file in book.namelist(), f"{name}: {address}"
                 assert not fragment or fragment in ids[file], f"{name}: {address}"
 
 
 def test_every_file_is_listed_once_and_marked_for_what_is_in_it(book: zipfile.ZipFile) -> None:
-    package = ElementTree.fromstring(book.read(f"{ROOM}book.opf"))
+    package = ElementTree.fromstring(book.read(f"{FOLDER}book.opf"))
     items = {item.get("href"): item for item in package.iter(f"{OPF}item")}
-    files = {name.removeprefix(ROOM) for name in book.namelist() if name.startswith(ROOM)}
+    files = {name.removeprefix(FOLDER) for name in book.namelist() if name.startswith(FOLDER)}
     assert set(map(unquote, map(str, items))) == files - {"book.opf"}
     assert items["first.xhtml"].get("properties") == "mathml svg"
     assert items["nav.xhtml"].get("properties") == "nav"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.output.writer import way_out, write_site
+from site_builder.output.writer import advice, write_site
 
 ROOT = Path(__file__).parents[3]
 NOBODY = 65534
@@ -143,7 +143,7 @@ def test_where_nobody_may_write_the_last_site_stays_and_the_message_has_a_way_ou
 ) -> None:
     with pytest.raises(PermissionError) as raised:
         write_site({"book.json": b"{}", "a": b"new", **more}, sealed)
-    assert "choose a folder that can be written, by --out" in way_out(raised.value)
+    assert "choose a folder that can be written, by --out" in advice(raised.value)
     assert {file.name: file.read_bytes() for file in sealed.iterdir()} == {
         "book.json": b"{}",
         "a": b"a",
