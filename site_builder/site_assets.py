@@ -16,7 +16,7 @@ from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import Bundle, bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets, without_comments
-from site_builder.pages.question_files import question_files
+from site_builder.pages.kind_files import kind_files
 
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
@@ -48,7 +48,7 @@ def gather_assets(
     and what searches, in one folder: ``folder``, or one that is named by what is in it. Raises
     `BuildError`."""
     content = folder_files(root / "content")
-    static = {**folder_files(own_or_engine(root, "static")), **question_files(book)}
+    static = {**folder_files(own_or_engine(root, "static")), **kind_files(book)}
     scripts = _scripts(book, static)
     files: Files = {
         **scripts.files,

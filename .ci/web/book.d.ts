@@ -1,4 +1,4 @@
-/** Modules that are written while a book is built, by `book_files.py` and `question_files.py` there. */
+/** Modules that are written while a book is built, by `book_files.py` and `kind_files.py` there. */
 
 /** What the scripts know of the book. */
 declare module "*/book.js" {
@@ -6,6 +6,11 @@ declare module "*/book.js" {
   export const DECIMAL: string;
   export const STORAGE: string;
   export const WORDS: Record<string, string | { one: string; other: string }>;
+}
+
+/** The kinds of controls that figures have. */
+declare module "*/control_kinds.js" {
+  export const KINDS: Record<string, import("../../static/js/figure/control.js").Kind>;
 }
 
 /** The kinds of questions that it asks. */

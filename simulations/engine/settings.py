@@ -11,82 +11,22 @@ Controls, defaults, validation, documentation and types of a setting all come fr
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import Field, field, fields
+from dataclasses import Field, fields
 from functools import lru_cache
 from typing import Any, cast
 
 from simulations.engine.controls import (
-    Action,
-    Choice,
+    KINDS,
     Control,
     ControlError,
     Slider,
-    Toggle,
     Value,
     suggestion,
 )
-
-TYPES: Mapping[str, tuple[type, ...]] = {
-    "slider": (float, int),
-    "choice": (str,),
-    "toggle": (bool,),
-    "action": (int,),
-}
-"""Legal annotations of the field of each kind of control."""
-
-
-def slider[N: (int, float)](
-    label: str, default: N, minimum: N, maximum: N, step: N, *, unit: str = "", prefix: str = ""
-) -> N:
-    """A number in a closed range; an ``int`` if the field is annotated as one."""
-    return cast(
-        N,
-        _field(
-            default,
-            lambda name: Slider(
-                name=name,
-                label=label,
-                default=default,
-                minimum=minimum,
-                maximum=maximum,
-                step=step,
-                unit=unit,
-                prefix=prefix,
-            ),
-        ),
-    )
-
-
-def choice(label: str, options: Mapping[str, str], default: str = "") -> str:
-    """One of several named options, value to label. The default is the first unless another is
-    named."""
-    start = default or next(iter(options))
-    made = _field(
-        start, lambda name: Choice(name=name, label=label, default=start, options=options)
-    )
-    return cast(str, made)
-
-
-def toggle(label: str, default: bool = False) -> bool:
-    """On or off."""
-    return cast(bool, _field(default, lambda name: Toggle(name=name, label=label, default=default)))
-
-
-def action(*labels: str, drives: str = "", effect: str = "", seconds: float = 8.0) -> int:
-    """A button, whose value is the number of presses modulo the number of labels. See `Action`."""
-    return cast(
-        int,
-        _field(
-            0,
-            lambda name: Action(
-                name=name, labels=labels, drives=drives, effect=effect, seconds=seconds
-            ),
-        ),
-    )
-
-
-def _field(default: Value, control: Callable[[str], Control]) -> object:
-    return field(default=default, metadata={"control": control})
+from simulations.engine.controls.action.kind import action as action
+from simulations.engine.controls.choice.kind import choice as choice
+from simulations.engine.controls.slider.kind import slider as slider
+from simulations.engine.controls.toggle.kind import toggle as toggle
 
 
 def controls_of(settings: type) -> tuple[Control, ...]:
@@ -110,9 +50,9 @@ def _controls(settings: type) -> tuple[Control, ...]:
 def _control(entry: Field[Any]) -> Control:
     make = entry.metadata.get("control")
     if make is None:
-        raise TypeError(f"setting {entry.name!r} has no control; legal: {', '.join(TYPES)}")
+        raise TypeError(f"setting {entry.name!r} has no control; legal: {', '.join(KINDS)}")
     control: Control = make(entry.name)
-    legal = TYPES[control.kind]
+    legal: tuple[type, ...] = control.types
     if entry.type not in legal:
         names = " or ".join(kind.__name__ for kind in legal)
         raise TypeError(f"setting {entry.name!r}: a {control.kind} is {names}, not {entry.type}")

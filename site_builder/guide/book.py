@@ -5,11 +5,13 @@ from pathlib import Path
 
 from site_builder.book_root import ENGINE
 from site_builder.guide.classes import read_classes
+from site_builder.guide.controls import MARK, controls_table
 from site_builder.guide.pages import directive_page, drawing_page, role_page, settings_page
 from site_builder.scaffold.files import HERE as SCAFFOLD
 from site_builder.scaffold.files import SUFFIX, filled
 
 OWN = Path(__file__).with_name("book")
+SCENE = "content/06-a-scene.md"
 TAKEN = ("simulations", "content/measurements.json")
 """Files that the guide takes from the template of a new book."""
 
@@ -21,6 +23,7 @@ def guide_files() -> dict[str, bytes]:
         "content/03-directives.md": directive_page(),
         "content/04-roles.md": role_page(),
         "content/05-drawings.md": drawing_page(classes.roles, classes.manners, classes.texts),
+        SCENE: (OWN / SCENE).read_text(encoding="utf-8").replace(MARK, controls_table()),
         "content/08-settings.md": settings_page(),
         "simulations/models/classes.py": (
             f'"""Made by the guide."""\n\nROLES = {classes.roles!r}\n'

@@ -37,6 +37,7 @@ from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.policy import page_policy
 from site_builder.pages.reading_time import reading_minutes
 from site_builder.pages.term_lists import card
+from site_builder.pages.views.control import FOLDER as CONTROL_KINDS
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
@@ -57,7 +58,7 @@ def passage_html(context: Context, passage: Passage) -> Markup:
 
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
-FOLDERS = (TEMPLATES, QUESTION_KINDS.parent)
+FOLDERS = (TEMPLATES, QUESTION_KINDS.parent, CONTROL_KINDS.parent)
 """Where templates lie: those of kinds in the folders of these."""
 BACK_MATTER = {
     "glossary": "glossary.title",

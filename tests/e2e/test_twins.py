@@ -27,7 +27,6 @@ pytestmark = pytest.mark.browser
 
 ROOT = Path(__file__).parents[2]
 MODULES = (
-    "figure/control_kinds",
     "figure/stage_report",
     "ladder/bench",
     "ladder/chart",
@@ -117,7 +116,7 @@ def places_on_axes() -> Pairs:
 @pytest.mark.parametrize(
     ("module", "function", "pairs"),
     [
-        ("figure/control_kinds", "formatValue", values_beside_sliders),
+        ("page/text", "formatValue", values_beside_sliders),
         ("page/text", "withUnit", numbers_with_units),
         ("ladder/bench", "milliseconds", times_of_ladders),
         ("figure/stage_report", "countStages", counts_of_stages),

@@ -9,6 +9,7 @@ from site_builder.files import folder_files
 from site_builder.languages.words import load_words
 from site_builder.output.book_files import book_script
 from site_builder.output.scripts import bundle_scripts
+from site_builder.pages.kind_files import kind_files
 from site_builder.settings.reading import read_settings
 
 
@@ -17,7 +18,8 @@ def write_scripts(root: Path, site: Path, modules: Iterable[str]) -> None:
     static = folder_files(own_or_engine(root, "static"))
     settings, _ = read_settings(root, Diagnostics())
     book = book_script(settings, load_words(settings.language))
-    sources = {name: file for name, file in static.items() if name.endswith(".ts")}
+    scripts = {**static, **kind_files()}
+    sources = {name: file for name, file in scripts.items() if name.endswith((".ts", ".js"))}
     for module in modules:
         bundle = bundle_scripts({**sources, "js/book.js": book}, f"js/{module}.ts")
         for name, script in bundle.files.items():

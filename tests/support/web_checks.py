@@ -24,7 +24,7 @@ PACKAGES = ((RULES, TOOLS), (EDITOR, TOOLS / "editor"))
 """Folders with a lock file, and where its packages go; the code editor's are there for types."""
 BIOME = ("@biomejs/biome/bin/biome", "check", "--config-path=.ci/web", "--error-on-warnings")
 CHECKS = (
-    (*BIOME, "static", "site_builder"),
+    (*BIOME, "static", "site_builder", "simulations"),
     ("typescript/bin/tsc", "--project", ".ci/web/tsconfig.page.json"),
     ("typescript/bin/tsc", "--project", ".ci/web/tsconfig.worker.json"),
 )

@@ -4,12 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from simulations.engine.controls import Action, Choice, Control, Slider, Value
-from simulations.engine.frame import Readout, format_number
+from simulations.engine.controls import Control, Slider, Value
+from simulations.engine.frame import Readout
 from site_builder.benchmarks.quantities import with_unit
+from site_builder.book_root import ENGINE
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
 
+FOLDER = ENGINE / "simulations" / "engine" / "controls"
+"""Where the kinds of controls lie."""
 IN_SIGHT = 3
 """Controls, and readouts, that a figure shows at first; the others are folded."""
 TIER = "tier"
@@ -84,13 +87,4 @@ def _control(still: InitialFrame, control: Control, words: Words) -> ControlView
 
 def value_text(control: Control, value: Value, words: Words = ENGLISH) -> str:
     """The value as ``controls.js`` writes it: ``f/2.8``, ``5.0 m``, ``30°``."""
-    match control:
-        case Slider():
-            number = words.numeral(format_number(float(value), control.decimals))
-            return with_unit(f"{control.prefix}{number}", control.unit)
-        case Action():
-            return control.labels[int(value)]
-        case Choice():
-            return control.options[str(value)]
-        case _:
-            return ""
+    return with_unit(*control.text(value, words.numeral))

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from simulations.engine.controls import Choice, Control, Slider, Value, describe
+from simulations.engine.controls import Control, describe
 from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.message import Message
@@ -123,22 +123,11 @@ def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView,
         driven = [controls[name] for name in handle.drives]
         values = still.values
         said = (f"{item.label} {value_text(item, values[item.name], words)}" for item in driven)
-        reach = _range(driven[0], values[driven[0].name])
+        reach = driven[0].span(values[driven[0].name])
         place = places.get(handle.name)
         return HandleView(handle, place, ", ".join(said), reach, _keys(driven, words))
 
     return tuple(view(handle) for handle in scene.handles if handle.panel == panel)
-
-
-def _range(control: Control, value: Value) -> tuple[float, float, float]:
-    match control:
-        case Slider():
-            return (control.minimum, float(value), control.maximum)
-        case Choice():
-            options = list(control.options)
-            return (0, options.index(str(value)), len(options) - 1)
-        case _:
-            return (0, 0, 0)
 
 
 def _keys(driven: Sequence[Control], words: Words) -> str:

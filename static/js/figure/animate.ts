@@ -3,8 +3,9 @@
  * on the figure, or Escape, stops them where they are.
  */
 
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
 import { all, one } from "../page/dom.js";
-import type { Value } from "./control_kinds.js";
+import type { Value } from "./control.js";
 import { moveControls, readValues, uncover } from "./controls.js";
 import { record, settingsOf } from "./permalink.js";
 
@@ -78,7 +79,7 @@ export function jump(figure: HTMLElement, values: Record<string, Value>) {
  */
 export function glide(figure: HTMLElement, values: Record<string, Value>) {
   const { form, controls } = settingsOf(figure);
-  const sliders = controls.filter(({ kind, name }) => kind === "slider" && name in values);
+  const sliders = controls.filter((control) => isSlider(control) && control.name in values);
   const others = controls.filter((control) => !sliders.includes(control));
   moveControls(form, others, values, "change");
   const from = readValues(form, sliders);

@@ -1,7 +1,8 @@
 /** Values of a figure's form, by the schema that Python wrote. */
 
 import { one } from "../page/dom.js";
-import { KINDS, type Control, type Value } from "./control_kinds.js";
+import { KINDS } from "./control_kinds.js";
+import type { Control, Value } from "./control.js";
 
 export interface Schema {
   title: string;

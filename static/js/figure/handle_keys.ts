@@ -1,6 +1,7 @@
 /** Handles by keyboard: arrow keys step the controls that a handle drives. */
 
-import type { Control, Value } from "./control_kinds.js";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
+import type { Control, Value } from "./control.js";
 import { named } from "./controls.js";
 import { driven, reversed } from "./handle_elements.js";
 
@@ -43,7 +44,7 @@ function stepped(form: HTMLFormElement, control: Control, steps: number): Value 
     const wanted = Math.max(0, Math.min(field.selectedIndex + steps, field.length - 1));
     return field.options[wanted].value;
   }
-  if (control.kind !== "slider") return control.default;
+  if (!isSlider(control)) return control.default;
   const wanted = Number((field as HTMLInputElement).value) + steps * control.step;
   const digits = control.decimals + 2;
   return Number(Math.max(control.min, Math.min(wanted, control.max)).toFixed(digits));

@@ -4,11 +4,12 @@
  * move as if the reader had moved them.
  */
 
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
 import { message } from "../errors.js";
 import { all, within } from "../page/dom.js";
-import { setAttribute } from "../page/text.js";
+import { formatValue, setAttribute } from "../page/text.js";
 import { words } from "../page/words.js";
-import { formatValue, type Control, type Value } from "./control_kinds.js";
+import type { Control, Value } from "./control.js";
 import { moveControls, named, readValues, uncover, type Schema } from "./controls.js";
 import { center, driven, grabbed, inPanel, name, put, type Point } from "./handle_elements.js";
 import { keyed } from "./handle_keys.js";
@@ -164,7 +165,7 @@ export class Handles {
   }
 
   #valueText(control: Control, value: Value) {
-    if (control.kind === "slider") return `${control.label} ${formatValue(control, Number(value))}`;
+    if (isSlider(control)) return `${control.label} ${formatValue(control, Number(value))}`;
     const field = this.form.querySelector(named(control.name));
     const chosen = field instanceof HTMLSelectElement ? field.selectedOptions[0]?.text.trim() : "";
     return `${control.label} ${chosen}`;

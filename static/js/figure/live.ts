@@ -15,7 +15,9 @@ import { words } from "../page/words.js";
 import type { FrameReply } from "../runtime/messages.js";
 import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
-import { showValue, type Control } from "./control_kinds.js";
+import { isAction } from "../../../simulations/engine/controls/action/kind.js";
+import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.js";
+import type { Control } from "./control.js";
 import { fieldOf, readValue, readValues, writeValue, type Schema } from "./controls.js";
 import { Handles, type Pull } from "./handles.js";
 import { isInitial } from "./initial_frame.js";
@@ -177,7 +179,7 @@ export class LiveFigure {
 
   #changed(event: Event, dragging: boolean) {
     const control = this.#control(event);
-    if (control?.kind === "slider") {
+    if (isSlider(control)) {
       this.motion.stop();
       showValue(fieldOf(this.form, control.name) as HTMLInputElement, control);
     }
@@ -187,7 +189,7 @@ export class LiveFigure {
 
   #pressed(event: Event) {
     const control = this.#control(event);
-    if (control?.kind !== "action") return;
+    if (!isAction(control)) return;
     if (control.drives) {
       this.motion.press(control, event.timeStamp);
     } else {

@@ -4,7 +4,8 @@
  */
 
 import { everyFrame, isCalm } from "./animate.js";
-import type { Action, Slider } from "./control_kinds.js";
+import type { Action } from "../../../simulations/engine/controls/action/kind.js";
+import { isSlider, type Slider } from "../../../simulations/engine/controls/slider/kind.js";
 import { readValue, uncover, writeValue, type Schema } from "./controls.js";
 
 /** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
@@ -28,7 +29,7 @@ export class Motion {
   /** @param action The button that was pressed. */
   press(action: Action, time: number) {
     const slider = this.schema.controls.find(({ name }) => name === action.drives);
-    if (slider?.kind !== "slider") throw new Error(`${action.name} drives no slider`);
+    if (!isSlider(slider)) throw new Error(`${action.name} drives no slider`);
     const wasPlaying = this.#playing?.action === action;
     this.stop();
     uncover(this.form, [slider.name]);

@@ -1,5 +1,6 @@
 /** What a figure is set to and what it measures, as a table for other programs. */
 
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
 import { all } from "../page/dom.js";
 import { csv } from "../page/download.js";
 import { fromNumeral } from "../page/words.js";
@@ -13,7 +14,7 @@ export function numbersOf(figure: HTMLElement) {
   const { form, controls } = settingsOf(figure);
   const values = readValues(form, controls);
   const settings = controls.map((control) => {
-    const unit = control.kind === "slider" ? control.unit : "";
+    const unit = isSlider(control) ? control.unit : "";
     return ["setting", control.name, control.label, String(values[control.name]), unit];
   });
   const readouts = all(figure, "output", HTMLOutputElement).flatMap(readoutRows);

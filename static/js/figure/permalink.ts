@@ -7,10 +7,13 @@
  * link in the text, a reset) makes a new entry, so that Back undoes it.
  */
 
+import { isAction } from "../../../simulations/engine/controls/action/kind.js";
+import type { Choice } from "../../../simulations/engine/controls/choice/kind.js";
 import { all, data, one } from "../page/dom.js";
 import { isArrived } from "../page/navigate.js";
 import { words } from "../page/words.js";
-import { KINDS, type Control, type Value } from "./control_kinds.js";
+import { KINDS } from "./control_kinds.js";
+import type { Control, Value } from "./control.js";
 import { moveControls, readValues, uncover, type Schema } from "./controls.js";
 import { say } from "./status.js";
 
@@ -21,7 +24,7 @@ const LONGEST_NAME = 60;
 /** A figure's form, and all that can be set in it, the accuracy included. */
 export function settingsOf(figure: HTMLElement) {
   const { controls, values, tiers, default_tier: tier }: Schema = data(figure, "script.schema");
-  const accuracy: Control = {
+  const accuracy: Choice = {
     kind: "choice",
     name: "tier",
     label: words("figure.accuracy"),
@@ -32,7 +35,7 @@ export function settingsOf(figure: HTMLElement) {
     form: one(figure, "form.controls", HTMLFormElement),
     // A button that plays has no state worth keeping.
     controls: [...controls, ...(tiers.length ? [accuracy] : [])].filter(
-      (control) => control.kind !== "action" || !control.drives,
+      (control) => !isAction(control) || !control.drives,
     ),
     start: { ...values, tier } as Record<string, Value>,
   };

@@ -5,8 +5,10 @@
  */
 
 import { maybe, one } from "../page/dom.js";
+import { formatValue } from "../page/text.js";
 import { words } from "../page/words.js";
-import { formatValue, type Value } from "./control_kinds.js";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
+import type { Value } from "./control.js";
 import { readValues, type Schema } from "./controls.js";
 import type { Place } from "./handles.js";
 import type { Meta, Painter } from "./painter.js";
@@ -85,7 +87,7 @@ export class Prerendered {
 
   #setting(name: string, value: Value) {
     const control = this.schema.controls.find((one) => one.name === name);
-    const text = control?.kind === "slider" ? formatValue(control, Number(value)) : String(value);
+    const text = isSlider(control) ? formatValue(control, Number(value)) : String(value);
     return `${control?.label} ${text}`;
   }
 

@@ -1,6 +1,7 @@
 /** How accurately a figure computes: as the reader chose, or cheaper while things move. */
 
-import type { Control } from "./control_kinds.js";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
+import type { Control } from "./control.js";
 import { readValue, type Schema } from "./controls.js";
 
 /** The tier that the reader chose. */
@@ -26,7 +27,7 @@ export function shownTier(form: HTMLFormElement, schema: Schema, moving: string)
 /** Whether a drag of a control is answered by drafts. */
 export function isDrafted(form: HTMLFormElement, schema: Schema, control: Control | undefined) {
   const { drafted, drafted_in: byTier, own_drafts: own } = schema;
-  if (control?.kind !== "slider") return false;
+  if (!isSlider(control)) return false;
   if (own[chosenTier(form, schema)]?.[control.name]) return true;
   if (drafted.length === 0 || drafted.includes(control.name)) return true;
   return byTier[chosenTier(form, schema)]?.includes(control.name) ?? false;

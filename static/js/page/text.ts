@@ -1,5 +1,7 @@
 /** Words and numbers in the page. */
 
+import { numeral } from "./words.js";
+
 /** Write only what differs: an unchanged text is not laid out, selected or read out anew. */
 export function setText(element: Element | null | undefined, text: string) {
   if (element && element.textContent !== text) element.textContent = text;
@@ -13,4 +15,14 @@ export function setAttribute(element: Element, name: string, value: string) {
 /** `16.0 px`, on one line; degrees stand close: as `with_unit` of the builder's quantities.py. */
 export function withUnit(text: string, unit: string) {
   return text + (unit === "" || unit === "°" ? "" : "\u00a0") + unit;
+}
+
+/** The value of a slider: `f/2.8`, `5.0 m`, `30°`, with a true minus sign. */
+export function formatValue(
+  slider: { decimals?: number; prefix?: string; unit?: string },
+  value: number,
+) {
+  const number = value.toFixed(slider.decimals ?? 0);
+  const signed = Number(number) === 0 ? number.replace("-", "") : number.replace("-", "\u2212");
+  return withUnit(`${slider.prefix ?? ""}${numeral(signed)}`, slider.unit ?? "");
 }

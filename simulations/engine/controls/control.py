@@ -1,0 +1,23 @@
+"""What all controls share."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import field
+
+type Value = float | int | str | bool
+
+
+class ControlError(ValueError):
+    """An illegal value of a control. The message states the value and what is legal."""
+
+
+def setting(default: Value, control: Callable[[str], object]) -> object:
+    """The field of a dataclass of settings whose control ``control`` makes, given its name."""
+    return field(default=default, metadata={"control": control})
+
+
+def suggestion(given: object, legal: Mapping[str, object]) -> str:
+    """``; did you mean 'x'?`` if a legal name is similar, else empty."""
+    import difflib  # a large module, rarely needed
+
+    near = difflib.get_close_matches(str(given), list(legal), n=1)
+    return f"; did you mean {near[0]!r}?" if near else ""

@@ -1,0 +1,1 @@
+"""A kind of control: a number in a range."""
