@@ -46,10 +46,9 @@ def folder_hash(folder: Path, pattern: str = "*") -> bytes:
 
 def folder_files(folder: Path) -> dict[str, Path]:
     """All files below ``folder``, by their path in it; what is hidden or compiled is left out."""
-    found = {}
-    for place, folders, files in folder.walk():
+    names, start = [], len(os.fspath(folder)) + 1
+    for place, folders, files in os.walk(folder):
         folders[:] = [name for name in folders if not name.startswith((".", "__pycache__"))]
-        for name in files:
-            if not name.startswith(".") and (place / name).is_file():
-                found[(place / name).relative_to(folder).as_posix()] = place / name
-    return dict(sorted(found.items()))
+        paths = (f"{place}/{name}" for name in files if not name.startswith("."))
+        names += [path[start:] for path in paths if os.path.isfile(path)]  # noqa: PTH113  (fast)
+    return {name: folder / name for name in sorted(names)}
