@@ -12,18 +12,10 @@ from support.worked_numbers import Says
 from simulations.engine.stages import StageCache
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.lens.aperture_grid import aperture_grid
-from simulations.models.lens.thin_lens import (
-    circle_of_confusion_mm,
-    principal_distance_mm,
-)
+from simulations.models.lens.thin_lens import circle_of_confusion_mm, principal_distance_mm
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes._still_life_camera.picture import SHARP_PX
-from simulations.scenes._still_life_camera.rays import (
-    COLUMNS,
-    ROWS,
-    largest_blur_px,
-    sensor_rays,
-)
+from simulations.scenes._still_life_camera.rays import COLUMNS, ROWS, largest_blur_px, sensor_rays
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import bend_rays
 from simulations.scenes.camera.stages import TIERS

@@ -33,12 +33,7 @@ from simulations.scenes._still_life_camera.picture import (
     overlay,
     through_lens,
 )
-from simulations.scenes._still_life_camera.rays import (
-    Rays,
-    blur_px,
-    largest_blur_px,
-    pinhole_rays,
-)
+from simulations.scenes._still_life_camera.rays import Rays, blur_px, largest_blur_px, pinhole_rays
 
 TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
 """Rungs of the ladder `depth-of-field`, without its random rays and without 64 rays, which would
