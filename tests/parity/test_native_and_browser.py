@@ -16,7 +16,7 @@ import pytest
 from support.reader import Reader
 
 from simulations import browser as native
-from simulations.engine.controls import Action, Choice, Control, Slider
+from simulations.engine.controls import Control
 from simulations.registry import SCENE_MODULES, load_scene
 
 pytestmark = pytest.mark.browser
@@ -77,15 +77,8 @@ def assert_same_in_browser(
 
 
 def ends(control: Control) -> list[Any]:
-    match control:
-        case Slider():
-            return [control.minimum, control.maximum]
-        case Choice():
-            return [option for option in control.options if option != control.default]
-        case Action():
-            return list(range(1, len(control.labels)))
-        case _:
-            return [not control.default]
+    """Other states of it than the one that it starts in."""
+    return [end for end in control.extremes() if end != control.default]
 
 
 def _assert_same_pixels(ours: np.ndarray, encoded: bytes, where: str) -> None:

@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 from support.label_boxes import in_figures, labels
 
-from simulations.engine.controls import Action, Choice, Control, Slider, Toggle
+from simulations.engine.controls import Action, Control, Slider
 from simulations.engine.frame import Frame, Panel, to_json
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
@@ -37,23 +37,10 @@ UNDEFINED = {("perspective-projection", "x"), ("perspective-projection", "y"), (
 NOT_FINITE = re.compile(r"\b(nan|inf)\b", re.IGNORECASE)
 
 
-def ends(control: Control) -> list[object]:
-    """The extreme positions of a control: both ends of a slider, every state of the others."""
-    match control:
-        case Slider():
-            return [control.minimum, control.maximum]
-        case Choice():
-            return list(control.options)
-        case Toggle():
-            return [False, True]
-        case Action():
-            return list(range(len(control.labels)))
-
-
 def positions(control: Control) -> list[object]:
     """The ends, and for a slider the way between them, its zero, and single steps from the ends."""
     if not isinstance(control, Slider):
-        return ends(control)
+        return list(control.extremes())
     low, high, step = control.minimum, control.maximum, control.step
     between = np.linspace(low, high, STEPS).tolist()
     zero = [0.0] if low < 0 < high else []
@@ -66,7 +53,7 @@ def pairwise_settings(controls: tuple[Control, ...]) -> list[Setting]:
     Greedy: each setting starts with a pair not yet met, and every further control takes the end
     that meets most of the remaining pairs.
     """
-    levels = {control.name: ends(control) for control in controls}
+    levels = {control.name: control.extremes() for control in controls}
     waiting = {
         frozenset(((a, i), (b, j)))
         for a, b in itertools.combinations(levels, 2)
@@ -209,7 +196,7 @@ def changes(swept: Swept, control: Control, starts: Iterable[Setting]) -> Iterat
     """Extremes of a control that show something else than one of the settings ``starts`` does."""
     for start in starts:
         before = swept.see(start).shown
-        for value in ends(control):
+        for value in control.extremes():
             if swept.see({**start, control.name: value}).shown != before:
                 yield {control.name: value}
 
@@ -223,7 +210,9 @@ def test_every_pair_of_extremes_is_sound(swept: Swept) -> None:
 
 def test_every_tier_is_sound_at_the_extremes(swept: Swept) -> None:
     controls = swept.scene.controls
-    corners = [{control.name: ends(control)[end] for control in controls} for end in (0, -1)]
+    corners: list[Setting] = [
+        {control.name: control.extremes()[end] for control in controls} for end in (0, -1)
+    ]
     expected = swept.see({}).shape
     for tier in swept.scene.tiers:
         for setting in corners:

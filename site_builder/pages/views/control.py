@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from simulations.engine.controls import Control, Slider, Value
+from simulations.engine.controls import Control, Value
 from simulations.engine.frame import Readout
 from site_builder.benchmarks.quantities import with_unit
 from site_builder.book_root import ENGINE
@@ -80,8 +80,8 @@ def readouts_in_sight(still: InitialFrame) -> tuple[tuple[Readout, ...], tuple[R
 def _control(still: InitialFrame, control: Control, words: Words) -> ControlView:
     value = still.values[control.name]
     text = value_text(control, value, words)
-    ends = (control.minimum, control.maximum) if isinstance(control, Slider) else ()
-    longest = max((text, *(value_text(control, end, words) for end in ends)), key=len)
+    ends = (value_text(control, end, words) for end in control.extremes())
+    longest = max((text, *ends), key=len)
     return ControlView(control, f"{still.figure.id}-{control.name}", value, text, longest)
 
 

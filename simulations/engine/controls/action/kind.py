@@ -67,6 +67,9 @@ class Action:
     def text(self, value: Value, _numeral: Callable[[str], str] = str) -> tuple[str, str]:
         return self.labels[int(value)], ""
 
+    def extremes(self) -> tuple[Value, ...]:
+        return tuple(range(len(self.labels)))
+
     def span(self, _value: Value) -> tuple[float, float, float]:
         return 0, 0, 0
 

@@ -43,6 +43,9 @@ class Choice:
     def text(self, value: Value, _numeral: Callable[[str], str] = str) -> tuple[str, str]:
         return self.options[str(value)], ""
 
+    def extremes(self) -> tuple[Value, ...]:
+        return tuple(self.options)
+
     def span(self, value: Value) -> tuple[float, float, float]:
         """Places in the menu."""
         options = list(self.options)

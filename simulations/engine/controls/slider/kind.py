@@ -107,6 +107,10 @@ class Slider:
         """The value and its unit as the figure shows them: ``f/2.8``, ``5.0`` and ``m``."""
         return f"{self.prefix}{numeral(format_number(float(value), self.decimals))}", self.unit
 
+    def extremes(self) -> tuple[Value, ...]:
+        """The ends of the range; of other kinds every state."""
+        return self.minimum, self.maximum
+
     def span(self, value: Value) -> tuple[float, float, float]:
         """Least, present and greatest value, for a handle that drives it."""
         return self.minimum, float(value), self.maximum

@@ -34,6 +34,9 @@ class Toggle:
     def text(self, _value: Value, _numeral: Callable[[str], str] = str) -> tuple[str, str]:
         return "", ""
 
+    def extremes(self) -> tuple[Value, ...]:
+        return False, True
+
     def span(self, _value: Value) -> tuple[float, float, float]:
         return 0, 0, 0
 
