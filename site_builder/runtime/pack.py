@@ -4,6 +4,7 @@ import json
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.book_root import ENGINE, is_engine
@@ -108,7 +109,7 @@ def pack_runtime(
         )
     chunks = cut(imports, scenes, ladders)
     ours = {chunk: chunk_archive(files, names, byte_code) for chunk, names in chunks.items()}
-    ours[SIMULATIONS] = source_archive(files, modules)
+    ours[SIMULATIONS] = chunk_archive(files, modules)
     archives = {
         **{f"{chunk}.zip": file for chunk, file in frozen.archives.items()},
         **{f"{chunk}.zip": stores.put(folder, f"{chunk}.zip", ours[chunk]) for chunk in ours},
@@ -155,15 +156,13 @@ def page_modules(
     return frozenset[str]().union(*(reach(imports, start) for start in starts))
 
 
-def source_archive(files: Mapping[str, Path], modules: Collection[str]) -> bytes:
-    """Those ``modules`` that have one of the ``files``."""
-    return chunk_archive(files, modules, {})
-
-
 def chunk_archive(
-    files: Mapping[str, Path], modules: Collection[str], byte_code: Mapping[str, bytes]
+    files: Mapping[str, Path],
+    modules: Collection[str],
+    byte_code: Mapping[str, bytes] = MappingProxyType({}),
 ) -> bytes:
-    """The archive of a chunk; of a module without ``byte_code``, its source."""
+    """The archive of those ``modules`` that have one of the ``files``; without ``byte_code``, their
+    sources."""
     return archive_of(
         {
             path + "c" if path + "c" in byte_code else path: byte_code.get(path + "c")

@@ -32,7 +32,7 @@ from simulations.registry import scene_module
 from site_builder.book_root import ROOT
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.imports import imports_of, reach
-from site_builder.runtime.pack import book_modules, source_archive
+from site_builder.runtime.pack import book_modules, chunk_archive
 from site_builder.runtime.pinned import LOCK_INFO, NUMPY_WHEEL, VERSIONS
 
 SITE = ROOT / "build" / "site"
@@ -227,7 +227,7 @@ def lay_out_plain(folder: Path) -> None:
     (folder / "pyodide-lock.json").write_text(json.dumps(lock), encoding="utf-8")
     modules = book_modules(ROOT / "simulations")
     used = reach(imports_of(modules), scene_module(SCENE))
-    (folder / "simulations.zip").write_bytes(source_archive(modules, used))
+    (folder / "simulations.zip").write_bytes(chunk_archive(modules, used))
     page = DRAWN.replace("MODULE", scene_module(SCENE))
     (folder / "index.html").write_text(page, encoding="utf-8")
 

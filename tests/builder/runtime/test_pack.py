@@ -18,11 +18,11 @@ from site_builder.runtime.imports import imports_of, module_files, reach, read_i
 from site_builder.runtime.modules import CORE, ENTRY, cut
 from site_builder.runtime.pack import (
     book_modules,
+    chunk_archive,
     chunks_of,
     pack_runtime,
     page_modules,
     runtime_table,
-    source_archive,
 )
 from site_builder.runtime.pinned import NUMPY_VERSION
 
@@ -50,7 +50,7 @@ EVERY_MODULE = ("simulations", "simulations.models", "simulations.models.noise")
 
 
 def archive(package: Path, modules: Collection[str] = EVERY_MODULE) -> bytes:
-    return source_archive(module_files(package), modules)
+    return chunk_archive(module_files(package), modules)
 
 
 def test_equal_sources_give_equal_bytes(package: Path, tmp_path: Path) -> None:
