@@ -45,13 +45,10 @@ def control_cells(
     settings in the order of their weight.
     """
     runs = [*gather_buttons(still.figure.scene.controls), *([()] if tiers else [])]
-    chosen = [
-        run
-        for name in still.figure.in_sight
-        for run in runs
-        if name in ([control.name for control in run] or [TIER])
-    ]
-    shown = list(dict.fromkeys(chosen)) or [run for run in runs if run][:IN_SIGHT]
+    names = [[control.name for control in run] or [TIER] for run in runs]
+    places = {name: place for place, run in enumerate(names) for name in run}
+    chosen = dict.fromkeys(places[name] for name in still.figure.in_sight if name in places)
+    shown = [runs[place] for place in chosen] or [run for run in runs if run][:IN_SIGHT]
     folded = [run for run in runs if run not in shown]
     cells = [
         tuple(tuple(_control(still, control, words) for control in run) for run in part)

@@ -9,7 +9,7 @@ from support.toy_ladder import toy_ladder
 
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, slider
+from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.page_model.blocks import Simulation
@@ -32,7 +32,7 @@ def still(settings: type, in_sight: tuple[str, ...] = ()) -> InitialFrame:
 @dataclass(frozen=True, slots=True)
 class Five:
     a: float = slider("A", 5, 0, 9, 1)
-    b: float = slider("B", 5, 0, 9, 1)
+    b: str = choice("B", {"one": "One", "two": "Two"})
     play: int = action("Play")
     again: int = action("Again")
     c: float = slider("C", 5, 0, 9, 1)
