@@ -74,7 +74,7 @@ OUTSIDE = """() => {
     const panel = figure.querySelector(".panel");
     const all = [...figure.querySelectorAll(".control")];
     const controls = all.filter((one) => one.checkVisibility());
-    if (controls.length < 2) outside.push(`${figure.dataset.simulation}: too few controls`);
+    if (!controls.length) outside.push(`${figure.dataset.simulation}: no control`);
     panel.scrollIntoView({ behavior: "instant" });
     for (const one of [panel, ...controls]) {
       const { left, right, top, bottom } = one.getBoundingClientRect();

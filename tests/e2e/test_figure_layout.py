@@ -35,7 +35,7 @@ def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) 
     camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
     open_page(phone, camera)
     figure = phone.figure("camera")
-    folded = figure.locator("[name=noise_sigma]")
+    folded = figure.locator("[name=shot_noise]")
     assert not folded.is_visible()
     figure.locator(".more-controls > summary").tap()
     assert folded.is_visible()
@@ -44,16 +44,16 @@ def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) 
 def test_words_that_move_a_folded_control_unfold_it(phone: Reader, book: Any) -> None:
     camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
     open_page(phone, camera)
-    folded = phone.figure("camera").locator("[name=noise_sigma]")
-    link = phone.page.locator("a.set[data-values*='\"noise_sigma\": 0.0']").first
+    folded = phone.figure("camera").locator("[name=shot_noise]")
+    link = phone.page.locator("a.set[data-values*='\"shot_noise\": false']").first
     link.evaluate("link => link.click()")  # it may stand in an answer that waits
     folded.wait_for(state="visible")
 
 
 def test_an_address_that_names_a_folded_control_unfolds_it(phone: Reader, book: Any) -> None:
     camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
-    open_page(phone, f"{camera}?figure-camera.noise_sigma=9")
-    phone.figure("camera").locator("[name=noise_sigma]").wait_for(state="visible")
+    open_page(phone, f"{camera}?figure-camera.shot_noise=false")
+    phone.figure("camera").locator("[name=shot_noise]").wait_for(state="visible")
 
 
 def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(

@@ -72,6 +72,7 @@ def test_a_hand_at_rest_is_kept_in_the_address_without_an_entry_of_the_history(
     visitor.turn_to(CHAPTER)
     figure = visitor.figure("lens-distortion")
     entries = visitor.page.evaluate("history.length")
+    visitor.uncover(figure)
     figure.locator("[name=k1]").fill("0.3")
     figure.locator("[name=k2]").fill("-0.1")
     wait_address(visitor, f"?{ID}.k1=0.3&{ID}.k2=-0.1")
