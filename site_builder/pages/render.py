@@ -127,8 +127,8 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     def add(template: str, path: str, **context: object) -> None:
         pages[path] = render(f"{template}.html", path, **context)
 
-    cover = {"counts": _counts(book), "cover": _cover(book), "progress": _progress(book)}
-    add("landing", "index.html", **cover)
+    cover = Block(SIMULATION.template, book.hero) if book.hero else None
+    add("landing", "index.html", cover=cover, counts=_counts(book), progress=_progress(book))
     pages["404.html"] = render("not-found.html")  # which is served at any address
     add("licences", "licences/index.html", licences=licences)
     for name, context in back_matter_pages(book).items():
@@ -220,6 +220,7 @@ def render_page(
     assets = f"{root}{site.assets}"
     given = context.get("chapter")
     chapter = given if isinstance(given, Chapter) else None
+    figures = chapter.simulations if chapter else ()
 
     def simulation_view(figure: Simulation) -> SimulationView:
         return view_simulation(
@@ -248,7 +249,7 @@ def render_page(
         "root": root,
         "assets": assets,
         "anchors": chapter.anchors if chapter else (),
-        "later_figures": _later_figures(chapter) if rows is None else (),
+        "later_figures": [figure.id for figure in figures[1:]] if rows is None else (),
         "python": bool(site.runtime),
         "code_editor": site.code_editor,
         "block_html": block_html,
@@ -262,7 +263,7 @@ def render_page(
         site=site,
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         first_faces=FIRST_FACES,
-        styles=page_styles(site, root),
+        styles=site.styles.replace('url("../', f'url("{assets}'),
         integrity=integrity,
         address=page_address(path) if path and site.book.address else None,
         card=card_path(chapter),
@@ -270,16 +271,6 @@ def render_page(
         origin=origin(site.book, path, chapter),
         **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
-
-
-def _later_figures(chapter: Chapter | None) -> list[str]:
-    """Element ids of those that a page does not begin with."""
-    return [figure.id for figure in chapter.simulations[1:]] if chapter else []
-
-
-def page_styles(site: Site, root: str) -> str:
-    """What a page holds in place of a link to the style sheet; nothing where it links to it."""
-    return site.styles.replace('url("../', f'url("{root}{site.assets}')
 
 
 def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:
@@ -332,12 +323,6 @@ def _compiled_templates() -> FileSystemBytecodeCache | None:
     except OSError:
         return None
     return FileSystemBytecodeCache(str(folder)) if os.access(folder, os.W_OK) else None
-
-
-def _cover(book: Book) -> Block | None:
-    """The figure of the landing page."""
-    hero = book.hero
-    return Block(SIMULATION.template, hero) if hero else None
 
 
 def back_matter(book: Book) -> list[tuple[str, str]]:
