@@ -37,7 +37,8 @@ def test_the_nearest_frame_is_shown_until_the_live_one_takes_its_place(
     assert figure.get_attribute("data-early") == str(wanted["value"])
     assert figure.get_attribute("data-frames") == "0"
     for readout in wanted["readouts"]:
-        assert readout["text"] in figure.locator(f"output[name={readout['name']}]").inner_text()
+        shown = figure.locator(f"output[name={readout['name']}]").text_content()
+        assert readout["text"] in (shown or "")
 
     for route in held:
         route.continue_()

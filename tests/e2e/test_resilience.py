@@ -34,12 +34,12 @@ CODE = """def _encoded(photo):
 
 import sys
 book = sys.modules["simulations.browser"]
-asked = book._asked
+asked = book._request
 
 def next_frame(*given):
     {}
 
-book._asked = next_frame
+book._request = next_frame
 """
 """Whatever is asked of the book's interpreter next meets with a harm."""
 
@@ -90,7 +90,7 @@ def test_a_worker_lost_in_the_midst_of_a_frame_is_replaced_and_the_values_are_ke
 def test_an_exception_in_a_scene_is_told_and_the_next_try_finds_the_values_as_they_were(
     visitor: Reader,
 ) -> None:
-    figure = harm(visitor, "book._asked = asked; raise ZeroDivisionError('the scene divides')")
+    figure = harm(visitor, "book._request = asked; raise ZeroDivisionError('the scene divides')")
     slider = figure.locator("input[type=range]").first
     slider.press("ArrowRight")
     kept = slider.input_value()
