@@ -115,6 +115,15 @@ def test_a_reset_takes_guesses_back(plain_reader: Reader, book: Any) -> None:
     ).is_visible()
 
 
+def test_a_reset_takes_the_marks_of_options_away(plain_reader: Reader, book: Any) -> None:
+    form = opened(plain_reader, book, "sharp-again")
+    form.locator('input[name=guess][value="0"]').check()
+    form.locator("button[type=submit]").click()
+    assert form.locator("label:is(.correct, .wrong)").count() == 2
+    plain_reader.page.locator("[data-progress-reset]").click()
+    assert form.locator("label:is(.correct, .wrong)").count() == 0
+
+
 def form_of(reader: Reader, item: Any) -> Locator:
     return reader.page.locator(f'form[data-predict="{item["id"]}"]')
 
