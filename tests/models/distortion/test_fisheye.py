@@ -60,7 +60,7 @@ def test_each_ideal_model_is_its_formula_and_is_undone_by_its_inverse(
 @pytest.mark.parametrize(
     ("lens", "largest", "furthest"),
     [
-        (Fisheye(-1 / 3), 1.0, 2 / 3),  # θ (1 − θ²/3) turns back at 1
+        (Fisheye(-1 / 3), 1.0, 2 / 3 + 1e-15),  # θ (1 − θ²/3) turns back at 1
         (Fisheye(), np.pi, np.pi),
         ("equidistant", np.pi, np.pi),
         ("equisolid", np.pi, 2.0),
@@ -71,13 +71,14 @@ def test_a_lens_sees_up_to_its_largest_angle_and_nothing_lies_beyond_its_image(
     lens: Fisheye | str, largest: float, furthest: float
 ) -> None:
     angles = rays([0.5 * largest, largest * (1 - 1e-3), largest * (1 + 1e-3)])
-    points = furthest * np.outer([0.5, 1 - 1e-6, 1 + 1e-15, 1 + 1e-7], [1.0, 0.0])
+    radii = [0.5, 1 - 1e-6, 1.0, 1 + 1e-7, np.nan, np.inf]
+    points = np.column_stack([furthest * np.array(radii), np.zeros(6)])
     if isinstance(lens, str):
         seen, valid = project_ideal(angles, lens)[1], unproject_ideal(points, lens)[1]
     else:
         seen, valid = project_fisheye(angles, lens)[1], unproject_fisheye(points, lens)[1]
     assert seen.tolist() == [True, True, largest == np.pi]  # beyond half a turn is the other side
-    assert valid.tolist() == [True, True, False, False]
+    assert valid.tolist() == [True, True, *[False] * 4]
 
 
 @pytest.mark.parametrize(
