@@ -15,7 +15,7 @@ import pytest
 from site_builder.diagnostics import cause
 from site_builder.sandbox import LimitError, Limits, limited, run_limited, side_by_side
 
-QUICK = Limits(seconds=1.0, wall_seconds=2.0, bytes=300_000_000)
+QUICK = Limits(seconds=0.3, wall_seconds=3.0, bytes=300_000_000)
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -67,9 +67,9 @@ def fail_awkwardly() -> None:
 
 
 FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
-    (loop, LimitError, "takes more than 1 s"),
-    (ignore_the_alarm, LimitError, "takes more than 2 s"),
-    (partial(time.sleep, 60), LimitError, "takes more than 2 s"),
+    (loop, LimitError, "takes more than 0.3 s"),
+    (ignore_the_alarm, LimitError, "takes more than 3 s"),
+    (partial(time.sleep, 60), LimitError, "takes more than 3 s"),
     (partial(np.ones, 1_000_000_000), MemoryError, "allocate"),
     (be_killed, LimitError, "ended by SIGKILL"),
     (partial(divmod, 1, 0), ZeroDivisionError, "zero"),
