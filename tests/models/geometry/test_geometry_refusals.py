@@ -62,7 +62,7 @@ def cut(polygon: Any) -> Any:
         [0.0, 1e-12, 1.0, -0.1, NAN],
     ),
     (
-        "seen .*; legal: beside the line",
+        "^seen .*; legal",
         lambda seen: transforms.clip_to_visible(TILTED, SQUARE, seen=seen),
         [(-1.0, 3.0), (NAN, 0.0)],
     ),
