@@ -25,8 +25,8 @@ type Outputs = Mapping[str, Any]
 """Output of each stage by its name, and what `simulations.engine.scene.Scene.run` adds."""
 
 
-UNNEEDED = (Message("workings.unneeded"),)
-UNCHANGED = (Message("workings.unchanged"),)
+UNNEEDED = (Message("stage_report.unneeded"),)
+UNCHANGED = (Message("stage_report.unchanged"),)
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,10 +194,10 @@ def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Message, ...]:
     cached = cache.entries.get(stage.name, {})
     changes = min((_changes(stage, key, old) for old in cached), key=len, default=())
     if changes:
-        return (Message("workings.changed", _named(changes)),)
-    reads = (Message("workings.reads", _named(stage.reads)),) if stage.reads else ()
-    follows = (Message("workings.follows", _named(stage.after)),) if stage.after else ()
-    return (*reads, *follows) or (Message("workings.independent"),)
+        return (Message("stage_report.changed", _named(changes)),)
+    reads = (Message("stage_report.reads", _named(stage.reads)),) if stage.reads else ()
+    follows = (Message("stage_report.follows", _named(stage.after)),) if stage.after else ()
+    return (*reads, *follows) or (Message("stage_report.independent"),)
 
 
 def _changes(stage: Stage, key: Key, cached: Key) -> tuple[str, ...]:

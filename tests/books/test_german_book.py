@@ -129,9 +129,9 @@ def test_a_visit_in_german(german_site: Path, german_book: Any, brisk_chromium: 
         reader.wait_frame(figure, before)
         expect(figure.locator("output[name=dauer]")).to_have_text("2,02")
         expect(figure.locator(".control-value").first).to_have_text("1,00\u00a0m")
-        workings = figure.locator("details.workings")
-        workings.locator("summary").click()
-        expect(workings).to_contain_text(WORDS("script.workings.changed", names="length"))
+        report = figure.locator("details.stage-report")
+        report.locator("summary").click()
+        expect(report).to_contain_text(WORDS("script.stage_report.changed", names="length"))
         assert not [said for said in engine_sentences() if said in figure.inner_text()]
         _answer(reader)
         _search(reader)

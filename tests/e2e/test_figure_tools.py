@@ -145,7 +145,7 @@ def test_the_error_is_measured_only_while_it_is_shown(visitor: Reader) -> None:
     figure = visitor.figure("lens-distortion")
     accuracy = figure.locator(".accuracy")
     assert figure.locator(".accuracy-value").text_content() == "…"
-    figure.locator(".workings > summary").click()
+    figure.locator(".stage-report > summary").click()
     visitor.page.wait_for_function(
         "line => line.dataset.judged === 'true'", arg=accuracy.element_handle()
     )

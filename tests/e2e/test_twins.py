@@ -88,9 +88,11 @@ def counts_of_stages() -> Pairs:
 
 
 def reasons_of_stages() -> Pairs:
-    reads, follows = (Message(f"workings.{key}", {"names": "a, b"}) for key in ("reads", "follows"))
+    reads, follows = (
+        Message(f"stage_report.{key}", {"names": "a, b"}) for key in ("reads", "follows")
+    )
     reasons: tuple[str | tuple[Message, ...], ...] = (
-        *((reads, follows), (Message("workings.unneeded"),)),
+        *((reads, follows), (Message("stage_report.unneeded"),)),
         *("no blur", ""),
     )
     for reason in reasons:

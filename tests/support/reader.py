@@ -213,7 +213,7 @@ class Reader:
 
     def unfold(self, figure: Locator) -> None:
         """Have the figure show how it was computed."""
-        figure.locator(".workings").evaluate("workings => { workings.open = true; }")
+        figure.locator(".stage-report").evaluate("report => { report.open = true; }")
 
     def frames(self, figure: Locator) -> int:
         return int(figure.get_attribute("data-frames") or 0)

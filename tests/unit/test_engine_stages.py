@@ -158,7 +158,7 @@ def test_what_nothing_takes_is_not_computed(
     idle = {report.name: report.reason for report in done.reports if report.status == "skipped"}
     own = {"lens": "one ray", "noise": "no noise"}
     assert idle == {
-        stage.name: own.get(stage.name, (Message("workings.unneeded"),))
+        stage.name: own.get(stage.name, (Message("stage_report.unneeded"),))
         for stage in stages
         if stage.name not in made
     }
@@ -214,7 +214,9 @@ def reasons(*arguments: Any) -> list[str]:
 def spelt(reason: str | Sequence[Message]) -> str:
     """``reads a, b; unneeded``"""
     assert not isinstance(reason, str)
-    parts = ((part.key.removeprefix("workings."), part.values.get("names", "")) for part in reason)
+    parts = (
+        (part.key.removeprefix("stage_report."), part.values.get("names", "")) for part in reason
+    )
     return "; ".join(" ".join(filter(None, part)) for part in parts)
 
 

@@ -175,4 +175,4 @@ def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:
     counts = {"computed": 0, "reused": 0, "skipped": 0}
     for stage in stages:
         counts[stage.status] += 1
-    return words("script.workings.count", **counts)
+    return words("script.stage_report.count", **counts)

@@ -3,7 +3,7 @@
  * there, the book's interpreter and all other figures are unaffected.
  */
 
-import { told, words, type Said } from "../page/words.js";
+import { inWords, words, type Said } from "../page/words.js";
 import {
   EDITED,
   type CallName,
@@ -21,7 +21,7 @@ export class EditFailure extends RuntimeFailure {
     readonly problem: Problem,
     readonly printed: string,
   ) {
-    super("python", told(problem.message));
+    super("python", inWords(problem.message));
   }
 }
 

@@ -9,7 +9,7 @@ import type { Sources } from "./sources.js";
  */
 type Edit = { text: string; original: string };
 
-type Kept = { runs: boolean; edits: Record<string, Edit> };
+type Stored = { runs: boolean; edits: Record<string, Edit> };
 
 export class Edits {
   /** Whether the figure is drawn by these texts, as they are. */
@@ -22,8 +22,8 @@ export class Edits {
     readonly name: string,
     readonly sources: Sources,
   ) {
-    const kept: Kept | null = recall(name);
-    this.all = new Map(Object.entries(kept?.edits ?? {}));
+    const stored: Stored | null = recall(name);
+    this.all = new Map(Object.entries(stored?.edits ?? {}));
   }
 
   /**
@@ -71,7 +71,7 @@ export class Edits {
   }
 
   save() {
-    const kept = { runs: this.runs, edits: Object.fromEntries(this.all) };
-    remember(this.name, this.all.size > 0 ? kept : null);
+    const stored = { runs: this.runs, edits: Object.fromEntries(this.all) };
+    remember(this.name, this.all.size > 0 ? stored : null);
   }
 }

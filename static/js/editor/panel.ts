@@ -116,7 +116,7 @@ export class Panel {
       const status = part.dataset.stage ? (stage?.status ?? "") : "computed";
       part.dataset.status = status;
       part.title = reasonText(stage?.reason ?? "");
-      setText(part.querySelector(".part-status"), status && words(`workings.${status}`));
+      setText(part.querySelector(".part-status"), status && words(`stage_report.${status}`));
     }
   }
 

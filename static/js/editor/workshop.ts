@@ -73,7 +73,7 @@ export class Workshop {
         this.figure.addEventListener("painted", resolve, { once: true });
       });
     }
-    const edits = await this.#kept();
+    const edits = await this.#stored();
     if (edits.keys.length > 0) await this.#run();
     else this.#mark(edits);
   }
@@ -86,7 +86,7 @@ export class Workshop {
   }
 
   /** The reader's edits, and the sources that they were made of. */
-  #kept() {
+  #stored() {
     this.#edits ??= fetchSources(this.scene).then(
       (sources) => new Edits(this.name, sources),
       (error) => {
@@ -99,7 +99,7 @@ export class Workshop {
 
   async #open() {
     const [edits, element, Editor] = await Promise.all([
-      this.#kept(),
+      this.#stored(),
       loadPanel(),
       this.live ? loadEditor(this.button.dataset.editor) : null,
     ]);
@@ -141,7 +141,7 @@ export class Workshop {
 
   async #run() {
     if (this.#running || !this.live) return;
-    const edits = await this.#kept();
+    const edits = await this.#stored();
     const { json } = edits;
     if (edits.keys.length === 0) {
       this.#toBook(edits);
@@ -204,13 +204,13 @@ export class Workshop {
   async #drew(printed: string) {
     this.#panel?.print(printed);
     this.#report(words("workshop.runs"));
-    this.#mark(await this.#kept());
+    this.#mark(await this.#stored());
   }
 
   /** Edited code did not end while the reader used the figure: the book's draws it again. */
   async #stopped(reason: string) {
     this.live?.drawnBy(this.book);
-    const edits = await this.#kept();
+    const edits = await this.#stored();
     edits.setRuns(false);
     this.#mark(edits);
     this.#report(words("workshop.stopped", { reason }), unplaced(reason));
@@ -241,8 +241,8 @@ export class Workshop {
   /** What the figure says of itself, also where the panel is closed. */
   #mark(edits: Edits) {
     this.figure.toggleAttribute("data-edited", this.#drawn);
-    const kept = edits.all.size > 0 ? words("workshop.kept") : "";
-    setText(this.state, this.#drawn ? words("workshop.mark") : kept);
+    const changed = edits.all.size > 0 ? words("workshop.changed") : "";
+    setText(this.state, this.#drawn ? words("workshop.mark") : changed);
   }
 }
 

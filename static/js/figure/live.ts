@@ -133,7 +133,7 @@ export class LiveFigure {
   /** Ask for the first frame as soon as it is known whether the figure is in view. */
   #startInView() {
     this.figure.dataset.state = isSparing() ? "waiting" : "starting";
-    if (this.#waits) say(this.figure, words("figure.sparing"), { begin: true, lasting: true });
+    if (this.#waits) say(this.figure, words("figure.data_saver"), { begin: true, lasting: true });
     const observer = new IntersectionObserver(
       ([entry]) => {
         this.#near = entry.isIntersecting;
@@ -291,7 +291,7 @@ export class LiveFigure {
 
   /** What a pull at a handle means for the controls: the hand waits for it before all else. */
   async #pull(pull: Pull) {
-    if (this.#waits) throw new RuntimeFailure("start", words("figure.sparing"));
+    if (this.#waits) throw new RuntimeFailure("start", words("figure.data_saver"));
     const request = this.#request(pull.values, this.figure.dataset.tier ?? "");
     return this.runtime.call("pull", { ...request, ...pull }, () => URGENCY.held);
   }

@@ -7,7 +7,7 @@
 import { message } from "../errors.js";
 import { all, maybe } from "../page/dom.js";
 import { setText, withUnit } from "../page/text.js";
-import { numeral, told, words, type Said } from "../page/words.js";
+import { inWords, numeral, words, type Said } from "../page/words.js";
 import type { Readout } from "./painter.js";
 
 export type Stage = { name: string; status: "computed" | "reused" | "skipped"; reason: Reason };
@@ -35,7 +35,7 @@ export function showStages(figure: HTMLElement, stages: Stage[]) {
     const { name, status, reason } = stages[index];
     item.dataset.status = status;
     setText(item.querySelector(".stage-name"), name);
-    setText(item.querySelector(".stage-status"), words(`workings.${status}`));
+    setText(item.querySelector(".stage-status"), words(`stage_report.${status}`));
     setText(item.querySelector(".stage-reason"), reasonText(reason));
   }
   setText(figure.querySelector(".stages-count"), countStages(stages));
@@ -43,14 +43,14 @@ export function showStages(figure: HTMLElement, stages: Stage[]) {
 
 /** Why a stage was computed or not, as the builder writes it. */
 export function reasonText(reason: Reason) {
-  return [reason].flat().map(told).join("; ");
+  return [reason].flat().map(inWords).join("; ");
 }
 
 /** `4 computed, 8 reused, 1 skipped`, as the builder writes it. */
 export function countStages(stages: Stage[]) {
   const count = (status: string) => stages.filter((stage) => stage.status === status).length;
   const [computed, reused, skipped] = ["computed", "reused", "skipped"].map(count);
-  return words("workings.count", { computed, reused, skipped });
+  return words("stage_report.count", { computed, reused, skipped });
 }
 
 /** The line with error and time under a figure that has a reference. */
@@ -71,7 +71,7 @@ export class Accuracy {
     readonly ask: (shown: Shown, urgency: () => number) => Promise<Estimate | null>,
   ) {
     this.line = maybe(figure, ".accuracy", HTMLElement);
-    this.report = maybe(figure, "details.workings", HTMLDetailsElement);
+    this.report = maybe(figure, "details.stage-report", HTMLDetailsElement);
     this.report?.addEventListener("toggle", () => this.#rest());
   }
 
@@ -84,7 +84,7 @@ export class Accuracy {
     if (!this.line) return;
     this.stop();
     this.#frames += 1;
-    this.#set("frame", words(this.#frames > 1 ? "workings.frame" : "workings.first_frame"));
+    this.#set("frame", words(this.#frames > 1 ? "stage_report.frame" : "stage_report.first_frame"));
     this.#set("ms", withUnit(numeral(ms.toFixed(ms < 10 ? 1 : 0)), "ms"));
     this.#set("value", "…");
     delete this.line.dataset.judged;
@@ -129,8 +129,8 @@ export class Accuracy {
     } catch (error) {
       if (this.#waiting !== shown) return;
       this.#waiting = null;
-      const text = words("workings.not_measured", { reason: message(error) });
-      this.#write({ label: words("workings.error"), text, unit: "" });
+      const text = words("stage_report.not_measured", { reason: message(error) });
+      this.#write({ label: words("stage_report.error"), text, unit: "" });
     }
   }
 

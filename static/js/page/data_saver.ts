@@ -14,12 +14,12 @@ export function isMetered() {
 
 /** Whether Python must not start before the reader asks. */
 export function isSparing() {
-  return "sparing" in dataset;
+  return "saving" in dataset;
 }
 
 /** The reader has asked: until the visit ends, pages start Python as for others. */
 export function stopSparing() {
-  delete dataset.sparing;
+  delete dataset.saving;
   try {
     sessionStorage.setItem(`${STORAGE}asked`, "yes");
   } catch {

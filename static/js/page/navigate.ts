@@ -125,9 +125,9 @@ function putInPlace(page: Document) {
 /** Begin reading: at the link's target, where one left off, or at the top. */
 function restoreScroll() {
   const target = hashTarget();
-  const kept = history.state?.scroll;
-  if (kept === undefined && target) target.scrollIntoView();
-  else scrollTo({ top: kept ?? 0, behavior: "instant" });
+  const stored = history.state?.scroll;
+  if (stored === undefined && target) target.scrollIntoView();
+  else scrollTo({ top: stored ?? 0, behavior: "instant" });
 }
 
 /** The element that the address points to; none where its end is mangled. */

@@ -54,7 +54,7 @@ export function onOtherTab(changed: (key: string | null) => void) {
 }
 
 /** All that was remembered under names that fit. */
-export function kept(names: RegExp): Record<string, unknown> {
+export function stored(names: RegExp): Record<string, unknown> {
   let stored: string[] = [];
   try {
     stored = Object.keys(localStorage).filter((key) => key.startsWith(STORAGE));
@@ -68,5 +68,5 @@ export function kept(names: RegExp): Record<string, unknown> {
 
 /** Forget what was remembered under names that fit. */
 export function forget(names: RegExp) {
-  for (const key of Object.keys(kept(names))) remember(key, null);
+  for (const key of Object.keys(stored(names))) remember(key, null);
 }

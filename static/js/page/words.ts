@@ -18,7 +18,7 @@ export function words(key: string, values: Record<string, string | number> = {})
  */
 export type Said = { key: string; values: Record<string, string> };
 
-export function told(said: string | Said) {
+export function inWords(said: string | Said) {
   return typeof said === "string" ? said : words(said.key, said.values);
 }
 

@@ -34,12 +34,12 @@ function tallyOfPage(): Tally {
 function tallyOfBook(section: HTMLElement): Tally {
   const chapters: Record<string, Record<string, string>> = data(section, "script.progress-data");
   const questions = Object.values(chapters).flatMap(Object.entries);
-  const kept = questions.flatMap(([id, edition]) => {
+  const answers = questions.flatMap(([id, edition]) => {
     const answer = recall(`quiz:${id}`);
     return answer?.edition === edition ? [answer] : [];
   });
-  const right = kept.filter((answer) => answer.right === true).length;
-  return { right, wrong: kept.length - right, count: questions.length };
+  const right = answers.filter((answer) => answer.right === true).length;
+  return { right, wrong: answers.length - right, count: questions.length };
 }
 
 function listMissed(section: HTMLElement) {

@@ -5,7 +5,7 @@
 
 import { STORAGE } from "../book.js";
 import { download } from "../page/download.js";
-import { kept, remember } from "../page/storage.js";
+import { remember, stored } from "../page/storage.js";
 import { words } from "../page/words.js";
 
 const FORMAT = `${STORAGE.replace(":", "")}-progress`;
@@ -15,7 +15,7 @@ const LARGEST = 1_000_000;
 
 /** Offer the file; how many answers it has. */
 export function saveProgress(): number {
-  const answers = kept(NAMES);
+  const answers = stored(NAMES);
   const text = JSON.stringify({ format: FORMAT, version: VERSION, answers }, null, 1);
   download(`${FORMAT}.json`, text, "application/json");
   return Object.keys(answers).length;

@@ -12,8 +12,9 @@ let seed = "";
  */
 export function shuffled(name: string, count: number) {
   if (!seed) {
-    const kept = recall("order");
-    seed = typeof kept === "string" ? kept : crypto.getRandomValues(new Uint32Array(2)).join("-");
+    const stored = recall("order");
+    seed =
+      typeof stored === "string" ? stored : crypto.getRandomValues(new Uint32Array(2)).join("-");
     remember("order", seed);
   }
   const hashes = Array.from({ length: count }, (_, index) => hash(`${seed}${name} ${index}`));

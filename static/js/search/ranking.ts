@@ -109,8 +109,8 @@ function queryFor({ whole, parts }: Word, language: Language, fuzzy: number | bo
     fuzzy,
   });
   const queries: any[] = whole ? [one(whole)] : [];
-  const told = parts.filter((part) => !language.stopWords.has(part));
-  if (told.length > 0) queries.push({ combineWith: "AND", queries: told.map(one) });
+  const searched = parts.filter((part) => !language.stopWords.has(part));
+  if (searched.length > 0) queries.push({ combineWith: "AND", queries: searched.map(one) });
   return { combineWith: "OR", queries };
 }
 

@@ -22,7 +22,7 @@ OF_SCRIPTS = re.compile(r"""\bwords\(\s*(["`])([\w.-]+)""")
 QUOTED = re.compile(r"""["'`]([a-z][\w-]*(?:\.[\w-]+)+)["'`]""")
 MADE = (
     "labels.", "style.", "callout.", "landing.count_", "script.theme.", "script.figure.",
-    "script.predict.", "script.runtime.", "script.workings.", "script.tools.python_copied",
+    "script.predict.", "script.runtime.", "script.stage_report.", "script.tools.python_copied",
     "script.search.found", "script.search.near",
 )  # fmt: skip
 """Begin the keys that are put together where they are asked for."""
