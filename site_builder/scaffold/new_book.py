@@ -16,9 +16,9 @@ TOOLS = (
     "simulations/__init__.py",
     "tests/bench/__main__.py",
     "tests/bench/browser_side.py",
-    "tests/bench/machine.py",
     "tests/bench/record.py",
     "tests/support/chromium.py",
+    "tests/support/scripts.py",
     "tests/support/static_server.py",
 )
 """What every book needs besides the engine: pins, the bench, and a way to publish."""
