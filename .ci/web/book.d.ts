@@ -10,10 +10,10 @@ declare module "*/book.js" {
 
 /** The kinds of controls that figures have. */
 declare module "*/control_kinds.js" {
-  export const KINDS: Record<string, import("../../static/js/figure/control.js").Kind>;
+  export const KINDS: Record<string, import("../../static/js/figure/control.ts").Kind>;
 }
 
 /** The kinds of questions that it asks. */
 declare module "*/book_kinds.js" {
-  export const KINDS: Record<string, import("../../static/js/question/question.js").Kind>;
+  export const KINDS: Record<string, import("../../static/js/question/question.ts").Kind>;
 }

@@ -3,26 +3,26 @@
  * Listeners sit on the document, so that they outlive a change of chapter.
  */
 
-import * as figures from "./editor/feature.js";
-import * as ladders from "./ladder/bench.js";
-import * as cases from "./page/case_filter.js";
-import { installContents } from "./page/contents.js";
-import { ask as followScroll, installHeader } from "./page/header.js";
-import { installKeys } from "./page/keys.js";
-import { installNavigation } from "./page/navigate.js";
-import { notice } from "./page/notice.js";
-import { installOffline } from "./page/offline.js";
-import { installPrefetch } from "./page/prefetch.js";
-import { watchScripts } from "./page/release.js";
-import { watchScrollers } from "./page/scrollers.js";
-import { installSearch } from "./page/search.js";
-import { watchSections } from "./page/sections.js";
-import { FORGETFUL } from "./page/storage.js";
-import * as terms from "./page/terms.js";
-import { installTheme, showTheme } from "./page/theme.js";
-import { words } from "./page/words.js";
-import * as keeping from "./question/keeping.js";
-import * as questions from "./question/questions.js";
+import * as figures from "./editor/feature.ts";
+import * as ladders from "./ladder/bench.ts";
+import * as cases from "./page/case_filter.ts";
+import { installContents } from "./page/contents.ts";
+import { ask as followScroll, installHeader } from "./page/header.ts";
+import { installKeys } from "./page/keys.ts";
+import { installNavigation } from "./page/navigate.ts";
+import { notice } from "./page/notice.ts";
+import { installOffline } from "./page/offline.ts";
+import { installPrefetch } from "./page/prefetch.ts";
+import { watchScripts } from "./page/release.ts";
+import { watchScrollers } from "./page/scrollers.ts";
+import { installSearch } from "./page/search.ts";
+import { watchSections } from "./page/sections.ts";
+import { FORGETFUL } from "./page/storage.ts";
+import * as terms from "./page/terms.ts";
+import { installTheme, showTheme } from "./page/theme.ts";
+import { words } from "./page/words.ts";
+import * as keeping from "./question/keeping.ts";
+import * as questions from "./question/questions.ts";
 
 /** What a part of pages does. */
 interface Part {

@@ -3,15 +3,15 @@
  * there, the book's interpreter and all other figures are unaffected.
  */
 
-import { inWords, words, type Said } from "../page/words.js";
+import { inWords, words, type Said } from "../page/words.ts";
 import {
   EDITED,
   type CallName,
   type FrameReply,
   type FrameRequest,
   type Requests,
-} from "../runtime/messages.js";
-import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
+} from "../runtime/messages.ts";
+import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.ts";
 
 export type Problem = { message: string | Said; definition: string; line: number };
 
@@ -137,7 +137,7 @@ export class EditedRuntime {
   }
 
   async #ask(
-    name: import("../runtime/messages.js").CallName,
+    name: import("../runtime/messages.ts").CallName,
     request: any,
     edits: string,
     urgency?: () => number,

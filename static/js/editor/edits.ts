@@ -1,7 +1,7 @@
 /** What a reader has changed in the Python of one figure; kept in the browser. */
 
-import { recall, remember } from "../page/storage.js";
-import type { Sources } from "./sources.js";
+import { recall, remember } from "../page/storage.ts";
+import type { Sources } from "./sources.ts";
 
 /**
  * A text in place of a definition, and the hash of the text that was there when it was written.

@@ -1,15 +1,15 @@
 /** Opens the Python of figures: what does it is fetched when it is first needed. */
 
-import { message } from "../errors.js";
-import { SimulationFigure } from "../figure/element.js";
-import * as figures from "../figure/feature.js";
-import { say } from "../figure/status.js";
-import { within } from "../page/dom.js";
-import { offerRelease } from "../page/release.js";
-import { recall } from "../page/storage.js";
-import { words } from "../page/words.js";
-import { sharedRuntime } from "../runtime/runtime.js";
-import type { Workshop } from "./workshop.js";
+import { message } from "../errors.ts";
+import { SimulationFigure } from "../figure/element.ts";
+import * as figures from "../figure/feature.ts";
+import { say } from "../figure/status.ts";
+import { within } from "../page/dom.ts";
+import { offerRelease } from "../page/release.ts";
+import { recall } from "../page/storage.ts";
+import { words } from "../page/words.ts";
+import { sharedRuntime } from "../runtime/runtime.ts";
+import type { Workshop } from "./workshop.ts";
 
 /** Where the reader opened the figure's Python, now or before. */
 const workshops: WeakMap<SimulationFigure, Promise<Workshop>> = new WeakMap();
@@ -62,7 +62,7 @@ function workshopOf(figure: SimulationFigure): Promise<Workshop> {
 }
 
 async function create(figure: SimulationFigure): Promise<Workshop> {
-  const { Workshop } = await import("./workshop.js");
+  const { Workshop } = await import("./workshop.ts");
   const runtime = sharedRuntime();
   if (!runtime) throw new Error(words("figure.does_not_run"));
   return new Workshop(figure, figure.live, runtime, keyOf(figure));

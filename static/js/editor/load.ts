@@ -1,8 +1,8 @@
 /** What the workshop is made of, fetched when one opens. */
 
-import type { CodeEditor } from "../../../site_builder/editor/code_editor.js";
-import { one } from "../page/dom.js";
-import { words } from "../page/words.js";
+import type { CodeEditor } from "../../../site_builder/editor/code_editor.ts";
+import { one } from "../page/dom.ts";
+import { words } from "../page/words.ts";
 
 const SHEET = new URL("../../css/workshop.css", import.meta.url).href;
 const MARKUP = new URL("./workshop.html", import.meta.url);

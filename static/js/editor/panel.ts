@@ -1,13 +1,13 @@
 /** The workshop in the page: the parts of a figure's Python, an editor, and the result of a run. */
 
-import type { CodeEditor } from "../../../site_builder/editor/code_editor.js";
-import { reasonText, type Stage } from "../figure/stage_report.js";
-import { all, one } from "../page/dom.js";
-import { setText } from "../page/text.js";
-import { words } from "../page/words.js";
-import type { Problem } from "./edited_runtime.js";
-import type { Edits } from "./edits.js";
-import { nameOf, type Sources } from "./sources.js";
+import type { CodeEditor } from "../../../site_builder/editor/code_editor.ts";
+import { reasonText, type Stage } from "../figure/stage_report.ts";
+import { all, one } from "../page/dom.ts";
+import { setText } from "../page/text.ts";
+import { words } from "../page/words.ts";
+import type { Problem } from "./edited_runtime.ts";
+import type { Edits } from "./edits.ts";
+import { nameOf, type Sources } from "./sources.ts";
 
 /** What the reader's actions lead to; `changed` where the text was. */
 type Actions = Record<

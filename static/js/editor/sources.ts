@@ -1,6 +1,6 @@
 /** The Python of a scene, as the build wrote it down; fetched when a reader first asks for it. */
 
-import type { Stage } from "../figure/stage_report.js";
+import type { Stage } from "../figure/stage_report.ts";
 
 interface Definition {
   /** File of the project. */

@@ -3,18 +3,18 @@
  * interpreter of its own and becomes the figure's only once it has drawn a frame.
  */
 
-import { message } from "../errors.js";
-import type { LiveFigure } from "../figure/live.js";
-import { one } from "../page/dom.js";
-import { download } from "../page/download.js";
-import { setText } from "../page/text.js";
-import { words } from "../page/words.js";
-import { RuntimeFailure, type Runtime } from "../runtime/runtime.js";
-import { EditFailure, EditedRuntime, type Problem } from "./edited_runtime.js";
-import { Edits } from "./edits.js";
-import { loadEditor, loadPanel } from "./load.js";
-import { Panel } from "./panel.js";
-import { fetchSources, firstPart, nameOf } from "./sources.js";
+import { message } from "../errors.ts";
+import type { LiveFigure } from "../figure/live.ts";
+import { one } from "../page/dom.ts";
+import { download } from "../page/download.ts";
+import { setText } from "../page/text.ts";
+import { words } from "../page/words.ts";
+import { RuntimeFailure, type Runtime } from "../runtime/runtime.ts";
+import { EditFailure, EditedRuntime, type Problem } from "./edited_runtime.ts";
+import { Edits } from "./edits.ts";
+import { loadEditor, loadPanel } from "./load.ts";
+import { Panel } from "./panel.ts";
+import { fetchSources, firstPart, nameOf } from "./sources.ts";
 
 export class Workshop {
   #panel: Panel | null = null;

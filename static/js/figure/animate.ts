@@ -3,11 +3,11 @@
  * on the figure, or Escape, stops them where they are.
  */
 
-import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
-import { all, one } from "../page/dom.js";
-import type { Value } from "./control.js";
-import { moveControls, readValues, uncover } from "./controls.js";
-import { record, settingsOf } from "./permalink.js";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
+import { all, one } from "../page/dom.ts";
+import type { Value } from "./control.ts";
+import { moveControls, readValues, uncover } from "./controls.ts";
+import { record, settingsOf } from "./permalink.ts";
 
 /** Milliseconds that sliders take to where they are sent. */
 const GLIDE = 700;

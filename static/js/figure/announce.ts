@@ -1,4 +1,4 @@
-import { setText } from "../page/text.js";
+import { setText } from "../page/text.ts";
 
 /** Milliseconds of rest after which a changed description is read out. */
 const REST = 500;

@@ -1,8 +1,8 @@
 /** Values of a figure's form, by the schema that Python wrote. */
 
-import { one } from "../page/dom.js";
+import { one } from "../page/dom.ts";
 import { KINDS } from "./control_kinds.js";
-import type { Control, Value } from "./control.js";
+import type { Control, Value } from "./control.ts";
 
 export interface Schema {
   title: string;

@@ -1,14 +1,14 @@
 /** `<simulation-figure>`: a still that comes alive in place, where the browser can run Python. */
 
-import { isSparing } from "../page/data_saver.js";
-import { one } from "../page/dom.js";
-import { words } from "../page/words.js";
-import { EDITED, TIMEOUTS } from "../runtime/messages.js";
-import { Runtime, sharedRuntime } from "../runtime/runtime.js";
-import { moveControls } from "./controls.js";
-import { LiveFigure } from "./live.js";
-import { Overlay } from "./overlay.js";
-import { say } from "./status.js";
+import { isSparing } from "../page/data_saver.ts";
+import { one } from "../page/dom.ts";
+import { words } from "../page/words.ts";
+import { EDITED, TIMEOUTS } from "../runtime/messages.ts";
+import { Runtime, sharedRuntime } from "../runtime/runtime.ts";
+import { moveControls } from "./controls.ts";
+import { LiveFigure } from "./live.ts";
+import { Overlay } from "./overlay.ts";
+import { say } from "./status.ts";
 
 export class SimulationFigure extends HTMLElement {
   /**
@@ -78,7 +78,7 @@ export class SimulationFigure extends HTMLElement {
   /** Put the controls to where the address says before the first frame is requested. */
   async #startAtAddress(runtime: Runtime) {
     try {
-      const { arrive } = await import("./permalink.js");
+      const { arrive } = await import("./permalink.ts");
       arrive(this);
     } finally {
       if (this.isConnected) this.#start(runtime);

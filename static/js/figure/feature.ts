@@ -1,9 +1,9 @@
 /** What a book with figures ships: the elements, and gestures on them. */
 
-import { SimulationFigure } from "./element.js";
-import { installGestures, offerWords, returned } from "./gestures.js";
-import { installPanelDots } from "./panel_dots.js";
-import { prewarmNext, watchInput } from "./prewarm.js";
+import { SimulationFigure } from "./element.ts";
+import { installGestures, offerWords, returned } from "./gestures.ts";
+import { installPanelDots } from "./panel_dots.ts";
+import { prewarmNext, watchInput } from "./prewarm.ts";
 
 /** Called once; before links to other pages are listened for, since some are answered here. */
 export function install() {

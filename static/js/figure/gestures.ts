@@ -3,7 +3,7 @@
  * when it is first needed. Listeners sit on the document, so that they outlive a change of chapter.
  */
 
-import { isPlain, within } from "../page/dom.js";
+import { isPlain, within } from "../page/dom.ts";
 
 /** What may have the colour of an idea: words, parts of formulae, readouts, handles, controls. */
 const COLOURED = '[class*="role-"], .control';
@@ -55,7 +55,7 @@ function walkFormula(event: KeyboardEvent) {
 /** The address has become another one of the same page: its figures follow. */
 export async function returned() {
   if (!document.querySelector("simulation-figure")) return;
-  const { showAddress } = await import("./permalink.js");
+  const { showAddress } = await import("./permalink.ts");
   showAddress();
 }
 
@@ -65,9 +65,9 @@ async function clicked(event: MouseEvent) {
   const tool = within(event, ".tools button", HTMLButtonElement);
   if (link && isPlain(event)) {
     event.preventDefault();
-    (await import("./animate.js")).follow(link);
+    (await import("./animate.ts")).follow(link);
   }
-  if (tool) (await import("./tools.js")).use(tool);
+  if (tool) (await import("./tools.ts")).use(tool);
 }
 
 function touch(event: Event) {
@@ -83,17 +83,17 @@ async function rested(event: Event) {
     readout.removeAttribute("data-moved");
   }
   if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
-  const permalink = await import("./permalink.js").catch(ignore); // else the address stays
+  const permalink = await import("./permalink.ts").catch(ignore); // else the address stays
   permalink?.record(figure, "replace");
 }
 
 function fetchTools(event: Event) {
-  if (within(event, ".tools .share", HTMLElement)) import("./tools.js").catch(ignore);
+  if (within(event, ".tools .share", HTMLElement)) import("./tools.ts").catch(ignore);
 }
 
 async function highlight(event: Event) {
   const pointed = within(event, COLOURED, Element);
-  if (pointed) (await import("./highlight.js").catch(ignore))?.point(pointed);
+  if (pointed) (await import("./highlight.ts").catch(ignore))?.point(pointed);
 }
 
 /** Nobody has asked for it: nobody is told that it does not arrive. */

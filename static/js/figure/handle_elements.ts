@@ -2,7 +2,7 @@
  * Handles as elements of the page: what they drive, where they are, and which one a press means.
  */
 
-import { all, maybe, one, within } from "../page/dom.js";
+import { all, maybe, one, within } from "../page/dom.ts";
 
 /**
  * Handles as elements of the page: what they drive, where they are, and which one a press means.

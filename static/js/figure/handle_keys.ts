@@ -1,9 +1,9 @@
 /** Handles by keyboard: arrow keys step the controls that a handle drives. */
 
-import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
-import type { Control, Value } from "./control.js";
-import { named } from "./controls.js";
-import { driven, reversed } from "./handle_elements.js";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
+import type { Control, Value } from "./control.ts";
+import { named } from "./controls.ts";
+import { driven, reversed } from "./handle_elements.ts";
 
 /** Steps of a slider that a page key takes at once. */
 const PAGE = 10;

@@ -4,18 +4,18 @@
  * move as if the reader had moved them.
  */
 
-import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
-import { message } from "../errors.js";
-import { all, within } from "../page/dom.js";
-import { formatValue, setAttribute } from "../page/text.js";
-import { words } from "../page/words.js";
-import type { Control, Value } from "./control.js";
-import { moveControls, named, readValues, uncover, type Schema } from "./controls.js";
-import { center, driven, grabbed, inPanel, name, put, type Point } from "./handle_elements.js";
-import { keyed } from "./handle_keys.js";
-import { holdGround, mayScroll } from "./pointer_capture.js";
-import { LatestWins } from "./scheduler.js";
-import { say } from "./status.js";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
+import { message } from "../errors.ts";
+import { all, within } from "../page/dom.ts";
+import { formatValue, setAttribute } from "../page/text.ts";
+import { words } from "../page/words.ts";
+import type { Control, Value } from "./control.ts";
+import { moveControls, named, readValues, uncover, type Schema } from "./controls.ts";
+import { center, driven, grabbed, inPanel, name, put, type Point } from "./handle_elements.ts";
+import { keyed } from "./handle_keys.ts";
+import { holdGround, mayScroll } from "./pointer_capture.ts";
+import { LatestWins } from "./scheduler.ts";
+import { say } from "./status.ts";
 
 /** In view box units of the handle's panel. */
 export type Place = { name: string; x: number; y: number };

@@ -5,8 +5,8 @@
  * picture.
  */
 
-import { all, maybe } from "../page/dom.js";
-import { named } from "./controls.js";
+import { all, maybe } from "../page/dom.ts";
+import { named } from "./controls.ts";
 
 /** Milliseconds that a pointer must rest: one that passes highlights nothing. */
 const REST = 150;

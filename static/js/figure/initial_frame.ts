@@ -1,6 +1,6 @@
 /** The frame that a page comes with: drawn when the book was built, by the Python that the worker runs. */
 
-import type { Schema } from "./controls.js";
+import type { Schema } from "./controls.ts";
 
 /** Whether an untouched figure shows the frame of its page, and that is the frame asked for. */
 export function isInitial(

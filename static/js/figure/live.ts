@@ -7,28 +7,28 @@
  * is the accuracy of the frame that is shown.
  */
 
-import { message } from "../errors.js";
-import { isSparing, stopSparing } from "../page/data_saver.js";
-import { all, data, one, within } from "../page/dom.js";
-import { offerRelease } from "../page/release.js";
-import { words } from "../page/words.js";
-import type { FrameReply } from "../runtime/messages.js";
-import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.js";
-import { announcer } from "./announce.js";
-import { isAction } from "../../../simulations/engine/controls/action/kind.js";
-import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.js";
-import type { Control } from "./control.js";
-import { fieldOf, readValue, readValues, writeValue, type Schema } from "./controls.js";
-import { Handles, type Pull } from "./handles.js";
-import { isInitial } from "./initial_frame.js";
-import { Motion } from "./motion.js";
-import { OwnPicture } from "./own_picture.js";
-import { Painter, takeStills } from "./painter.js";
-import { Prerendered } from "./prerendered.js";
-import { LatestWins } from "./scheduler.js";
-import { Accuracy, showStages, type Stage } from "./stage_report.js";
-import { clearFailure, say } from "./status.js";
-import { chosenTier, isDrafted, shownTier } from "./tiers.js";
+import { message } from "../errors.ts";
+import { isSparing, stopSparing } from "../page/data_saver.ts";
+import { all, data, one, within } from "../page/dom.ts";
+import { offerRelease } from "../page/release.ts";
+import { words } from "../page/words.ts";
+import type { FrameReply } from "../runtime/messages.ts";
+import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.ts";
+import { announcer } from "./announce.ts";
+import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
+import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.ts";
+import type { Control } from "./control.ts";
+import { fieldOf, readValue, readValues, writeValue, type Schema } from "./controls.ts";
+import { Handles, type Pull } from "./handles.ts";
+import { isInitial } from "./initial_frame.ts";
+import { Motion } from "./motion.ts";
+import { OwnPicture } from "./own_picture.ts";
+import { Painter, takeStills } from "./painter.ts";
+import { Prerendered } from "./prerendered.ts";
+import { LatestWins } from "./scheduler.ts";
+import { Accuracy, showStages, type Stage } from "./stage_report.ts";
+import { clearFailure, say } from "./status.ts";
+import { chosenTier, isDrafted, shownTier } from "./tiers.ts";
 
 type Job = { values: string; tier: string; time: number; urgency: number };
 

@@ -3,10 +3,10 @@
  * reset returns it to where the page put it.
  */
 
-import { everyFrame, isCalm } from "./animate.js";
-import type { Action } from "../../../simulations/engine/controls/action/kind.js";
-import { isSlider, type Slider } from "../../../simulations/engine/controls/slider/kind.js";
-import { readValue, uncover, writeValue, type Schema } from "./controls.js";
+import { everyFrame, isCalm } from "./animate.ts";
+import type { Action } from "../../../simulations/engine/controls/action/kind.ts";
+import { isSlider, type Slider } from "../../../simulations/engine/controls/slider/kind.ts";
+import { readValue, uncover, writeValue, type Schema } from "./controls.ts";
 
 /** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
 const CALM_PAUSE = 1;

@@ -1,11 +1,11 @@
 /** What a figure is set to and what it measures, as a table for other programs. */
 
-import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
-import { all } from "../page/dom.js";
-import { csv } from "../page/download.js";
-import { fromNumeral } from "../page/words.js";
-import { readValues } from "./controls.js";
-import { settingsOf } from "./permalink.js";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
+import { all } from "../page/dom.ts";
+import { csv } from "../page/download.ts";
+import { fromNumeral } from "../page/words.ts";
+import { readValues } from "./controls.ts";
+import { settingsOf } from "./permalink.ts";
 
 /**
  * Comma-separated values: a line for each setting and each number, entries of a matrix row by row.

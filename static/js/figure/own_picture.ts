@@ -1,10 +1,10 @@
 /** The reader's own picture in a figure that takes one: chosen, sent to Python, and put back. */
 
-import { message } from "../errors.js";
-import { maybe, one, within } from "../page/dom.js";
-import type { Caller } from "../runtime/runtime.js";
-import type { Photograph } from "./photograph.js";
-import { say } from "./status.js";
+import { message } from "../errors.ts";
+import { maybe, one, within } from "../page/dom.ts";
+import type { Caller } from "../runtime/runtime.ts";
+import type { Photograph } from "./photograph.ts";
+import { say } from "./status.ts";
 
 export class OwnPicture {
   #picture: Photograph | null = null;
@@ -58,7 +58,7 @@ export class OwnPicture {
     const file = input?.files?.[0];
     if (!input || !file || !this.size) return;
     try {
-      const { decode } = await import("./photograph.js");
+      const { decode } = await import("./photograph.ts");
       const picture = await decode(file, ...this.size);
       if (!this.figure.isConnected) return;
       say(this.figure, "");

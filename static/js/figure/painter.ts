@@ -3,10 +3,10 @@
  * nothing moves. Only what differs from the frame before is written.
  */
 
-import { all, maybe, one } from "../page/dom.js";
-import { setText } from "../page/text.js";
-import { numeral, words } from "../page/words.js";
-import { Overlay } from "./overlay.js";
+import { all, maybe, one } from "../page/dom.ts";
+import { setText } from "../page/text.ts";
+import { numeral, words } from "../page/words.ts";
+import { Overlay } from "./overlay.ts";
 
 interface Panel {
   name: string;
@@ -24,7 +24,7 @@ export interface Meta {
   panels: Panel[];
   readouts: Readout[];
   description: string;
-  handles: import("./handles.js").Place[];
+  handles: import("./handles.ts").Place[];
 }
 
 type Box = { view: HTMLElement; overlay: Overlay | null; title: Element | null };

@@ -3,7 +3,7 @@
  * Where panels stand side by side there are no dots, and nothing to do.
  */
 
-import { all, within } from "../page/dom.js";
+import { all, within } from "../page/dom.ts";
 
 /** Listen for presses on dots, and for panels that are scrolled. */
 export function installPanelDots() {

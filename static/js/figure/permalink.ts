@@ -7,15 +7,15 @@
  * link in the text, a reset) makes a new entry, so that Back undoes it.
  */
 
-import { isAction } from "../../../simulations/engine/controls/action/kind.js";
-import type { Choice } from "../../../simulations/engine/controls/choice/kind.js";
-import { all, data, one } from "../page/dom.js";
-import { isArrived } from "../page/navigate.js";
-import { words } from "../page/words.js";
+import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
+import type { Choice } from "../../../simulations/engine/controls/choice/kind.ts";
+import { all, data, one } from "../page/dom.ts";
+import { isArrived } from "../page/navigate.ts";
+import { words } from "../page/words.ts";
 import { KINDS } from "./control_kinds.js";
-import type { Control, Value } from "./control.js";
-import { moveControls, readValues, uncover, type Schema } from "./controls.js";
-import { say } from "./status.js";
+import type { Control, Value } from "./control.ts";
+import { moveControls, readValues, uncover, type Schema } from "./controls.ts";
+import { say } from "./status.ts";
 
 /** How many settings of an address that mean nothing are named, and how much of each. */
 const MOST_NAMED = 4;

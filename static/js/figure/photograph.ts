@@ -3,7 +3,7 @@
  * handed to Python. It is kept nowhere and sent nowhere.
  */
 
-import { words } from "../page/words.js";
+import { words } from "../page/words.ts";
 
 export interface Photograph {
   number: number;

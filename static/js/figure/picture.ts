@@ -3,8 +3,8 @@
  * colours of the theme that the reader sees and the fonts of the page in them.
  */
 
-import { all, maybe, one } from "../page/dom.js";
-import { words } from "../page/words.js";
+import { all, maybe, one } from "../page/dom.ts";
+import { words } from "../page/words.ts";
 
 /** Pixels of the file for each pixel of the page. */
 const SCALE = 2;

@@ -3,7 +3,7 @@
  * rests there first has taken hold of the ground, and drags it up and down, too.
  */
 
-import { within } from "../page/dom.js";
+import { within } from "../page/dom.ts";
 
 /** Milliseconds of rest after which the ground is in the reader's hand. */
 const REST = 250;

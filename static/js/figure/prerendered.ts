@@ -4,14 +4,14 @@
  * at the figure; on a slow link as soon as it is near.
  */
 
-import { maybe, one } from "../page/dom.js";
-import { formatValue } from "../page/text.js";
-import { words } from "../page/words.js";
-import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
-import type { Value } from "./control.js";
-import { readValues, type Schema } from "./controls.js";
-import type { Place } from "./handles.js";
-import type { Meta, Painter } from "./painter.js";
+import { maybe, one } from "../page/dom.ts";
+import { formatValue } from "../page/text.ts";
+import { words } from "../page/words.ts";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
+import type { Value } from "./control.ts";
+import { readValues, type Schema } from "./controls.ts";
+import type { Place } from "./handles.ts";
+import type { Meta, Painter } from "./painter.ts";
 
 type Frame = Meta & { value: Value; pictures: Record<string, string> };
 

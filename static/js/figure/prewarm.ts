@@ -3,11 +3,11 @@
  * imported, so that its figures are live as soon as the page is turned.
  */
 
-import { isMetered } from "../page/data_saver.js";
-import { all, maybe } from "../page/dom.js";
-import { linkedPage } from "../page/links.js";
-import { prefetch } from "../page/prefetch.js";
-import { sharedRuntime } from "../runtime/runtime.js";
+import { isMetered } from "../page/data_saver.ts";
+import { all, maybe } from "../page/dom.ts";
+import { linkedPage } from "../page/links.ts";
+import { prefetch } from "../page/prefetch.ts";
+import { sharedRuntime } from "../runtime/runtime.ts";
 
 /** Milliseconds of rest after the last input. */
 const REST = 500;

@@ -4,11 +4,11 @@
  * is open.
  */
 
-import { message } from "../errors.js";
-import { all, maybe } from "../page/dom.js";
-import { setText, withUnit } from "../page/text.js";
-import { inWords, numeral, words, type Said } from "../page/words.js";
-import type { Readout } from "./painter.js";
+import { message } from "../errors.ts";
+import { all, maybe } from "../page/dom.ts";
+import { setText, withUnit } from "../page/text.ts";
+import { inWords, numeral, words, type Said } from "../page/words.ts";
+import type { Readout } from "./painter.ts";
 
 export type Stage = { name: string; status: "computed" | "reused" | "skipped"; reason: Reason };
 

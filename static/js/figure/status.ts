@@ -1,7 +1,7 @@
 /** The line under a figure that says what went wrong. */
 
-import { one } from "../page/dom.js";
-import { setText } from "../page/text.js";
+import { one } from "../page/dom.ts";
+import { setText } from "../page/text.ts";
 
 /**
  * Show `message` under the figure, or nothing.

@@ -1,8 +1,8 @@
 /** How accurately a figure computes: as the reader chose, or cheaper while things move. */
 
-import { isSlider } from "../../../simulations/engine/controls/slider/kind.js";
-import type { Control } from "./control.js";
-import { readValue, type Schema } from "./controls.js";
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
+import type { Control } from "./control.ts";
+import { readValue, type Schema } from "./controls.ts";
 
 /** The tier that the reader chose. */
 export function chosenTier(form: HTMLFormElement, { tiers, default_tier: tier }: Schema) {

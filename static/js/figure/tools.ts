@@ -1,15 +1,15 @@
 /** What can be done with a figure as a whole: the row of buttons below it. */
 
-import { message } from "../errors.js";
-import { data, maybe, one } from "../page/dom.js";
-import { download } from "../page/download.js";
-import { words } from "../page/words.js";
-import { sharedRuntime } from "../runtime/runtime.js";
-import { glide, jump } from "./animate.js";
-import { readValues } from "./controls.js";
-import { numbersOf } from "./numbers.js";
-import { permalink, settingsOf } from "./permalink.js";
-import { pictureOf } from "./picture.js";
+import { message } from "../errors.ts";
+import { data, maybe, one } from "../page/dom.ts";
+import { download } from "../page/download.ts";
+import { words } from "../page/words.ts";
+import { sharedRuntime } from "../runtime/runtime.ts";
+import { glide, jump } from "./animate.ts";
+import { readValues } from "./controls.ts";
+import { numbersOf } from "./numbers.ts";
+import { permalink, settingsOf } from "./permalink.ts";
+import { pictureOf } from "./picture.ts";
 
 type Tool = (figure: HTMLElement, button: HTMLButtonElement) => unknown;
 

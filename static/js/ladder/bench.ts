@@ -7,12 +7,12 @@
  * when the tier at hand is finished.
  */
 
-import { message } from "../errors.js";
-import { all, data, one } from "../page/dom.js";
-import { csv } from "../page/download.js";
-import { numeral, words } from "../page/words.js";
-import { Runtime, sharedRuntime } from "../runtime/runtime.js";
-import { addPoint, type Axis } from "./chart.js";
+import { message } from "../errors.ts";
+import { all, data, one } from "../page/dom.ts";
+import { csv } from "../page/download.ts";
+import { numeral, words } from "../page/words.ts";
+import { Runtime, sharedRuntime } from "../runtime/runtime.ts";
+import { addPoint, type Axis } from "./chart.ts";
 
 /** After figures that the reader waits for. */
 const URGENCY = () => -1;

@@ -6,7 +6,7 @@ type Scale = { low: number; high: number; start: number; end: number; log: boole
 
 export type Axis = { scale: Scale; none: number | null };
 
-import type { Ladder, Result } from "./bench.js";
+import type { Ladder, Result } from "./bench.ts";
 
 const SVG = "http://www.w3.org/2000/svg";
 const HALF = 5.5;

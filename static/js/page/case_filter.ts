@@ -3,8 +3,8 @@
  * The tables are complete, and closed, without it.
  */
 
-import { all, one } from "./dom.js";
-import { words } from "./words.js";
+import { all, one } from "./dom.ts";
+import { words } from "./words.ts";
 
 /** Called once: a listener on the document outlives a change of chapter. */
 export function install() {

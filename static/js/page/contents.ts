@@ -1,6 +1,6 @@
 /** The list of chapters behind its button, where the window has no room beside the text. */
 
-import { maybe, within } from "./dom.js";
+import { maybe, within } from "./dom.ts";
 
 /** Listen for the contents button on any page. */
 export function installContents() {

@@ -1,6 +1,6 @@
 /** The header that stays at the top: how far one has read, and out of the way on small screens. */
 
-import { maybe } from "./dom.js";
+import { maybe } from "./dom.ts";
 
 /** Where a line of text is dear: the header leaves as one reads on, and comes as one goes back. */
 const SMALL = matchMedia("(max-width: 60rem), (max-height: 30rem)");

@@ -1,8 +1,8 @@
 /** Single keys that turn pages and open things, and the card that lists them. */
 
-import { maybe, one, within } from "./dom.js";
-import { openSearch } from "./search.js";
-import { recall, remember } from "./storage.js";
+import { maybe, one, within } from "./dom.ts";
+import { openSearch } from "./search.ts";
+import { recall, remember } from "./storage.ts";
 
 const KEPT = "single-keys";
 /** Where letters are typed, or keys have a meaning of their own. */

@@ -4,12 +4,12 @@
  * loads the page itself; where the host does not answer, this one stays.
  */
 
-import { all, isPlain, within } from "./dom.js";
-import { linkedPage } from "./links.js";
-import { notice } from "./notice.js";
-import { HostError, fetchPage } from "./prefetch.js";
-import { isOfRelease } from "./release.js";
-import { words } from "./words.js";
+import { all, isPlain, within } from "./dom.ts";
+import { linkedPage } from "./links.ts";
+import { notice } from "./notice.ts";
+import { HostError, fetchPage } from "./prefetch.ts";
+import { isOfRelease } from "./release.ts";
+import { words } from "./words.ts";
 
 /** What a head says of its own page, or with addresses relative to it. */
 const OF_A_PAGE = [
@@ -102,7 +102,7 @@ async function turnTo(url: URL, turned: () => void, commit: () => void) {
 }
 
 /** The page, if it belongs to the same build of the book. */
-function parsed(url: URL, { text, type, redirected }: import("./prefetch.js").Page): Document {
+function parsed(url: URL, { text, type, redirected }: import("./prefetch.ts").Page): Document {
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
   const page = new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");

@@ -1,7 +1,7 @@
 /** A line at the foot of the window, for what concerns the whole page: said once, in nobody's way. */
 
-import { maybe } from "./dom.js";
-import { words } from "./words.js";
+import { maybe } from "./dom.ts";
+import { words } from "./words.ts";
 
 /**
  * Say it, in place of what was said before.

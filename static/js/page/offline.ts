@@ -1,6 +1,6 @@
 /** Has the whole book stored on the device, once the page is at rest and where that costs nothing. */
 
-import { isMetered } from "./data_saver.js";
+import { isMetered } from "./data_saver.ts";
 
 /** Milliseconds between two looks at whether the figures have started. */
 const LOOK = 1000;

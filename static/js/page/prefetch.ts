@@ -1,8 +1,8 @@
 /** Pages are fetched when a link to them is pointed at, unless the reader pays for what is fetched. */
 
-import { isMetered } from "./data_saver.js";
-import { within } from "./dom.js";
-import { linkedPage } from "./links.js";
+import { isMetered } from "./data_saver.ts";
+import { within } from "./dom.ts";
+import { linkedPage } from "./links.ts";
 
 const HINTS = ["pointerover", "focusin", "touchstart"];
 /** Milliseconds after which a page is fetched again, as the book may have been built anew. */

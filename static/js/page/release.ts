@@ -1,7 +1,7 @@
 /** A new release of the book, as an open page notices it. */
 
-import { notice } from "./notice.js";
-import { words } from "./words.js";
+import { notice } from "./notice.ts";
+import { words } from "./words.ts";
 
 /** What browsers say of a script that is requested late and does not arrive. */
 const MISSING = /dynamically imported module|[Ii]mporting a module script/;

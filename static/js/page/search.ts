@@ -3,12 +3,12 @@
  * reader is about to search, and stays for the visit.
  */
 
-import { message } from "../errors.js";
-import { all, maybe, one, within } from "./dom.js";
-import { setText } from "./text.js";
-import { words } from "./words.js";
+import { message } from "../errors.ts";
+import { all, maybe, one, within } from "./dom.ts";
+import { setText } from "./text.ts";
+import { words } from "./words.ts";
 
-type Results = typeof import("../search/results.js");
+type Results = typeof import("../search/results.ts");
 
 /** Listen for the search button and the search dialog of any page. */
 export function installSearch() {
@@ -61,11 +61,11 @@ async function refresh(dialog: HTMLDialogElement) {
 
 let fetching: Promise<{
   show: Results["show"];
-  index: import("../search/results.js").Index;
+  index: import("../search/results.ts").Index;
 }> | null = null;
 
 function fetchResults() {
-  fetching ??= import("../search/results.js")
+  fetching ??= import("../search/results.ts")
     .then(async ({ show, fetchIndex }) => ({ show, index: await fetchIndex() }))
     .catch((error) => {
       fetching = null;

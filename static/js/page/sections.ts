@@ -1,6 +1,6 @@
 /** Which section is read: its links in the contents are marked. */
 
-import { all } from "./dom.js";
+import { all } from "./dom.ts";
 
 /** A section is read once its heading is above this part of the window. */
 const LINE = 0.35;

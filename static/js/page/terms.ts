@@ -4,7 +4,7 @@
  * glossary, as it stays for a click.
  */
 
-import { within } from "./dom.js";
+import { within } from "./dom.ts";
 
 /** Before a definition opens under a mouse that may only be passing, and before it closes. */
 const PAUSE = 180;

@@ -1,6 +1,6 @@
 /** Words and numbers in the page. */
 
-import { numeral } from "./words.js";
+import { numeral } from "./words.ts";
 
 /** Write only what differs: an unchanged text is not laid out, selected or read out anew. */
 export function setText(element: Element | null | undefined, text: string) {

@@ -4,8 +4,8 @@
  */
 
 import { STORAGE } from "../book.js";
-import { all, within } from "./dom.js";
-import { words } from "./words.js";
+import { all, within } from "./dom.ts";
+import { words } from "./words.ts";
 
 type Theme = "system" | "light" | "dark";
 

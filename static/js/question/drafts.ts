@@ -5,7 +5,7 @@
 
 import { STORAGE } from "../book.js";
 import { KINDS } from "./book_kinds.js";
-import { forms, type Given, questionOf } from "./question.js";
+import { forms, type Given, questionOf } from "./question.ts";
 
 interface Draft {
   /** The verdict on what was sent before, if anything was. */

@@ -3,10 +3,10 @@
  * shows answers on the page hears of it by the events `answers-forgotten` and `answers-read`.
  */
 
-import { message } from "../errors.js";
-import { maybe, one, within } from "../page/dom.js";
-import { forget } from "../page/storage.js";
-import { words } from "../page/words.js";
+import { message } from "../errors.ts";
+import { maybe, one, within } from "../page/dom.ts";
+import { forget } from "../page/storage.ts";
+import { words } from "../page/words.ts";
 
 /** Listen for them on any page. */
 export function install() {
@@ -32,13 +32,13 @@ function reset(section: HTMLElement) {
 }
 
 async function save(section: HTMLElement) {
-  const { saveProgress } = await import("./progress_file.js");
+  const { saveProgress } = await import("./progress_file.ts");
   const count = saveProgress();
   say(section, words("progress.saved", { count }));
 }
 
 async function read(section: HTMLElement, file: File) {
-  const { readProgress } = await import("./progress_file.js");
+  const { readProgress } = await import("./progress_file.ts");
   try {
     const count = await readProgress(file);
     document.dispatchEvent(new Event("answers-read"));

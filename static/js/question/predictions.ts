@@ -1,8 +1,8 @@
 /** What a prediction has besides: its answer, hidden until then, and the guess beside what is right. */
 
-import { all, maybe, within } from "../page/dom.js";
-import { words } from "../page/words.js";
-import type { Shown } from "./question.js";
+import { all, maybe, within } from "../page/dom.ts";
+import { words } from "../page/words.ts";
+import type { Shown } from "./question.ts";
 
 /** The prediction whose answer is asked for by this click, without a guess. */
 export function revealedBy(event: MouseEvent) {

@@ -1,9 +1,9 @@
 /** How far the reader has come: of a chapter by the answers on its page, of the book by memory. */
 
-import { all, data, maybe, one } from "../page/dom.js";
-import { recall } from "../page/storage.js";
-import { setText } from "../page/text.js";
-import { words } from "../page/words.js";
+import { all, data, maybe, one } from "../page/dom.ts";
+import { recall } from "../page/storage.ts";
+import { setText } from "../page/text.ts";
+import { words } from "../page/words.ts";
 
 type Tally = { right: number; wrong: number; count: number };
 

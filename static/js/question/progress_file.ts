@@ -4,9 +4,9 @@
  */
 
 import { STORAGE } from "../book.js";
-import { download } from "../page/download.js";
-import { remember, stored } from "../page/storage.js";
-import { words } from "../page/words.js";
+import { download } from "../page/download.ts";
+import { remember, stored } from "../page/storage.ts";
+import { words } from "../page/words.ts";
 
 const FORMAT = `${STORAGE.replace(":", "")}-progress`;
 const VERSION = 1;

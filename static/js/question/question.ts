@@ -1,6 +1,6 @@
 /** Questions as a page has them, and what a kind of them does in it. */
 
-import { all, data } from "../page/dom.js";
+import { all, data } from "../page/dom.ts";
 
 export type Option = { correct: boolean; explanation_html: string; value?: number };
 

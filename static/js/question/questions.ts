@@ -3,14 +3,14 @@
  * Python. A question can be answered again; a prediction is made once, or its answer asked for.
  */
 
-import { message } from "../errors.js";
-import { one, within } from "../page/dom.js";
-import { onOtherTab, recall, remember } from "../page/storage.js";
-import { words } from "../page/words.js";
+import { message } from "../errors.ts";
+import { one, within } from "../page/dom.ts";
+import { onOtherTab, recall, remember } from "../page/storage.ts";
+import { words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
-import { installDrafts, restoreDrafts } from "./drafts.js";
-import { answersTo, leadToHidden, revealedBy, sideBySide } from "./predictions.js";
-import { showProgress } from "./progress.js";
+import { installDrafts, restoreDrafts } from "./drafts.ts";
+import { answersTo, leadToHidden, revealedBy, sideBySide } from "./predictions.ts";
+import { showProgress } from "./progress.ts";
 import {
   forms,
   type Given,
@@ -19,9 +19,9 @@ import {
   type Question,
   questionOf,
   type Verdict,
-} from "./question.js";
+} from "./question.ts";
 
-export { leave } from "./drafts.js";
+export { leave } from "./drafts.ts";
 
 /** Null: the answer was asked for. */
 type Settled = Given | null;

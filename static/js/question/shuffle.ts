@@ -1,6 +1,6 @@
 /** An order that is the reader's own: by chance once, then the same on every visit. */
 
-import { recall, remember } from "../page/storage.js";
+import { recall, remember } from "../page/storage.ts";
 
 /** What this reader's orders come from; where nothing is remembered, as long as the page lasts. */
 let seed = "";

@@ -4,7 +4,7 @@
  * starts; anything else when Python asks for it.
  */
 
-import { LoadError, fetchWhole, findLoadError } from "./load_error.js";
+import { LoadError, fetchWhole, findLoadError } from "./load_error.ts";
 
 /** Python's library, which stays an archive. */
 const LIBRARY = "python";

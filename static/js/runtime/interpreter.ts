@@ -1,9 +1,9 @@
 /** Starts the Python interpreter, with the simulations imported. */
 
-import { Chunks } from "./chunks.js";
-import { compileFile, preload } from "./machine_code.js";
-import type { StartRequest } from "./messages.js";
-import { SnapshotError, fetchSnapshot, restore } from "./snapshot.js";
+import { Chunks } from "./chunks.ts";
+import { compileFile, preload } from "./machine_code.ts";
+import type { StartRequest } from "./messages.ts";
+import { SnapshotError, fetchSnapshot, restore } from "./snapshot.ts";
 
 const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
 const MACHINE_CODE = "pyodide.asm.wasm";
@@ -13,7 +13,7 @@ const LIBRARY = "python.zip";
  * Have Python continue from the snapshot that the book ships, or start plainly where that fails.
  *
  * @returns `python`: the module `simulations.browser`.
- * @throws {import("./load_error.js").LoadError}
+ * @throws {import("./load_error.ts").LoadError}
  */
 export async function startInterpreter(
   request: StartRequest,

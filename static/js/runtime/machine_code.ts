@@ -1,6 +1,6 @@
 /** Machine code (WebAssembly) of the interpreter and its libraries. */
 
-import { fetchWhole } from "./load_error.js";
+import { fetchWhole } from "./load_error.ts";
 
 /**
  * Compile a file while it arrives. The browser caches the compiled code with its own copy of the file,
@@ -9,7 +9,7 @@ import { fetchWhole } from "./load_error.js";
  * @param integrity Its hash: asked where the file does not compile.
  * @param cached Whether the browser may have a copy of its own.
  * @param fresh Whether that may be damaged.
- * @throws {import("./load_error.js").LoadError}
+ * @throws {import("./load_error.ts").LoadError}
  */
 export async function compileFile(
   url: string,

@@ -6,11 +6,11 @@
  * stay.
  */
 
-import { all } from "../page/dom.js";
-import { words } from "../page/words.js";
-import { findLoadError, type LoadErrorData, type LoadErrorKind } from "./load_error.js";
-import { TIMEOUTS, type CallName, type Replies, type Requests } from "./messages.js";
-import { Watchdog } from "./watchdog.js";
+import { all } from "../page/dom.ts";
+import { words } from "../page/words.ts";
+import { findLoadError, type LoadErrorData, type LoadErrorKind } from "./load_error.ts";
+import { TIMEOUTS, type CallName, type Replies, type Requests } from "./messages.ts";
+import { Watchdog } from "./watchdog.ts";
 
 /**
  * Why a call failed: `python` (our code raised), `start` (no interpreter), `part` (one of its files

@@ -4,7 +4,7 @@
  * writes that data as it is instantiated.
  */
 
-import type { Chunks } from "./chunks.js";
+import type { Chunks } from "./chunks.ts";
 
 const FILE = "snapshot.wasm";
 /** The module's section with JSON: the size of the memory, and Pyodide's references into it. */

@@ -1,10 +1,10 @@
 /** The worker that runs the Python interpreter; `messages.ts` lists its calls. Every call is answered. */
 
-import { message } from "../errors.js";
-import { SOURCES, type Chunks } from "./chunks.js";
-import { startInterpreter } from "./interpreter.js";
-import { LoadError } from "./load_error.js";
-import type { CallName, Replies, Requests } from "./messages.js";
+import { message } from "../errors.ts";
+import { SOURCES, type Chunks } from "./chunks.ts";
+import { startInterpreter } from "./interpreter.ts";
+import { LoadError } from "./load_error.ts";
+import type { CallName, Replies, Requests } from "./messages.ts";
 
 /** Functions of `simulations.browser`. */
 let python: any = null;

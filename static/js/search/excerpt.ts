@@ -1,6 +1,6 @@
 /** The words of a section around what was found in it. */
 
-import { formsOf, wordsIn, type Language } from "./words.js";
+import { formsOf, wordsIn, type Language } from "./words.ts";
 
 /** Words of an excerpt, and of these how many before what was found. */
 const LENGTH = 34;

@@ -1,11 +1,11 @@
 /** What is found for the words in the search dialog, as a list of links. */
 
-import { one } from "../page/dom.js";
-import { setText } from "../page/text.js";
-import { words } from "../page/words.js";
-import { excerpt } from "./excerpt.js";
-import { find, settings, type Hit } from "./ranking.js";
-import { language, type Language } from "./words.js";
+import { one } from "../page/dom.ts";
+import { setText } from "../page/text.ts";
+import { words } from "../page/words.ts";
+import { excerpt } from "./excerpt.ts";
+import { find, settings, type Hit } from "./ranking.ts";
+import { language, type Language } from "./words.ts";
 
 /** The sections of the book, and how their words are compared. */
 export interface Index {

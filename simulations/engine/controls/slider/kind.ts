@@ -1,7 +1,7 @@
 /** A number in a closed range: `input[type=range]`. */
 
-import type { Control, Kind } from "../../../../static/js/figure/control.js";
-import { formatValue, setText } from "../../../../static/js/page/text.js";
+import type { Control, Kind } from "../../../../static/js/figure/control.ts";
+import { formatValue, setText } from "../../../../static/js/page/text.ts";
 
 export interface Slider extends Control {
   kind: "slider";

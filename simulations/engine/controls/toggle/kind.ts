@@ -1,6 +1,6 @@
 /** On or off: `input[type=checkbox]`. */
 
-import type { Control, Kind } from "../../../../static/js/figure/control.js";
+import type { Control, Kind } from "../../../../static/js/figure/control.ts";
 
 export const kind: Kind<Control, HTMLInputElement> = {
   read: (field) => field.checked,

@@ -1,10 +1,10 @@
 /** One answer that is right, or several. */
 
-import { all, one } from "../../../../static/js/page/dom.js";
-import { words } from "../../../../static/js/page/words.js";
-import type { Kind, Question } from "../../../../static/js/question/question.js";
-import { isPrediction } from "../../../../static/js/question/question.js";
-import { shuffled } from "../../../../static/js/question/shuffle.js";
+import { all, one } from "../../../../static/js/page/dom.ts";
+import { words } from "../../../../static/js/page/words.ts";
+import type { Kind, Question } from "../../../../static/js/question/question.ts";
+import { isPrediction } from "../../../../static/js/question/question.ts";
+import { shuffled } from "../../../../static/js/question/shuffle.ts";
 
 /** Places of options; a guess of earlier releases is one number. */
 type Chosen = number[] | number;

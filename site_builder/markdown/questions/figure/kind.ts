@@ -1,8 +1,8 @@
 /** A figure to be set: the Python that draws it judges its present state. */
 
-import { SimulationFigure } from "../../../../static/js/figure/element.js";
-import { words } from "../../../../static/js/page/words.js";
-import type { Kind, Question } from "../../../../static/js/question/question.js";
+import { SimulationFigure } from "../../../../static/js/figure/element.ts";
+import { words } from "../../../../static/js/page/words.ts";
+import type { Kind, Question } from "../../../../static/js/question/question.ts";
 
 interface Task extends Question {
   conditions: string[];

@@ -1,8 +1,8 @@
 /** A number: right within a tolerance, or one that a known mistake leads to. */
 
-import { one } from "../../../../static/js/page/dom.js";
-import { numeral, words } from "../../../../static/js/page/words.js";
-import type { Kind, Option, Question } from "../../../../static/js/question/question.js";
+import { one } from "../../../../static/js/page/dom.ts";
+import { numeral, words } from "../../../../static/js/page/words.ts";
+import type { Kind, Option, Question } from "../../../../static/js/question/question.ts";
 
 interface Measured extends Question {
   tolerance: number;

@@ -1,10 +1,10 @@
 /** Things to be put in order: dragged by their grip, or moved by their buttons. */
 
-import { all, maybe, one, within } from "../../../../static/js/page/dom.js";
-import { setText } from "../../../../static/js/page/text.js";
-import { words } from "../../../../static/js/page/words.js";
-import type { Kind, Question } from "../../../../static/js/question/question.js";
-import { shuffled } from "../../../../static/js/question/shuffle.js";
+import { all, maybe, one, within } from "../../../../static/js/page/dom.ts";
+import { setText } from "../../../../static/js/page/text.ts";
+import { words } from "../../../../static/js/page/words.ts";
+import type { Kind, Question } from "../../../../static/js/question/question.ts";
+import { shuffled } from "../../../../static/js/question/shuffle.ts";
 
 export const kind: Kind<Question, number[]> = {
   install() {

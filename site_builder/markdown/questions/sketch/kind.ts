@@ -3,9 +3,9 @@
  * the sliders that lie over it, which arrow keys move.
  */
 
-import { all, one, within } from "../../../../static/js/page/dom.js";
-import { numeral, words } from "../../../../static/js/page/words.js";
-import { type Kind, type Question, questionOf } from "../../../../static/js/question/question.js";
+import { all, one, within } from "../../../../static/js/page/dom.ts";
+import { numeral, words } from "../../../../static/js/page/words.ts";
+import { type Kind, type Question, questionOf } from "../../../../static/js/question/question.ts";
 
 interface Sketch {
   field: Record<"left" | "right" | "top" | "bottom", number>;
