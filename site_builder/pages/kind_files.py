@@ -45,7 +45,7 @@ def _scripts(table: str, kinds: Mapping[Path, Iterable[str]]) -> dict[str, bytes
         path = folder.relative_to(ENGINE).as_posix()
         lines.append(f'import {{ kind as kind{at} }} from "../../../{path}/kind.js";\n')
         entries |= dict.fromkeys(names, f"kind{at}")
-    listed = ", ".join(f"{name}: {kind}" for name, kind in entries.items())
+    listed = ", ".join(f'"{name}": {kind}' for name, kind in entries.items())
     files = [folder / "kind.ts" for folder in kinds]
     return {
         **{f"../{file.relative_to(ENGINE).as_posix()}": file for file in files},

@@ -96,7 +96,7 @@ TOO_SMALL = """() => {
 MOVED = """() => {
   const moved = [];
   for (const fold of document.querySelectorAll(".more-controls")) fold.open = true;
-  for (const form of document.querySelectorAll("form.controls")) {
+  for (const form of document.querySelectorAll(".control-grid")) {
     const before = form.getBoundingClientRect().height;
     for (const slider of form.querySelectorAll("input[type=range]")) {
       for (const value of [slider.min, slider.max]) {

@@ -63,7 +63,7 @@ def _readouts(settings: Settings, lens: Lens, here: Links) -> tuple[Readout, ...
         readout("lens", "At f the lens leaves", abs(float(here.lens)), role="ray"),
         readout("pixel", "… the pixel", abs(float(here.pixel)), role="camera"),
         readout("plate_leaves", "… the plate", abs(float(here.plate))),
-        readout("together", "… all together", abs(float(here.together)), role="image"),
+        readout("together", "All together leave", abs(float(here.together)), role="image"),
         readout("nyquist", "Nyquist, 1/2p", nyquist, per_mm, digits=1, role="camera"),
         readout("at_nyquist", "Left at Nyquist", at_nyquist, role="image"),
         readout("cutoff", "Cut-off, 1/λN", curves.cutoff(settings), per_mm, digits=1, role="ray"),

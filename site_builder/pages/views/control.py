@@ -83,5 +83,5 @@ def _control(still: InitialFrame, control: Control, words: Words) -> ControlView
 
 
 def value_text(control: Control, value: Value, words: Words = ENGLISH) -> str:
-    """The value as ``controls.js`` writes it: ``f/2.8``, ``5.0 m``, ``30°``."""
+    """The value as ``formatValue`` in ``static/js/page/text.ts`` writes it: ``f/2.8``, ``30°``."""
     return with_unit(*control.text(value, words.numeral))

@@ -10,7 +10,7 @@ import { all, within } from "../page/dom.ts";
 import { formatValue, setAttribute } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import type { Control, Value } from "./control.ts";
-import { moveControls, named, readValues, uncover, type Schema } from "./controls.ts";
+import { moveControls, named, readValues, type Schema } from "./controls.ts";
 import { center, driven, grabbed, inPanel, name, put, type Point } from "./handle_elements.ts";
 import { keyed } from "./handle_keys.ts";
 import { holdGround, mayScroll } from "./pointer_capture.ts";
@@ -185,7 +185,6 @@ export class Handles {
       const box = this.form.querySelector(named(setting))?.closest(".control");
       box?.classList.toggle("driven", begun);
     }
-    if (element && event.type === "focusin") uncover(this.form, driven(element));
     if (event.type.startsWith("focus")) this.#describe();
   }
 }

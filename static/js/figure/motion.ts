@@ -6,7 +6,7 @@
 import { everyFrame, isCalm } from "./animate.ts";
 import type { Action } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, type Slider } from "../../../simulations/engine/controls/slider/kind.ts";
-import { readValue, uncover, writeValue, type Schema } from "./controls.ts";
+import { readValue, writeValue, type Schema } from "./controls.ts";
 
 /** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
 const CALM_PAUSE = 1;
@@ -32,7 +32,6 @@ export class Motion {
     if (!isSlider(slider)) throw new Error(`${action.name} drives no slider`);
     const wasPlaying = this.#playing?.action === action;
     this.stop();
-    uncover(this.form, [slider.name]);
     if (action.effect === "play") {
       if (!wasPlaying) this.#play(action, slider);
       return;

@@ -28,7 +28,7 @@ def test_its_examples_are_questions_of_it(kind: QuestionKind) -> None:
     example = kind.file("md").read_text(encoding="utf-8")
     default = names_of_kinds(directive)[0]
     starts = example.count(f":::{{{directive}}}")
-    written = re.findall(r"^:kind: (\w+)", example, re.MULTILINE)
+    written = re.findall(r"^:kind: ([\w-]+)", example, re.MULTILINE)
     unwritten = [default] * (starts - len(written))
     assert {*written, *unwritten} == set(kind.names(directive))
 
