@@ -110,7 +110,7 @@ def test_a_browser_without_webassembly_is_told_so_and_keeps_the_stills(
     figure = plain_reader.figure("lens-distortion")
     figure.locator(".figure-message").wait_for(state="visible")
     assert "WebAssembly" in figure.locator(".figure-message").inner_text()
-    assert not figure.locator("form.controls").is_visible()
+    assert not figure.locator(".control-grid >> nth=0").is_visible()
     assert figure.locator("svg.overlay").first.is_visible()
 
 
@@ -134,7 +134,7 @@ WHOLE = """() => {
   return [
     document.querySelectorAll('article.chapter p').length,
     document.querySelectorAll('simulation-figure svg.overlay').length,
-    count('form.controls, .site-header button, dialog', true),
+    count('.control-grid, .site-header button, dialog', true),
     count('form.quiz details, .answer-body', false),
   ];
 }"""

@@ -173,7 +173,7 @@ class Reader:
 
     def _in_view(self, scene: str) -> Locator:
         figure = self.figure(scene)
-        self.bring(figure.locator("form.controls"))
+        self.bring(figure.locator(".control-grid").first)
         return figure
 
     def bring(self, element: Locator) -> FloatRect:

@@ -13,7 +13,7 @@ SOURCES = {".py", ".html", ".ts", ".css", ".mjs"}
 
 
 def test_every_folder_is_a_kind_and_every_kind_a_folder() -> None:
-    folders = {file.parent.name for file in HERE.glob("*/kind.*")}
+    folders = {file.parent.name for file in HERE.glob("*/kind.py")}
     assert folders == {kind.folder for kind in KINDS}
 
 
