@@ -11,7 +11,7 @@ from site_builder.editor.bundle import EditorBundle, bundle_editor
 from site_builder.editor.scene_code import scene_sources
 from site_builder.npm import NodeError
 from site_builder.output.assets import hashed_folder
-from site_builder.pages.render import render_template
+from site_builder.pages.environment import render_template
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import Versions
 from site_builder.search.library import SearchLibrary, fetch_library

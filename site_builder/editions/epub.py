@@ -20,7 +20,7 @@ from site_builder.editions.plain_markup import plain
 from site_builder.editions.tree import elements, first, parse, xhtml
 from site_builder.figures.frames import as_png
 from site_builder.output.assets import content_bytes
-from site_builder.pages.render import render_template
+from site_builder.pages.environment import render_template
 
 MEDIA = {
     ".xhtml": "application/xhtml+xml",

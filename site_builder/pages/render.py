@@ -1,65 +1,34 @@
 """From the page model to HTML, by templates. No markup is made here."""
 
-import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
-from jinja2 import (
-    Environment,
-    FileSystemBytecodeCache,
-    FileSystemLoader,
-    StrictUndefined,
-    pass_context,
-)
-from jinja2.runtime import Context
 from markupsafe import Markup
-from platformdirs import user_cache_path
 
-from site_builder.benchmarks.quantities import milliseconds, quantity
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
 from site_builder.cache import cached_result, hash_of
 from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.files import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
-from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
-from site_builder.markdown.questions.kinds import kind_of
-from site_builder.markdown.text.code import code_html, highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
-from site_builder.page_model.passage import Passage
 from site_builder.page_model.places import Heading
 from site_builder.pages.embedding import json_for_html
+from site_builder.pages.environment import FOLDERS, book_context, template_environment
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
-from site_builder.pages.policy import page_policy
 from site_builder.pages.reading_time import reading_minutes
 from site_builder.pages.term_lists import card
-from site_builder.pages.views.control import FOLDER as CONTROL_KINDS
-from site_builder.pages.views.glossary import marked_terms, view_glossary
+from site_builder.pages.views.glossary import view_glossary
 from site_builder.pages.views.index import view_index
-from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
-from site_builder.pages.views.question import kind_view, question_data
 from site_builder.pages.views.references import cited_works
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.pages.views.symbols import view_symbols
 from site_builder.references.bibliography import EMPTY
 from site_builder.render.paper import paper_renderer
-from site_builder.render.screen import PassageRenderer, screen_renderer
-from site_builder.settings.reading import storage_prefix
 
-
-@pass_context
-def passage_html(context: Context, passage: Passage) -> Markup:
-    renderer: PassageRenderer = context["renderer"]
-    return renderer(passage)
-
-
-TEMPLATES = Path(__file__).parents[1] / "templates"
-FOLDERS = (TEMPLATES, QUESTION_KINDS.parent, CONTROL_KINDS.parent)
-"""Where templates lie: those of kinds in the folders of these."""
 BACK_MATTER = {
     "glossary": "glossary.title",
     "symbols": "symbols.title",
@@ -69,21 +38,6 @@ BACK_MATTER = {
 }
 """Pages that follow the chapters, by address, and the keys of their titles; a book has those that
 it has something for."""
-FILTERS: Mapping[str, Callable[..., object]] = {
-    "kind": kind_of,
-    "kind_view": kind_view,
-    "question_data": question_data,
-    "view_ladder": view_ladder,
-    "default_error": default_error,
-    "slowest_to_quickest": slowest_to_quickest,
-    "quantity": quantity,
-    "milliseconds": milliseconds,
-    "marked_terms": marked_terms,
-    "passage": passage_html,
-    "code": lambda code: Markup(code_html(code, "python")),
-    "highlighted": lambda code: highlighted_lines(code, "python"),
-}
-"""Functions of templates, for what is computed from the page model."""
 FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
 """Of what a reader meets first: text, and the line above it."""
 
@@ -216,7 +170,7 @@ def render_page(
     """One page, or a part of one. ``root`` is the site's root relative to it, ``path`` its own
     place below that; nothing where it has none to be known by. With ``rows``, which finds the small
     multiples of a figure, it is XHTML for paper."""
-    environment = _environment()
+    environment = template_environment()
     assets = f"{root}{site.assets}"
     given = context.get("chapter")
     chapter = given if isinstance(given, Chapter) else None
@@ -279,50 +233,6 @@ def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:
     if isinstance(cover, Block) and isinstance(cover.content, Simulation):
         figures = (cover.content,)
     return tuple(dict.fromkeys(figure.scene.id for figure in figures))
-
-
-def render_template(template: str, book: Book, **context: object) -> str:
-    """What needs nothing of the site."""
-    return _environment().get_template(template).render(book_context(book), **context)
-
-
-def book_context(book: Book) -> dict[str, object]:
-    """What every template has of the book and its language; ``t`` is a text of the interface."""
-    return {
-        "book": book,
-        "words": book.words,
-        "t": book.words.html,
-        "renderer": screen_renderer(book.words),
-        "policy": partial(
-            page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
-        ),
-        "storage": storage_prefix(book.settings),
-    }
-
-
-@cache
-def _environment() -> Environment:
-    environment = Environment(
-        bytecode_cache=_compiled_templates(),
-        loader=FileSystemLoader(FOLDERS),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
-    environment.filters.update(FILTERS)
-    return environment
-
-
-def _compiled_templates() -> FileSystemBytecodeCache | None:
-    """In the user's cache folder: to compile templates takes longer than to fill them."""
-    folder = user_cache_path("image-formation", appauthor=False) / "templates"
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError:
-        return None
-    return FileSystemBytecodeCache(str(folder)) if os.access(folder, os.W_OK) else None
 
 
 def back_matter(book: Book) -> list[tuple[str, str]]:

@@ -13,8 +13,8 @@ from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
 from site_builder.page_model.blocks import Simulation, contents
+from site_builder.pages.environment import render_template
 from site_builder.pages.outside import BOOK_CARD, card_path
-from site_builder.pages.render import render_template
 from site_builder.publishing.title_lines import set_title
 from site_builder.publishing.vector import Fonts, png_of, whole_fonts
 

@@ -6,7 +6,7 @@ from urllib.parse import urlsplit
 
 from site_builder.book import Book
 from site_builder.output.assets import Content
-from site_builder.pages.render import render_template
+from site_builder.pages.environment import render_template
 
 FILES: Mapping[str, str] = {"apache": ".htaccess", "netlify": "_headers", "nginx": "nginx.conf"}
 """What each of them reads; ``_headers`` is known to others too."""

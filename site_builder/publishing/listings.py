@@ -4,8 +4,8 @@ from collections.abc import Iterable
 from urllib.parse import urlsplit
 
 from site_builder.book import Book
+from site_builder.pages.environment import render_template
 from site_builder.pages.outside import page_address
-from site_builder.pages.render import render_template
 
 NOT_LISTED = "404.html"
 

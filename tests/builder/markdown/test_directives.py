@@ -6,7 +6,7 @@ from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import OPENING
 from site_builder.markdown.role import USE
 from site_builder.markdown.roles import ROLES
-from site_builder.pages.render import TEMPLATES
+from site_builder.pages.environment import TEMPLATES
 
 
 def test_every_template_of_a_block_belongs_to_a_directive_or_to_prose() -> None:

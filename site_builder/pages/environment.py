@@ -1,0 +1,101 @@
+"""The templates: where they lie, their functions, and what each has of the book."""
+
+import os
+from collections.abc import Callable, Mapping
+from functools import cache, partial
+from pathlib import Path
+
+from jinja2 import (
+    Environment,
+    FileSystemBytecodeCache,
+    FileSystemLoader,
+    StrictUndefined,
+    pass_context,
+)
+from jinja2.runtime import Context
+from markupsafe import Markup
+from platformdirs import user_cache_path
+
+from site_builder.benchmarks.quantities import milliseconds, quantity
+from site_builder.book import Book
+from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
+from site_builder.markdown.questions.kinds import kind_of
+from site_builder.markdown.text.code import code_html, highlighted_lines
+from site_builder.page_model.passage import Passage
+from site_builder.pages.policy import page_policy
+from site_builder.pages.views.control import FOLDER as CONTROL_KINDS
+from site_builder.pages.views.glossary import marked_terms
+from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
+from site_builder.pages.views.question import kind_view, question_data
+from site_builder.render.screen import PassageRenderer, screen_renderer
+from site_builder.settings.reading import storage_prefix
+
+
+@pass_context
+def passage_html(context: Context, passage: Passage) -> Markup:
+    renderer: PassageRenderer = context["renderer"]
+    return renderer(passage)
+
+
+TEMPLATES = Path(__file__).parents[1] / "templates"
+FOLDERS = (TEMPLATES, QUESTION_KINDS.parent, CONTROL_KINDS.parent)
+"""Where templates lie: those of kinds in the folders of these."""
+FILTERS: Mapping[str, Callable[..., object]] = {
+    "kind": kind_of,
+    "kind_view": kind_view,
+    "question_data": question_data,
+    "view_ladder": view_ladder,
+    "default_error": default_error,
+    "slowest_to_quickest": slowest_to_quickest,
+    "quantity": quantity,
+    "milliseconds": milliseconds,
+    "marked_terms": marked_terms,
+    "passage": passage_html,
+    "code": lambda code: Markup(code_html(code, "python")),
+    "highlighted": lambda code: highlighted_lines(code, "python"),
+}
+"""Functions of templates, for what is computed from the page model."""
+
+
+def render_template(template: str, book: Book, **context: object) -> str:
+    """What needs nothing of the site."""
+    return template_environment().get_template(template).render(book_context(book), **context)
+
+
+def book_context(book: Book) -> dict[str, object]:
+    """What every template has of the book and its language; ``t`` is a text of the interface."""
+    return {
+        "book": book,
+        "words": book.words,
+        "t": book.words.html,
+        "renderer": screen_renderer(book.words),
+        "policy": partial(
+            page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
+        ),
+        "storage": storage_prefix(book.settings),
+    }
+
+
+@cache
+def template_environment() -> Environment:
+    environment = Environment(
+        bytecode_cache=_compiled_templates(),
+        loader=FileSystemLoader(FOLDERS),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters.update(FILTERS)
+    return environment
+
+
+def _compiled_templates() -> FileSystemBytecodeCache | None:
+    """In the user's cache folder: to compile templates takes longer than to fill them."""
+    folder = user_cache_path("image-formation", appauthor=False) / "templates"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return None
+    return FileSystemBytecodeCache(str(folder)) if os.access(folder, os.W_OK) else None
