@@ -4,9 +4,10 @@ import math
 from itertools import pairwise
 
 from simulations.engine import drawing
-from simulations.scenes.formation_pipeline.stations import WHITE_E, Journey, Station
+from simulations.scenes.formation_pipeline.stations import Journey, Station
+from simulations.scenes.formation_pipeline.tiles import SIDE, draw_tiles
 
-WIDTH, HEIGHT = 400.0, 300.0
+WIDTH, HEIGHT = 400.0, 310.0
 
 type Point = tuple[float, float]
 
@@ -17,11 +18,10 @@ UNITS_PER_METRE = 24.0
 LENS_TO_PLANE = 72.0
 POINT_RISE = 42.0
 """Height of the point above the axis; drawn larger than true, like the camera."""
-CELL, LIGHT, WELL, CODE = (352.0, 236.0), (284.0, 236.0), (200.0, 236.0), (84.0, 236.0)
-"""Centres of the boxes on the lower row, and of the light between, which becomes a number."""
-SHEAF = 24.0
-"""Radius of the disc whose area stands for the light of a white wall that faces the lamp."""
-LEDGER_TOP, ROW_HEIGHT = 3.0, 36.5
+CELL, LIGHT, WELL, CODE = ((column, 244.0) for column in (350.0, 250.0, 150.0, 50.0))
+"""Centres of the tiles on the lower row."""
+LEDGER_WIDTH, LEDGER_HEIGHT = 400.0, 384.0
+LEDGER_TOP, ROW_HEIGHT = 4.0, 47.0
 
 
 def lens_column(distance_m: float) -> float:
@@ -69,15 +69,16 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
     """SVG markup of the first panel."""
     legs = route(distance_m)
     marker, travelled = place(legs, station)
+    corners = [(x - SIDE / 2, y - SIDE / 2) for x, y in (CELL, LIGHT, WELL, CODE)]
     ahead = drawing.path(legs, "muted thin dashed")
     come = drawing.polyline(travelled, "ray bold") if len(travelled) > 1 else ""
     return "".join(
         (
             _scene(),
             _camera(lens_column(distance_m)),
-            _boxes(journey, int(station)),
             ahead,
             come,
+            draw_tiles(journey, corners, int(station)),
             drawing.dot(legs[0][0], "world", 4.5),
             drawing.dot(legs[2][-1], "image", 3.0),
             drawing.dot(marker, "ray", 6.5),
@@ -119,53 +120,6 @@ def _camera(lens: float) -> str:
     )
 
 
-def _boxes(journey: Journey, reached: int) -> str:
-    """The cell, the light that falls into it, the well with its electrons, the pixel value."""
-    return "".join(
-        (
-            _cell(),
-            _sheaf(journey.relative_light, reached >= 5),
-            drawing.text((LIGHT[0], 290), "light", "light small", "middle"),
-            _level(WELL, journey.counted_e / WHITE_E, "error", reached >= 6),
-            drawing.text((WELL[0], 290), "electrons", "error small", "middle"),
-            _level(CODE, journey.code / 255.0, "image", reached >= 7),
-            drawing.text((CODE[0], 290), "pixel value", "image small", "middle"),
-            drawing.text((CELL[0], 290), "sensor cell", "image small", "middle"),
-            drawing.text((CODE[0] - 32, CODE[1] + 6), str(journey.code), "image strong", "end")
-            if reached >= 7
-            else "",
-        )
-    )
-
-
-def _sheaf(share: float, known: bool) -> str:
-    """The light of white as a disc, with the part that arrives inside it, once known."""
-    outline = drawing.circle(LIGHT, SHEAF, "light")
-    if not known or share <= 0:
-        return outline
-    return drawing.circle(LIGHT, SHEAF * math.sqrt(share), "light fill") + outline
-
-
-def _cell() -> str:
-    """Nine cells of the sensor, the middle one chosen."""
-    x, y = CELL[0] - 30, CELL[1] - 30
-    lines = [((x + 20 * i, y), (x + 20 * i, y + 60)) for i in range(4)]
-    lines += [((x, y + 20 * i), (x + 60, y + 20 * i)) for i in range(4)]
-    return drawing.path(lines, "image thin") + drawing.rectangle(
-        (x + 20, y + 20), 20, 20, "image fill"
-    )
-
-
-def _level(centre: Point, share: float, role: str, known: bool) -> str:
-    """A box filled up to ``share``, once that is known."""
-    left, top, side = centre[0] - 24, centre[1] - 34, 68.0
-    outline = drawing.rectangle((left, top), 48, side, role)
-    if not known or share <= 0:
-        return outline
-    height = side * min(share, 1.0)
-    return drawing.rectangle((left, top + side - height), 48, height, f"{role} fill") + outline
-
-
 def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
     """SVG markup of the second panel: the numbers so far, with the current line framed.
 
@@ -177,13 +131,13 @@ def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
         top = LEDGER_TOP + index * ROW_HEIGHT
         style = entry.role if index <= reached else "muted"
         if index == reached:
-            parts.append(drawing.rectangle((2, top), WIDTH - 4, ROW_HEIGHT, f"{style} fill"))
+            parts.append(drawing.rectangle((2, top), LEDGER_WIDTH - 4, ROW_HEIGHT, f"{style} fill"))
         bullet = f"{style} solid" if index <= reached else style
         parts.append(drawing.circle((18, top + ROW_HEIGHT / 2), 5.0, bullet))
         if index > reached:
-            parts.append(drawing.text((34, top + 22), entry.title, f"{style} strong"))
+            parts.append(drawing.text((34, top + 28), entry.title, f"{style} strong"))
         else:
-            parts.append(drawing.text((34, top + 14), entry.title, f"{style} strong"))
+            parts.append(drawing.text((34, top + 19), entry.title, f"{style} strong"))
             weight = "strong" if index == reached else ""
-            parts.append(drawing.text((34, top + 29.5), entry.numbers, weight))
+            parts.append(drawing.text((34, top + 37), entry.numbers, weight))
     return "".join(parts)

@@ -70,5 +70,5 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "marker", "way", "Light on its way", ("station",), _marker, _marker_pulled, "press", "ray"
     ),
     Handle("camera", "way", "Camera", ("distance",), _camera, _camera_pulled, role="camera"),
-    Handle("line", "ledger", "Line of the ledger", ("station",), _line, _line_pulled, "press"),
+    Handle("line", "ledger", "Step in the list", ("station",), _line, _line_pulled, "press"),
 )

@@ -1,9 +1,16 @@
 """Image Formation Pipeline: one point from the scene to a pixel value."""
 
-from simulations.engine.frame import Frame, Panel, Readout, readout
+from simulations.engine.frame import Frame, Panel, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
-from simulations.scenes.formation_pipeline.drawing import HEIGHT, WIDTH, draw_ledger, draw_way
+from simulations.scenes.formation_pipeline.drawing import (
+    HEIGHT,
+    LEDGER_HEIGHT,
+    LEDGER_WIDTH,
+    WIDTH,
+    draw_ledger,
+    draw_way,
+)
 from simulations.scenes.formation_pipeline.handles import HANDLES
 from simulations.scenes.formation_pipeline.settings import Settings
 from simulations.scenes.formation_pipeline.stations import Journey, stations, travel
@@ -24,13 +31,19 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     entries = stations(journey)
     entry = entries[int(station)]
     way = draw_way(journey, settings.distance, station)
+    ledger = draw_ledger(entries, station)
     return Frame(
         panels=(
-            Panel("way", "The way (not to scale)", WIDTH, HEIGHT, overlay=way),
-            Panel("ledger", "What is known", WIDTH, HEIGHT, overlay=draw_ledger(entries, station)),
+            Panel("way", "The way of the light (not to scale)", WIDTH, HEIGHT, overlay=way),
+            Panel(
+                "ledger",
+                "What is known after each step",
+                LEDGER_WIDTH,
+                LEDGER_HEIGHT,
+                overlay=ledger,
+            ),
         ),
         readouts=(
-            Readout("at", "Station", f"{int(station)} · {entry.title}", role=entry.role),
             readout(
                 "electrons", "Electrons counted", journey.counted_e, "e⁻", digits=0, role="error"
             ),

@@ -11,10 +11,9 @@ LAST_STATION = 7.0
 class Settings:
     """The settings of the figure."""
 
-    station: float = slider("Station", 0.0, 0.0, LAST_STATION, 0.02)
+    station: float = slider("Step", 0.0, 0.0, LAST_STATION, 0.02)
     play: int = action("Play", "Pause", drives="station", effect="play", seconds=14.0)
-    step: int = action("Step", drives="station", effect="step")
-    reset: int = action("Reset", drives="station", effect="reset")
-    distance: float = slider("Distance of the camera", 4.0, 2.0, 8.0, 0.1, unit="m")
+    step: int = action("Next step", drives="station", effect="step")
+    distance: float = slider("Camera distance", 4.0, 2.0, 8.0, 0.1, unit="m")
     albedo: float = slider("Albedo ρ", 0.6, 0.0, 1.0, 0.01)
     again: int = action(*("Take it again",) * 8)

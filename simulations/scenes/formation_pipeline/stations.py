@@ -18,6 +18,7 @@ FOCAL_PX, CENTRE_PX = 800.0, (320.0, 240.0)
 LENS = Distortion(k1=-0.2)
 LAMP_ANGLE_RAD = math.radians(60.0)
 """Angle of the lamp from the wall's normal."""
+LAMP_COS = math.cos(LAMP_ANGLE_RAD)
 WHITE_E = 10_000.0
 """Electrons from a white wall that faces the lamp: a full well."""
 FIRST_EXPOSURE = 16

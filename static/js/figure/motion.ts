@@ -36,8 +36,7 @@ export class Motion {
       if (!wasPlaying) this.#play(action, slider);
       return;
     }
-    const first = Number(this.schema.values[slider.name]);
-    writeValue(this.form, slider, action.effect === "step" ? this.#next(slider, 1) : first);
+    writeValue(this.form, slider, this.#next(slider, 1));
     this.moved("", time);
   }
 

@@ -22,7 +22,7 @@ class Action:
     drives: str = ""
     """Name of the slider that the button moves in the browser, if any."""
     effect: str = ""
-    """``play`` (sweep that slider to its end; press again to pause), ``step`` or ``reset``."""
+    """``play`` (sweep that slider to its end; press again to pause) or ``step``."""
     seconds: float = 8.0
     """Duration of ``play`` from the slider's minimum to its maximum."""
 
@@ -31,10 +31,10 @@ class Action:
     default = 0
 
     def __post_init__(self) -> None:
-        if bool(self.drives) != (self.effect in ("play", "step", "reset")):
+        if bool(self.drives) != (self.effect in ("play", "step")):
             raise ControlError(
                 f"{self.name}: effect {self.effect!r} on {self.drives!r}; "
-                "legal: play, step or reset together with a slider's name"
+                "legal: play or step together with a slider's name"
             )
 
     @property
