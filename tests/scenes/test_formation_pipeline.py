@@ -11,6 +11,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.scenes.formation_pipeline.drawing import place, route
 from simulations.scenes.formation_pipeline.scene import SCENE
 from simulations.scenes.formation_pipeline.stations import stations, travel
+from simulations.scenes.formation_pipeline.tiles import CELLS, picture
 
 
 def parts(pattern: str, line: str) -> tuple[str, ...]:
@@ -93,3 +94,17 @@ def test_marker_never_jumps() -> None:
     legs = route(4.0)
     way = [place(legs, step / 50)[0] for step in range(50 * len(legs) + 1)]
     assert max(math.dist(a, b) for a, b in itertools.pairwise(way)) < 6
+
+
+@pytest.mark.parametrize("distance", [2.0, 4.0, 8.0])
+def test_the_tile_of_the_sensor_shows_the_paint_as_bright_and_smaller_from_farther(
+    distance: float,
+) -> None:
+    """The cell in the middle holds paint only; the disc covers its true number of cells."""
+    journey = travel(distance, 0.6, 0)
+    light = picture(journey)
+    assert light[CELLS // 2, CELLS // 2] == pytest.approx(journey.relative_light)
+    wall = 0.08 / 2
+    covered = float(((light - wall) / (journey.relative_light - wall)).sum())
+    area = math.pi * (800 * 0.02 / distance) ** 2
+    assert covered == pytest.approx(min(area, CELLS**2), rel=0.1)
