@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from support.frames import frame_of, pixels_of, texts_of
 
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.scenes._ball.ball import build_ball, light_direction
+from simulations.scenes._ball.ball import PIXELS_PER_UNIT, RADIUS_PX, build_ball, light_direction
 from simulations.scenes.phong.gloss import (
     ALBEDO,
     angles_at,
@@ -20,6 +20,8 @@ from simulations.scenes.phong.gloss import (
 from simulations.scenes.phong.scene import SCENE
 
 BALL = build_ball()
+MIDDLE, COLUMN = round(170 * PIXELS_PER_UNIT), round(200 * PIXELS_PER_UNIT)
+"""The pixel at the ball's centre."""
 
 
 frame = partial(frame_of, SCENE)
@@ -58,15 +60,15 @@ def test_blinn_needs_a_fourfold_exponent() -> None:
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
 def test_the_highlight_peaks_halfway_between_lamp_and_camera(model: str) -> None:
     given: dict[str, float | str] = {"light_angle": 60, "model": model, "shininess": 300}
-    shiny = pixels_of(frame(specular=1, **given))[212, :, 1].astype(int)
-    matte = pixels_of(frame(specular=0, **given))[212, :, 1].astype(int)
+    shiny = pixels_of(frame(specular=1, **given))[MIDDLE, :, 1].astype(int)
+    matte = pixels_of(frame(specular=0, **given))[MIDDLE, :, 1].astype(int)
     columns = np.flatnonzero(shiny - matte == (shiny - matte).max())
-    assert columns.mean() == pytest.approx(250 + 152.5 * math.sin(math.radians(30)), abs=2)
+    assert columns.mean() == pytest.approx(COLUMN + RADIUS_PX * math.sin(math.radians(30)), abs=3)
 
 
 def test_the_pixel_at_the_probed_point_has_the_brightness_read_out() -> None:
     shown = frame(probe=0)
-    red = pixels_of(shown)[212, 250, 0]
+    red = pixels_of(shown)[MIDDLE, COLUMN, 0]
     assert red == pytest.approx(
         255 * float(encode_srgb(float(texts_of(shown)["brightness"]))), abs=1
     )
@@ -74,7 +76,9 @@ def test_the_pixel_at_the_probed_point_has_the_brightness_read_out() -> None:
 
 def test_the_highlight_adds_the_same_light_to_every_channel() -> None:
     with_spot, without = (
-        decode_srgb(pixels_of(frame(light_angle=0, probe=0, specular=strength))[212, 250] / 255)
+        decode_srgb(
+            pixels_of(frame(light_angle=0, probe=0, specular=strength))[MIDDLE, COLUMN] / 255
+        )
         for strength in (0.3, 0)
     )
     assert (with_spot - without)[:3] == pytest.approx([0.3] * 3, abs=0.006)

@@ -23,7 +23,7 @@ from simulations.scenes._ball.marks import CENTRE, HEIGHT, RADIUS, WIDTH
 
 type Picture = NDArray[np.float32]
 
-PIXELS_PER_UNIT = 1.25
+PIXELS_PER_UNIT = 1.75
 """Raster pixels per unit of the view box."""
 RADIUS_PX = RADIUS * PIXELS_PER_UNIT
 

@@ -18,7 +18,6 @@ from simulations.engine.drawing import (
     rectangle,
     text,
 )
-from simulations.engine.frame import format_number
 from simulations.scenes._ball.marks import (
     CENTRE,
     HEIGHT,
@@ -132,17 +131,13 @@ def _plan_normals() -> Iterator[str]:
 
 
 def _angle(probed: Point, probe_rad: float, light_rad: float, theta_rad: float) -> str:
-    """The arc from n to l, the short way round, with its size."""
+    """The arc from n to l, the short way round."""
     turn = math.remainder(light_rad - probe_rad, 2 * math.pi)
     arc = [_from(probed, probe_rad + turn * step / 24, 30) for step in range(25)]
     middle = probe_rad + turn / 2
     # Just outside the arc, or opposite if there is no space between the arms.
-    sideways = abs(math.sin(middle))
-    label = _from(probed, middle, 44 + 26 * sideways if theta_rad > 1.2 else -22 - 18 * sideways)
-    degrees = format_number(math.degrees(theta_rad), 0)
-    return polyline(arc, "ray") + text(
-        (label[0], label[1] + 4), f"θ = {degrees}°", "ray strong halo", "middle"
-    )
+    label = _from(probed, middle, 46 if theta_rad > 0.7 else -20)
+    return polyline(arc, "ray") + text((label[0], label[1] + 4), "θ", "ray strong halo", "middle")
 
 
 def _label_places(probed: Point, probe_rad: float, light_rad: float) -> tuple[Point, Point]:

@@ -86,10 +86,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             ),
         ),
         readouts=(
-            readout("cosine", "n · l", math.cos(theta_rad), digits=3),
             readout("theta", "Angle θ", math.degrees(theta_rad), "°", digits=0, role="ray"),
-            readout("albedo", "Albedo ρ", albedo, role="world"),
-            readout("brightness", "I = ρ max(0, n · l)", brightness, digits=3, role="image"),
+            readout("cosine", "cos θ = n · l", math.cos(theta_rad), digits=3),
+            readout("brightness", "Brightness I", brightness, digits=3, role="image"),
             readout("code", "Pixel value (sRGB)", code, "of 255", digits=0, role="image"),
         ),
         description=describe(light_angle, theta_rad, code),

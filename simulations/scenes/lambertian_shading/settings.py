@@ -13,6 +13,4 @@ class Settings:
     albedo: float = slider("Albedo ρ", 0.8, 0, 1, 0.01)
     probe: float = slider("Probed point", 0, -90, 90, 1, unit="°")
     normals: bool = toggle("Show normals")
-    play: int = action(
-        "Send the light round", "Stop", drives="light_angle", effect="play", seconds=12
-    )
+    play: int = action("Orbit the light", "Stop", drives="light_angle", effect="play", seconds=12)

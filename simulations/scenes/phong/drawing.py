@@ -22,22 +22,31 @@ from simulations.engine.drawing import (
     text,
 )
 from simulations.models.arrays import Floats
-from simulations.scenes._ball.marks import WIDTH, lamp, on_equator, probed_point, shadow_edge
+from simulations.scenes._ball.marks import (
+    HEIGHT,
+    WIDTH,
+    lamp,
+    on_equator,
+    probed_point,
+    shadow_edge,
+)
 
 type Direction = tuple[str, float, str]
 """Letter, angle from the normal in radians, colour role."""
 
-FOOT = (WIDTH / 2, 196.0)
-VECTOR = 104.0
+FOOT = (WIDTH / 2, 232.0)
+VECTOR = 122.0
 """Length of a unit vector, and of a brightness of 1."""
-LAMP_DISTANCE = 128.0
-"""Drawn distance of the lamp from the foot; it is far away."""
+LAMP_DISTANCE = 150.0
+"""Drawn distance of the lamp from the foot, above the surface; it is far away."""
+DEEPEST = HEIGHT - FOOT[1] - 20.0
+"""Largest drawn depth of the lamp below the surface."""
 AROUND_HIGHLIGHT = 15.0
 """Radius of the mark of a highlight, large enough for a sharp highlight inside it."""
-ABOVE_HIGHLIGHT = 38.0
+ABOVE_HIGHLIGHT = 56.0
 """Distance of its handle from its centre, so that the finger does not hide it, nor the probed
 point."""
-STEM = 31.0
+STEM = 49.0
 """Distance from its centre to the end of the line to the handle."""
 SAME_RAD = math.radians(9.0)
 """Directions nearer than this share one label."""
@@ -120,12 +129,16 @@ def _vectors(light_rad: float, view_rad: float, seen: float) -> list[str]:
     between = math.remainder(light_rad - view_rad, 2 * math.pi)
     if lit and abs(abs(between) - math.pi) > 1e-9:
         vectors.append(("h", view_rad + between / 2, "muted"))
-    parts = [arrow(FOOT, towards(turn, VECTOR), f"{role} bold") for _, turn, role in vectors]
+    near = lamp_distance(light_rad) / LAMP_DISTANCE
+    parts = [
+        arrow(FOOT, towards(turn, VECTOR * near if name == "l" else VECTOR), f"{role} bold")
+        for name, turn, role in vectors
+    ]
     parts += [dot(FOOT, "world", 4.5), dot(towards(view_rad, VECTOR), "camera", 4.5)]
-    parts += lamp(towards(light_rad, LAMP_DISTANCE))
+    parts += lamp(lamp_place(light_rad))
     if lit:
         parts.append(_equal_angles(light_rad))
-    return parts + list(_labels(vectors, seen))
+    return parts + list(_labels(vectors, seen, near))
 
 
 def _equal_angles(light_rad: float) -> str:
@@ -137,8 +150,11 @@ def _equal_angles(light_rad: float) -> str:
     return path(arcs, "muted thin")
 
 
-def _labels(vectors: list[Direction], seen: float) -> Iterator[str]:
-    """One label for each group of directions within a few degrees of one another."""
+def _labels(vectors: list[Direction], seen: float, near: float) -> Iterator[str]:
+    """One label for each group of directions within a few degrees of one another.
+
+    ``near`` is the length of l as a share of the others'.
+    """
     groups: list[list[Direction]] = []
     for vector in sorted(vectors, key=lambda item: math.remainder(item[1], 2 * math.pi)):
         if groups and _apart(groups[-1][-1], vector) < SAME_RAD:
@@ -153,7 +169,7 @@ def _labels(vectors: list[Direction], seen: float) -> Iterator[str]:
             length = seen + 18
         place = towards(middle, length)
         if "l" in names_in:  # next to the arrow, as the lamp is beyond it
-            place = towards(middle + math.copysign(0.2, math.sin(middle)), VECTOR - 16)
+            place = towards(middle + math.copysign(0.2, math.sin(middle)), VECTOR * near - 16)
         names = " = " if _coincide(group) else ", "
         label = names.join(name for name, _, _ in group)
         level = -9.0 if abs(math.cos(middle)) < 0.12 else 4.5  # clear of the surface's own line
@@ -166,6 +182,17 @@ def _coincide(group: list[Direction]) -> bool:
 
 def _apart(first: Direction, second: Direction) -> float:
     return abs(math.remainder(first[1] - second[1], 2 * math.pi))
+
+
+def lamp_place(light_rad: float) -> tuple[float, float]:
+    """The lamp, nearer to the foot below the surface, where there is less space."""
+    return towards(light_rad, lamp_distance(light_rad))
+
+
+def lamp_distance(light_rad: float) -> float:
+    """Its drawn distance from the foot."""
+    below = -math.cos(light_rad)
+    return LAMP_DISTANCE if below <= 0 else min(LAMP_DISTANCE, DEEPEST / below)
 
 
 def towards(turn_rad: float, length: float) -> tuple[float, float]:

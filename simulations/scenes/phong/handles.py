@@ -8,7 +8,7 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.scenes._ball.marks import angle_of_normal
 from simulations.scenes._ball.probe import bearing_deg, probe_on_ball
-from simulations.scenes.phong.drawing import FOOT, LAMP_DISTANCE, VECTOR, highlight_grip, towards
+from simulations.scenes.phong.drawing import FOOT, VECTOR, highlight_grip, lamp_place, towards
 from simulations.scenes.phong.settings import Settings
 
 
@@ -26,7 +26,7 @@ def _highlight_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _lamp(settings: Settings, _outputs: Outputs) -> Point:
-    return towards(math.radians(settings.light_angle - settings.probe), LAMP_DISTANCE)
+    return lamp_place(math.radians(settings.light_angle - settings.probe))
 
 
 def _lamp_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:

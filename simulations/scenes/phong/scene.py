@@ -93,7 +93,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             ),
             Panel(
                 "lobe",
-                "At the probed point",
+                "Brightness by direction",
                 WIDTH,
                 HEIGHT,
                 overlay=lobes(settings, matte),
@@ -105,8 +105,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             readout("n_dot_h", "n · h", at.n_dot_h, digits=3),
             readout("matte", "Matte part", matte, digits=3, role="world"),
             readout("highlight", "Highlight", shine, digits=3, role="ray"),
-            readout("brightness", "I, red light", matte + shine, digits=3, role="image"),
-            readout("half_width", "Lobe’s half-width", width_deg, "°", digits=1, role="ray"),
+            readout("brightness", "Brightness I (red)", matte + shine, digits=3, role="image"),
+            readout("half_width", "Half-width of the lobe", width_deg, "°", digits=1, role="ray"),
         ),
         description=describe(settings, matte, shine),
     )
