@@ -38,7 +38,6 @@ MOST = 3.0
 FAR_CODES, FAR_SHARE = 2, 0.005
 """Codes by which this share of a picture may differ: at edges of the model, such as a rim."""
 CHOOSE = "([drag, figure, hand]) => drag.choose({...hand, figure})"
-PRESS = """(figure, name) => figure.querySelector(`button[name="${name}"]`).click()"""
 
 INSTALL = """([twins, twin, given, slider]) => {
   const bytes = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
@@ -91,8 +90,6 @@ class Twin:
     at hand beside it."""
     settings: Mapping[str, Any] = field(default_factory=dict)
     """Of the other controls."""
-    press: str = ""
-    """Button that the figure needs beforehand."""
 
     @property
     def values(self) -> tuple[Any, ...]:
@@ -152,7 +149,7 @@ def matte_ball() -> Twin:
 
 def bilinear_mosaic() -> Twin:
     scene = load_scene("bayer-demosaic")
-    settings = {"demosaic": 1}
+    settings = {"split": 1}
     outputs = scene.run(scene.check(settings), "", StageCache()).outputs
     height, width = outputs["mosaic"].shape
     cells = {"floats": text(outputs["mosaic"].astype(np.float32))}
@@ -160,7 +157,7 @@ def bilinear_mosaic() -> Twin:
     entries = ("bilinear", "nearest", "malvar")
     return Twin(
         *("bayer-demosaic", "method", "demosaic", "picture", given),
-        *(entries, settings, "demosaic"),
+        *(entries, settings),
     )
 
 
@@ -222,9 +219,6 @@ def main() -> int:
             url = next(each["url"] for each in chapters if twin.scene in each["simulations"])
             page.goto(address + url)
             figure = figure_at_rest(page, twin.scene)
-            if twin.press:
-                figure.evaluate(PRESS, twin.press)
-                figure = figure_at_rest(page, twin.scene)
             python, whole = medians(page, twin, figure)
             plain, loop = medians(page, twin, installed(page, twin))
             ratio = round(python / plain, 2)

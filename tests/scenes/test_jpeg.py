@@ -7,8 +7,8 @@ from functools import partial
 import numpy as np
 import pytest
 from PIL import Image
-from scipy.fft import dctn
-from support.frames import estimates_of, frame_of, number_of, texts_at
+from scipy.fft import dctn, idctn
+from support.frames import estimates_of, frame_of, number_of, pixels_of, texts_at
 
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import Outputs, StageCache
@@ -17,6 +17,7 @@ from simulations.models.compression.blocks import round_outwards, to_blocks
 from simulations.models.compression.chroma_subsampling import SUBSAMPLING, coarsen
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.jpeg import compress, tables
+from simulations.scenes.jpeg.patterns import PATTERNS, pattern_table
 from simulations.scenes.jpeg.scene import SCENE, cut
 from simulations.scenes.jpeg.settings import BLOCK_COLUMNS, BLOCK_ROWS
 
@@ -169,3 +170,27 @@ def test_integers_change_thousands_of_codes_at_the_highest_quality_and_hardly_an
     _, coarse, _ = judged("fixed-point", quality=30)
     assert fine > 1000
     assert coarse < fine / 50
+
+
+def test_the_block_is_the_sum_of_the_patterns_shown() -> None:
+    """Each pattern of the table is, but for its scale, the block of that one coefficient."""
+    for (u, v), pattern in zip(np.ndindex(8, 8), PATTERNS.reshape(64, 8, 8), strict=True):
+        alone = np.zeros((8, 8))
+        alone[u, v] = 1.0
+        block = idctn(alone, type=2, norm="ortho")
+        np.testing.assert_allclose(pattern, block / np.abs(block).max(), atol=1e-12)
+
+
+def test_a_negative_code_turns_its_pattern_dark_for_light() -> None:
+    codes = np.zeros((8, 8), int)
+    codes[0, 1] = 3
+    up, down = (pattern_table(sign * codes, 64)[..., 0].astype(int) for sign in (1, -1))
+    cell = (slice(1, 1 + 8 * 4), slice(42, 42 + 8 * 5))
+    assert up[cell].max() == 255
+    np.testing.assert_allclose(up[cell] + down[cell], 255, atol=1)
+
+
+def test_the_line_divides_the_original_from_the_decoded() -> None:
+    before, half, after = (pixels_of(frame(original=share)) for share in (1, 0.5, 0))
+    np.testing.assert_array_equal(half[:, :120], before[:, :120])
+    np.testing.assert_array_equal(half[:, 120:], after[:, 120:])

@@ -27,7 +27,6 @@ SCENES = {scene_id: load_scene(scene_id) for scene_id in SCENE_MODULES}
 START: dict[str, dict[str, object]] = {
     "camera": {"aperture": 2.0, "k1": -0.1},
     "lens-distortion": {"k1": -0.1, "correct": True},
-    "bayer-demosaic": {"demosaic": 1},
 }
 """Settings at which no stage is neutral."""
 

@@ -1,7 +1,6 @@
-"""The drawings of the Bayer scene: the loupe, the letters of the filters, the worst pixel."""
+"""The drawings of the Bayer scene: the loupe, a quad of filters, the worst pixel."""
 
 import math
-from collections.abc import Iterator
 
 from simulations.engine.drawing import line, polygon, rectangle, text
 from simulations.pictures.balloon import WIDTH as PICTURE_WIDTH
@@ -10,6 +9,9 @@ from simulations.scenes.bayer_demosaic.settings import COLUMNS, ROWS
 WIDTH, HEIGHT = 400, 320
 PIXEL, CELL = WIDTH / PICTURE_WIDTH, WIDTH / COLUMNS
 """Sides of a pixel in the pictures, and under the loupe: large enough for a letter."""
+QUAD_COLUMN, QUAD_ROW = 16, 6
+"""Place of the quad that is framed, in pixels under the loupe."""
+QUAD_CORNER = (QUAD_COLUMN * CELL, QUAD_ROW * CELL)
 
 
 def loupe(row: int, column: int) -> str:
@@ -18,23 +20,15 @@ def loupe(row: int, column: int) -> str:
     return rectangle(corner, *size, "casing") + rectangle(corner, *size, "camera bold")
 
 
-def filter_letters(pattern: str) -> str:
-    """The letter of each filter, at the centre of its enlarged pixel; one quad is framed."""
-    return "".join(_letters(pattern)) + _quad()
-
-
-def _letters(pattern: str) -> Iterator[str]:
-    for row in range(ROWS):
-        for column in range(COLUMNS):
-            letter = pattern[2 * (row % 2) + column % 2]
-            place = ((column + 0.5) * CELL, (row + 0.5) * CELL + 4)
-            yield text(place, letter, "small halo", "middle")
-
-
-def _quad() -> str:
-    corner, side = (8 * CELL, 6 * CELL), 2 * CELL
-    styles = ("casing", "camera bold")
-    return "".join(rectangle(corner, side, side, style) for style in styles)
+def quad(pattern: str) -> str:
+    """A frame around one quad of the enlarged mosaic, with the letter of each filter."""
+    (x, y), side = QUAD_CORNER, 2 * CELL
+    frame = [rectangle(QUAD_CORNER, side, side, style) for style in ("casing", "camera bold")]
+    letters = [
+        text((x + (k % 2 + 0.5) * CELL, y + (k // 2 + 0.5) * CELL + 4), letter, "halo", "middle")
+        for k, letter in enumerate(pattern)
+    ]
+    return "".join((*frame, *letters))
 
 
 def worst_pixel(row: int, column: int) -> str:

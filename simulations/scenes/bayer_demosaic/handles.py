@@ -1,11 +1,12 @@
-"""Handles of the Bayer figure: the loupe, and the picture under it."""
+"""Handles of the Bayer figure: the dividing line, the loupe, and the picture under it."""
 
 from collections.abc import Mapping
 
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.scenes.bayer_demosaic.drawing import CELL, PIXEL
+from simulations.scenes._wipe.wipe import wipe_handle
+from simulations.scenes.bayer_demosaic.drawing import CELL, HEIGHT, PIXEL, WIDTH
 from simulations.scenes.bayer_demosaic.settings import COLUMNS, ROWS, Settings
 
 
@@ -26,10 +27,11 @@ def _enlarged_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"column": -place[0] / CELL, "row": -place[1] / CELL}
 
 
-def _over(panel: str) -> Handle[Settings]:
-    return Handle(
-        f"loupe-{panel}",
-        panel,
+HANDLES: tuple[Handle[Settings], ...] = (
+    wipe_handle("picture", "split", WIDTH, HEIGHT),
+    Handle(
+        "loupe-picture",
+        "picture",
         "Loupe",
         ("column", "row"),
         _loupe,
@@ -37,11 +39,7 @@ def _over(panel: str) -> Handle[Settings]:
         "press",
         "camera",
         reversed=("row",),
-    )
-
-
-HANDLES: tuple[Handle[Settings], ...] = (
-    _over("picture"),
+    ),
     Handle(
         "enlarged",
         "loupe",
@@ -52,5 +50,4 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "drag",
         reversed=("column",),
     ),
-    _over("error"),
 )

@@ -12,6 +12,7 @@ from simulations.engine.frame import Frame, Panel, Raster, Readout, format_numbe
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.pictures.mosaic_subjects import SUBJECTS
+from simulations.scenes._wipe.wipe import over_wipe
 from simulations.scenes.bayer_demosaic import drawing
 from simulations.scenes.bayer_demosaic.handles import HANDLES
 from simulations.scenes.bayer_demosaic.settings import COLUMNS, METHOD_LABELS, ROWS, Settings
@@ -24,49 +25,28 @@ from simulations.scenes.bayer_demosaic.stages import (
     rms_codes,
 )
 
-NO_MERITS = ("—",) * 4
-"""The texts of `_merits` while there is only a mosaic."""
+NAMES = ("reconstruction", "mosaic")
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The mosaic or its reconstruction by the chosen method, with its error."""
+    """The reconstruction beside the mosaic, a part of both enlarged, and the error."""
     words = "your own picture" if outputs["photograph"] else SUBJECTS[settings.picture].words
-    if not settings.demosaic:
-        return Frame(
-            _mosaic(settings, outputs),
-            (_shares(), *_merits(*NO_MERITS)),
-            describe_mosaic(words),
-        )
-    return Frame(
-        _reconstruction(settings, outputs),
-        (_shares(), *_merits(*_measured(outputs))),
-        describe(words, settings.method, outputs["error"]),
-    )
-
-
-def _mosaic(settings: Settings, outputs: Outputs) -> tuple[Panel, ...]:
-    """The mosaic, a part of it enlarged, and the original picture."""
-    cells, truth = outputs["bytes of the picture"], outputs["bytes of the error"]
-    loupe = drawing.loupe(settings.row, settings.column)
-    # Two samples per cell, as the fine pattern would beat with the screen's pixels.
-    twice = cells.repeat(2, axis=0).repeat(2, axis=1)
-    letters = drawing.filter_letters(PATTERN)
-    return (
-        _panel("picture", "The mosaic", twice, loupe),
-        _enlarged("Enlarged: one filter per cell", cells, settings, letters),
-        _panel("error", "The truth, which no cell saw", truth, loupe),
-    )
-
-
-def _reconstruction(settings: Settings, outputs: Outputs) -> tuple[Panel, ...]:
-    """The demosaiced picture, a part of it enlarged, and its amplified error."""
     errors: Errors = outputs["error"]
-    shown = outputs["bytes of the picture"]
-    over = drawing.worst_pixel(*errors.worst_at) + drawing.loupe(settings.row, settings.column)
-    return (
-        _panel("picture", "The reconstruction", shown, over),
-        _enlarged("Enlarged", shown, settings, ""),
-        _panel("error", f"Error × {AMPLIFY}", outputs["bytes of the error"], over),
+    loupe = drawing.loupe(settings.row, settings.column)
+    wipe = over_wipe(settings.split, drawing.WIDTH, drawing.HEIGHT, NAMES)
+    return Frame(
+        (
+            _panel("picture", "What the sensor saw, filled in", outputs["doubled"], wipe + loupe),
+            _enlarged(outputs["wipe"], settings),
+            _panel(
+                "error",
+                f"Error of the reconstruction, × {AMPLIFY}",
+                outputs["bytes of the error"],
+                drawing.worst_pixel(*errors.worst_at),
+            ),
+        ),
+        _readouts(errors, outputs["shared detail"]),
+        describe(words, settings, errors),
     )
 
 
@@ -74,65 +54,45 @@ def _panel(name: str, title: str, raster: Raster, overlay: str) -> Panel:
     return Panel(name, title, drawing.WIDTH, drawing.HEIGHT, raster, overlay)
 
 
-def _enlarged(title: str, picture: Raster, settings: Settings, overlay: str) -> Panel:
-    """The part under the loupe, with pixels as squares."""
+def _enlarged(picture: Raster, settings: Settings) -> Panel:
+    """The part under the loupe, with pixels as squares; of the mosaic, one quad is framed."""
     rows = slice(settings.row, settings.row + ROWS)
     part = np.ascontiguousarray(picture[rows, settings.column : settings.column + COLUMNS])
+    border = round(settings.split * picture.shape[1])
+    is_mosaic = border <= settings.column + drawing.QUAD_COLUMN
+    overlay = drawing.quad(PATTERN) if is_mosaic else ""
     width, height = drawing.WIDTH, drawing.HEIGHT
-    return Panel("loupe", title, width, height, part, overlay, pixelated=True)
+    return Panel("loupe", "Under the loupe", width, height, part, overlay, pixelated=True)
 
 
-def _shares() -> Readout:
-    """Share of the cells that measure each colour, as in every quad."""
-    red, green, blue = (round(100 * PATTERN.count(letter) / len(PATTERN)) for letter in "RGB")
-    return Readout("samples", "Measured R / G / B", f"{red} / {green} / {blue}", "%")
-
-
-def _merits(shared: str, psnr: str, light: str, worst: str) -> tuple[Readout, ...]:
+def _readouts(errors: Errors, shared: tuple[float, float]) -> tuple[Readout, ...]:
+    """``shared``: see `simulations.models.sensor.shared_detail`."""
+    correlation = " / ".join(format_number(each, 2) for each in shared)
+    psnr, light = (format_number(each, 1) for each in (errors.psnr_db, errors.light_psnr_db))
     return (
-        Readout("shared", "Fine detail shared with green, R / B", shared),
-        Readout("psnr", "PSNR as displayed", psnr, "dB", "error"),
-        Readout("light", "PSNR in light", light, "dB"),
-        Readout("worst", "Worst error", worst, "of 255", "error"),
+        Readout("psnr", "Fidelity on the screen (PSNR)", psnr, "dB", "error"),
+        Readout("shared", "Correlation with green: red / blue", correlation),
+        Readout("light", "Fidelity in light (PSNR)", light, "dB"),
+        Readout("worst", "Worst error", format_number(errors.worst_codes, 0), "of 255", "error"),
     )
 
 
-def _measured(outputs: Outputs) -> tuple[str, str, str, str]:
-    """The texts of `_merits` for a reconstruction."""
-    errors: Errors = outputs["error"]
+def describe(words: str, settings: Settings, errors: Errors) -> str:
+    """The mosaic of a picture and its reconstruction in words."""
+    where = ", most where detail is sharp or fine" if errors.worst_codes > 1 else ""
+    share = format_number(100 * settings.split, 0)
     return (
-        " / ".join(format_number(each, 2) for each in outputs["shared detail"]),
-        format_number(errors.psnr_db, 1),
-        format_number(errors.light_psnr_db, 1),
-        format_number(errors.worst_codes, 0),
-    )
-
-
-def describe_mosaic(words: str) -> str:
-    """The mosaic of a picture in one sentence."""
-    return (
-        f"The sensor's view of {words}: every cell has measured only one of red, green "
-        "and blue, green at half of them."
-    )
-
-
-def describe(words: str, method: str, errors: Errors) -> str:
-    """The reconstruction of a picture in one sentence."""
-    where = " where detail is sharp or fine" if errors.worst_codes > 1 else ""
-    return (
-        f"The picture of {words}, demosaiced by the method {METHOD_LABELS[method]}: "
-        f"{format_number(errors.psnr_db, 1)} dB as displayed, with errors of up to "
+        f"The mosaic of {words}, where every cell shows red, green or blue alone, green at half of "
+        f"them. The left {share} % are demosaiced by the method {METHOD_LABELS[settings.method]}: "
+        f"{format_number(errors.psnr_db, 1)} dB on the screen, with errors of up to "
         f"{errors.worst_codes} codes{where}."
     )
 
 
-def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
+def estimate(_settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """Error of each colour of the reconstruction. The method, a control of this figure, is the
     tier.
     """
-    if not settings.demosaic:
-        yield Readout("error", "Error", "none yet: nothing is demosaiced")
-        return
     text = ", ".join(format_number(codes, 1) for codes in rms_codes(outputs["error"]))
     yield Readout("error", "RMS error of red, green, blue", text, "codes of 255", "error")
 

@@ -26,8 +26,9 @@ METHOD_LABELS = {
 class Settings:
     """The settings of the figure."""
 
-    demosaic: int = action("Demosaic", "Show the mosaic")
+    demosaic: int = action("Demosaic", drives="split", effect="play", seconds=4.0)
     method: str = choice("Method", METHOD_LABELS, "menon-unrefined")
     picture: str = choice("Picture", {name: each.label for name, each in SUBJECTS.items()})
+    split: float = slider("Demosaiced part", 0.5, 0, 1, 0.01, unit="of the picture")
     column: int = slider("Loupe, column", 104, 0, PICTURE_WIDTH - COLUMNS, QUAD, unit="px")
     row: int = slider("Loupe, row", 56, 0, PICTURE_HEIGHT - ROWS, QUAD, unit="px")

@@ -20,6 +20,7 @@ from simulations.models.sensor.demosaicing import demosaic
 from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures.balloon import HEIGHT, WHOLE, WIDTH
 from simulations.pictures.mosaic_subjects import SUBJECTS
+from simulations.scenes._wipe.wipe import wiped
 
 type Picture = Floats
 
@@ -88,10 +89,6 @@ def _amplified(errors: Errors) -> Raster:
     return to_rgba8(AMPLIFY * errors.absolute)
 
 
-def _mosaic_alone(demosaic: int) -> str:
-    return "" if demosaic else "nothing is demosaiced yet"
-
-
 def _mosaic(picture: Floats) -> Floats:
     """The mosaic (H, W), one colour per cell."""
     return mosaic(picture, PATTERN)
@@ -102,29 +99,31 @@ def _bytes(shown: Floats) -> Raster:
     return to_rgba8(shown)
 
 
+def _wiped(reconstruction: Raster, cells: Raster, split: float) -> Raster:
+    return wiped(reconstruction, cells, split)
+
+
+def _no_mosaic(split: float) -> str:
+    return "the whole picture is demosaiced" if split == 1 else ""
+
+
+def _twice(shown: Raster) -> Raster:
+    """Two samples per cell, as the fine pattern would beat with the screen's pixels."""
+    return shown.repeat(2, axis=0).repeat(2, axis=1)
+
+
 STAGES = (
     Stage("picture", _seen),
     Stage("mosaic", _mosaic, ("picture",)),
     Stage("shown picture", encode_srgb, ("picture",)),
-    Stage("shared detail", shared_detail, ("picture",), neutral=_mosaic_alone),
+    Stage("shared detail", shared_detail, ("picture",)),
     Stage("demosaic", _reconstruct, ("mosaic",)),
     Stage("display", encode_srgb, ("demosaic",)),
     Stage("error", compare, ("picture", "demosaic", "shown picture", "display")),
     # As bytes for the page, which stay cached while the loupe moves.
     Stage("bytes of the mosaic", _cells, ("mosaic",)),
-    Stage("bytes of the truth", _bytes, ("shown picture",)),
-    Stage(
-        "bytes of the picture",
-        _bytes,
-        ("display",),
-        neutral=_mosaic_alone,
-        passes_on="bytes of the mosaic",
-    ),
-    Stage(
-        "bytes of the error",
-        _amplified,
-        ("error",),
-        neutral=_mosaic_alone,
-        passes_on="bytes of the truth",
-    ),
+    Stage("bytes of the reconstruction", _bytes, ("display",)),
+    Stage("wipe", _wiped, ("bytes of the reconstruction", "bytes of the mosaic")),
+    Stage("doubled", _twice, ("wipe",), neutral=_no_mosaic),
+    Stage("bytes of the error", _amplified, ("error",)),
 )

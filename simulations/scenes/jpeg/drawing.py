@@ -1,5 +1,5 @@
-"""The drawings of the JPEG scene: the place of the block, the grid of blocks, the table of
-codes."""
+"""The drawings of the JPEG scene: the place of the block, the grid of blocks, and the codes over
+their patterns."""
 
 import math
 from collections.abc import Iterator
@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.drawing import Point, arrow, dot, path, rectangle, text
+from simulations.engine.drawing import Point, dot, path, rectangle, text
 from simulations.engine.frame import format_number
 from simulations.models.compression.blocks import BLOCK
 from simulations.models.compression.zigzag import RANK, ZIGZAG
@@ -20,7 +20,8 @@ SIDE = BLOCK * WIDTH / COLUMNS_PX
 """Width of a block in the picture."""
 CLOSE_SIDE = BLOCK * WIDTH / CLOSE_COLUMNS
 """Width of a block in the close-up."""
-TABLE_LEFT, TABLE_TOP, CELL_WIDTH, CELL_HEIGHT = 44.0, 32.0, 43.0, 35.0
+CELL_WIDTH, CELL_HEIGHT = WIDTH / BLOCK, HEIGHT / BLOCK
+"""Sides of a cell of the table of coefficients."""
 
 
 def block_in_picture(row: int, column: int) -> str:
@@ -42,8 +43,8 @@ def block_grid(top: int, left: int) -> str:
 
 
 def code_table(codes: NDArray[np.integer], first: int) -> str:
-    """The 64 whole numbers; zeros, and those not among the ``first``, are faint."""
-    return "".join((*_axes(), *_cells(codes, first), *_order(first)))
+    """The codes (8, 8) that are not zero and among the ``first``, and the last of those."""
+    return "".join((*_numbers(codes, first), *_last(first)))
 
 
 def knob(first: int) -> tuple[float, float]:
@@ -55,37 +56,24 @@ def knob(first: int) -> tuple[float, float]:
 
 def cell_at(place: Point) -> tuple[int, int]:
     """Row and column of the table at a place, also beyond its borders."""
-    row, column = (place[1] - TABLE_TOP) / CELL_HEIGHT, (place[0] - TABLE_LEFT) / CELL_WIDTH
-    return math.floor(row), math.floor(column)
+    return math.floor(place[1] / CELL_HEIGHT), math.floor(place[0] / CELL_WIDTH)
 
 
 def _corner(row: int, column: int) -> tuple[float, float]:
-    return (TABLE_LEFT + column * CELL_WIDTH, TABLE_TOP + row * CELL_HEIGHT)
+    return (column * CELL_WIDTH, row * CELL_HEIGHT)
 
 
-def _axes() -> Iterator[str]:
-    right, bottom = TABLE_LEFT + BLOCK * CELL_WIDTH, TABLE_TOP + BLOCK * CELL_HEIGHT
-    yield text((TABLE_LEFT, 20), "finer from left to right", "muted small")
-    yield arrow((TABLE_LEFT + 132, 16), (right, 16), "muted thin", 7)
-    yield text((6, TABLE_TOP + 14), "mean", "muted small")
-    yield text((6, TABLE_TOP + 62), "finer", "muted small")
-    yield text((6, TABLE_TOP + 76), "down", "muted small")
-    yield arrow((20, TABLE_TOP + 88), (20, bottom), "muted thin", 7)
-
-
-def _cells(codes: NDArray[np.integer], first: int) -> Iterator[str]:
+def _numbers(codes: NDArray[np.integer], first: int) -> Iterator[str]:
     for (row, column), code in np.ndenumerate(codes):
-        x, y = _corner(row, column)
-        place = (x + CELL_WIDTH / 2, y + CELL_HEIGHT / 2 + 5)
-        used = RANK[row, column] < first
-        box = "image fill thin" if code and used else "muted thin faint"
-        number = "image strong" if code and used else "muted faint"
-        yield rectangle((x + 1, y + 1), CELL_WIDTH - 2, CELL_HEIGHT - 2, box)
-        yield text(place, format_number(float(code), 0), number, "middle")
+        if code and RANK[row, column] < first:
+            x, y = _corner(row, column)
+            place = (x + CELL_WIDTH / 2, y + CELL_HEIGHT / 2 + 5)
+            yield text(place, format_number(float(code), 0), "image strong halo", "middle")
 
 
-def _order(first: int) -> Iterator[str]:
-    """The border of the coefficients in use."""
+def _last(first: int) -> Iterator[str]:
+    """The border of the last coefficient in use, and its handle."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
-    yield rectangle(_corner(row, column), CELL_WIDTH, CELL_HEIGHT, "ray bold")
+    for style in ("casing", "ray bold"):
+        yield rectangle(_corner(row, column), CELL_WIDTH, CELL_HEIGHT, style)
     yield dot(knob(first), "ray", 5)

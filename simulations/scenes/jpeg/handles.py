@@ -1,4 +1,4 @@
-"""Handles of the JPEG figure: the block, its surroundings, and the last coefficient in use."""
+"""Handles of the JPEG figure: the dividing line, the block, and the last coefficient in use."""
 
 from collections.abc import Mapping
 
@@ -7,7 +7,8 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.models.compression.blocks import BLOCK
 from simulations.models.compression.zigzag import RANK
-from simulations.scenes.jpeg.drawing import CLOSE_SIDE, SIDE, cell_at, knob
+from simulations.scenes._wipe.wipe import wipe_handle
+from simulations.scenes.jpeg.drawing import HEIGHT, SIDE, WIDTH, cell_at, knob
 from simulations.scenes.jpeg.settings import Settings
 
 
@@ -17,15 +18,6 @@ def _block(settings: Settings, _outputs: Outputs) -> Point:
 
 def _block_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"column": place[0] / SIDE + 0.5, "row": place[1] / SIDE + 0.5}
-
-
-def _around(settings: Settings, _outputs: Outputs) -> Point:
-    """Place of the picture's first block in the close-up."""
-    return (-settings.column * CLOSE_SIDE, -settings.row * CLOSE_SIDE)
-
-
-def _around_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"column": -place[0] / CLOSE_SIDE, "row": -place[1] / CLOSE_SIDE}
 
 
 def _last(settings: Settings, _outputs: Outputs) -> Point:
@@ -39,6 +31,7 @@ def _last_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
+    wipe_handle("picture", "original", WIDTH, HEIGHT),
     Handle(
         "block",
         "picture",
@@ -49,16 +42,6 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "press",
         "image",
         reversed=("row",),
-    ),
-    Handle(
-        "around",
-        "block",
-        "Picture around the block",
-        ("column", "row"),
-        _around,
-        _around_pulled,
-        "drag",
-        reversed=("column",),
     ),
     Handle(
         "last", "codes", "Last coefficient used", ("first",), _last, _last_pulled, "press", "ray"

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
-from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.compression.blocks import BLOCK
@@ -17,44 +16,46 @@ from simulations.models.compression.jpeg import Coded
 from simulations.models.compression.zigzag import first_in_order
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
+from simulations.scenes._wipe.wipe import over_wipe
 from simulations.scenes.jpeg import drawing
 from simulations.scenes.jpeg.error import estimates
 from simulations.scenes.jpeg.handles import HANDLES
+from simulations.scenes.jpeg.patterns import pattern_table
 from simulations.scenes.jpeg.settings import ALL, Settings
 from simulations.scenes.jpeg.stages import PHOTOGRAPH_PX, STAGES
 
 PIXELS = ROWS_PX * COLUMNS_PX
+NAMES = ("original", "JPEG")
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The decoded picture, a block of it, and the numbers stored for it."""
     coded: Coded = outputs["coded"]
     codes = coded.luma[settings.row - 1, settings.column - 1]
-    name, picture = ("The original", "original") if settings.original else ("As decoded", "decoded")
     size: Size = outputs["size"]
     psnr: float = outputs["psnr"]
     block_kept = int(np.count_nonzero(first_in_order(codes, settings.first)))
     words = describe_own if outputs["photograph"] else describe
     return Frame(
-        panels=_panels(settings, name, to_rgba8(outputs[picture]), codes),
+        panels=_panels(settings, outputs["wipe"], codes),
         readouts=_readouts(psnr, size, block_kept),
         description=words(settings, psnr, size.bits / PIXELS, block_kept),
     )
 
 
-def _panels(
-    settings: Settings, name: str, shown: Raster, codes: NDArray[np.integer]
-) -> tuple[Panel, ...]:
+def _panels(settings: Settings, shown: Raster, codes: NDArray[np.integer]) -> tuple[Panel, ...]:
     """The whole picture, the surroundings of a block, and the ``codes`` (8, 8) of that block."""
     row, column = settings.row - 1, settings.column - 1
     close, place = cut(shown, row, column)
     width, height = drawing.WIDTH, drawing.HEIGHT
-    frame = drawing.block_in_picture(row, column)
-    grid, table = drawing.block_grid(*place), drawing.code_table(codes, settings.first)
+    wipe = over_wipe(settings.original, width, height, NAMES)
+    frame, grid = drawing.block_in_picture(row, column), drawing.block_grid(*place)
+    patterns = pattern_table(codes, settings.first)
+    table = drawing.code_table(codes, settings.first)
     return (
-        Panel("picture", name, width, height, shown, frame),
-        Panel("block", "Around the block", width, height, close, grid, pixelated=True),
-        Panel("codes", "The block's luma, as kept", width, height, overlay=table),
+        Panel("picture", "The picture before and after", width, height, shown, wipe + frame),
+        Panel("block", "The framed block, enlarged", width, height, close, grid, pixelated=True),
+        Panel("codes", "How much of each pattern", width, height, patterns, table, pixelated=True),
     )
 
 
@@ -63,11 +64,18 @@ def _readouts(psnr: float, size: Size, block_kept: int) -> tuple[Readout, ...]:
     # An ideal coder needs no bits for one flat tone.
     ratio = f"{format_number(24 * PIXELS / size.bits, 1)} : 1" if size.bits else "∞"
     return (
-        readout("psnr", "PSNR", psnr, "dB", digits=1, role="error"),
-        readout("kept", "Coefficients kept, of 3 a pixel", kept_percent, "%", digits=1),
+        readout("psnr", "Fidelity (PSNR)", psnr, "dB", digits=1, role="error"),
+        readout("kept", "Coefficients kept", kept_percent, "%", digits=1),
         readout("rate", "Size", size.bits / PIXELS, "bits a pixel", role="image"),
-        Readout("ratio", "Compression, from 24 bits a pixel", ratio),
-        readout("block_kept", "Kept in the block", block_kept, "of 64", digits=0, role="image"),
+        Readout("ratio", "Compression ratio", ratio),
+        readout(
+            "block_kept",
+            "Coefficients kept in the block",
+            block_kept,
+            "of 64",
+            digits=0,
+            role="image",
+        ),
     )
 
 
@@ -83,8 +91,6 @@ def cut[T: np.generic](
 
 def describe(settings: Settings, psnr: float, rate: float, block_kept: int) -> str:
     """The book's picture in one sentence."""
-    if settings.original:
-        return "The picture of a striped balloon over rows of tulips before it is compressed."
     subsampled = settings.subsampling != "4:4:4"
     if psnr >= 33:
         visible = "few traces show"
@@ -94,15 +100,13 @@ def describe(settings: Settings, psnr: float, rate: float, block_kept: int) -> s
         visible = "edges are surrounded by ripples" if psnr >= 27 else "blocks and fringes show"
     return (
         f"A striped balloon over tulips {_compressed(settings, psnr, rate)}, and {visible}; "
-        f"{_kept(block_kept)}"
+        f"{_kept(settings, block_kept)}"
     )
 
 
 def describe_own(settings: Settings, psnr: float, rate: float, block_kept: int) -> str:
     """The reader's picture in one sentence."""
-    if settings.original:
-        return "Your own picture before it is compressed."
-    return f"Your own picture {_compressed(settings, psnr, rate)}; {_kept(block_kept)}"
+    return f"Your own picture {_compressed(settings, psnr, rate)}; {_kept(settings, block_kept)}"
 
 
 def _compressed(settings: Settings, psnr: float, rate: float) -> str:
@@ -122,8 +126,12 @@ def _compressed(settings: Settings, psnr: float, rate: float) -> str:
     )
 
 
-def _kept(block_kept: int) -> str:
-    return f"{block_kept} of the chosen block's 64 luma coefficients are kept."
+def _kept(settings: Settings, block_kept: int) -> str:
+    share = format_number(100 * settings.original, 0)
+    return (
+        f"{block_kept} of the 64 luma coefficients of the framed block are kept. The left "
+        f"{share} % of the picture are the original."
+    )
 
 
 def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from simulations.engine.settings import choice, slider, toggle
+from simulations.engine.settings import choice, slider
 from simulations.models.compression.blocks import BLOCK
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
@@ -29,9 +29,9 @@ class Settings:
     """The settings of the figure."""
 
     quality: int = slider("Quality", 30, 1, 100, 1)
-    subsampling: str = choice("Colour", SUBSAMPLING_LABELS)
-    upsampling: str = choice("Colour filled in by", UPSAMPLING_LABELS, "triangle")
+    subsampling: str = choice("Chroma subsampling", SUBSAMPLING_LABELS)
+    upsampling: str = choice("Chroma upsampling", UPSAMPLING_LABELS, "triangle")
     column: int = slider("Block, column", 25, 1, BLOCK_COLUMNS, 1)
     row: int = slider("Block, row", 8, 1, BLOCK_ROWS, 1)
-    original: bool = toggle("Show the original")
+    original: float = slider("Original shown", 0.5, 0, 1, 0.01, unit="of the picture")
     first: int = slider("Coefficients used", ALL, 1, ALL, 1, unit="of each block")

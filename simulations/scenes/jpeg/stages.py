@@ -4,7 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from simulations.engine.frame import Raster
 from simulations.engine.photograph import Photograph
+from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
@@ -14,6 +16,7 @@ from simulations.models.compression.entropy import size
 from simulations.models.compression.zigzag import first_in_order
 from simulations.models.error_measures import psnr_db
 from simulations.pictures.balloon import HEIGHT, WIDTH, balloon
+from simulations.scenes._wipe.wipe import wiped
 from simulations.scenes.jpeg.settings import ALL
 
 PHOTOGRAPH_PX = (WIDTH, HEIGHT)
@@ -46,6 +49,14 @@ def _quality(decoded: Floats, original: Floats) -> float:
     return psnr_db(np.rint(255 * decoded) / 255, original)
 
 
+def _bytes(picture: Floats) -> Raster:
+    return to_rgba8(picture)
+
+
+def _wiped(before: Raster, after: Raster, original: float) -> Raster:
+    return wiped(before, after, original)
+
+
 def _nothing_to_fill_in(subsampling: str) -> str:
     return "every pixel has kept its own colour" if subsampling == "4:4:4" else ""
 
@@ -58,6 +69,9 @@ STAGES = (
     Stage("restored", jpeg.restore, ("used",)),
     Stage("full colour", jpeg.fill_in_colour, ("restored",), neutral=_nothing_to_fill_in),
     Stage("decoded", jpeg.from_planes, ("full colour",)),
+    Stage("bytes of the original", _bytes, ("original",)),
+    Stage("bytes of the decoded", _bytes, ("decoded",)),
+    Stage("wipe", _wiped, ("bytes of the original", "bytes of the decoded")),
     Stage("size", size, ("used",)),
     Stage("psnr", _quality, ("decoded", "original")),
 )

@@ -1,0 +1,1 @@
+"""A wipe between two pictures, shared by figures that compare them."""
