@@ -11,8 +11,10 @@ from simulations.engine.stages import StageCache
 from simulations.models.geometry import euler
 from simulations.models.projection.pinhole import look_at
 from simulations.scenes._turned_camera import body
+from simulations.scenes.gimbal import sight
 from simulations.scenes.gimbal.rings import rings
 from simulations.scenes.gimbal.scene import SCENE
+from simulations.scenes.gimbal.sight import CENTRE, FOCAL, towards
 
 frame = partial(frame_of, SCENE)
 
@@ -76,3 +78,29 @@ def test_a_bead_on_a_ring_seen_edge_on_stays_on_its_side() -> None:
     place = next(handle for handle in there.handles if handle.name == "pan")
     assert SCENE.pull(SCENE.check(given), "pan", (place.x, place.y)) == {"pan": 50}
     assert SCENE.pull(SCENE.check(given | {"pan": -60}), "pan", (place.x, place.y)) == {"pan": -50}
+
+
+def test_the_picture_has_what_the_camera_looks_at_in_its_middle() -> None:
+    """Pan to the right and tilt upwards are azimuth and elevation of the line of sight."""
+    C = euler.to_matrix("YXZ", np.radians([60, 30, -20]))
+    np.testing.assert_allclose(sight.place(C, towards(60, 30)), CENTRE, atol=1e-9)
+    assert np.isnan(sight.place(C, towards(-120, -30))).all(), "behind the camera"
+
+
+def test_the_picture_of_a_level_camera_is_upright_and_not_mirrored() -> None:
+    aside, above = sight.place(np.eye(3), towards(np.array([10, 0]), np.array([0, 10])))
+    np.testing.assert_allclose(aside - CENTRE, [FOCAL * np.tan(np.radians(10)), 0], atol=1e-9)
+    np.testing.assert_allclose(above - CENTRE, [0, -FOCAL * np.tan(np.radians(10))], atol=1e-9)
+
+
+def test_at_the_lock_pan_and_roll_undo_each_other_in_the_picture() -> None:
+    start, both = (
+        frame(pan=pan, tilt=90, roll=roll).panels[1] for pan, roll in ((60, -20), (100, 20))
+    )
+    assert start.overlay == both.overlay
+    assert start.overlay != frame(pan=100, tilt=90, roll=-20).panels[1].overlay
+
+
+def test_only_the_lock_fills_the_band_between_the_rings() -> None:
+    assert "error solid" in frame(tilt=-90).panels[0].overlay
+    assert "error solid" not in frame(tilt=89).panels[0].overlay

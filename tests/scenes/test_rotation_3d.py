@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 from support.frames import estimates_of, frame_of, texts_of
 
 from simulations.engine.stages import StageCache
+from simulations.scenes.rotation_3d.progress import PLOT, turned_deg
 from simulations.scenes.rotation_3d.scene import SCENE
 from simulations.scenes.rotation_3d.stages import orientation, paths
 
@@ -73,3 +74,24 @@ def test_each_rung_errs_less_than_the_one_before() -> None:
     errors = [judged(tier, pan=3, tilt=0, roll=0) for tier in SCENE.tiers]
     assert errors[0] == errors[2], "3° is below the threshold: the straight line"
     assert [judged(tier, pan=120) for tier in SCENE.tiers[2:]] == ["under 10⁻¹²"] * 2
+
+
+@pytest.mark.parametrize("share", [0.0, 0.2, 0.5, 0.9, 1.0])
+def test_the_plot_has_the_angles_of_the_three_paths(share: float) -> None:
+    """Slerp turns at a steady speed; a blend of entries as its chord is seen from the centre."""
+    here = orientation(105, 40, -40)
+    there = paths(here, "slerp")
+    whole = np.degrees(Rotation.from_matrix(here.C).magnitude())
+    assert turned_deg(there["slerp"](share)) == pytest.approx(share * whole)
+    blended = there["euler"](share)
+    assert turned_deg(blended) == pytest.approx(
+        np.degrees(Rotation.from_matrix(blended).magnitude())
+    )
+    u, _, v = np.linalg.svd(there["matrix"](share))
+    nearest = Rotation.from_matrix(u @ v).magnitude()
+    assert turned_deg(there["matrix"](share)) == pytest.approx(np.degrees(nearest), abs=1e-9)
+
+
+def test_a_pull_in_the_plot_sets_the_progress() -> None:
+    x, _ = PLOT.at(0.8, 0.0)
+    assert SCENE.pull(SCENE.check({}), "progress", (x, 100.0)) == {"t": 0.8}

@@ -1,8 +1,8 @@
 """A camera in three rings, one for each Euler angle.
 
 Each ring is perpendicular to its angle's axis. The pan ring is fixed in the world, the tilt ring
-turns with the pan, the roll ring with both; at a tilt of ±90° the roll ring is in the plane of the
-pan ring.
+turns with the pan, the roll ring with both; at a tilt of ±90° the roll ring lies in the plane of
+the pan ring, just inside it.
 """
 
 import math
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.engine.drawing import Point, arrow, dot, line, path, polyline, text
+from simulations.engine.drawing import Point, arrow, dot, line, path, polygon, polyline, text
 from simulations.engine.frame import format_number
 from simulations.engine.space.view import runs
 from simulations.models.arrays import Floats
@@ -23,6 +23,10 @@ from simulations.scenes._turned_camera import body
 WIDTH, HEIGHT = 400.0, 400.0
 CENTRE = (200.0, 208.0)
 STEPS = 72
+NEARLY = math.cos(math.radians(10.0))
+"""The roll and the pan ring are drawn bold when the cosine between their axes exceeds this."""
+LOCKED = 1.0 - 1e-9
+"""Cosine between the two axes above which they count as one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,8 +56,8 @@ def rings(pan_rad: float, tilt_rad: float, roll_rad: float) -> tuple[Ring, Ring,
     panned = euler.to_matrix("YXZ", (pan_rad, 0.0, 0.0))
     return (
         Ring("pan", "world", 178.0, pan_axis, np.array([0.0, 0.0, 1.0]), pan_rad),
-        Ring("tilt", "light", 156.0, tilt_axis, panned[:, 2], tilt_rad),
-        Ring("roll", "ray", 134.0, roll_axis, tilt_axis, roll_rad),
+        Ring("tilt", "light", 144.0, tilt_axis, panned[:, 2], tilt_rad),
+        Ring("roll", "ray", 166.0, roll_axis, tilt_axis, roll_rad),
     )
 
 
@@ -62,20 +66,33 @@ def draw(pan_rad: float, tilt_rad: float, roll_rad: float, view: Floats) -> str:
     three = rings(pan_rad, tilt_rad, roll_rad)
     C = euler.to_matrix("YXZ", (pan_rad, tilt_rad, roll_rad))
     circles = [on_screen(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1)), view) for ring in three]
-    parts = [
-        path(runs(circle, front=False), f"{ring.role} thin faint")
-        for ring, circle in zip(three, circles, strict=True)
+    together = abs(float(three[0].axis @ three[2].axis))
+    widths = ["bold" if together > NEARLY and ring.name != "tilt" else "thin" for ring in three]
+    parts = (
+        [_glow(circles[0][:, :2], three[2].radius / three[0].radius)] if together > LOCKED else []
+    )
+    parts += [
+        path(runs(circle, front=False), f"{ring.role} {width} faint")
+        for ring, circle, width in zip(three, circles, widths, strict=True)
     ]
     parts += [_axis(ring, view, front=False) for ring in three]
     parts.append(body.draw(C, view, CENTRE, 100.0))
     parts += [_axis(ring, view, front=True) for ring in three]
     parts += [
-        path(runs(circle, front=True), f"{ring.role} thin")
-        for ring, circle in zip(three, circles, strict=True)
+        path(runs(circle, front=True), f"{ring.role} {width}")
+        for ring, circle, width in zip(three, circles, widths, strict=True)
     ]
     parts += [mark for ring in three for mark in _angle(ring, view)]
     parts += _legend(three)
+    if together > LOCKED:
+        parts.append(text((386.0, 22.0), "pan and roll: one axis", "error strong", "end"))
     return "".join(parts)
+
+
+def _glow(circle: Floats, share: float) -> str:
+    """The band between a ring (n, 2) in the panel and one of a ``share`` of its size."""
+    inner = np.asarray(CENTRE) + share * (circle[::-1] - CENTRE)
+    return polygon(np.concatenate([circle, inner]), "error solid faint")
 
 
 def _axis(ring: Ring, view: Floats, *, front: bool) -> str:

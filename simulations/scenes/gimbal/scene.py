@@ -15,7 +15,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
 from simulations.scenes._turned_camera.body import view_from
-from simulations.scenes.gimbal import rings
+from simulations.scenes.gimbal import rings, sight
 from simulations.scenes.gimbal.handles import HANDLES
 from simulations.scenes.gimbal.settings import Settings
 
@@ -28,7 +28,7 @@ def ringed(view: Floats, pan: float, tilt: float, roll: float) -> str:
     return rings.draw(math.radians(pan), math.radians(tilt), math.radians(roll), view)
 
 
-STAGES = (Stage("view", view_from), Stage("rings", ringed, ("view",)))
+STAGES = (Stage("view", view_from), Stage("rings", ringed, ("view",)), Stage("sight", sight.draw))
 
 
 def smallest_factor(angles_rad: Floats) -> float:
@@ -50,6 +50,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 rings.HEIGHT,
                 overlay=outputs["rings"],
             ),
+            Panel(
+                "sight", "What the camera sees", sight.WIDTH, sight.HEIGHT, overlay=outputs["sight"]
+            ),
         ),
         readouts=(
             matrix_readout(
@@ -58,8 +61,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 euler.to_matrix("YXZ", angles_rad).tolist(),
                 role="camera",
             ),
-            readout("smallest", "Smallest singular value of J", smallest, digits=3),
-            Readout("rank", "Rank of J", f"{rank} of 3"),
+            Readout("rank", "Independent axes", f"{rank} of 3"),
+            readout("smallest", "Turning in the weakest direction", smallest, digits=3),
         ),
         description=describe(settings, smallest),
     )
@@ -78,7 +81,7 @@ def describe(settings: Settings, smallest: float) -> str:
             "The pan and roll rings lie in one plane: both angles turn the camera about the same "
             "line, and one degree of freedom is lost"
         )
-    return f"A camera at pan {pan}°, tilt {tilt}°, roll {roll}°. {locked}."
+    return f"Three rings around a camera at pan {pan}°, tilt {tilt}°, roll {roll}°. {locked}."
 
 
 SCENE = Scene(

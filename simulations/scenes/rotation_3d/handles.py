@@ -12,7 +12,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.scenes._turned_camera.body import view_from
 from simulations.scenes._turned_camera.turning import background, nearest, pair
-from simulations.scenes.rotation_3d import sphere
+from simulations.scenes.rotation_3d import progress, sphere
 from simulations.scenes.rotation_3d.settings import Settings
 from simulations.scenes.rotation_3d.stages import orientation
 
@@ -38,11 +38,20 @@ def _path(pan: float, tilt: float, roll: float, blend: str, tier: str) -> Floats
     return paths[blend](np.linspace(0.0, 1.0, 101))[:, :, 2]
 
 
+def _mark(settings: Settings, outputs: Outputs) -> Point:
+    return progress.mark(outputs["paths"], settings.blend, settings.t)
+
+
+def _mark_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"t": progress.progress_at(place[0])}
+
+
 def _view(settings: Settings) -> Floats:
     return view_from(settings.azimuth, settings.elevation)
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("sight", "blend", "Line of sight", ("t",), _sight, _sight_pulled, role="camera"),
+    Handle("progress", "progress", "Progress", ("t",), _mark, _mark_pulled, "press", "camera"),
     background("blend"),
 )

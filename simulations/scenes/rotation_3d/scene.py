@@ -16,7 +16,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.models.geometry.rotation_paths import off_great_circle
-from simulations.scenes.rotation_3d import sphere
+from simulations.scenes.rotation_3d import progress, sphere
 from simulations.scenes.rotation_3d.handles import HANDLES
 from simulations.scenes.rotation_3d.settings import Settings
 from simulations.scenes.rotation_3d.sphere import LABELS, START, Path
@@ -24,7 +24,7 @@ from simulations.scenes.rotation_3d.stages import STAGES, Orientation, speed_err
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The camera on its path, and the three traces of its line of sight."""
+    """The camera on its path, the three traces of its line of sight, and the angles turned."""
     here: Orientation = outputs["orientation"]
     there: dict[str, Path] = outputs["paths"]
     share, chosen = settings.t, settings.blend
@@ -34,18 +34,27 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         panels=(
             Panel(
                 "blend",
-                "From straight ahead to the end: the way of the line of sight",
+                "Three ways from start to end",
                 sphere.WIDTH,
                 sphere.HEIGHT,
                 overlay=sphere.draw(there, outputs["traces"], outputs["view"], chosen, share),
+            ),
+            Panel(
+                "progress",
+                "How far the camera has turned",
+                progress.WIDTH,
+                progress.HEIGHT,
+                overlay=progress.draw(there, outputs["curves"], chosen, share),
             ),
         ),
         readouts=(
             readout("turn", "Angle θ from start to end", _turn_deg(here.q), "°", digits=1),
             readout(
-                "off", "Euler way off the arc", math.degrees(off_rad), "°", digits=1, role="error"
+                "off", "Euler path’s deviation", math.degrees(off_rad), "°", digits=1, role="error"
             ),
-            readout("determinant", "det of the blend", float(np.linalg.det(blend)), digits=3),
+            readout(
+                "determinant", "Volume of the blended camera", float(np.linalg.det(blend)), digits=3
+            ),
         ),
         description=describe(settings, off_rad, blend),
     )
@@ -66,7 +75,7 @@ def describe(settings: Settings, off_rad: float, blend: Floats) -> str:
     return (
         f"A camera turns from straight ahead to pan {pan}°, tilt {tilt}°, roll {roll}°. By "
         f"{LABELS[settings.blend]} it is at {share}\u00a0% of the way{fault}; the Euler angles "
-        f"miss the shortest way by {format_number(math.degrees(off_rad), 1)}°."
+        f"miss the shortest path by {format_number(math.degrees(off_rad), 1)}°."
     )
 
 

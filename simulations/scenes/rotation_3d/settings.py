@@ -11,10 +11,10 @@ class Settings:
     """The settings of the figure."""
 
     blend: str = choice("Blend", LABELS)
-    t: float = slider("Share s of the way", 0.5, 0, 1, 0.01)
+    t: float = slider("Progress s", 0.5, 0, 1, 0.01)
     play: int = action("Play", "Pause", drives="t", effect="play", seconds=6.0)
     pan: float = slider("Pan ψ at the end", 105, -180, 180, 1, unit="°")
     tilt: float = slider("Tilt τ at the end", 40, -90, 90, 1, unit="°")
     roll: float = slider("Roll ρ at the end", -40, -180, 180, 1, unit="°")
-    azimuth: float = slider("Seen from the right", 51, -180, 180, 1, unit="°")
-    elevation: float = slider("Seen from above", 28, -90, 90, 1, unit="°")
+    azimuth: float = slider("View azimuth", 51, -180, 180, 1, unit="°")
+    elevation: float = slider("View elevation", 28, -90, 90, 1, unit="°")

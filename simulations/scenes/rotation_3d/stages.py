@@ -11,7 +11,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry import euler, quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 from simulations.scenes._turned_camera.body import view_from
-from simulations.scenes.rotation_3d import sphere
+from simulations.scenes.rotation_3d import progress, sphere
 from simulations.scenes.rotation_3d.sphere import START, Path
 
 
@@ -47,6 +47,7 @@ STAGES = (
     Stage("view", view_from),
     Stage("paths", paths, ("orientation",)),
     Stage("traces", sphere.traces_of, ("paths", "view")),
+    Stage("curves", progress.curves_of, ("paths",)),
 )
 
 
