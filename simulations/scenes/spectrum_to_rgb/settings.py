@@ -1,29 +1,18 @@
-"""The controls of the spectrum figure."""
+"""The controls of the figure of a sensor's colours."""
 
 from dataclasses import dataclass
 
 from simulations.engine.settings import choice, slider, toggle
+from simulations.scenes._spectra.choices import (
+    COOLEST_K,
+    HOTTEST_K,
+    LIGHTS,
+    NARROWEST_NM,
+    STEP_K,
+    SURFACES,
+    WIDEST_NM,
+)
 
-LIGHTS = {
-    "planck": "Glowing body",
-    "daylight": "Daylight",
-    "fluorescent": "Fluorescent tube",
-    "diode": "White LED",
-}
-SURFACES = {
-    "cloth": "Dyed cloth (band and width)",
-    "dark-skin": "Dark skin",
-    "light-skin": "Light skin",
-    "sky": "Blue sky",
-    "foliage": "Foliage",
-    "orange": "Orange",
-    "purple": "Purple",
-    "blue": "Blue",
-    "green": "Green",
-    "red": "Red",
-    "yellow": "Yellow",
-    "white": "White",
-}
 SENSORS = {"camera": "A camera's", "eye": "The eye's, x̄ ȳ z̄"}
 MATRICES = {"daylight": "Made for daylight", "own": "Made for this light"}
 
@@ -33,10 +22,10 @@ class Settings:
     """The settings of the figure."""
 
     light: str = choice("Light", LIGHTS)
-    temperature: float = slider("Colour temperature", 2850, 2000, 12000, 50, unit="K")
-    surface: str = choice("Surface", SURFACES)
-    band: float = slider("Cloth: band at", 605, 420, 660, 5, unit="nm")
-    width: float = slider("Cloth: width σ", 45, 10, 100, 5, unit="nm")
-    twin: bool = toggle("Show the metameric twins")
-    sensor: str = choice("Sensor's curves", SENSORS)
+    temperature: float = slider("Colour temperature", 2850, COOLEST_K, HOTTEST_K, STEP_K, unit="K")
     matrix: str = choice("Colour matrix", MATRICES)
+    surface: str = choice("Surface", SURFACES)
+    sensor: str = choice("Curves of the sensor", SENSORS)
+    band: float = slider("Cloth: band at", 605, 420, 660, 5, unit="nm")
+    width: float = slider("Cloth: width σ", 45, NARROWEST_NM, WIDEST_NM, 5, unit="nm")
+    twin: bool = toggle("Show the metameric twins")

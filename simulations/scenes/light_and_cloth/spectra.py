@@ -1,19 +1,17 @@
-"""The first two panels of the spectrum figure: light × surface, and × sensor."""
+"""The first panel: the light, the surface, and what it sends back."""
 
 import math
-from collections.abc import Iterator
 
 from simulations.engine.drawing import Point, dot, text
 from simulations.models.arrays import Floats
 from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.color.surfaces import LEAST, MOST
-from simulations.scenes.spectrum_to_rgb.axes import PLOT, area, axes, curve
+from simulations.scenes._spectra.axes import PLOT, axes, curve
 
 HALF_HEIGHT = math.sqrt(2.0 * math.log(2.0))
 """Standard deviations from the peak of a bell to half its height."""
 LEGEND = 24.0
 """Row of the names of the curves."""
-LETTERS = {"camera": ("R", "G", "B"), "eye": ("x̄", "ȳ", "z̄")}
 
 
 def light_and_surface(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -> str:
@@ -21,7 +19,7 @@ def light_and_surface(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -
     height = light / light.max()
     parts = [
         axes(),
-        area(height * pair[0], "ray fill thin"),
+        curve(height * pair[0], "ray"),
         curve(height, "light"),
         curve(pair[1], "world dashed") if twin else "",
         curve(pair[0], "world bold"),
@@ -50,27 +48,3 @@ def width_mark(band_nm: float, width_nm: float) -> tuple[float, float]:
 def width_at(place: Point, band_nm: float) -> float:
     """The width for which the band has half its height at a place."""
     return (PLOT.values(place)[0] - band_nm) / HALF_HEIGHT
-
-
-def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw: Floats) -> str:
-    """The sensor's curves (81, 3), and their products with the light from a surface."""
-    back = light / light.max() * reflectance
-    scale = curves.max()
-    parts = [axes()]
-    parts += [area(back * each / scale, "image fill thin") for each in curves.T]
-    parts += [curve(each / scale, "camera thin") for each in curves.T]
-    parts += _letters(curves / scale, LETTERS[sensor])
-    sums = ", ".join(
-        f"{letter} {value:.2f}" for letter, value in zip(LETTERS[sensor], raw, strict=True)
-    )
-    parts.append(text((40, LEGEND), "curves", "camera strong"))
-    parts.append(text((96, LEGEND), f"areas → {sums}", "image strong"))
-    return "".join(parts)
-
-
-def _letters(curves: Floats, letters: tuple[str, ...]) -> Iterator[str]:
-    """The name of each curve above its peak."""
-    for each, letter in zip(curves.T, letters, strict=True):
-        peak = int(each.argmax())
-        x, y = PLOT.at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
-        yield text((x, y - 6), letter, "camera halo", "middle")

@@ -1,4 +1,4 @@
-"""The axis of wavelengths that two panels of the spectrum figure share, with its colours."""
+"""The axis of wavelengths that both figures on spectra have, with its colours."""
 
 from functools import cache
 
@@ -20,10 +20,14 @@ PLOT = Plot(
     Axis(float(WAVELENGTHS_NM[0]), float(WAVELENGTHS_NM[-1]), 34.0, 386.0),
     Axis(0.0, 1.0, 262.0, 52.0),
 )
+FINE = 2
+"""Pixels per unit of the view box."""
 STRIP = 10
 """Height of the strip of colours below the floor."""
-WAVELENGTHS = Scale("wavelength", "nm", ticks=(400, 500, 600, 700), gap=STRIP)
+WAVELENGTHS = Scale("wavelength", "nm", ticks=(400, 550, 700), gap=STRIP)
 SHARES = Scale(ticks=(0, 1), grid=(1,))
+COLUMNS = slice(FINE * round(PLOT.x.start), FINE * round(PLOT.x.end))
+"""The columns of pixels between the ends of the axis."""
 GREY = 0.15
 """Grey added to the colours of the strip, which are all outside the display's gamut."""
 
@@ -47,10 +51,27 @@ def axes() -> str:
 @cache
 def colours_below() -> Raster:
     """(H, W, 4) the colours of the wavelengths as near as a display can show, under the floor."""
-    picture = np.zeros((HEIGHT, WIDTH, 4), np.uint8)
-    linear = np.clip(xyz_to_linear_rgb(OBSERVER) / 2.2 + GREY * OBSERVER.sum(1)[:, None] / 3, 0, 1)
-    left, right, top = (round(end) for end in (PLOT.x.start, PLOT.x.end, PLOT.y.start))
-    places = np.arange(right - left) * (len(linear) - 1) / (right - left)
-    strip = np.stack([np.interp(places, np.arange(len(linear)), c) for c in linear.T], axis=-1)
-    picture[top + 1 : top + STRIP, left:right] = to_rgba8(encode_srgb(strip[None]))
+    picture = np.zeros((FINE * HEIGHT, FINE * WIDTH, 4), np.uint8)
+    floor = FINE * round(PLOT.y.start)
+    picture[floor + FINE : floor + FINE * STRIP, COLUMNS] = _rainbow()
     return picture
+
+
+def colours_under(heights: Floats) -> Raster:
+    """The same, with the area under a spectrum (81,) of heights from 0 to 1 in its colours."""
+    picture = colours_below().copy()
+    steps = np.linspace(0.0, len(heights) - 1.0, COLUMNS.stop - COLUMNS.start)
+    edge = FINE * PLOT.y.position(np.interp(steps, np.arange(len(heights)), heights))
+    rows = np.arange(FINE * round(PLOT.y.end), FINE * round(PLOT.y.start))
+    area = picture[rows[0] : rows[-1] + 1, COLUMNS]
+    np.copyto(area, _rainbow(), where=(rows[:, None] >= edge)[..., None])
+    return picture
+
+
+@cache
+def _rainbow() -> Raster:
+    """(1, columns, 4)."""
+    linear = np.clip(xyz_to_linear_rgb(OBSERVER) / 2.2 + GREY * OBSERVER.sum(1)[:, None] / 3, 0, 1)
+    places = np.linspace(0.0, len(linear) - 1.0, COLUMNS.stop - COLUMNS.start)
+    strip = np.stack([np.interp(places, np.arange(len(linear)), c) for c in linear.T], axis=-1)
+    return to_rgba8(encode_srgb(strip[None]))

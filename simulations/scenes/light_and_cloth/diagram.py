@@ -1,4 +1,4 @@
-"""The chromaticity diagram of the spectrum figure: colours without their brightness."""
+"""The chromaticity diagram: colours without their brightness."""
 
 import math
 from functools import cache
@@ -14,17 +14,18 @@ from simulations.models.color.chromaticity import xyz_to_xyy
 from simulations.models.color.cie import D65_XY, SRGB_PRIMARIES_XY
 from simulations.models.color.illuminants import DAYLIGHT_K
 from simulations.models.color.observer import matching_functions, tristimulus
-from simulations.scenes.spectrum_to_rgb.stages import light_of
+from simulations.scenes._spectra.choices import COOLEST_K, HOTTEST_K, STEP_K
+from simulations.scenes._spectra.spectra import light_of
 
 PLOT = Plot(Axis(0.0, 0.82, 44.0, 298.2), Axis(0.0, 0.88, 284.0, 11.2))
 """310 units of the view box per unit of x and of y."""
-TICKS = Scale(ticks=(0.2, 0.4, 0.6, 0.8), grid=(0.2, 0.4, 0.6, 0.8))
+TICKS = Scale(ticks=(0.4, 0.8), grid=(0.2, 0.4, 0.6, 0.8))
 PURE_NM = np.arange(420.0, 641.0, 4.0)
 """Wavelengths of the edge of all colours: beyond these it hardly moves, and the fits are
 inaccurate."""
-MARKED_NM = {460: "end", 480: "end", 500: "start", 520: "middle", 560: "start", 600: "start"}
-"""Labelled wavelengths of the edge, and the sides of their labels."""
-TEMPERATURES_K = np.arange(2000.0, 12001.0, 50.0)
+MARKED_NM = (490, 520, 600)
+"""Labelled wavelengths of the edge."""
+TEMPERATURES_K = np.arange(COOLEST_K, HOTTEST_K + 1.0, STEP_K)
 """The steps of its slider."""
 
 
@@ -72,7 +73,7 @@ def diagram(light: str, white_xy: Point, xyz: Floats, chosen: int, *, twin: bool
 def _ground() -> str:
     """Axes, the edge of all colours, and the display's triangle."""
     edge = xyz_to_xyy(matching_functions(PURE_NM))[:, :2]
-    marked = xyz_to_xyy(matching_functions(np.array(list(MARKED_NM))))[:, :2]
+    marked = xyz_to_xyy(matching_functions(np.array(MARKED_NM)))[:, :2]
     corner = at((0, 0))
     parts = [
         PLOT.frame(TICKS, TICKS),
@@ -82,9 +83,8 @@ def _ground() -> str:
         polygon([at(xy) for xy in SRGB_PRIMARIES_XY], "image fill thin"),
         text(at((0.30, 0.615)), "sRGB", "image small halo", "middle"),
     ]
-    for (nm, side), xy in zip(MARKED_NM.items(), marked, strict=True):
+    for nm, xy in zip(MARKED_NM, marked, strict=True):
         x, y = at(xy)
-        shift = {"end": -7.0, "middle": 0.0, "start": 7.0}[side]
         parts.append(dot((x, y), "world", 2))
-        parts.append(text((x + shift, y - 3), f"{nm}", "world small halo", side))
+        parts.append(text((x + 7, y - 3), f"{nm} nm", "world small halo"))
     return "".join(parts)

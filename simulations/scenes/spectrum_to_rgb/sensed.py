@@ -1,0 +1,36 @@
+"""The panel of the sensor: its curves, and their products with the light of the surface."""
+
+from collections.abc import Iterator
+
+from simulations.engine.drawing import text
+from simulations.models.arrays import Floats
+from simulations.models.color.spectra import WAVELENGTHS_NM
+from simulations.scenes._spectra.axes import PLOT, area, axes, curve
+
+LEGEND = 24.0
+"""Row of the names of the curves."""
+LETTERS = {"camera": ("R", "G", "B"), "eye": ("x̄", "ȳ", "z̄")}
+
+
+def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw: Floats) -> str:
+    """The sensor's curves (81, 3), and their products with the light from a surface."""
+    back = light / light.max() * reflectance
+    scale = curves.max()
+    parts = [axes()]
+    parts += [area(back * each / scale, "image fill thin") for each in curves.T]
+    parts += [curve(each / scale, "camera thin") for each in curves.T]
+    parts += _letters(curves / scale, LETTERS[sensor])
+    sums = ", ".join(
+        f"{letter} {value:.2f}" for letter, value in zip(LETTERS[sensor], raw, strict=True)
+    )
+    parts.append(text((40, LEGEND), "curves", "camera strong"))
+    parts.append(text((96, LEGEND), f"areas → {sums}", "image strong"))
+    return "".join(parts)
+
+
+def _letters(curves: Floats, letters: tuple[str, ...]) -> Iterator[str]:
+    """The name of each curve above its peak."""
+    for each, letter in zip(curves.T, letters, strict=True):
+        peak = int(each.argmax())
+        x, y = PLOT.at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
+        yield text((x, y - 6), letter, "camera halo", "middle")
