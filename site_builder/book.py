@@ -150,6 +150,8 @@ class Book:
     """The figure of the landing page."""
     chapters: tuple[Chapter, ...]
     """Appendices at the end."""
+    starts: tuple[tuple[str, str], ...] = ()
+    """Words and addresses of the links of the landing page, relative to the site's root."""
     bibliography: Bibliography = EMPTY
     lecture_plan: LecturePlan | None = None
     glossary: tuple[Definition, ...] = ()

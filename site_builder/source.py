@@ -1,7 +1,7 @@
 """Reading ``content/``: the outline in ``book.toml``, and the chapters it lists."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from string import ascii_uppercase
@@ -23,6 +23,7 @@ from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.scenes import find_scene
+from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.math import Macros
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Position, chapter_id
@@ -60,6 +61,8 @@ class Outline:
     chapters: tuple[tuple[str, int, Position], ...]
     """File names without ``.md``, each with its line in this file and its place in the book."""
     hero_line: int
+    start_lines: Mapping[str, int]
+    """By the words of the link."""
     macros: Macros
     """Those whose names are legal."""
 
@@ -108,6 +111,7 @@ def read_book(
         settings=settings,
         words=words,
         hero=_read_hero(outline, shared, problems),
+        starts=tuple(_read_starts(outline, targets, problems)),
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
@@ -163,6 +167,7 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
             for name, position in _positions(settings, words)
         ),
         hero_line=toml.line("hero"),
+        start_lines={words: toml.line("starts", words) for words in settings.starts},
         macros=_sound_macros(settings.macros, toml, problems),
     )
 
@@ -240,3 +245,16 @@ def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simul
         path=OUTLINE,
         line=outline.hero_line,
     )
+
+
+def _read_starts(
+    outline: Outline, targets: Targets, problems: Diagnostics
+) -> Iterator[tuple[str, str]]:
+    """The words and the address of each link of the title page."""
+    for words, place in outline.settings.starts.items():
+        try:
+            found = targets.find(place, "")
+        except LookupError as error:
+            problems.add(OUTLINE, outline.start_lines[words], str(error))
+        else:
+            yield words, f"{found.chapter}/#{found.id}" if found.id else f"{found.chapter}/"

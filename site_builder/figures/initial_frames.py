@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from simulations.engine.controls import Value
-from simulations.engine.frame import Frame
+from simulations.engine.frame import Frame, Panel
 from simulations.engine.settings import values_of
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics, cause
@@ -38,6 +38,13 @@ class InitialFrame:
     """By panel, for panels that have pixels."""
     prerendered: PrerenderedFrames | None = None
     """What can be shown of it before Python has started."""
+
+    @property
+    def main_panel(self) -> Panel:
+        """What stands for the figure where there is room for one panel: the first that is a
+        picture, else the first."""
+        panels = self.frame.panels
+        return next((panel for panel in panels if panel.name in self.pictures), panels[0])
 
 
 type InitialFrames = dict[tuple[str, int], InitialFrame]

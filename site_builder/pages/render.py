@@ -26,6 +26,7 @@ from site_builder.pages.views.index import view_index
 from site_builder.pages.views.references import cited_works
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.pages.views.symbols import view_symbols
+from site_builder.pages.views.thumbnail import thumbnail
 from site_builder.references.bibliography import EMPTY
 from site_builder.render.paper import paper_renderer
 
@@ -82,7 +83,15 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         pages[path] = render(f"{template}.html", path, **context)
 
     cover = Block(SIMULATION.template, book.hero) if book.hero else None
-    add("landing", "index.html", cover=cover, counts=_counts(book), progress=_progress(book))
+    add(
+        "landing",
+        "index.html",
+        cover=cover,
+        starts=book.starts,
+        thumbnails={item.id: thumbnail(item, site.initial_frames) for item in book.chapters},
+        counts=_counts(book),
+        progress=_progress(book),
+    )
     pages["404.html"] = render("not-found.html")  # which is served at any address
     add("licences", "licences/index.html", licences=licences)
     for name, context in back_matter_pages(book).items():
@@ -151,6 +160,7 @@ def _bare(book: Book) -> Book:
     return replace(
         book,
         hero=None,
+        starts=(),
         chapters=cards,
         bibliography=EMPTY,
         lecture_plan=None,

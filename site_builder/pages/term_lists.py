@@ -19,6 +19,7 @@ class Card:
     name: str
     title: str
     summary: str
+    is_appendix: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +61,15 @@ def atlas(chapter: Chapter) -> Atlas:
 
 
 def card(chapter: Chapter) -> Card:
-    return Card(chapter.id, chapter.url, chapter.mark, chapter.name, chapter.title, chapter.summary)
+    return Card(
+        chapter.id,
+        chapter.url,
+        chapter.mark,
+        chapter.name,
+        chapter.title,
+        chapter.summary,
+        chapter.is_appendix,
+    )
 
 
 def by_letter[T](named: Iterable[tuple[str, T]]) -> Letters[T]:

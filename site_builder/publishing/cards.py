@@ -89,12 +89,11 @@ def _figures(
 def _still(
     simulation: Simulation | None, initial_frames: InitialFrames, pictures: Mapping[str, bytes]
 ) -> Placed | None:
-    """A panel of a figure: the first that is a picture, else the first."""
+    """The main panel of a figure."""
     if simulation is None:
         return None
     still = initial_frames[simulation.path, simulation.line]
-    panels = still.frame.panels
-    panel = next((panel for panel in panels if panel.name in still.pictures), panels[0])
+    panel = still.main_panel
     picture = still.pictures.get(panel.name)
     data = b64encode(as_png(pictures[picture.file])).decode() if picture else ""
     return _placed(panel, data and f"data:image/png;base64,{data}")

@@ -89,6 +89,7 @@ class Settings:
     appendices: tuple[str, ...] = key(texts('["00-slug", …]'), "those of the appendices", ())
     hero: str = key(TEXT, "the simulation on the title page", "", without="none")
     hero_caption: str = key(TEXT, "a sentence about it", "", without="none")
+    made_by: str = key(TEXT, "who made it, in a sentence for the title page", "", without="none")
     search_examples: tuple[str, ...] = key(
         texts('["one", "another"]'), "what one may search for, as the search's card says it", ()
     )
@@ -110,6 +111,12 @@ class Settings:
         "TeX commands of the book's own, `#1` for an argument",
         MappingProxyType({}),
         without="none",
+    )
+    starts: Mapping[str, str] = key(
+        entries('a table of texts with places, "Begin here" = "chapter#figure-id"'),
+        "where the title page invites to start: chapters, sections and figures",
+        MappingProxyType({}),
+        without="the first chapter",
     )
     publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
     trust: Trust = key(table(Trust), "what goes into the pages unchecked", Trust())

@@ -136,6 +136,8 @@ def test_progress_counts_lists_what_was_missed_and_is_reset(
     plain_reader: Reader, book: Any
 ) -> None:
     place = book["chapters"][9]
+    plain_reader.open(live=False)
+    assert plain_reader.page.locator(".progress").is_hidden(), "before the first answer"
     plain_reader.open(place["url"], live=False)
     section = plain_reader.page.locator("section.progress")
     total = len([quiz for quiz in book["quizzes"] if quiz["chapter"] == place["id"]])

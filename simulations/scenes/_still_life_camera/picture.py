@@ -1,5 +1,6 @@
 """The picture of the still life through a thin lens, by stages that several figures share."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -56,14 +57,18 @@ def defocus(
 ) -> LitScene:
     """Blur each layer, and the background by depth, by the discs of confusion."""
     per_radius = 2 * reduction * enlarged
-    discs = blur_px(focal_length, aperture, focus, lit.base_depth)
-    base = blur_by_depth(lit.base, discs / per_radius)
-    radii = (blur_px(focal_length, aperture, focus, depth) / per_radius for depth in lit.depths)
-    layers = tuple(
-        blur_layer(replace(layer, radius_px=float(radius)))
-        for layer, radius in zip(lit.layers, radii, strict=True)
+    return blur_layers(
+        lit, lambda depth: blur_px(focal_length, aperture, focus, depth) / per_radius
     )
-    return replace(lit, base=base, layers=layers)
+
+
+def blur_layers(lit: LitScene, radius_px: Callable[[Floats | float], Floats]) -> LitScene:
+    """Blur each layer, and the background by depth, by discs of the radius at their depth."""
+    layers = tuple(
+        blur_layer(replace(layer, radius_px=float(radius_px(depth))))
+        for layer, depth in zip(lit.layers, lit.depths, strict=True)
+    )
+    return replace(lit, base=blur_by_depth(lit.base, radius_px(lit.base_depth)), layers=layers)
 
 
 def overlay(lit: LitScene, enlarged: float) -> Planes:

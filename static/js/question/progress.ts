@@ -7,7 +7,7 @@ import { words } from "../page/words.ts";
 
 type Tally = { right: number; wrong: number; count: number };
 
-/** Tell it where the page has a place for it. */
+/** Tell it where the page has a place for it; of the book, once there is some. */
 export function showProgress() {
   const section = maybe(document, "section.progress", HTMLElement);
   if (!section) return;
@@ -15,6 +15,7 @@ export function showProgress() {
   const tally = ofBook ? tallyOfBook(section) : tallyOfPage();
   setText(one(section, ".progress-count", HTMLElement), inWords(tally));
   if (!ofBook) listMissed(section);
+  else if (tally.right + tally.wrong > 0) section.hidden = false;
 }
 
 function inWords({ right, wrong, count }: Tally) {

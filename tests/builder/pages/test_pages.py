@@ -140,3 +140,20 @@ def test_licences_of_what_is_shipped_are_given_in_full(site: Mapping[str, bytes]
     assert not any(phrase in page for phrase in of_the_runtime)
     told = "".join(licence.text for licence in gather_licences(Path(), VERSIONS))
     assert all(phrase in told for phrase in of_the_runtime)
+
+
+def test_the_title_page_starts_where_the_outline_says(make_book: Callable[..., Options]) -> None:
+    options = make_book()
+    outline = options.root / "content" / "book.toml"
+    starts = '[starts]\n"Begin" = "second"\n"Look" = "second#a-section"\n'
+    outline.write_text(f"{outline.read_text(encoding='utf-8')}{starts}", encoding="utf-8")
+    page = read_html(rendered(options)["index.html"])
+    addresses = page.addresses()
+    assert {"./second/", "./second/#a-section"} <= {*addresses}
+
+
+def test_a_chapter_s_card_shows_its_first_figure(make_book: Callable[..., Options]) -> None:
+    options = make_book(":::{simulation} demo\nTry: it.\n:::\n")
+    page = read_html(rendered(options)["index.html"])
+    shown = [e for e in page.elements if "thumbnail" in (e.attributes.get("class") or "")]
+    assert len(shown) == 1, "of two chapters, one has a figure"
