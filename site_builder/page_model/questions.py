@@ -73,7 +73,5 @@ class Reveal:
     prediction: str
     id: str
     """Element id."""
-    asked: str
-    """What the prediction is called: ``Prediction 4.2``."""
     path: str
     line: int

@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator
+from playwright.sync_api import Locator, expect
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
@@ -52,19 +52,25 @@ def test_the_answer_is_shown_from_where_it_waits(plain_reader: Reader, book: Any
     assert form.get_attribute("data-answered") == "revealed"
 
 
-def test_a_link_to_what_waits_leads_to_the_line_that_says_so(plain_reader: Reader) -> None:
+def test_links_to_the_experiment_wait_for_the_guess(plain_reader: Reader, book: Any) -> None:
+    form = opened(plain_reader, book, "brightest-point")
+    links = form.locator(".predict-question a.set")
+    expect(links).to_have_count(2)
+    expect(links.and_(plain_reader.page.locator("[href]"))).to_have_count(0)
+    form.locator("[data-reveal]").click()
+    expect(links.and_(plain_reader.page.locator("[href*='light_angle']"))).to_have_count(2)
+    plain_reader.page.locator("[data-progress-reset]").click()
+    expect(links.and_(plain_reader.page.locator("[href]"))).to_have_count(0)
+
+
+def test_a_link_to_what_waits_leads_to_its_question(plain_reader: Reader) -> None:
     plain_reader.open("speed-and-accuracy/", live=False)
     link = plain_reader.page.locator('.table-wrapper a[href="#ladder-inverse-strong"]')
     link.evaluate("link => { link.closest('details').open = true; }")
-    waiting = plain_reader.page.locator(
-        ".answer", has=plain_reader.page.locator("#ladder-inverse-strong")
-    ).locator(".answer-waits")
     link.click()
-    plain_reader.page.wait_for_function(
-        "line => { const {top, bottom} = line.getBoundingClientRect();"
-        " return top >= 0 && bottom <= innerHeight; }",
-        arg=waiting.element_handle(),
-    )
+    expect(
+        plain_reader.page.locator("#predict-where-iteration-fails button").first
+    ).to_be_in_viewport()
 
 
 def test_a_sketch_is_drawn_by_pointer_and_meets_the_true_curve_on_its_own_axes(

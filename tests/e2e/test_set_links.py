@@ -88,6 +88,19 @@ def test_a_figure_out_of_view_is_brought_into_it(guest: Reader, figure: Locator)
     assert in_view(figure.locator(".panels"))
 
 
+@pytest.mark.usefixtures("figure")
+def test_a_press_leads_back_from_the_figure_to_the_link(guest: Reader) -> None:
+    link = guest.page.locator(CORRECTED)
+    guest.bring(link)
+    back = guest.page.locator(".way-back")
+    expect(back).to_have_count(0)
+    link.click()
+    back.click()
+    expect(link).to_be_in_viewport()
+    expect(link).to_be_focused()
+    expect(back).to_have_count(0)
+
+
 def test_a_reader_who_asked_for_less_motion_is_taken_there_at_once(
     guest: Reader, figure: Locator
 ) -> None:

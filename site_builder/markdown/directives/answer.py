@@ -5,15 +5,13 @@ from collections.abc import Sequence
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.question import prediction_id
 from site_builder.page_model.blocks import Block
 from site_builder.page_model.questions import Reveal
 
 
 def read_reveal(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Reveal:
     name = context.free_id(f"answer-{call.argument}", call.line)
-    asked = (item.name for item in context.placed.values() if item.id == prediction_id(call))
-    return Reveal(call.argument, name, next(asked, ""), context.path, call.line)
+    return Reveal(call.argument, name, context.path, call.line)
 
 
 ANSWER = Directive(

@@ -8,11 +8,10 @@ import { all, one } from "../page/dom.ts";
 import type { Value } from "./control.ts";
 import { moveControls, readValues, uncover } from "./controls.ts";
 import { record, settingsOf } from "./permalink.ts";
+import { offerWayBack, scrolled } from "./way_back.ts";
 
 /** Milliseconds that sliders take to where they are sent. */
 const GLIDE = 700;
-/** Longest wait for the page to be scrolled to a figure, in milliseconds. */
-const SCROLL = 1000;
 /** Share of the panels that must be in view for a move to be seen. */
 const IN_VIEW = 0.6;
 
@@ -39,6 +38,7 @@ export async function follow(link: HTMLAnchorElement) {
   uncover(form, changed);
   jump(figure, values);
   await bringIntoView(one(figure, ".panels", HTMLElement));
+  offerWayBack(link);
   if (followed.get(figure) === link) glide(figure, values);
 }
 
@@ -145,10 +145,7 @@ function bringIntoView(panels: HTMLElement): Promise<unknown> {
   const seen = Math.min(bottom, innerHeight) - Math.max(top, 0);
   if (seen >= IN_VIEW * Math.min(height, innerHeight)) return Promise.resolve();
   const calm = isCalm();
-  const arrived = new Promise((resolve) => {
-    document.addEventListener("scrollend", resolve, { once: true });
-    setTimeout(resolve, calm ? 0 : SCROLL);
-  });
+  const arrived = calm ? Promise.resolve() : scrolled();
   const block = height < innerHeight ? "nearest" : "start";
   panels.scrollIntoView({ behavior: calm ? "instant" : "smooth", block });
   return arrived;

@@ -61,11 +61,17 @@ export async function returned() {
 
 async function clicked(event: MouseEvent) {
   touch(event);
-  const link = within(event, "a.set[data-figure]", HTMLAnchorElement);
+  const link = within(event, "a.set[href]", HTMLAnchorElement);
+  const toFigure = within(event, ".figure-link a", HTMLAnchorElement);
   const tool = within(event, ".tools button", HTMLButtonElement);
   if (link && isPlain(event)) {
     event.preventDefault();
     (await import("./animate.ts")).follow(link);
+  }
+  if (toFigure) {
+    const { offerWayBack, scrolled } = await import("./way_back.ts");
+    await scrolled();
+    offerWayBack(toFigure);
   }
   if (tool) (await import("./tools.ts")).use(tool);
 }

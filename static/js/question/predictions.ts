@@ -11,12 +11,26 @@ export function revealedBy(event: MouseEvent) {
   return id ? maybe(document, `form[data-predict="${id}"]`, HTMLFormElement) : null;
 }
 
-/** A link to what is still hidden leads to the line that says so. */
+/** A link to what is still hidden leads to the question before it. */
 export function leadToHidden(event: MouseEvent) {
   const link = within(event, 'a[href^="#"]', HTMLAnchorElement);
   const target = link && document.getElementById(decodeURIComponent(link.hash.slice(1)));
-  const answer = target?.parentElement?.closest(".answer:not([data-open])");
-  answer?.scrollIntoView();
+  const answer = target?.parentElement?.closest<HTMLElement>(".answer:not([data-open])");
+  if (answer) document.getElementById(`predict-${answer.dataset.answers}`)?.scrollIntoView();
+}
+
+/** Links of the question to the experiment are plain words until the guess is made. */
+export function holdLinks(form: HTMLFormElement, isMade: boolean) {
+  for (const link of all(form, ".predict-question a.set", HTMLAnchorElement)) {
+    const { held } = link.dataset;
+    if (isMade && held !== undefined) {
+      link.href = held;
+      delete link.dataset.held;
+    } else if (!isMade && held === undefined) {
+      link.dataset.held = link.getAttribute("href") ?? "";
+      link.removeAttribute("href");
+    }
+  }
 }
 
 /** What is hidden until this prediction is made. */

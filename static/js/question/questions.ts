@@ -9,7 +9,7 @@ import { onOtherTab, recall, remember } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
 import { installDrafts, restoreDrafts } from "./drafts.ts";
-import { answersTo, leadToHidden, revealedBy, sideBySide } from "./predictions.ts";
+import { answersTo, holdLinks, leadToHidden, revealedBy, sideBySide } from "./predictions.ts";
 import { showProgress } from "./progress.ts";
 import {
   forms,
@@ -142,6 +142,7 @@ function show(form: HTMLFormElement, question: Question, given: Settled | undefi
     const isMade = given !== undefined;
     one(form, "fieldset", HTMLFieldSetElement).disabled = isMade;
     for (const answer of answersTo(form)) answer.toggleAttribute("data-open", isMade);
+    holdLinks(form, isMade);
   }
   if (given === undefined) {
     delete form.dataset.answered;
