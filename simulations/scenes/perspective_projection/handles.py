@@ -10,7 +10,8 @@ from simulations.scenes.perspective_projection.settings import Settings
 from simulations.scenes.perspective_projection.view import (
     HALF_WIDTH_PX,
     METRES_PER_PX,
-    PERSPECTIVE,
+    REFERENCE_DEPTH_M,
+    Camera,
     View,
     view_of_point,
 )
@@ -18,13 +19,8 @@ from simulations.scenes.perspective_projection.view import (
 
 def view_of(settings: Settings) -> View:
     """The view at these settings."""
-    return view_of_point(
-        X=settings.point_x,
-        Y=settings.point_y,
-        Z=settings.depth,
-        focal_px=settings.focal_length,
-        camera=settings.camera,
-    )
+    camera = Camera(settings.focal_length, settings.perspective / 100.0)
+    return view_of_point(settings.point_x, settings.point_y, settings.depth, camera)
 
 
 def _point(settings: Settings, _outputs: Outputs) -> Point:
@@ -37,16 +33,20 @@ def _point_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"depth": float(Z), "point_x": float(X)}
 
 
-def _plane(settings: Settings, _outputs: Outputs) -> Point:
-    """The near end of the image plane."""
-    half = HALF_WIDTH_PX * METRES_PER_PX
-    x, y = top_view.above(settings.focal_length * METRES_PER_PX, half)
+def _plane(settings: Settings, _outputs: Outputs) -> Point | None:
+    """The lower end of the image plane, if it is in the panel."""
+    depth = view_of(settings).camera.plane_m
+    if depth < top_view.LEFT_M:
+        return None
+    x, y = top_view.above(depth, HALF_WIDTH_PX * METRES_PER_PX)
     return float(x), float(y)
 
 
-def _plane_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+def _plane_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """The focal length of full perspective; the centre stays where it is."""
     Z, _ = top_view.metres_at(place)
-    return {"focal_length": float(Z) / METRES_PER_PX}
+    from_reference = (REFERENCE_DEPTH_M - float(Z)) * settings.perspective / 100.0
+    return {"focal_length": (REFERENCE_DEPTH_M - from_reference) / METRES_PER_PX}
 
 
 def _image(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -61,7 +61,7 @@ def _image_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     """The point of the same depth that has its image there."""
     x, y = picture.pixel_at(place)
     view = view_of(settings)
-    scale = view.focal_px / view.Z if view.camera == PERSPECTIVE else view.scale
+    scale = view.camera.size_at(view.Z)
     return {"point_x": float(x) / scale, "point_y": float(y) / scale}
 
 

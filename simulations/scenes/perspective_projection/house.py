@@ -3,64 +3,119 @@
 The point is its front lower left corner; the house moves with the point.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from simulations.engine import drawing
 from simulations.models.arrays import Floats
-from simulations.models.projection.pinhole import intrinsics
-from simulations.scenes.perspective_projection.view import CAMERAS, PERSPECTIVE, View
+from simulations.scenes.perspective_projection.view import Camera, View
 
-WIDTH_M, DEPTH_M, EAVES_M, RIDGE_M = 2.4, 3.0, 1.5, 2.3
-DOOR_M = (0.8, 1.4, 1.1)
-"""Left, right and height of the door."""
-NEAR_M = 0.05
+WIDTH_M, DEPTH_M, EAVES_M, RIDGE_M = 3.0, 4.0, 2.0, 3.2
+LAWN_M = 1.0
+"""How far the lawn reaches beyond the walls."""
+NEAR_M = 0.2
 """Parts nearer than this to the plane of the centre are not drawn: their image is too far off."""
 
 
-def _gable(depth: float) -> Floats:
-    """The outline (5, 3) of one end wall from its lower left corner; y points down."""
-    left, right, middle = 0.0, WIDTH_M, WIDTH_M / 2.0
-    outline = [(left, 0), (right, 0), (right, -EAVES_M), (middle, -RIDGE_M), (left, -EAVES_M)]
-    return np.array([(x, y, depth) for x, y in outline])
+def _face(*corners: tuple[float, float, float]) -> Floats:
+    """Corners (n, 3) of a face from the point: X, height above the lawn, depth. Y points down."""
+    return np.array(corners) * (1.0, -1.0, 1.0)
 
 
-def _door() -> Floats:
-    left, right, height = DOOR_M
-    return np.array([(left, 0, 0), (left, -height, 0), (right, -height, 0), (right, 0, 0)])
+def _gable(depth: float) -> list[tuple[float, float, float]]:
+    """The outline of an end wall, from its lower left corner up the left side."""
+    outline = [(0, 0), (0, EAVES_M), (WIDTH_M / 2, RIDGE_M), (WIDTH_M, EAVES_M), (WIDTH_M, 0)]
+    return [(x, up, depth) for x, up in outline]
 
 
-_FRONT, _BACK, _DOOR = _gable(0.0), _gable(DEPTH_M), _door()
-_LONG = np.stack([_FRONT, _BACK], axis=1)
-"""The five edges (5, 2, 3) from the front to the back."""
+def _rectangle(left: float, right: float, low: float, high: float) -> Floats:
+    """A rectangle in the front wall."""
+    return _face((left, low, 0), (left, high, 0), (right, high, 0), (right, low, 0))
+
+
+_FRONT, _BACK = _gable(0.0), _gable(DEPTH_M)
+# Corners run clockwise as seen from outside.
+FACES = (
+    (_face(*_FRONT), 1),
+    (_face(*reversed(_BACK)), 4),
+    (_face(_BACK[0], _BACK[1], _FRONT[1], _FRONT[0]), 3),
+    (_face(_FRONT[4], _FRONT[3], _BACK[3], _BACK[4]), 4),
+    (_face(_FRONT[1], _BACK[1], _BACK[2], _FRONT[2]), 4),
+    (_face(_FRONT[2], _BACK[2], _BACK[3], _FRONT[3]), 6),
+)
+"""The walls and the two sides of the roof, each with its layers of colour: more, where darker."""
+OPENINGS = (
+    (_rectangle(0.45, 1.2, 0.0, 1.45), 5),
+    (_rectangle(1.75, 2.5, 0.7, 1.45), 3),
+)
+"""Door and window, in the front wall."""
+LAWN = _face(
+    (-LAWN_M, 0, -LAWN_M),
+    (-LAWN_M, 0, DEPTH_M + LAWN_M),
+    (WIDTH_M + LAWN_M, 0, DEPTH_M + LAWN_M),
+    (WIDTH_M + LAWN_M, 0, -LAWN_M),
+)
 
 
 def in_picture(view: View, place: drawing.Point, units_per_px: float) -> str:
     """SVG markup of the house; ``place`` is the principal point in the view box."""
-
-    def seen(points: Floats) -> Floats:
-        return units_per_px * _project(view, points) + np.asarray(place)
-
     corner = np.array([view.X, view.Y, view.Z])
-    nearest = NEAR_M if view.camera == PERSPECTIVE else -np.inf
-    edges = [_before(edge, nearest) for edge in _LONG + corner]
-    parts = [drawing.path([seen(edge) for edge in edges if len(edge)], "world thin")]
-    if nearest <= view.Z + DEPTH_M:
-        parts.append(drawing.polygon(seen(_BACK + corner), "world thin faint"))
-    if nearest <= view.Z:
-        parts.append(drawing.polygon(seen(_FRONT + corner), "world thin fill"))
-        parts.append(drawing.polyline(seen(_DOOR + corner), "world thin"))
+
+    def seen(face: Floats) -> Floats:
+        pixels = _image(view.camera, face + corner)
+        return units_per_px * pixels + np.asarray(place) if len(pixels) else pixels
+
+    lawn = seen(LAWN)
+    parts = [drawing.polygon(lawn, "muted thin fill")] if len(lawn) else []
+    outer = [(seen(face), washes) for face, washes in FACES]
+    # Walls seen from inside lie behind those seen from outside.
+    for outside in (False, True):
+        for n, (places, washes) in enumerate(outer):
+            if len(places) > 2 and (_area(places) > 0.0) == outside:
+                parts += _painted(places, washes)
+                if n == 0 and outside:
+                    parts += [
+                        part for face, more in OPENINGS for part in _painted(seen(face), more)
+                    ]
     return "".join(parts)
 
 
-def _project(view: View, points: Floats) -> Floats:
-    pixels, _ = CAMERAS[view.camera].project(points, intrinsics(view.focal_px, (0.0, 0.0)))
-    return pixels
+def outline(view: View, camera: Camera, place: drawing.Point, units_per_px: float) -> str:
+    """SVG markup of both end walls and the edges between them, as another camera sees them."""
+    corner = np.array([view.X, view.Y, view.Z])
+    runs = []
+    for face, _ in FACES:
+        pixels = _image(camera, face + corner)
+        if len(pixels):
+            ring = units_per_px * pixels + np.asarray(place)
+            runs.append(np.concatenate([ring, ring[:1]]))
+    return drawing.path(runs, "error thin dashed") if runs else ""
 
 
-def _before(edge: Floats, nearest: float) -> Floats:
-    """The part (2, 3) of an edge along the depth that is not too near; empty if all of it is."""
-    (x, y, start), (_, _, end) = edge
-    return np.array([(x, y, max(start, nearest)), (x, y, end)]) if end > nearest else edge[:0]
+def _painted(places: Floats, washes: int) -> Iterator[str]:
+    """A face in the colour of paper, then in layers of the colour of the world."""
+    if len(places) > 2:
+        yield drawing.polygon(places, "casing solid")
+        yield drawing.polygon(places, "world thin fill") * washes
+
+
+def _area(places: Floats) -> float:
+    """Twice the signed area of a polygon (n, 2); positive for clockwise on the page."""
+    x, y = places.T
+    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
+
+
+def _image(camera: Camera, face: Floats) -> Floats:
+    """The image (n, 2) of the part of a face that is in front of the camera."""
+    nearest = camera.centre_m + NEAR_M
+    kept: list[Floats] = []
+    for before, here in zip(np.roll(face, 1, axis=0), face, strict=True):
+        if (before[2] < nearest) != (here[2] < nearest):
+            kept.append(before + (nearest - before[2]) / (here[2] - before[2]) * (here - before))
+        if here[2] >= nearest:
+            kept.append(here)
+    return camera.project(np.array(kept))[0] if kept else np.empty((0, 2))
 
 
 def footprint(view: View) -> Floats:

@@ -1,79 +1,78 @@
 """Perspective projection: one point, one camera, with or without division by depth."""
 
-import math
-
 from simulations.engine.frame import Frame, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.projection.pinhole import field_of_view_rad
-from simulations.scenes.perspective_projection import parallel, picture, top_view
 from simulations.scenes.perspective_projection.handles import HANDLES, view_of
+from simulations.scenes.perspective_projection.picture import image_panel
 from simulations.scenes.perspective_projection.settings import Settings
-from simulations.scenes.perspective_projection.view import (
-    HALF_WIDTH_PX,
-    PERSPECTIVE,
-    View,
-    metres,
-)
-
-HOUSE = "A small house has the point for its front lower left corner."
+from simulations.scenes.perspective_projection.top_view import top_view_panel
+from simulations.scenes.perspective_projection.view import View
 
 
 def draw(settings: Settings, _outputs: Outputs) -> Frame:
-    """The camera from above, and the picture it takes."""
+    """The picture, and the camera from above."""
     view = view_of(settings)
-    through_centre = view.camera == PERSPECTIVE
-    if through_centre:
-        top, image = top_view.top_view_panel(view), picture.image_panel(view)
-    else:
-        top, image = parallel.top_view_panel(view), parallel.image_panel(view)
     return Frame(
-        panels=(top, image),
+        panels=(image_panel(view), top_view_panel(view)),
         readouts=(
-            Readout("X", "X, right", metres(view.X), "m", "world"),
-            Readout("Y", "Y, down", metres(view.Y), "m", "world"),
-            readout("Z", "Z, depth", view.Z, "m", digits=1, role="world"),
-            readout("f", "f, focal length", view.focal_px, "px", digits=0, role="camera"),
-            image_readout("x", "x, right", view, view.x),
-            image_readout("y", "y, down", view, view.y),
-            extent_readout(view),
+            _image_readout("x", "x, right", view, view.x),
+            _image_readout("y", "y, down", view, view.y),
+            _off_readout(view),
         ),
-        description=f"{describe(view) if through_centre else parallel.describe(view)} {HOUSE}",
+        description=describe(view),
     )
 
 
-def extent_readout(view: View) -> Readout:
-    """The width of the picture as an angle or, for parallel rays, as a length in the world."""
-    width_px = 2.0 * HALF_WIDTH_PX
-    if view.camera == PERSPECTIVE:
-        seen, unit = math.degrees(field_of_view_rad(view.focal_px, width_px)), "°"
-    else:
-        seen, unit = width_px / view.scale, "m wide"
-    return readout("view", "Field of view", seen, unit, digits=1, role="camera")
-
-
-def image_readout(name: str, label: str, view: View, value: float) -> Readout:
+def _image_readout(name: str, label: str, view: View, value: float) -> Readout:
     if view.visible:
         return readout(name, label, value, "px", digits=1, role="image")
-    return Readout(name, label, "undefined" if view.Z == 0.0 else "behind", "", "image")
+    between = view.camera.centre_m == view.Z
+    return Readout(name, label, "undefined" if between else "behind", "", "image")
+
+
+def _off_readout(view: View) -> Readout:
+    """How far the image is from the one in perspective."""
+    label = "Off from perspective"
+    if view.Z <= 0.0:
+        return Readout("off", label, "no image in perspective", "", "error")
+    return readout("off", label, view.off_px, "px", digits=1, role="error")
 
 
 def describe(view: View) -> str:
-    """One sentence for a reader who cannot see the picture."""
-    if view.Z == 0.0:
-        return (
-            "The point is in the plane of the camera centre, Z = 0, where f X / Z is undefined: "
-            "it has no image."
-        )
+    """What one would see, then the numbers."""
     if not view.visible:
-        return (
-            f"The point is {format_number(-view.Z, 1)} m behind the camera: "
-            "light from it never meets the image plane, so it has no image."
-        )
+        return _without_image(view)
     outside = "" if view.in_picture else ", outside the picture"
+    at = f"x = {format_number(view.x, 1)} px, y = {format_number(view.y, 1)} px{outside}"
+    depth = f"{format_number(view.Z, 1)} m"
+    if view.full:
+        return (
+            "A small house whose side walls converge towards the middle of the picture. Its front "
+            f"lower left corner is {depth} in front of the camera and projects to {at}."
+        )
+    seen = (
+        "A small house of which only the front is seen, at any distance equally large"
+        if view.camera.parallel
+        else f"A small house with {100.0 * view.camera.perspective:.0f}\u00a0% of the convergence "
+        "of perspective"
+    )
+    sentence = f"{seen}. Its front lower left corner, at a depth of {depth}, projects to {at}"
+    if view.Z <= 0.0:
+        return f"{sentence}; in perspective it has no image."
+    return f"{sentence}, {format_number(view.off_px, 1)} px from its place in perspective."
+
+
+def _without_image(view: View) -> str:
+    behind = view.camera.centre_m - view.Z
+    if behind == 0.0:
+        return (
+            "The corner of the house is in the plane of the camera centre, Z = 0, where f X / Z is "
+            "undefined: it has no image."
+        )
     return (
-        f"The point is {format_number(view.Z, 1)} m in front of the camera and projects to "
-        f"x = {format_number(view.x, 1)} px, y = {format_number(view.y, 1)} px{outside}."
+        f"The corner of the house is {format_number(behind, 1)} m behind the camera: light from it "
+        "never meets the image plane, so it has no image."
     )
 
 

@@ -2,8 +2,7 @@
 
 from dataclasses import dataclass
 
-from simulations.engine.settings import choice, slider
-from simulations.scenes.perspective_projection.view import CAMERAS
+from simulations.engine.settings import slider
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,4 +13,4 @@ class Settings:
     focal_length: float = slider("Focal length", 80, 20, 200, 1, unit="px")
     point_x: float = slider("Right (X)", 1.0, -3, 3, 0.05, unit="m")
     point_y: float = slider("Down (Y)", 0.5, -2, 2, 0.05, unit="m")
-    camera: str = choice("Camera", {name: camera.label for name, camera in CAMERAS.items()})
+    perspective: float = slider("Perspective", 100, 0, 100, 1, unit="%")

@@ -1,5 +1,7 @@
 """The projection figure from above: camera centre, image plane, ray, two similar triangles."""
 
+import math
+
 import numpy as np
 
 from simulations.engine import drawing
@@ -7,104 +9,101 @@ from simulations.engine.frame import Panel, format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import clip_half_plane
 from simulations.scenes.perspective_projection.house import footprint
-from simulations.scenes.perspective_projection.picture import COMPARED_DEPTHS
 from simulations.scenes.perspective_projection.view import (
     HALF_WIDTH_PX,
     METRES_PER_PX,
     REFERENCE_DEPTH_M,
-    SCALED,
     View,
     metres,
 )
 
-TITLE = "From above (X drawn stretched)"
 WIDTH, HEIGHT = 400.0, 300.0
-CAMERA = np.array([58.0, 142.0])
-"""Camera centre in the view box, seen from above: depth to the right, X downwards."""
+AXIS = np.array([58.0, 142.0])
+"""Centre of full perspective in the view box: depth to the right, X downwards."""
 DEPTH_SCALE = 16.0
 """View box units per metre of depth."""
-SIDE_SCALE = 38.0
+SIDE_SCALE = 32.0
 """View box units per metre of X: stretched, so that the triangles open up."""
-PLANE_LABEL_WIDTH, POINT_LABEL_HALF_WIDTH = 80.0, 72.0
-"""Sizes of the labels of the image plane and of the point, in view box units."""
-RAY_LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, -4), (0, -1, 280))
-"""Where rays may be drawn, as half planes a x + b y + c ≥ 0."""
+LIMITS = ((1, 0, -4), (-1, 0, WIDTH - 4), (0, 1, -4), (0, -1, 276))
+"""Where things may be drawn, as half planes a x + b y + c ≥ 0."""
+LEFT_M = (8.0 - AXIS[0]) / DEPTH_SCALE
+"""Depth of the panel's left edge."""
+LEAST_LEG = 20.0
+"""Leg of a triangle, in view box units, from which it is named."""
 
 
 def above(Z: float, X: float) -> Floats:
     """Metres to view box."""
-    return CAMERA + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
+    return AXIS + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
+
+
+def _beside(spot: Floats, right: float, down: float) -> Floats:
+    """A place next to ``spot``, in view box units."""
+    return spot + np.array([right, down])
 
 
 def metres_at(place: drawing.Point) -> Floats:
     """View box to metres: Z and X."""
-    return (np.asarray(place, float) - CAMERA) / [DEPTH_SCALE, SIDE_SCALE]
+    return (np.asarray(place, float) - AXIS) / [DEPTH_SCALE, SIDE_SCALE]
 
 
 def top_view_panel(view: View) -> Panel:
     overlay = "".join(
         (
-            depth_axis(),
-            image_plane(view),
-            other_depths(view),
+            depth_axis(view),
+            "" if view.full else reference_plane(),
             house_plan(view),
-            triangles(view) if view.visible else "",
+            triangles(view) if view.full and view.visible else "",
+            image_plane(view),
             ray(view),
-            centre(),
-            point(view),
+            centre(view),
+            drawing.dot(above(view.Z, view.X), "world", 5.5),
             equation(view),
         )
     )
-    return Panel("top", TITLE, WIDTH, HEIGHT, overlay=overlay)
+    return Panel("top", "From above (X drawn stretched)", WIDTH, HEIGHT, overlay=overlay)
 
 
-def depth_axis() -> str:
+def depth_axis(view: View) -> str:
+    """The optical axis, with its depths on the side away from the point."""
+    row = -8.0 if view.X >= 0.0 else 17.0
     ticks = "".join(
-        drawing.line(above(Z, -0.06), above(Z, 0.06), "muted thin")
-        + drawing.text(above(Z, -0.14), f"{Z}", "muted small halo", "middle")
-        for Z in (5, 10, 15, 20)
+        drawing.line(above(Z, -0.08), above(Z, 0.08), "muted thin")
+        + drawing.text(_beside(above(Z, 0.0), 0.0, row), words, "muted small halo", "middle")
+        for Z, words in ((5, "5 m"), (10, "10 m"), (20, "20 m"))
+        if view.full or Z != REFERENCE_DEPTH_M
     )
-    return (
-        drawing.arrow((8.0, CAMERA[1]), (396.0, CAMERA[1]), "muted thin")
-        + drawing.text((396.0, CAMERA[1] + 16.0), "Z, m", "muted small", "end")
-        + ticks
+    return drawing.arrow((8.0, AXIS[1]), (396.0, AXIS[1]), "muted thin") + ticks
+
+
+def reference_plane() -> str:
+    """The plane whose image is the same in perspective and in orthography."""
+    high, low = above(REFERENCE_DEPTH_M, -4.0), above(REFERENCE_DEPTH_M, 3.5)
+    return drawing.line(high, low, "image dashed") + drawing.text(
+        _beside(high, 6.0, 8.0), f"Z₀ = {REFERENCE_DEPTH_M:.0f} m", "image small halo"
     )
 
 
 def image_plane(view: View) -> str:
-    """The plane at distance f in front of the centre, as wide as the picture, and its f."""
-    distance, half = view.focal_px * METRES_PER_PX, HALF_WIDTH_PX * METRES_PER_PX
-    left, right = above(distance, -half), above(distance, half)
-    level = HEIGHT - 10.0
-    return (
-        drawing.path([[left, CAMERA, right]], "camera thin faint dashed")
-        + drawing.line(left, right, "image bold")
-        + plane_grip(right)
-        + plane_label(view, left)
-        + drawing.line((CAMERA[0], level), (right[0], level), "camera")
-        + drawing.text((CAMERA[0], level - 6.0), f"f = {view.focal_px:.0f} px", "camera small halo")
-    )
-
-
-def plane_grip(end: Floats) -> str:
-    """The handle at the end of the image plane."""
-    return drawing.rectangle(end - 4.0, 8.0, 8.0, "image solid")
-
-
-def plane_label(view: View, edge: Floats) -> str:
-    """The label on the right of the plane's edge, or on the left if another plane is near."""
-    other, needed = above(REFERENCE_DEPTH_M, 0.0)[0], 7.0 + PLANE_LABEL_WIDTH
-    crossed = view.camera == SCALED and needed < edge[0] < other < edge[0] + needed
-    right, anchor = (-7.0, "end") if crossed else (7.0, "start")
-    return drawing.text(edge + np.array([right, 13.0]), "image plane", "image small halo", anchor)
-
-
-def other_depths(view: View) -> str:
-    """The points that the picture compares, on a line parallel to the optical axis."""
-    line = drawing.line(above(COMPARED_DEPTHS[0], view.X), above(20.0, view.X), "world thin faint")
-    return line + "".join(
-        drawing.dot(above(depth, view.X), "world faint", 3.0) for depth in COMPARED_DEPTHS
-    )
+    """The plane at distance f in front of the centre, as wide as the picture."""
+    half = HALF_WIDTH_PX * METRES_PER_PX
+    if view.camera.plane_m < LEFT_M:
+        return ""
+    left, right = above(view.camera.plane_m, -half), above(view.camera.plane_m, half)
+    spot = _beside(left, 8.0, 10.0) if view.X >= 0.0 else _beside(right, 12.0, 4.0)
+    parts = [
+        drawing.line(left, right, "image bold"),
+        drawing.rectangle(right - 4.0, 8.0, 8.0, "image solid"),
+        drawing.text(spot, "image plane", "image small halo"),
+    ]
+    if view.full:
+        level = left[1] - 8.0
+        parts += [
+            drawing.path([[left, AXIS, right]], "camera thin faint dashed"),
+            drawing.line((AXIS[0], level), (right[0], level), "camera"),
+            drawing.text(((AXIS[0] + right[0]) / 2, level - 6.0), "f", "camera italic", "middle"),
+        ]
+    return "".join(parts)
 
 
 def house_plan(view: View) -> str:
@@ -112,72 +111,121 @@ def house_plan(view: View) -> str:
     outline = np.array([above(Z, X) for Z, X in footprint(view)])
     ridge = (outline[:2] + outline[3:1:-1]) / 2.0
     walls, ridge = _in_room(outline, closed=True), _in_room(ridge, closed=False)
-    return (drawing.polygon(walls, "world thin fill") if len(walls) else "") + (
-        drawing.polyline(ridge, "world thin faint") if len(ridge) else ""
+    return (drawing.polygon(walls, "world thin fill") * 2 if len(walls) else "") + (
+        drawing.polyline(ridge, "world thin") if len(ridge) else ""
     )
 
 
 def _in_room(points: Floats, *, closed: bool) -> Floats:
     """A line or an area clipped to the drawing."""
-    for limit in RAY_LIMITS:
+    for limit in LIMITS:
         points = clip_half_plane(points, limit, closed)
     return points
 
 
 def triangles(view: View) -> str:
     """The similar triangles: centre, axis and point; centre, principal point and image."""
-    large = drawing.polygon([CAMERA, above(view.Z, 0.0), above(view.Z, view.X)], "world thin fill")
-    if abs(view.x) > HALF_WIDTH_PX:
-        return large
-    distance = view.focal_px * METRES_PER_PX
-    hit = above(distance, view.x * METRES_PER_PX)
-    small = drawing.polygon([CAMERA, above(distance, 0.0), hit], "image thin fill")
-    return large + small + drawing.dot(hit, "image", 4.0)
+    side = 1.0 if view.X >= 0.0 else -1.0
+    parts = [drawing.polygon([AXIS, above(view.Z, 0.0), above(view.Z, view.X)], "ray thin fill")]
+    if SIDE_SCALE * abs(view.X) >= LEAST_LEG and DEPTH_SCALE * view.Z >= LEAST_LEG:
+        middle = _beside(above(view.Z, view.X / 2.0), -7.0, 4.0)
+        parts.append(drawing.text(middle, "X", "world italic halo", "end"))
+    if abs(view.x) <= HALF_WIDTH_PX:
+        distance, across = view.camera.plane_m, view.x * METRES_PER_PX
+        hit = above(distance, across)
+        parts += [
+            drawing.line(above(distance, 0.0), hit, "image bold"),
+            drawing.dot(hit, "image", 4.0),
+            drawing.text(_beside(hit, -7.0, 4.0 + 6.0 * side), "x", "image italic halo", "end"),
+        ]
+    return "".join(parts)
 
 
 def ray(view: View) -> str:
     """The ray through the point; dashed if the point has no image."""
-    distance = view.focal_px * METRES_PER_PX
-    if view.visible:
-        reach = max(view.Z, distance)
-        ends, style = (CAMERA, above(reach, view.X * (reach / view.Z))), "ray"
-    elif view.Z == 0.0:
-        ends, style = (CAMERA, above(0.0, view.X)), "error dashed"
+    camera = view.camera
+    if not view.visible:
+        return _ray_without_image(view)
+    start = max(camera.centre_m, min(LEFT_M, view.Z))
+    end = max(view.Z, camera.plane_m, REFERENCE_DEPTH_M if not view.full else view.Z)
+    drawn = _in_room(
+        np.array([above(start, _on_ray(view, start)), above(end, _on_ray(view, end))]), closed=False
+    )
+    parts = [drawing.polyline(drawn, "ray")] if len(drawn) > 1 else []
+    if not view.full:
+        parts.append(_seen_at_reference(view))
+    return "".join(parts)
+
+
+def _on_ray(view: View, Z: float) -> float:
+    """X at a depth, of the ray through the point."""
+    return view.X * view.camera.size_at(view.Z) / _size(view, Z)
+
+
+def _size(view: View, Z: float) -> float:
+    """Pixels per metre at a depth; infinite at the centre itself."""
+    return math.inf if view.camera.centre_m == Z else view.camera.size_at(Z)
+
+
+def _seen_at_reference(view: View) -> str:
+    """Where the ray meets the reference plane, and where the ray of full perspective does."""
+    parts = []
+    if view.Z > 0.0:
+        Z, X = REFERENCE_DEPTH_M, view.X * REFERENCE_DEPTH_M / view.Z
+        ends = np.array([AXIS, above(max(Z, view.Z), X * max(Z, view.Z) / Z)])
+        drawn = _in_room(ends, closed=False)
+        if len(drawn) > 1:
+            parts.append(drawing.polyline(drawn, "error thin dashed"))
+        if abs(X) < 3.5:
+            parts.append(drawing.circle(above(Z, X), 4.0, "error"))
+    own = _on_ray(view, REFERENCE_DEPTH_M)
+    if abs(own) < 3.5:
+        parts.append(drawing.dot(above(REFERENCE_DEPTH_M, own), "image", 4.0))
+    return "".join(parts)
+
+
+def _ray_without_image(view: View) -> str:
+    """From the point through the centre, or along the plane of the centre."""
+    camera = view.camera
+    away = view.Z - camera.centre_m
+    if away == 0.0:
+        ends = above(view.Z, 0.0), above(view.Z, view.X)
     else:
-        mirrored = distance * (view.X / view.Z)
-        ends, style = (above(view.Z, view.X), above(distance, mirrored)), "error dashed"
+        mirrored = view.X * (camera.plane_m - camera.centre_m) / away
+        ends = above(view.Z, view.X), above(camera.plane_m, mirrored)
     drawn = _in_room(np.array(ends), closed=False)
-    return drawing.polyline(drawn, style) if len(drawn) > 1 else ""
+    return drawing.polyline(drawn, "error dashed") if len(drawn) > 1 else ""
 
 
-def centre() -> str:
-    return drawing.dot(CAMERA, "camera", 5.0) + drawing.text(
-        CAMERA + np.array([-6.0, -9.0]), "centre", "camera small halo", "end"
-    )
-
-
-def point(view: View) -> str:
-    """The point, with its label beyond the image plane, on the side away from the axis if there is
-    space."""
-    spot = above(view.Z, view.X)
-    below = view.X >= 0.0 and spot[1] + 27.0 < HEIGHT - 22.0
-    y = spot[1] + 27.0 if below else max(spot[1] - 17.0, 13.0)
-    beyond = above(view.focal_px * METRES_PER_PX, 0.0)[0] + 7.0 if view.Z >= 0.0 else 4.0
-    half = POINT_LABEL_HALF_WIDTH
-    x = np.clip(spot[0], min(beyond, WIDTH / 2.0) + half, WIDTH - 4.0 - half)
-    label = f"X = {metres(view.X)} m, Z = {format_number(view.Z, 1)} m"
-    return drawing.dot(spot, "world", 5.5) + drawing.text(
-        (x, y), label, "world strong halo", "middle"
-    )
+def centre(view: View) -> str:
+    """The centre, or how far to the left it is."""
+    if view.camera.parallel:
+        words = "parallel rays: the centre is at infinity"
+    elif view.camera.centre_m < LEFT_M:
+        words = f"centre: {-view.camera.centre_m:.0f} m farther back"
+    else:
+        spot = above(view.camera.centre_m, 0.0)
+        name = max(spot[0], 26.0), spot[1] + (20.0 if view.X < 0.0 else -11.0)
+        return drawing.dot(spot, "camera", 5.0) + drawing.text(
+            name, "centre", "camera small halo", "middle"
+        )
+    return drawing.text((8.0, HEIGHT - 30.0), words, "camera small halo")
 
 
 def equation(view: View) -> str:
     """The division with its numbers."""
-    terms = f"x = f X / Z = {view.focal_px:.0f} · {metres(view.X)} / "
-    if view.visible:
-        words, role = f"{terms}{format_number(view.Z, 1)} = {format_number(view.x, 1)} px", "image"
-    elif view.Z == 0.0:
-        words, role = f"{terms}0: undefined", "error"
+    f, X = f"{view.camera.focal_px:.0f}", metres(view.X)
+    role = "image" if view.visible else "error"
+    image = f"{format_number(view.x, 1)} px" if view.visible else ""
+    if view.camera.parallel:
+        words = f"x = f X / Z₀ = {f} · {X} / {REFERENCE_DEPTH_M:.1f} = {image}"
+    elif not view.full and view.visible:
+        size = format_number(view.camera.size_at(view.Z), 1)
+        words = f"x = a X / (1 + η (Z − Z₀)) = {size} px/m · {X} m = {image}"
+    elif view.visible:
+        words = f"x = f X / Z = {f} · {X} / {format_number(view.Z, 1)} = {image}"
+    elif view.camera.centre_m == view.Z:
+        words = f"x = f X / Z = {f} · {X} / 0: undefined"
     else:
-        words, role = "Z < 0: behind the camera, no image", "error"
+        words = "behind the camera: no image"
     return drawing.text((WIDTH - 4.0, HEIGHT - 6.0), words, f"{role} halo", "end")

@@ -1,73 +1,93 @@
-"""The point and the three cameras of the projection figure."""
+"""The point, and the camera of the projection figure, from perspective to orthography.
 
-from collections.abc import Callable, Mapping
+Full perspective has its centre at depth 0. From there the centre moves back while the focal length
+grows, so that the plane at `REFERENCE_DEPTH_M` keeps its size in the picture: a dolly zoom. With
+the centre at infinity, the rays are parallel: scaled orthography.
+"""
+
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats, Mask
-from simulations.models.projection.affine_cameras import (
-    orthographic_camera,
-    project_affine,
-    scaled_orthographic_camera,
-)
+from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
 from simulations.models.projection.pinhole import intrinsics, project
-
-PERSPECTIVE, SCALED, PARALLEL = "perspective", "scaled-orthographic", "orthographic"
-"""The cameras: through a centre; along the axis to a plane, then through the centre; along it."""
 
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
 """Half the picture, in pixels from the principal point."""
 METRES_PER_PX = 0.03
-"""Size of a pixel of the image plane, as drawn and for parallel rays."""
+"""Size of a pixel of the image plane, as drawn."""
 REFERENCE_DEPTH_M = 5.0
-"""The depth by which scaled orthography divides."""
+"""Depth of the plane whose image is the same in perspective and in orthography."""
 
 
 @dataclass(frozen=True, slots=True)
 class Camera:
-    """One of the three cameras."""
+    """The camera between perspective and orthography."""
 
-    label: str
-    project: Callable[[Floats, Floats], tuple[Floats, Mask]]
-    """Maps a point of the camera frame and K to its pixel, and whether it has one."""
+    focal_px: float
+    """Focal length of full perspective."""
+    perspective: float
+    """1 is full perspective, 0 orthography: the depth of the reference plane over its distance from
+    the centre."""
 
+    @property
+    def parallel(self) -> bool:
+        """Whether the rays are parallel."""
+        return self.perspective == 0.0
 
-def _scaled(point: Floats, K: Floats) -> tuple[Floats, Mask]:
-    return project_affine(point, scaled_orthographic_camera(K, REFERENCE_DEPTH_M))
+    @property
+    def centre_m(self) -> float:
+        """Depth of the centre, 0 or negative; −∞ for parallel rays."""
+        if self.parallel:
+            return -math.inf
+        return REFERENCE_DEPTH_M - REFERENCE_DEPTH_M / self.perspective
 
+    @property
+    def plane_m(self) -> float:
+        """Depth of the image plane; −∞ for parallel rays."""
+        if self.parallel:
+            return -math.inf
+        return self.centre_m + self.focal_px * METRES_PER_PX / self.perspective
 
-def _parallel(point: Floats, _K: Floats) -> tuple[Floats, Mask]:
-    return project_affine(point, orthographic_camera(1.0 / METRES_PER_PX))
+    def project(self, points: Floats) -> tuple[Floats, Mask]:
+        """Pixels (..., 2) from the principal point of points (..., 3), and which have one."""
+        if self.parallel:
+            K = intrinsics(self.focal_px, (0.0, 0.0))
+            return project_affine(points, scaled_orthographic_camera(K, REFERENCE_DEPTH_M))
+        K = intrinsics(self.focal_px / self.perspective, (0.0, 0.0))
+        return project(points - np.array([0.0, 0.0, self.centre_m]), K)
 
-
-CAMERAS: Mapping[str, Camera] = {
-    PERSPECTIVE: Camera("Perspective", project),
-    SCALED: Camera("Scaled orthography", _scaled),
-    PARALLEL: Camera("Orthography", _parallel),
-}
+    def size_at(self, Z: float) -> float:
+        """Pixels per metre at a depth in front of the centre."""
+        per_m = self.focal_px / REFERENCE_DEPTH_M
+        return per_m / (1.0 + self.perspective * (Z / REFERENCE_DEPTH_M - 1.0))
 
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """A point in the camera frame and its image."""
+    """A point, the camera, and the point's image."""
 
     X: float
     """Metres to the right."""
     Y: float
     """Metres down."""
     Z: float
-    """Metres along the optical axis; negative behind the camera."""
-    focal_px: float
+    """Metres along the optical axis from the centre of full perspective."""
+    camera: Camera
     x: float
     """Pixels right of the principal point; NaN where there is no image."""
     y: float
     """Pixels below the principal point; NaN where there is no image."""
     visible: bool
-    """Whether the point has an image; for the camera with a centre, whether it is in front."""
-    camera: str
-    """One of `CAMERAS`."""
+    """Whether the point has an image."""
+
+    @property
+    def full(self) -> bool:
+        """Whether the camera is full perspective."""
+        return self.camera.perspective == 1.0
 
     @property
     def in_picture(self) -> bool:
@@ -77,12 +97,13 @@ class View:
     @property
     def formula_only(self) -> tuple[float, float]:
         """x = f X / Z, also for points behind the camera; Z must not be 0."""
-        return self.focal_px * self.X / self.Z, self.focal_px * self.Y / self.Z
+        return self.camera.focal_px * self.X / self.Z, self.camera.focal_px * self.Y / self.Z
 
     @property
-    def scale(self) -> float:
-        """Pixels per metre of the cameras with parallel rays."""
-        return self.focal_px / REFERENCE_DEPTH_M if self.camera == SCALED else 1.0 / METRES_PER_PX
+    def off_px(self) -> float:
+        """Pixels from the image in full perspective; Z must be positive."""
+        x, y = self.formula_only
+        return math.hypot(self.x - x, self.y - y)
 
 
 def in_picture(x: float, y: float) -> bool:
@@ -95,12 +116,8 @@ def metres(value: float) -> str:
     return format_number(value, 1 if abs(10.0 * value - round(10.0 * value)) < 1e-6 else 2)
 
 
-def view_of_point(X: float, Y: float, Z: float, focal_px: float, camera: str) -> View:
-    """Project the point (X, Y, Z) with the principal point at (0, 0).
-
-    Depth is rounded to the millimetre, so that Z = 0 is exact.
-    """
+def view_of_point(X: float, Y: float, Z: float, camera: Camera) -> View:
+    """Project the point (X, Y, Z). Depth is rounded to the millimetre, so that Z = 0 is exact."""
     Z = round(Z, 3)
-    point, K = np.array([X, Y, Z]), intrinsics(focal_px, (0.0, 0.0))
-    pixels, valid = CAMERAS[camera].project(point, K)
-    return View(X, Y, Z, focal_px, float(pixels[0]), float(pixels[1]), bool(valid), camera)
+    pixels, valid = camera.project(np.array([X, Y, Z]))
+    return View(X, Y, Z, camera, float(pixels[0]), float(pixels[1]), bool(valid))
