@@ -32,3 +32,13 @@ def test_turning_on_the_spot_changes_both_parts_of_the_pose() -> None:
     np.testing.assert_allclose(before.centre, after.centre, atol=1e-12)
     assert not np.allclose(before.rotation, after.rotation)
     assert not np.allclose(before.t, after.t)
+
+
+@pytest.mark.parametrize("pan", [-180, -90, 0, 33])
+def test_the_field_of_view_is_ahead_of_the_camera_and_inside_the_room(pan: float) -> None:
+    here = standpoint(pan, 4.0, 2.5)
+    seen = here.seen(here.field)
+    assert len(seen) >= 3
+    assert (np.abs(seen[:, 0]) <= np.tan(np.radians(30)) * seen[:, 2] + 1e-9).all()
+    assert (here.field >= [-1 - 1e-9, 0, -1 - 1e-9]).all()
+    assert (here.field <= [11 + 1e-9, 0, 9 + 1e-9]).all()

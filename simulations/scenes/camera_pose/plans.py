@@ -11,9 +11,9 @@ from simulations.models.geometry.transforms import clip_half_plane
 from simulations.scenes.camera_pose.room import AXIS_M, DOOR, LAMP, TABLE, WALLS, Standpoint
 
 WIDTH, HEIGHT = 400.0, 340.0
-UNITS_PER_M = 20.0
+UNITS_PER_M = 22.0
 """Scale of both panels, so that equal lengths look equal."""
-WORLD_ORIGIN = np.array([100.0, 270.0])
+WORLD_ORIGIN = np.array([90.0, 258.0])
 CAMERA_ORIGIN = np.array([200.0, 250.0])
 """The two origins in the view boxes; right is right, ahead or forward is up."""
 EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
@@ -25,10 +25,10 @@ CAMERA_OUTLINE = np.array(
 """In camera coordinates: body and lens, seen from above."""
 DOOR_NAME = np.array([0.0, 0.0, 0.7])
 """Distance of the door's label from the door, in metres."""
-LABEL_WIDTH = 150.0
-"""Size of the lamp's label, in view box units."""
-NAME_M = 0.7
-"""Distance of an arrow's label from its tip."""
+NAME_M = (1.0, 0.5)
+"""Distance of an axis's name back from its tip, and aside from the axis, in metres."""
+BESIDE = 12.0
+"""Distance of a label from the lamp, and from the middle of t, in view box units."""
 
 type Place = Callable[[Floats], Floats]
 
@@ -64,14 +64,14 @@ def world_panel(standpoint: Standpoint) -> Panel:
     origin, centre = in_world(np.zeros(3)), in_world(standpoint.centre)
     apart = float(np.hypot(*(centre - origin))) > UNITS_PER_M
     parts = (
-        _furniture(in_world),
+        _furniture(in_world, standpoint),
         drawing.line(origin, centre, "muted thin dashed") if apart else "",
         _axes(in_world, "world", ("X", "Z")),
         _camera(from_camera(standpoint)),
         _axes(from_camera(standpoint), "camera", ("x", "z")),
-        _lamp(in_world, LAMP),
+        _lamp(in_world, 1.0),
     )
-    return Panel("world", "In world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
+    return Panel("world", "The room in world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
 
 
 def camera_panel(standpoint: Standpoint) -> Panel:
@@ -80,26 +80,36 @@ def camera_panel(standpoint: Standpoint) -> Panel:
     centre, origin = CAMERA_ORIGIN, place(np.zeros(3))
     inside = bool(np.all(origin > 0.0) and origin[0] < WIDTH and origin[1] < HEIGHT)
     apart = float(np.hypot(*(origin - centre))) > UNITS_PER_M
-    name = (centre + origin) / 2.0 + [9.0, 4.0]
+    along = (origin - centre) / max(float(np.hypot(*(origin - centre))), 1.0)
+    aside = np.array([-along[1], along[0]])
+    to_lamp = float(aside @ (place(LAMP) - centre))
+    name = (centre + origin) / 2.0 - np.copysign(BESIDE, to_lamp) * aside
     parts = (
-        _furniture(place),
+        _furniture(place, standpoint),
         _axes(place, "world", ("X", "Z")) if inside else "",
         _segment(np.stack([centre, origin]), "ray bold") if apart else "",
-        drawing.text(name, "t", "ray strong halo") if apart and inside else "",
+        _name(name, "t", "ray strong") if apart else "",
         _camera(in_camera),
         _axes(in_camera, "camera", ("x", "z")),
-        _lamp(place, standpoint.seen(LAMP)),
+        _lamp(place, aside[0] * to_lamp if apart else 1.0),
     )
-    return Panel("camera", "In camera coordinates", WIDTH, HEIGHT, overlay="".join(parts))
+    return Panel(
+        "camera", "The same room in camera coordinates", WIDTH, HEIGHT, overlay="".join(parts)
+    )
 
 
-def _furniture(place: Place) -> str:
-    """Walls, door and table, clipped to the panel."""
+def _furniture(place: Place, standpoint: Standpoint) -> str:
+    """Floor, the part of it in the camera's field of view, walls, door and table, clipped to the
+    panel."""
     walls = [np.stack([WALLS[i], WALLS[(i + 1) % 4]]) for i in range(4)]
+    floor = _ground(place(WALLS), "world")
+    field = _ground(place(standpoint.field), "camera")
     table = _cut(place(TABLE), closed=True)
     middle, door = place(np.stack([TABLE.mean(axis=0), DOOR.mean(axis=0) - DOOR_NAME]))
     return "".join(
         (
+            floor,
+            field,
             *(_segment(place(wall), "world thin") for wall in walls),
             _segment(place(DOOR), "world bold"),
             drawing.polygon(table, "world thin fill") if len(table) else "",
@@ -109,14 +119,24 @@ def _furniture(place: Place) -> str:
     )
 
 
+def _ground(area: Floats, role: str) -> str:
+    """A part of the floor as a faint area."""
+    seen = _cut(area, closed=True)
+    return (
+        drawing.group([drawing.polygon(seen, f"{role} solid faint")], "faint") if len(seen) else ""
+    )
+
+
 def _axes(place: Place, role: str, names: tuple[str, str]) -> str:
     """Right and ahead, from the origin of their own coordinates."""
     start = place(np.zeros(3))
     parts = []
-    for name, direction in zip(names, np.eye(3)[[0, 2]], strict=True):
-        parts.append(drawing.arrow(start, place(AXIS_M * direction), role, 7))
-        beyond = place((AXIS_M + NAME_M) * direction)
-        parts.append(_name(beyond, name, f"{role} italic"))
+    right, ahead = np.eye(3)[[0, 2]]
+    back, beside = NAME_M
+    for name, axis, other in zip(names, (right, ahead), (ahead, right), strict=True):
+        parts.append(drawing.arrow(start, place(AXIS_M * axis), role, 7))
+        at = place((AXIS_M - back) * axis - beside * other)
+        parts.append(_name(at, name, f"{role} italic"))
     return "".join(parts) + drawing.dot(start, role, 3.5)
 
 
@@ -124,16 +144,15 @@ def _camera(place: Place) -> str:
     return drawing.polygon(place(CAMERA_OUTLINE), "camera fill")
 
 
-def _lamp(place: Place, coordinates: Floats) -> str:
+def _lamp(place: Place, side: float) -> str:
+    """The lamp, with its name on the right, or on the left if ``side`` is negative."""
     spot = place(LAMP)
-    words = f"lamp {triple(coordinates)}"
-    # next to the lamp, on the side with space
-    left = spot[0] > WIDTH - LABEL_WIDTH
-    at = spot + ([-9.0, -8.0] if left else [9.0, -8.0])
     if not bool(np.all(spot > 0.0) and spot[0] < WIDTH and spot[1] < HEIGHT):
         return ""
+    right = spot[0] < 50.0 or (side >= 0.0 and spot[0] < WIDTH - 50.0)
+    at = (spot[0] + (BESIDE if right else -BESIDE), spot[1] + 4.0)
     return drawing.dot(spot, "light", 5.5) + drawing.text(
-        at, words, "light small halo", "end" if left else "start"
+        at, "lamp", "light small halo", "start" if right else "end"
     )
 
 

@@ -11,15 +11,18 @@ import numpy as np
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry.rotations import from_axis_angle
+from simulations.models.geometry.transforms import clip_half_plane
 from simulations.models.projection.pinhole import invert_pose, rigid_pose, world_to_camera
 
 LAMP = np.array([2.0, -1.0, 3.0])
 """1 m above the camera."""
 WALLS = np.array([(-1.0, 0.0, -1.0), (11.0, 0.0, -1.0), (11.0, 0.0, 9.0), (-1.0, 0.0, 9.0)])
 TABLE = np.array([(5.0, 0.0, 5.0), (8.0, 0.0, 5.0), (8.0, 0.0, 6.5), (5.0, 0.0, 6.5)])
+FIELD_RAD = math.radians(60.0)
+"""The camera's field of view."""
 DOOR = np.array([(1.0, 0.0, 9.0), (2.5, 0.0, 9.0)])
 """The door in the far wall."""
-AXIS_M = 2.0
+AXIS_M = 2.5
 """Drawn length of axes."""
 
 
@@ -44,6 +47,18 @@ class Standpoint:
     def centre(self) -> Floats:
         """(3,) metres, in the world."""
         return invert_pose(self.pose)[:3, 3]
+
+    @property
+    def field(self) -> Floats:
+        """(n, 3) metres, in the world: the part of the floor within a field of view of 60°."""
+        depth = 20.0
+        aside = depth * math.tan(FIELD_RAD / 2.0)
+        wedge = np.array([(0.0, 0.0, 0.0), (-aside, 0.0, depth), (aside, 0.0, depth)])
+        plan: Floats = ((wedge - self.t) @ self.rotation)[:, [0, 2]]
+        (left, _, near), (right, _, far) = WALLS[0], WALLS[2]
+        for wall in ((1, 0, -left), (-1, 0, right), (0, 1, -near), (0, -1, far)):
+            plan = clip_half_plane(plan, wall)
+        return np.insert(plan, 1, 0.0, axis=1)
 
     def seen(self, points: Floats) -> Floats:
         """World points (..., 3) in camera coordinates."""

@@ -30,7 +30,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 def describe(settings: Settings, here: Standpoint) -> str:
     """The pose and the lamp in one sentence."""
     return (
-        f"A camera at {triple(here.centre)} m, panned by {format_number(settings.pan, 0)}°, has "
+        f"A room from above, in world and in camera coordinates. The camera at "
+        f"{triple(here.centre)} m, panned by {format_number(settings.pan, 0)}°, has "
         f"the world’s origin at t = {triple(here.t)} m and the lamp, which is at {triple(LAMP)} m "
         f"in the world, at {triple(here.seen(LAMP))} m."
     )
