@@ -30,32 +30,36 @@ from simulations.scenes.lens_aberrations.stages import HEIGHT_PX, STAGES, WIDTH_
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The lens from the side, the chart through it, its corner, and the two profiles."""
+    """The corner of a chart through the lens, the lens from the side, and the whole chart."""
     picture: Raster = outputs["encoded"]
     lens = colours(settings.glass, settings.stop, settings.aperture)
     shifts = shifts_px(settings.glass, settings.stop)
-    tangents = np.linspace(0.0, 1.0, 61)
-    cos4, open_share = light(tangents, settings.aperture, settings.rim, settings.natural)
-    corner = (float(cos4[-1]), float(open_share[-1]))
+    cos4, open_share = light(np.ones(1), settings.aperture, settings.rim, settings.natural)
+    corner = (float(cos4[0]), float(open_share[0]))
     close = np.ascontiguousarray(picture[CLOSE_TOP:, CLOSE_LEFT:])
     width, height = drawing.WIDTH, drawing.HEIGHT
     frame = drawing.close_up_frame(CLOSE_LEFT / WIDTH_PX, CLOSE_TOP / HEIGHT_PX)
-    plot = drawing.profile(tangents, cos4, open_share, (float(shifts[0]), float(shifts[2])))
     cut = section(settings.glass, settings.stop, settings.aperture, settings.rim)
     return Frame(
         panels=(
-            Panel("lens", "Light of a corner, from the side", width, height, overlay=cut),
-            Panel("picture", "Through the lens", width, height, picture, frame),
-            Panel("corner", "The corner, enlarged", width, height, close, pixelated=True),
-            Panel("profile", "From the centre to the corner", width, height, overlay=plot),
+            Panel(
+                "corner",
+                "The corner of the picture, enlarged",
+                width,
+                height,
+                close,
+                pixelated=True,
+            ),
+            Panel("lens", "The light of that corner, from the side", width, height, overlay=cut),
+            Panel("picture", "The whole picture", width, height, picture, frame),
         ),
         readouts=(
             readout("lateral", "Red to blue, corner", shifts[2] - shifts[0], "px", role="error"),
             readout("red_disc", "Red disc", lens.disc_px[0], "px"),
             readout("blue_disc", "Blue disc", lens.disc_px[2], "px"),
-            readout("natural_stops", "Natural falloff", stops(corner[0]), "stops", role="light"),
+            readout("natural_stops", "Natural vignetting", stops(corner[0]), "stops", role="light"),
             readout("rim_stops", "Cut by the rim", stops(corner[1]), "stops", role="camera"),
-            readout("corner_stops", "Corner, together", stops(corner[0] * corner[1]), "stops"),
+            readout("corner_stops", "Corner in all", stops(corner[0] * corner[1]), "stops"),
         ),
         description=describe(settings, lens, corner),
     )

@@ -14,7 +14,7 @@ class Settings:
         {"ideal": "Without dispersion", "crown": "Crown, V = 64.2", "flint": "Flint, V = 36.4"},
         "crown",
     )
-    stop: float = slider("Aperture stop before the lens", 12, -15, 15, 1, unit="mm")
+    stop: float = slider("Stop-to-lens distance", 12, -15, 15, 1, unit="mm")
     aperture: float = slider("Aperture", 2.8, 1.4, 16, 0.1, prefix="f/")
-    rim: float = slider("Rim before the aperture stop", 6, 0, 12, 0.5, unit="mm")
+    rim: float = slider("Rim-to-stop distance", 6, 0, 12, 0.5, unit="mm")
     natural: bool = toggle("Natural vignetting, cos⁴", True)
