@@ -14,7 +14,7 @@ from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes.transform_2d.family import transformation
 from simulations.scenes.transform_2d.handles import matrix
 from simulations.scenes.transform_2d.hierarchy import RUNGS
-from simulations.scenes.transform_2d.plane import to_view
+from simulations.scenes.transform_2d.plane import HEIGHT, WIDTH, from_view, to_view
 from simulations.scenes.transform_2d.scene import SCENE
 from simulations.scenes.transform_2d.square import SQUARE
 
@@ -71,7 +71,7 @@ def test_nothing_is_drawn_far_outside_the_view(amount: float) -> None:
     overlay = plane("projective", amount)
     points = re.findall(r"(-?[\d.]+),(-?[\d.]+)", overlay)
     assert len(points) > 20
-    assert all(-5 <= float(x) <= 405 and -5 <= float(y) <= 335 for x, y in points)
+    assert all(-5 <= float(x) <= WIDTH + 5 and -5 <= float(y) <= HEIGHT + 5 for x, y in points)
 
 
 def test_the_line_sent_to_infinity_is_drawn_where_it_crosses_the_view() -> None:
@@ -83,9 +83,8 @@ def test_the_line_sent_to_infinity_is_drawn_where_it_crosses_the_view() -> None:
     )
     assert ends
     x1, y1, x2, y2 = map(float, ends.groups())
-    origin = to_view((0, 0))
     for x, y in ((x1, y1), (x2, y2)):
-        X, Y = (x - origin[0]) / 1.46, -(y - origin[1]) / 1.46
+        X, Y = from_view((x, y))
         assert pytest.approx(0, abs=1e-3) == 1 - 80 / 10000 * X + 80 / 3000 * Y
 
 

@@ -80,17 +80,17 @@ def _pair(place: Floats) -> Point:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("point", "plane", "P", ("point_x", "point_y"), _point, _point_pulled, role="world"),
-    Handle("image", "plane", "Image of P", ("amount",), _image, _image_pulled, role="image"),
     Handle(
         "corner",
         "plane",
-        "Upper left corner of the image",
+        "Corner of the image",
         ("pull_x", "pull_y"),
         _corner,
         _corner_pulled,
         role="image",
     ),
+    Handle("point", "plane", "P", ("point_x", "point_y"), _point, _point_pulled, role="world"),
+    Handle("image", "plane", "Image of P", ("amount",), _image, _image_pulled, role="image"),
     Handle(
         "family",
         "hierarchy",

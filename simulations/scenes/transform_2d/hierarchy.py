@@ -6,7 +6,7 @@ from simulations.engine import drawing
 from simulations.engine.frame import Panel
 from simulations.engine.handles import Point
 
-WIDTH, HEIGHT = 400.0, 330.0
+WIDTH, HEIGHT = 400.0, 400.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +51,13 @@ def frame_of(name: str) -> tuple[float, float, float, float]:
     """Left, top, right and bottom of a family's frame."""
     depth = len(RUNGS) - 1 - list(RUNGS).index(name)
     left = 8.0 + 14.0 * depth
-    return left, 8.0 + 50.0 * depth, WIDTH - left, HEIGHT - 8.0 - 12.0 * depth
+    return left, 8.0 + 64.0 * depth, WIDTH - left, HEIGHT - 8.0 - 12.0 * depth
 
 
 def grip(name: str) -> Point:
     """The handle of a family, between the words of its frame."""
     _, top, right, _ = frame_of(name)
-    return right - 82.0, top + 25.0
+    return right - 90.0, top + 32.0
 
 
 def innermost_at(place: Point) -> str:
@@ -72,7 +72,7 @@ def innermost_at(place: Point) -> str:
 def rung_labels(rung: Rung, left: float, top: float, role: str) -> str:
     right = WIDTH - left - 12.0
     return (
-        drawing.text((left + 12.0, top + 21.0), rung.title, f"{role} strong")
-        + drawing.text((left + 12.0, top + 38.0), f"also keeps {rung.preserves}", f"{role} small")
-        + drawing.text((right, top + 21.0), f"{rung.freedoms} DoF", role, "end")
+        drawing.text((left + 12.0, top + 25.0), rung.title, f"{role} strong")
+        + drawing.text((left + 12.0, top + 45.0), f"also keeps {rung.preserves}", f"{role} small")
+        + drawing.text((right, top + 25.0), f"{rung.freedoms} DoF", role, "end")
     )

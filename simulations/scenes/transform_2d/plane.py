@@ -16,16 +16,16 @@ from simulations.models.geometry.transforms import (
 )
 from simulations.scenes.transform_2d.square import GRID, LETTER, SQUARE
 
-WIDTH, HEIGHT = 400.0, 330.0
-SCALE = 1.46
+WIDTH, HEIGHT = 400.0, 340.0
+SCALE = 1.55
 """View box units per unit of the plane."""
-ORIGIN = np.array([100.0, 232.0])
+ORIGIN = np.array([104.0, 240.0])
 """The plane's origin in the view box; the plane's y axis points up."""
 RIM = 4.0
 """Margin around the view box, in its units, that hides cut edges."""
 FRAME = ((1, 0, RIM), (-1, 0, WIDTH + RIM), (0, 1, RIM), (0, -1, HEIGHT + RIM))
 """The view box and its rim, as half planes a x + b y + c ≥ 0."""
-TAKEN_Y = {"start": 247.0, "end": 224.0}
+TAKEN_Y = {"start": 255.0, "end": 232.0}
 """Baselines, at the left and the right end, of the numbers below the x axis and of its name."""
 LABEL_HEIGHT = 12.0
 """Line height of a small label, in view box units."""
@@ -79,19 +79,16 @@ def in_frame(points: ArrayLike, closed: bool = True) -> Floats:
 def axes() -> str:
     ticks = [
         drawing.text(label_at((x, 0), 0, 15), format_number(x, 0), "muted small halo", "middle")
-        for x in (-50, 50, 100, 150)
-    ] + [
-        drawing.text(label_at((0, y), -7, 4), format_number(y, 0), "muted small halo", "end")
-        for y in (-50, 50, 100, 150)
-    ]
-    rules = [[(x, -60), (x, 152)] for x in (-50, 50, 100, 150, 200)]
-    rules += [[(-66, y), (203, y)] for y in (-50, 50, 100, 150)]
+        for x in (50, 100)
+    ] + [drawing.text(label_at((0, 100), -7, 4), "100", "muted small halo", "end")]
+    rules = [[(x, -62), (x, 152)] for x in (-50, 50, 100, 150)]
+    rules += [[(-65, y), (189, y)] for y in (-50, 50, 100, 150)]
     return (
         drawing.path([to_view(rule) for rule in rules], "muted thin faint")
-        + drawing.arrow(to_view((-66, 0)), to_view((204, 0)), "muted thin")
-        + drawing.arrow(to_view((0, -62)), to_view((0, 156)), "muted thin")
-        + drawing.text(label_at((204, 0), 0, -8), "x", "muted italic", "end")
-        + drawing.text(label_at((0, 156), 9, 10), "y", "muted italic")
+        + drawing.arrow(to_view((-65, 0)), to_view((189, 0)), "muted thin")
+        + drawing.arrow(to_view((0, -62)), to_view((0, 153)), "muted thin")
+        + drawing.text(label_at((189, 0), 0, -8), "x", "muted italic", "end")
+        + drawing.text(label_at((0, 153), 9, 10), "y", "muted italic")
         + "".join(ticks)
     )
 
