@@ -1,5 +1,6 @@
 """The stability figure: its reference is exact, and its curves lie where theory has them."""
 
+import re
 from fractions import Fraction
 from math import asin, atan, isclose, pi
 
@@ -115,3 +116,22 @@ def readout(**given: object) -> str:
 
 def test_digits_are_counted_from_the_curve_as_written() -> None:
     assert 6.5 < float(readout(formula="angle", power=-4)) < 7.5
+
+
+def test_the_bars_are_as_long_as_the_digits_that_are_right() -> None:
+    """16 cells in float64; of an angle of 10⁻⁴ the arccosine has seven digits, atan2 all."""
+    frame = SCENE.render(SCENE.check({"formula": "angle", "power": -4}), "", StageCache())
+    bars = re.findall(
+        r'class="(error|image) solid faint" [^>]*width="([\d.]+)"', frame.panels[1].overlay
+    )
+    assert [role for role, _ in bars] == ["error", "image"]
+    written, rearranged = (16 * float(width) / 368 for _, width in bars)
+    assert written == pytest.approx(float(texts_of(frame)["digits"]), abs=0.06)
+    assert rearranged > 15
+
+
+def test_a_mark_without_inputs_has_no_bars() -> None:
+    given = SCENE.check({"formula": "angle", "digits": "float32", "power": -12})
+    overlay = SCENE.render(given, "", StageCache()).panels[1].overlay
+    assert "solid faint" not in overlay
+    assert overlay.count("no inputs") == 2

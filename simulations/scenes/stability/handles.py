@@ -25,7 +25,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "place",
         "plot",
-        "Distance from trouble",
+        "Mark",
         ("power",),
         _place,
         _place_pulled,

@@ -6,6 +6,7 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import Point, dot
+from simulations.engine.frame import power_of_ten
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
@@ -29,6 +30,10 @@ CURVE_NAMES: Mapping[str, tuple[str, str]] = {
     "fold": ("5 Newton steps", "60 steps"),
 }
 """Names of the two curves."""
+X_TICKS, Y_TICKS = (
+    [(10.0**power, power_of_ten(power) if power else "1") for power in powers]
+    for powers in ((-12, -8, -4, 0), (-16, -8, 0))
+)
 UNITS_OF_ROUNDING = 8
 """Errors of at most so many units u are drawn as one, as they differ by machine."""
 PER_DECADE = 10
@@ -77,8 +82,10 @@ def draw(settings: Settings, errors: Errors) -> str:
         (
             PLOT.region(y=(PLOT.y.low, rounding)),
             PLOT.frame(
-                Scale(ACROSS[settings.formula], ticks=5, tick_style="muted small", style="small"),
-                Scale("relative error", ticks=5, tick_style="muted small", style="small"),
+                Scale(
+                    ACROSS[settings.formula], ticks=X_TICKS, tick_style="muted small", style="small"
+                ),
+                Scale("relative error", ticks=Y_TICKS, tick_style="muted small", style="small"),
             ),
             PLOT.curve(DISTANCES, errors.bound, "muted dashed"),
             PLOT.curve(DISTANCES, shown(errors.rearranged, settings.digits), "image bold"),

@@ -5,7 +5,7 @@ import math
 from simulations.engine.frame import Frame, Panel, Readout, format_number, power_of_ten
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
-from simulations.scenes.stability import plot
+from simulations.scenes.stability import digits, plot
 from simulations.scenes.stability.errors import Errors, errors_of
 from simulations.scenes.stability.handles import HANDLES
 from simulations.scenes.stability.settings import FORMULAS, Settings
@@ -15,7 +15,22 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """Both errors and the bound, and the count of right digits at the mark."""
     errors: Errors = outputs["errors"]
     return Frame(
-        panels=(Panel("plot", "", plot.WIDTH, plot.HEIGHT, overlay=plot.draw(settings, errors)),),
+        panels=(
+            Panel(
+                "plot",
+                "Relative error of two computations",
+                plot.WIDTH,
+                plot.HEIGHT,
+                overlay=plot.draw(settings, errors),
+            ),
+            Panel(
+                "digits",
+                "Right digits at the mark",
+                digits.WIDTH,
+                digits.HEIGHT,
+                overlay=digits.draw(settings, errors),
+            ),
+        ),
         readouts=(
             Readout("digits", "Right digits, as written", _written(settings, errors), "", "error"),
         ),
@@ -23,13 +38,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
 
 
-def right_digits(error: float) -> str:
-    """Right digits to a tenth; a text if there are no inputs."""
-    return "no inputs" if math.isnan(error) else format_number(-math.log10(error), 1)
-
-
 def _written(settings: Settings, errors: Errors) -> str:
-    return right_digits(float(plot.shown(errors.written, settings.digits)[plot.place_of(settings)]))
+    return digits.right_digits(
+        float(plot.shown(errors.written, settings.digits)[plot.place_of(settings)])
+    )
 
 
 def describe(settings: Settings, errors: Errors) -> str:
@@ -39,7 +51,7 @@ def describe(settings: Settings, errors: Errors) -> str:
     if math.isnan(errors.written[at]):
         return f"{where}: the format has no two numbers that close."
     written, rearranged = (
-        right_digits(float(plot.shown(each, settings.digits)[at]))
+        digits.right_digits(float(plot.shown(each, settings.digits)[at]))
         for each in (errors.written, errors.rearranged)
     )
     names = plot.CURVE_NAMES[settings.formula]
