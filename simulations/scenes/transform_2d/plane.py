@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
-from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.transforms import (
@@ -17,7 +16,7 @@ from simulations.models.geometry.transforms import (
 from simulations.scenes.transform_2d.square import GRID, LETTER, SQUARE
 
 WIDTH, HEIGHT = 400.0, 340.0
-SCALE = 1.55
+SCALE = 1.6
 """View box units per unit of the plane."""
 ORIGIN = np.array([104.0, 240.0])
 """The plane's origin in the view box; the plane's y axis points up."""
@@ -77,18 +76,18 @@ def in_frame(points: ArrayLike, closed: bool = True) -> Floats:
 
 
 def axes() -> str:
-    ticks = [
-        drawing.text(label_at((x, 0), 0, 15), format_number(x, 0), "muted small halo", "middle")
-        for x in (50, 100)
-    ] + [drawing.text(label_at((0, 100), -7, 4), "100", "muted small halo", "end")]
-    rules = [[(x, -62), (x, 152)] for x in (-50, 50, 100, 150)]
-    rules += [[(-65, y), (189, y)] for y in (-50, 50, 100, 150)]
+    ticks = (
+        drawing.text(label_at((100, 0), 0, 15), "100", "muted small halo", "middle"),
+        drawing.text(label_at((0, 100), -7, 4), "100", "muted small halo", "end"),
+    )
+    rules = [[(x, -60), (x, 148)] for x in (-50, 50, 100, 150)]
+    rules += [[(-63, y), (184, y)] for y in (-50, 50, 100)]
     return (
         drawing.path([to_view(rule) for rule in rules], "muted thin faint")
-        + drawing.arrow(to_view((-65, 0)), to_view((189, 0)), "muted thin")
-        + drawing.arrow(to_view((0, -62)), to_view((0, 153)), "muted thin")
-        + drawing.text(label_at((189, 0), 0, -8), "x", "muted italic", "end")
-        + drawing.text(label_at((0, 153), 9, 10), "y", "muted italic")
+        + drawing.arrow(to_view((-63, 0)), to_view((184, 0)), "muted thin")
+        + drawing.arrow(to_view((0, -60)), to_view((0, 148)), "muted thin")
+        + drawing.text(label_at((184, 0), 0, -8), "x", "muted italic", "end")
+        + drawing.text(label_at((0, 148), 9, 11), "y", "muted italic")
         + "".join(ticks)
     )
 
