@@ -10,17 +10,19 @@ from support.frames import frame_of, texts_at
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.brdf import Material, reflected
-from simulations.scenes._ball.ball import PIXELS_PER_UNIT
-from simulations.scenes._ball.marks import on_equator
-from simulations.scenes.brdf import energy
+from simulations.scenes.brdf import energy, materials
 from simulations.scenes.brdf.scene import SCENE
 from simulations.scenes.brdf.settings import MODELS
-from simulations.scenes.brdf.stages import AROUND_DEG, TINT
+from simulations.scenes.brdf.spheres import TINT
+from simulations.scenes.brdf.stages import AROUND_DEG
 
 frame = partial(frame_of, SCENE)
 
 
 texts = partial(texts_at, SCENE)
+
+MIDDLE = tuple(round(materials.FINE * each) for each in reversed(materials.CENTRE))
+"""The pixel at the ball's centre."""
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -29,28 +31,28 @@ def test_the_pixel_at_the_probed_point_has_the_brightness_read_out(
     model: str, light: int, view: int
 ) -> None:
     shown = frame(model=model, light_angle=light, view_angle=view, specular=0.05, albedo=0.4)
-    raster = shown.panels[1].raster
+    raster = shown.panels[0].raster
     assert raster is not None
-    x, y = on_equator(math.radians(-view))
-    pixel = raster[round(y * PIXELS_PER_UNIT), int(x * PIXELS_PER_UNIT)]
+    x, y = materials.on_equator(-view)
+    pixel = raster[round(y * materials.FINE), int(x * materials.FINE)]
     seen = float(next(item for item in shown.readouts if item.name == "seen").text)
     assert pixel[0] == pytest.approx(255 * min(float(encode_srgb(seen)), 1), abs=3)
 
 
 def test_the_matte_part_has_the_balls_colour_and_the_mirrored_that_of_the_lamp() -> None:
-    matte = frame(model="lambert", light_angle=0, view_angle=0, albedo=0.6).panels[1].raster
-    metal = frame(albedo=0, light_angle=0, view_angle=0, roughness=0.6).panels[1].raster
+    matte = frame(model="lambert", light_angle=0, view_angle=0, albedo=0.6).panels[0].raster
+    metal = frame(albedo=0, light_angle=0, view_angle=0, roughness=0.6).panels[0].raster
     assert matte is not None
     assert metal is not None
     expected = 255 * encode_srgb(0.6 * TINT)
-    np.testing.assert_allclose(matte[212, 250, :3], expected, atol=1.5)
-    assert np.ptp(metal[212, 250, :3]) == 0
+    np.testing.assert_allclose(matte[MIDDLE][:3], expected, atol=1.5)
+    assert np.ptp(metal[MIDDLE][:3]) == 0
 
 
 def test_the_far_side_of_the_ball_is_black() -> None:
-    raster = frame(light_angle=-88, view_angle=88).panels[1].raster
+    raster = frame(light_angle=-88, view_angle=88).panels[0].raster
     assert raster is not None
-    assert not raster[212, 260, :3].any()
+    assert not raster[MIDDLE][:3].any()
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -81,6 +83,16 @@ def test_facets_send_light_beyond_the_mirrors_direction() -> None:
         np.cos(light + around),
     )
     assert math.degrees(around[found.argmax()]) > 75
+
+
+def test_a_sphere_of_the_chart_looks_like_the_ball_of_its_material() -> None:
+    place = materials.at(1.0, 1.0)
+    chosen = SCENE.pull(SCENE.check({}), "material", place)
+    assert chosen == {"roughness": 1.0, "specular": 1.0}
+    raster = frame(light_angle=10, view_angle=-10, **chosen).panels[0].raster
+    assert raster is not None
+    sample = raster[tuple(round(materials.FINE * each) for each in reversed(place))]
+    np.testing.assert_allclose(sample[:3], raster[MIDDLE][:3], atol=4)
 
 
 def test_the_curves_handle_leaves_the_lamp_on_its_side() -> None:

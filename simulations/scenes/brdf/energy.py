@@ -13,8 +13,8 @@ from simulations.models.light.brdf import schlick
 from simulations.scenes.brdf.stages import INCIDENCE_DEG
 
 PLOT = Plot(Axis(0.0, 90.0, 46.0, 384.0), Axis(0.0, 1.5, 280.0, 30.0))
-ANGLES = Scale("angle of the light from the normal", "°", ticks=(0, 30, 60, 90), style="light")
-SHARES = Scale(ticks=(0, 0.5, 1, 1.5))
+ANGLES = Scale("angle of the light from the normal", "°", ticks=(0, 45, 90), style="light")
+SHARES = Scale(ticks=(0, 1))
 
 
 def at(angle_deg: float, share: float) -> tuple[float, float]:

@@ -6,8 +6,7 @@ from collections.abc import Mapping
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.scenes._ball.marks import angle_of_normal, on_equator
-from simulations.scenes.brdf import energy, lobe
+from simulations.scenes.brdf import energy, lobe, materials
 from simulations.scenes.brdf.settings import Settings
 
 
@@ -29,11 +28,19 @@ def _camera_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 def _probe(settings: Settings, _outputs: Outputs) -> Point:
     """The camera is fixed in front of the ball; the normal is turned away from it."""
-    return on_equator(math.radians(-settings.view_angle))
+    return materials.on_equator(-settings.view_angle)
 
 
 def _probe_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"view_angle": -angle_of_normal(place)}
+    return {"view_angle": -materials.angle_of_normal(place)}
+
+
+def _material(settings: Settings, _outputs: Outputs) -> Point:
+    return materials.at(settings.roughness, settings.specular)
+
+
+def _material_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return materials.material_at(place)
 
 
 def _incidence(settings: Settings, outputs: Outputs) -> Point:
@@ -45,6 +52,15 @@ def _incidence_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
+    Handle(
+        "material",
+        "camera",
+        "Material",
+        ("roughness", "specular"),
+        _material,
+        _material_pulled,
+        role="ray",
+    ),
     Handle("lamp", "lobe", "Lamp", ("light_angle",), _lamp, _lamp_pulled, role="light"),
     Handle("eye", "lobe", "Camera", ("view_angle",), _camera, _camera_pulled, role="camera"),
     Handle(

@@ -9,11 +9,11 @@ import math
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.scenes._ball.ball import camera_panel
-from simulations.scenes._ball.marks import HEIGHT, WIDTH, probed_point, shadow_edge
+from simulations.scenes._ball.marks import HEIGHT, WIDTH
 from simulations.scenes.brdf.energy import energy_plot
 from simulations.scenes.brdf.handles import HANDLES
 from simulations.scenes.brdf.lobe import lobe_plot
+from simulations.scenes.brdf.materials import marks
 from simulations.scenes.brdf.settings import MODELS, Settings
 from simulations.scenes.brdf.stages import STAGES, Exchange
 
@@ -22,15 +22,22 @@ EQUAL = 1e-6
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The lobe, a ball of the material, and the reflected share."""
+    """The material, its lobe, and the reflected share."""
     exchange: Exchange = outputs["exchange"]
     light, view = settings.light_angle, settings.view_angle
     seen = math.pi * math.cos(math.radians(light)) * exchange.there
-    marks = (*shadow_edge(math.radians(light - view)), *probed_point(math.radians(-view), "world"))
     smooth = settings.specular if settings.model == "microfacets" else None
     energy = energy_plot(outputs["sent back"], abs(light), exchange.sent, smooth)
     return Frame(
         panels=(
+            Panel(
+                "camera",
+                "The material",
+                WIDTH,
+                HEIGHT,
+                outputs["picture"],
+                marks(view, settings.roughness, settings.specular),
+            ),
             Panel(
                 "lobe",
                 "Where the light goes",
@@ -38,8 +45,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 HEIGHT,
                 overlay=lobe_plot(light, view, outputs["lobe"], seen),
             ),
-            camera_panel(outputs["picture"], "".join(marks)),
-            Panel("energy", "How much is sent back", WIDTH, HEIGHT, overlay=energy),
+            Panel("energy", "How much is reflected", WIDTH, HEIGHT, overlay=energy),
         ),
         readouts=_readouts(exchange, seen),
         description=describe(settings, exchange, seen),
@@ -51,8 +57,8 @@ def _readouts(exchange: Exchange, seen: float) -> tuple[Readout, ...]:
         readout("there", "BRDF, light to camera", exchange.there, "1/sr", digits=3, role="ray"),
         readout("back", "BRDF, camera to light", exchange.back, "1/sr", digits=3, role="camera"),
         readout("seen", "Brightness seen", seen, digits=3, role="image"),
-        readout("sent", "Sent back in all", exchange.sent, "of the light", digits=3, role="light"),
-        Readout("reciprocal", "Same both ways", "yes" if _alike(exchange) else "no"),
+        readout("sent", "Total reflected", exchange.sent, "of the light", digits=3, role="light"),
+        Readout("reciprocal", "Reciprocal?", "yes" if _alike(exchange) else "no"),
     )
 
 

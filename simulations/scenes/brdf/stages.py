@@ -7,16 +7,13 @@ positive to the right.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.engine.frame import Raster
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
-from simulations.models.light.brdf import Material, parts, reflected, sent_back
-from simulations.scenes._ball.ball import Ball, build_ball, light_direction, paint
+from simulations.models.light.brdf import Material, reflected, sent_back
+from simulations.scenes.brdf.materials import BALL, chart, lit_samples, with_ball
+from simulations.scenes.brdf.spheres import Lit, lit
 
-TINT = np.array([1.0, 0.13, 0.1], np.float32)
-"""Albedo of the ball in green and blue, as a share of that in red; the figure follows red."""
 AROUND_DEG = np.arange(-89.0, 90.0, 2.0)
 """(90,) cameras of the lobe."""
 INCIDENCE_DEG = np.arange(0.0, 89.0, 4.0)
@@ -33,18 +30,6 @@ class Exchange:
     """BRDF from the camera to the light, 1/sr."""
     sent: float
     """Share of the light that is reflected in all directions together."""
-
-
-@dataclass(frozen=True, slots=True)
-class Lit:
-    """The pixels of the ball that the lamp reaches."""
-
-    pixels: NDArray[np.intp]
-    """(N,) indices into the flattened square."""
-    matte: Floats
-    """(N,) brightness of the matte part, for an albedo of 1."""
-    mirrored: Floats
-    """(N,) brightness of the specular part."""
 
 
 def _material(albedo: float, specular: float, roughness: float) -> Material:
@@ -77,24 +62,10 @@ def _curve(material: Material, model: str) -> Floats:
 
 
 def _light(
-    ball: Ball, model: str, specular: float, roughness: float, light_angle: float, view_angle: float
+    model: str, specular: float, roughness: float, light_angle: float, view_angle: float
 ) -> Lit:
-    """The ball's brightness to the camera, in two parts."""
-    to_light = light_direction(light_angle - view_angle).astype(np.float32)
-    n_l = ball.normals @ to_light
-    pixels = np.flatnonzero((n_l > 0) & (ball.inner | ball.rim))
-    shade = n_l.flat[pixels]
-    n_v, l_v = ball.normals[..., 2].flat[pixels], to_light[2]
-    matte, mirrored = parts(model, Material(1.0, specular, roughness), shade, n_v, l_v)
-    shade *= np.float32(np.pi)
-    return Lit(pixels, matte * shade, mirrored * shade)
-
-
-def _picture(ball: Ball, lit: Lit, albedo: float) -> Raster:
-    """(H, W, 4) bytes."""
-    light = np.zeros((ball.inner.size, 3), np.float32)
-    light[lit.pixels] = lit.mirrored[:, None] + lit.matte[:, None] * (np.float32(albedo) * TINT)
-    return paint(ball, light.reshape(*ball.inner.shape, 3))
+    """The light of the ball of the chosen material."""
+    return lit(BALL, model, specular, roughness, light_angle, view_angle)
 
 
 STAGES = (
@@ -102,7 +73,8 @@ STAGES = (
     Stage("lobe", _lobe, ("material",)),
     Stage("exchange", _exchange, ("material",)),
     Stage("sent back", _curve, ("material",)),
-    Stage("ball", build_ball),
-    Stage("light", _light, ("ball",)),
-    Stage("picture", _picture, ("ball", "light")),
+    Stage("samples", lit_samples),
+    Stage("chart", chart, ("samples",)),
+    Stage("light", _light),
+    Stage("picture", with_ball, ("chart", "light")),
 )
