@@ -17,10 +17,10 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.pixel_grid import centred
 from simulations.models.whole_numbers import as_whole
 
-WIDTH, HEIGHT = 320, 240
-RADIUS = 92.0
+WIDTH, HEIGHT = 480, 360
+RADIUS = 138.0
 """Outer edge of the rim, pixels."""
-RIM, HUB, SPOKE = 12.0, 14.0, 6.5
+RIM, HUB, SPOKE = 18.0, 21.0, 9.75
 """Width of the rim, radius of the hub, width of a spoke, pixels."""
 
 WOOD, DARK = np.array([0.62, 0.43, 0.24]), np.array([0.045, 0.05, 0.056])

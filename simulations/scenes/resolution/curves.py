@@ -1,4 +1,4 @@
-"""The second panel: the transfer functions of all links, and their product."""
+"""The plot of the transfer functions of all links, and their product."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -26,8 +26,10 @@ WIDTH = 400.0
 HIGHEST = 500.0
 PLOT = Plot(Axis(0.0, HIGHEST, 34.0, 388.0), Axis(0.0, 1.0, 214.0, 40.0))
 """Cycles per mm, and contrast."""
-ACROSS = Scale("frequency", "cycles per mm", style="small", tick_style="muted small")
+ACROSS = Scale("frequency", "cycles per mm", (0, 250, 500), style="small", tick_style="muted small")
 UP = Scale(ticks=(0, 0.5, 1), grid=(0.5, 1), tick_style="muted small")
+LIMITS = 28.0
+"""Row of the names of the limits."""
 FREQUENCIES = np.linspace(0.0, HIGHEST, 501)
 FINE = np.linspace(0.0, 1000.0, 2001)
 """Range of the axis: to the zero of the smallest pixel's transfer function."""
@@ -84,11 +86,6 @@ def wave_at(settings: Settings, lens: Lens) -> Point:
     return PLOT.at(settings.frequency, abs(float(left)))
 
 
-def on_axis(frequency_per_mm: float) -> tuple[float, float] | None:
-    """The handle of a limit on the axis; None beyond its end."""
-    return PLOT.at(frequency_per_mm, 0.0) if frequency_per_mm <= HIGHEST else None
-
-
 def frequency_of(place: Point) -> float:
     """In cycles/mm."""
     return PLOT.values(place)[0]
@@ -106,18 +103,20 @@ def _curves(settings: Settings, lens: Lens, nyquist: float) -> Iterator[str]:
 
 
 def _limits(settings: Settings, nyquist: float) -> Iterator[str]:
-    """The Nyquist frequency and the cut-off, with labels that do not overlap."""
-    ends = (("Nyquist", nyquist, "camera", 12.0), ("cut-off 1/λN", cutoff(settings), "ray", 28.0))
-    for name, frequency, role, row in ends:
-        place = on_axis(frequency)
-        if place is None:
-            yield text((PLOT.x.end, row), f"{name} →", f"{role} small", "end")
+    """The Nyquist frequency and the cut-off: the lower one is named left of its line, the other
+    right of it, or above it where that is at the border."""
+    ends = [("Nyquist", nyquist, "camera"), ("cut-off", cutoff(settings), "ray")]
+    ends.sort(key=lambda end: end[1])
+    for (name, frequency, role), side in zip(ends, ("end", "start"), strict=True):
+        if frequency > HIGHEST:
+            yield text((PLOT.x.end, 12.0), f"{name} →", f"{role} small", "end")
             continue
-        x = place[0]
-        yield line(place, (x, row + 4), f"{role} thin dashed")
-        yield dot(place, role, 5)
-        reach = 0.5 * width_of(name, "small")
-        yield text((min(max(x, reach), WIDTH - reach), row), name, f"{role} small halo", "middle")
+        x = PLOT.x.place(frequency)
+        yield line((x, PLOT.y.start), (x, LIMITS), f"{role} thin dashed")
+        if side == "start" and x + 6 + width_of(name, "small") > WIDTH:
+            yield text((PLOT.x.end, 12.0), name, f"{role} small", "end")
+        else:
+            yield text((x + (6 if side == "start" else -6), LIMITS), name, f"{role} small", side)
 
 
 def _marked(settings: Settings, lens: Lens) -> Iterator[str]:

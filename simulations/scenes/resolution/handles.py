@@ -1,15 +1,18 @@
-"""Handles of the resolution figure: the spot's edge, a pixel's corner, the frequency
-on the curve and in the star, and both limits on the axis."""
+"""Handles of the resolution figure: both limits in the star, the spot's edge, and the frequency on
+the curve."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.models.sensor.resolution import nyquist_per_mm
 from simulations.scenes.resolution import curves, sensor
 from simulations.scenes.resolution.settings import Settings
 from simulations.scenes.resolution.stages import micrometres
+
+PITCHES = tuple(pitch / 10 for pitch in range(10, 101))
+"""Those of the slider, in micrometres."""
 
 
 def _spot(settings: Settings, _outputs: Outputs) -> Point:
@@ -18,14 +21,6 @@ def _spot(settings: Settings, _outputs: Outputs) -> Point:
 
 def _spot_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"aperture": sensor.f_number_of(place, settings)}
-
-
-def _corner(settings: Settings, _outputs: Outputs) -> Point:
-    return sensor.corner_mark(settings)
-
-
-def _corner_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"pitch": sensor.pitch_of(place)}
 
 
 def _wave(settings: Settings, outputs: Outputs) -> Point:
@@ -37,37 +32,53 @@ def _wave_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"frequency": curves.frequency_of(place)}
 
 
-def _nyquist(settings: Settings, _outputs: Outputs) -> Point | None:
-    return curves.on_axis(nyquist_per_mm(settings.pitch))
+def _nyquist(settings: Settings, _outputs: Outputs) -> Point:
+    return sensor.nyquist_mark(settings)
 
 
-def _nyquist_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    frequency = curves.frequency_of(place)
-    return {"pitch": 500.0 / max(frequency, 1.0)}
+def _nyquist_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """The picture holds whole pixels, so its scale changes a little with the pitch: all are
+    tried."""
+    return {
+        "pitch": min(
+            PITCHES,
+            key=lambda pitch: abs(
+                sensor.nyquist_mark(replace(settings, pitch=pitch))[0] - place[0]
+            ),
+        )
+    }
 
 
-def _cutoff(settings: Settings, _outputs: Outputs) -> Point | None:
-    return curves.on_axis(curves.cutoff(settings))
+def _cutoff(settings: Settings, _outputs: Outputs) -> Point:
+    return sensor.cutoff_mark(settings)
 
 
 def _cutoff_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    frequency = max(curves.frequency_of(place), 1.0)
+    frequency = sensor.frequency_of_ring(place[0] - sensor.MIDDLE[0], settings)
     return {"aperture": 1000.0 / micrometres(settings.wavelength) / frequency}
 
 
-def _ring(settings: Settings, _outputs: Outputs) -> Point | None:
-    return sensor.ring_mark(settings)
-
-
-def _ring_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"frequency": sensor.frequency_of_ring(place, settings)}
-
-
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("spot", "spot", "Edge of the spot", ("aperture",), _spot, _spot_pulled, role="ray"),
     Handle(
-        "corner", "spot", "Corner of a pixel", ("pitch",), _corner, _corner_pulled, role="camera"
+        "nyquist",
+        "picture",
+        "Circle of Nyquist",
+        ("pitch",),
+        _nyquist,
+        _nyquist_pulled,
+        role="camera",
+        reversed=("pitch",),
     ),
+    Handle(
+        "cutoff",
+        "picture",
+        "Circle of the cut-off",
+        ("aperture",),
+        _cutoff,
+        _cutoff_pulled,
+        role="ray",
+    ),
+    Handle("spot", "spot", "Edge of the spot", ("aperture",), _spot, _spot_pulled, role="ray"),
     Handle(
         "wave",
         "curves",
@@ -77,34 +88,5 @@ HANDLES: tuple[Handle[Settings], ...] = (
         _wave_pulled,
         "press",
         "world",
-    ),
-    Handle(
-        "nyquist",
-        "curves",
-        "Nyquist frequency",
-        ("pitch",),
-        _nyquist,
-        _nyquist_pulled,
-        role="camera",
-        reversed=("pitch",),
-    ),
-    Handle(
-        "cutoff",
-        "curves",
-        "Cut-off of the lens",
-        ("aperture",),
-        _cutoff,
-        _cutoff_pulled,
-        role="ray",
-        reversed=("aperture",),
-    ),
-    Handle(
-        "ring",
-        "picture",
-        "Frequency in the star",
-        ("frequency",),
-        _ring,
-        _ring_pulled,
-        role="world",
     ),
 )

@@ -19,14 +19,23 @@ NOTHING = 0.005
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The spot on the pixels, the transfer functions, and the picture of a star."""
+    """The picture of a star, the spot on the pixels, and the transfer functions."""
     lens: Lens = outputs["lens"]
     here = links(settings, lens, np.asarray(settings.frequency))
     return Frame(
         panels=(
             Panel(
+                "picture",
+                "The picture of a star of 48 rays",
+                WIDTH,
+                HEIGHT,
+                outputs["picture"],
+                star_overlay(settings),
+                pixelated=True,
+            ),
+            Panel(
                 "spot",
-                "A point of light, on the pixels",
+                "The image of a point, on the pixels",
                 WIDTH,
                 HEIGHT,
                 outputs["close"],
@@ -38,15 +47,6 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 WIDTH,
                 HEIGHT,
                 overlay=curves.draw(settings, lens),
-            ),
-            Panel(
-                "picture",
-                "The picture of a star",
-                WIDTH,
-                HEIGHT,
-                outputs["picture"],
-                star_overlay(settings),
-                pixelated=True,
             ),
         ),
         readouts=_readouts(settings, lens, here),
@@ -60,15 +60,24 @@ def _readouts(settings: Settings, lens: Lens, here: Links) -> tuple[Readout, ...
     spot = spot_diameter_um(micrometres(settings.wavelength), settings.aperture)
     per_mm = "cycles/mm"
     return (
-        readout("lens", "At f the lens leaves", abs(float(here.lens)), role="ray"),
-        readout("pixel", "… the pixel", abs(float(here.pixel)), role="camera"),
-        readout("plate_leaves", "… the plate", abs(float(here.plate))),
-        readout("together", "All together leave", abs(float(here.together)), role="image"),
-        readout("nyquist", "Nyquist, 1/2p", nyquist, per_mm, digits=1, role="camera"),
-        readout("at_nyquist", "Left at Nyquist", at_nyquist, role="image"),
-        readout("cutoff", "Cut-off, 1/λN", curves.cutoff(settings), per_mm, digits=1, role="ray"),
-        readout("mtf50", "MTF50", curves.mtf50(settings, lens), per_mm, digits=1, role="image"),
-        readout("spot", "Spot, 2.44 λN", spot, "µm", role="ray"),
+        readout("lens", "Contrast at f: lens", abs(float(here.lens)), role="ray"),
+        readout("pixel", "Contrast at f: pixel", abs(float(here.pixel)), role="camera"),
+        readout("plate_leaves", "Contrast at f: plate", abs(float(here.plate))),
+        readout("together", "Contrast at f: together", abs(float(here.together)), role="image"),
+        readout("nyquist", "Nyquist frequency", nyquist, per_mm, digits=1, role="camera"),
+        readout("at_nyquist", "Contrast at Nyquist", at_nyquist, role="image"),
+        readout(
+            "cutoff", "Cut-off frequency", curves.cutoff(settings), per_mm, digits=1, role="ray"
+        ),
+        readout(
+            "mtf50",
+            "Half contrast at (MTF50)",
+            curves.mtf50(settings, lens),
+            per_mm,
+            digits=1,
+            role="image",
+        ),
+        readout("spot", "Diameter of the spot", spot, "µm", role="ray"),
     )
 
 

@@ -1,4 +1,4 @@
-"""The first and the third panel: the spot on the pixels, and the limits in the star."""
+"""The drawings over both pictures: the limits in the star, and the spot on the pixels."""
 
 import math
 from collections.abc import Iterator
@@ -40,48 +40,38 @@ def f_number_of(place: Point, settings: Settings) -> float:
     return radius / FIRST_ZERO / micrometres(settings.wavelength)
 
 
-def corner_mark(settings: Settings) -> tuple[float, float]:
-    """The lower right corner of the middle pixel."""
-    half = PER_UM * settings.pitch / 2.0
-    return MIDDLE[0] + half, MIDDLE[1] + half
-
-
-def pitch_of(place: Point) -> float:
-    """The setting whose corner is nearest to a place."""
-    return (float(place[0]) - MIDDLE[0] + float(place[1]) - MIDDLE[1]) / PER_UM
-
-
 def star_overlay(settings: Settings) -> str:
-    """Circles in the star of the marked frequency, of Nyquist's, and of the cut-off."""
+    """Circles in the star of Nyquist's frequency and of the cut-off, and their handles."""
     per_um = _star_scale(settings)
     rings = (
-        ("Nyquist", nyquist_per_mm(settings.pitch), "camera dashed"),
-        ("cut-off", cutoff(settings), "ray dashed"),
-        ("", settings.frequency, "world"),
+        ("Nyquist", nyquist_per_mm(settings.pitch), "camera"),
+        ("cut-off", cutoff(settings), "ray"),
     )
     parts = []
-    for name, frequency, style in rings:
+    for name, frequency, role in rings:
         radius = per_um * radius_um(frequency)
-        if radius < math.hypot(*MIDDLE):
-            parts += [circle(MIDDLE, radius, "casing"), circle(MIDDLE, radius, style)]
-        if name and 16.0 < radius < HEIGHT / 2 - 4:
-            above = (
-                MIDDLE[0],
-                MIDDLE[1] - radius - 4 if name == "Nyquist" else MIDDLE[1] + radius + 13,
-            )
-            parts.append(text(above, name, f"{style.split()[0]} small halo", "middle"))
-    mark = ring_mark(settings)
-    return "".join((*parts, dot(mark, "world", 5) if mark else "", *_scale(100 * per_um, "0.1 mm")))
+        parts += [circle(MIDDLE, radius, "casing"), circle(MIDDLE, radius, f"{role} dashed")]
+        if 16.0 < radius < HEIGHT / 2 - 18:
+            row = MIDDLE[1] - radius - 7 if name == "Nyquist" else MIDDLE[1] + radius + 16
+            parts.append(text((MIDDLE[0], row), name, f"{role} small halo", "middle"))
+    parts += [dot(nyquist_mark(settings), "camera", 5), dot(cutoff_mark(settings), "ray", 5)]
+    return "".join((*parts, *_scale(100 * per_um, "0.1 mm")))
 
 
-def ring_mark(settings: Settings) -> tuple[float, float] | None:
-    """The place on the left of the star's middle with the marked frequency."""
-    radius = _star_scale(settings) * radius_um(settings.frequency)
-    return (MIDDLE[0] - radius, MIDDLE[1]) if radius < MIDDLE[0] else None
+def nyquist_mark(settings: Settings) -> tuple[float, float]:
+    """The place on the left of the star's middle with the Nyquist frequency."""
+    radius = _star_scale(settings) * radius_um(nyquist_per_mm(settings.pitch))
+    return MIDDLE[0] - radius, MIDDLE[1]
 
 
-def frequency_of_ring(place: Point, settings: Settings) -> float:
-    return frequency_at((MIDDLE[0] - float(place[0])) / _star_scale(settings))
+def cutoff_mark(settings: Settings) -> tuple[float, float]:
+    """The place on the right of the star's middle with the frequency of the cut-off."""
+    return MIDDLE[0] + _star_scale(settings) * radius_um(cutoff(settings)), MIDDLE[1]
+
+
+def frequency_of_ring(radius: float, settings: Settings) -> float:
+    """In cycles/mm, at a distance from the star's middle in view box units."""
+    return frequency_at(radius / _star_scale(settings))
 
 
 def _star_scale(settings: Settings) -> float:
@@ -112,9 +102,6 @@ def _ring(settings: Settings) -> Iterator[str]:
     yield circle(MIDDLE, radius, "casing")
     yield circle(MIDDLE, radius, "ray dashed")
     yield dot(spot_mark(settings), "ray", 5)
-    yield dot(corner_mark(settings), "camera", 5)
-    row = max(MIDDLE[1] - radius - 8, 16.0)
-    yield text((MIDDLE[0], row), "2.44 λN", "ray halo", "middle")
 
 
 def _scale(units: float, label: str) -> Iterator[str]:

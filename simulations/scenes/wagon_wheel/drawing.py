@@ -15,7 +15,6 @@ from simulations.engine.drawing import (
     polyline,
     text,
 )
-from simulations.engine.frame import format_number
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.clipping import clipped
 from simulations.engine.plotting.legend import Entry, legend
@@ -29,8 +28,6 @@ HEAD = 9.0
 DIAL, DIAL_END, FASTEST = 18.0, math.radians(80.0), 6.0
 """Distance of the dial of speeds from the rim, its end as an angle from the top, and the largest
 speed."""
-EXPOSED = 7.0
-"""Distance from the rim of the arc of the exposure, over the film."""
 
 BEFORE, AFTER = 6.0, 2.0
 """Frames of the past and the future that the plot shows."""
@@ -52,12 +49,7 @@ def wheel(spokes: int, angle_rad: float, speed: float) -> str:
         dot(marked_spoke(angle_rad), "ray", 6),
         circle(CENTRE, 14, "world fill"),
     ]
-    parts += [*_dial(), _arrow(speed, "world bold"), dot(on_dial(speed), "world", 5)]
-    label = f"{format_number(speed)} turns/s"
-    parts.append(text((12, 22), label, "world strong halo"))
-    return "".join(
-        (*parts, text((WIDTH - 12, HEIGHT - 10), "one spoke marked", "ray small", "end"))
-    )
+    return "".join((*parts, *_dial(), _arrow(speed, "world bold"), dot(on_dial(speed), "world", 5)))
 
 
 def marked_spoke(angle_rad: float) -> tuple[float, float]:
@@ -65,31 +57,14 @@ def marked_spoke(angle_rad: float) -> tuple[float, float]:
     return _polar(angle_rad, RADIUS - 4)
 
 
-def over_film(
-    frame: int, apparent: float, certain: bool, turn_per_frame: float, shutter: float
-) -> str:
-    """The frame's number, the path of a spoke while the shutter was open, and the apparent motion
-    of the frames."""
-    opened = turn_per_frame * frame
-    way = [
-        _polar(opened + turn_per_frame * shutter * step / 24, RADIUS + EXPOSED)
-        for step in range(25)
-    ]
-    parts = [
-        text((12, 22), f"frame {frame}", "image strong halo"),
-        polyline(way, "casing"),
-        polyline(way, "light bold"),
-        dot(way[-1], "light", 5),
-    ]
-    for seen in (apparent,) if certain else (apparent, -apparent):
-        if abs(seen) > 1e-9:
-            parts += [_arrow(seen, "casing"), _arrow(seen, "error bold")]
-    return "".join(parts)
-
-
-def shutter_closes(frame: int, turn_per_frame: float, shutter: float) -> tuple[float, float]:
-    """End of the first spoke, in the current frame."""
-    return _polar(turn_per_frame * (frame + shutter), RADIUS + EXPOSED)
+def over_film(apparent: float, certain: bool) -> str:
+    """The apparent motion of the frames; in both senses where nothing tells them apart."""
+    return "".join(
+        _arrow(seen, style)
+        for seen in ((apparent,) if certain else (apparent, -apparent))
+        if abs(seen) > 1e-9
+        for style in ("casing", "error bold")
+    )
 
 
 def on_dial(speed: float) -> tuple[float, float]:
@@ -185,8 +160,8 @@ def _axes(now: float) -> Iterator[str]:
     frames = range(max(math.ceil(now - BEFORE), 0), math.floor(now + AFTER) + 1)
     # A label in a corner would be cut in half as it appears or disappears.
     clear = [frame for frame in frames if -BEFORE + 0.1 < frame - now < AFTER - 0.1]
-    ticks = [(frame - now, str(frame)) for frame in clear]
-    yield PLOT.frame(Scale("time", "frames", ticks), Scale(ticks=range(int(ROWS) + 1)))
+    ticks = [(frame - now, "" if frame % 2 else str(frame)) for frame in clear]
+    yield PLOT.frame(Scale("time", "frames", ticks), Scale(ticks=(0, 1)))
     x, foot = PLOT.at(0, 0)
     yield line((x, foot + 4), (x, PLOT.y.end), "muted dashed")
     yield text((x, PLOT.y.end - 7), "now", "muted small halo", "middle")

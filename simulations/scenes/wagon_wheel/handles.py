@@ -1,5 +1,4 @@
-"""Handles of the wagon wheel: the marked spoke, the speed on its dial, the end of the exposure, and
-the time."""
+"""Handles of the wagon wheel: the marked spoke, the speed on its dial, and the time."""
 
 import math
 from collections.abc import Mapping
@@ -12,10 +11,8 @@ from simulations.scenes.wagon_wheel.drawing import (
     angle_at,
     marked_spoke,
     on_dial,
-    shutter_closes,
     speed_at,
 )
-from simulations.scenes.wagon_wheel.film import frame_at
 from simulations.scenes.wagon_wheel.settings import FRAMES, Settings
 
 
@@ -64,16 +61,6 @@ def _speed_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"speed": speed_at(place)}
 
 
-def _exposure(settings: Settings, _outputs: Outputs) -> Point | None:
-    turn = _turn_per_frame(settings)
-    return shutter_closes(frame_at(settings.time), turn, settings.shutter) if turn else None
-
-
-def _exposure_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    turn, opened = _turn_per_frame(settings), frame_at(settings.time)
-    return {"shutter": _reached(place, turn, opened, settings.shutter, 1.0)} if turn else {}
-
-
 def _time(settings: Settings, _outputs: Outputs) -> Point:
     """Place of frame 0, in a plot without a left end."""
     return (-settings.time * UNITS_PER_FRAME, 0.0)
@@ -86,16 +73,5 @@ def _time_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("spoke", "wheel", "Marked spoke", ("time",), _spoke, _spoke_pulled, role="ray"),
     Handle("speed", "wheel", "Speed", ("speed",), _speed, _speed_pulled, role="world"),
-    Handle(
-        "exposure",
-        "film",
-        "End of the exposure",
-        ("shutter",),
-        _exposure,
-        _exposure_pulled,
-        role="light",
-    ),
-    Handle(
-        "time", "track", "Run of time", ("time",), _time, _time_pulled, "drag", reversed=("time",)
-    ),
+    Handle("time", "track", "Time", ("time",), _time, _time_pulled, "drag", reversed=("time",)),
 )

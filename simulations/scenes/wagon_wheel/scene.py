@@ -28,7 +28,7 @@ def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The wheel now, the current frame, and the spokes' positions over time."""
+    """The current frame, the wheel now, and the spokes' positions over time."""
     spokes, rate, speed = settings.spokes, settings.frame_rate, settings.speed
     time = settings.time
     seen, certain = apparent_wheel_speed(speed, spokes, rate)
@@ -40,34 +40,31 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         panels=(
             Panel(
+                "film",
+                "What the film shows",
+                width,
+                height,
+                outputs["film"],
+                drawing.over_film(apparent, sure),
+            ),
+            Panel(
                 "wheel",
-                "The wheel",
+                "The wheel, one spoke marked",
                 width,
                 height,
                 overlay=drawing.wheel(spokes, 2 * math.pi * speed * time / rate, speed),
             ),
             Panel(
-                "film",
-                "The frame on show",
-                width,
-                height,
-                outputs["film"],
-                drawing.over_film(
-                    frame_at(time), apparent, sure, 2 * math.pi * speed / rate, settings.shutter
-                ),
-            ),
-            Panel(
                 "track",
-                "Spokes against time",
+                "Where the spokes are, frame by frame",
                 width,
                 height,
                 overlay=drawing.track(per_frame, apparent * spokes / rate, sure, time),
             ),
         ),
         readouts=(
-            readout("speed", "True speed", speed, "turns/s", role="world"),
+            Readout("direction", "Appears to turn", direction(apparent, sure), "", "error"),
             Readout("apparent", "Speed in the film", _signed(apparent, sure), "turns/s", "error"),
-            Readout("direction", "It seems to", direction(apparent, sure), "", "error"),
             readout("passing", "Spokes passing", spokes * speed, "per s", digits=1, role="world"),
             readout("nyquist", "Half the frame rate", rate / 2, "per s", digits=1, role="image"),
             readout("step", "Turn from frame to frame", per_frame, "spacings", role="image"),
@@ -89,10 +86,10 @@ def _signed(apparent: float, certain: bool) -> str:
 def direction(apparent: float, certain: bool) -> str:
     """The apparent motion of the film."""
     if not certain:
-        return "turn either way"
+        return "either way"
     if abs(apparent) < STILL:
-        return "stand still"
-    return "turn clockwise" if apparent > 0 else "turn anticlockwise"
+        return "not at all"
+    return "clockwise" if apparent > 0 else "anticlockwise"
 
 
 def describe(settings: Settings, apparent: float, certain: bool, contrast: float) -> str:

@@ -15,6 +15,7 @@ import { words } from "../page/words.ts";
 import type { FrameReply } from "../runtime/messages.ts";
 import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.ts";
 import { announcer } from "./announce.ts";
+import { playInView } from "./arrival.ts";
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.ts";
 import type { Control } from "./control.ts";
@@ -80,6 +81,7 @@ export class LiveFigure {
     this.#listen(signal);
     const pull = (pull: Pull) => this.#pull(pull);
     this.handles = new Handles(figure, this.form, this.schema, pull, signal);
+    playInView(figure, this.schema, this.motion, signal);
     this.observer = this.#startInView();
   }
 

@@ -25,6 +25,8 @@ class Action:
     """``play`` (sweep that slider to its end; press again to pause) or ``step``."""
     seconds: float = 8.0
     """Duration of ``play`` from the slider's minimum to its maximum."""
+    arrival: bool = False
+    """Whether ``play`` begins by itself when the figure first comes into view."""
 
     kind = "action"
     types = (int,)
@@ -62,6 +64,7 @@ class Action:
             "drives": self.drives,
             "effect": self.effect,
             "seconds": self.seconds,
+            "arrival": self.arrival,
         }
 
     def text(self, value: Value, _numeral: Callable[[str], str] = str) -> tuple[str, str]:
@@ -74,14 +77,25 @@ class Action:
         return 0, 0, 0
 
 
-def action(*labels: str, drives: str = "", effect: str = "", seconds: float = 8.0) -> int:
+def action(
+    *labels: str,
+    drives: str = "",
+    effect: str = "",
+    seconds: float = 8.0,
+    arrival: bool = False,
+) -> int:
     """A button, whose value is the number of presses modulo the number of labels."""
     return cast(
         int,
         setting(
             0,
             lambda name: Action(
-                name=name, labels=labels, drives=drives, effect=effect, seconds=seconds
+                name=name,
+                labels=labels,
+                drives=drives,
+                effect=effect,
+                seconds=seconds,
+                arrival=arrival,
             ),
         ),
     )

@@ -9,6 +9,7 @@ export interface Action extends Control {
   drives: string;
   effect: string;
   seconds: number;
+  arrival: boolean;
 }
 
 export const kind: Kind<Action, HTMLButtonElement> = {
