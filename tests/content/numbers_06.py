@@ -38,7 +38,7 @@ def patches_burnt_out_at_iso_800() -> Says:
 
 def a_gaussian_of_hardly_an_electron() -> Says:
     mean = float(patch_means_e(-6.0)[-1])
-    yield f"Light frees {mean:.2f} electrons in a cell there"
+    yield f"light frees {mean:.2f} electrons in a cell on average"
     below_zero = (1 - erf(sqrt(mean / 2))) / 2
     assert 0.3 < below_zero < 0.36
     yield "has a third of its area below zero"

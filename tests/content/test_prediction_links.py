@@ -23,8 +23,10 @@ ASKING = [
 
 
 def started_elsewhere(chapter: str, scene: str) -> set[str]:
-    """The controls that the chapter's figure of a scene starts away from their defaults."""
-    options = next((text for name, text in FIGURE.findall(chapter) if name == scene), "")
+    """The controls that the chapter's figure of a scene starts away from their defaults: the
+    one without a label, which is the nearest to its questions."""
+    figures = (text for name, text in FIGURE.findall(chapter) if name == scene)
+    options = next((text for text in figures if ":label:" not in text), "")
     start = dict(re.findall(r":(\w+): *(.*)", options))
     return {
         control.name

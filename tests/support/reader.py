@@ -150,8 +150,8 @@ class Reader:
         self.page.wait_for_function(LIVE, timeout=START_MS)
 
     def figure(self, scene: str) -> Locator:
-        """The first figure of a scene on this page."""
-        return self.page.locator(f'simulation-figure[data-simulation="{scene}"]').first
+        """The figure of a scene on this page that has no label of its own."""
+        return self.page.locator(f"#figure-{scene} simulation-figure")
 
     def open_figure(self, book: Any, scene: str) -> Locator:
         """Open the first chapter that shows a scene, and bring its figure into view."""

@@ -1,5 +1,5 @@
-"""``{simulation} scene-id``: a live figure. Options are the scene's controls, ``tier``, and
-``show``: the controls and readouts that are in sight. The first paragraph of its body is the
+"""``{simulation} scene-id``: a live figure. Options are the scene's controls, ``tier``, ``label``,
+and ``show``: the controls and readouts that are in sight. The first paragraph of its body is the
 caption, which says what to try; the others say what it shows and are folded."""
 
 from collections.abc import Sequence
@@ -8,6 +8,7 @@ from markdown_it.token import Token
 
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import (
+    LABEL,
     Argument,
     Body,
     Directive,
@@ -20,6 +21,8 @@ from site_builder.markdown.scenes import find_scene, read_settings
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.passage import Plain, passage
 
+FOR_THE_PAGE = ("show", LABEL.name)
+"""Options that are no settings of the scene."""
 FIRST = 3
 """Tokens of the first paragraph."""
 
@@ -30,7 +33,7 @@ def read_simulation(
     scene = find_scene(call.argument, call.line, context)
     if scene is None:
         return None
-    given = {name: option for name, option in call.options.items() if name != "show"}
+    given = {name: option for name, option in call.options.items() if name not in FOR_THE_PAGE}
     values = read_settings(scene, given, context)
     return Simulation(
         scene=scene,
@@ -50,6 +53,7 @@ SIMULATION = Directive(
     doc="a live figure",
     argument=Argument("scene-id", lacks="names no scene"),
     options=(
+        LABEL,
         OptionLine("tier", doc="its accuracy at first"),
         OptionLine("show", doc="the controls and readouts that are not folded"),
     ),

@@ -67,10 +67,10 @@ def gather_buttons(controls: Sequence[Control]) -> list[tuple[Control, ...]]:
 
 
 def readouts_in_sight(still: InitialFrame) -> tuple[tuple[Readout, ...], tuple[Readout, ...]]:
-    """The readouts in sight, and the folded ones, likewise."""
+    """The readouts in sight, and the folded ones: those that the author names, else the first."""
     readouts, named = still.frame.readouts, still.figure.in_sight
-    chosen = [shown for shown in readouts if shown.name in named]
-    shown = tuple(chosen or readouts[:IN_SIGHT])
+    chosen = tuple(shown for shown in readouts if shown.name in named)
+    shown = chosen if named else readouts[:IN_SIGHT]
     return shown, tuple(each for each in readouts if each not in shown)
 
 

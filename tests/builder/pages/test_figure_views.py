@@ -7,19 +7,21 @@ from typing import Any
 import pytest
 from support.toy_ladder import toy_ladder
 
-from simulations.engine.frame import Frame
+from simulations.engine.frame import Frame, readout
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.passage import Passage
-from site_builder.pages.views.control import ControlView, control_cells
+from site_builder.pages.views.control import ControlView, control_cells, readouts_in_sight
 from site_builder.pages.views.simulation import tier_labels
+
+MEASURED = tuple(readout(name, name.upper(), 1.0) for name in "vwxyz")
 
 
 def draw(_settings: Any, _outputs: Outputs) -> Frame:
-    return Frame((), (), "Nothing.")
+    return Frame((), MEASURED, "Nothing.")
 
 
 def still(settings: type, in_sight: tuple[str, ...] = ()) -> InitialFrame:
@@ -61,6 +63,17 @@ def test_an_author_says_what_is_in_sight() -> None:
     shown, folded = control_cells(still(Five, ("tier", "c")), tiers=True)
     assert names(shown) == ["", "c"]
     assert names(folded) == ["a", "b", "play+again"]
+
+
+@pytest.mark.parametrize(
+    ("named", "shown"),
+    [((), "vwx"), (("a", "z"), "z"), (("a",), "")],
+    ids=["none", "one", "others"],
+)
+def test_readouts_in_sight_are_those_named_or_the_first(named: tuple[str, ...], shown: str) -> None:
+    in_sight, folded = readouts_in_sight(still(Five, named))
+    assert "".join(each.name for each in in_sight) == shown
+    assert sorted(each.name for each in (*in_sight, *folded)) == list("vwxyz")
 
 
 @dataclass(frozen=True, slots=True)

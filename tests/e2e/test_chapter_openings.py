@@ -1,0 +1,39 @@
+"""A chapter opens near something to do, and says in one line what it takes."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import expect
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+SCREENS = 2
+SIZES = ((1440, 900), (390, 844))
+TOP = "document.querySelector('simulation-figure .panels').getBoundingClientRect().top + scrollY"
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES, ids=["laptop", "phone"])
+def test_every_chapter_has_a_figure_within_two_screens(
+    plain_reader: Reader, book: Any, width: int, height: int
+) -> None:
+    plain_reader.page.set_viewport_size({"width": width, "height": height})
+    urls = [chapter["url"] for chapter in book["chapters"] if chapter["simulations"]]
+    far = {}
+    for url in plain_reader.leaf_through(urls):
+        screens = plain_reader.page.evaluate(TOP) / height
+        if screens > SCREENS:
+            far[url] = round(screens, 1)
+    assert not far
+
+
+def test_what_a_chapter_asks_and_gives_is_a_line_that_opens(plain_reader: Reader) -> None:
+    page = plain_reader.page
+    plain_reader.open("lens-distortion/", live=False)
+    facts = page.locator(".chapter-facts")
+    need = facts.locator('.before a[href$="perspective-projection/"]')
+    expect(need).to_be_hidden()
+    expect(facts.locator("summary")).to_contain_text("3")
+    facts.locator("summary").press("Enter")
+    expect(need).to_be_visible()
+    expect(facts.locator(".after li").first).to_be_visible()
