@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from simulations.engine.controls import Slider
 from simulations.engine.frame import Frame, Raster
+from simulations.engine.handles import pulled
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache, run
 from simulations.models.distortion.lens_model import Distortion, distort
@@ -11,6 +13,7 @@ from simulations.models.sampling.resampling import gather_source
 from simulations.pictures.checker_room import checker_room
 from simulations.scenes.lens_distortion.radii import TIERS, inversion_error_px, pixel_radii
 from simulations.scenes.lens_distortion.scene import SCENE
+from simulations.scenes.lens_distortion.settings import Settings
 from simulations.scenes.lens_distortion.stages import (
     STAGES,
     Photo,
@@ -112,3 +115,28 @@ def test_without_a_barrel_the_margin_would_change_nothing(shown: str, k1: float,
 def test_in_the_corrected_picture_nothing_has_moved_and_nothing_is_pulled() -> None:
     assert "point" in places_of(render(k1=-0.2))
     assert "point" not in places_of(render(k1=-0.2, correct=True))
+
+
+@pytest.mark.parametrize(("name", "moved"), [("point", "k1"), ("outer", "k2"), ("crossing", "k1")])
+@pytest.mark.parametrize("pull", [(-40.0, 0.0), (0.0, 40.0), (-28.0, -28.0)])
+def test_no_pull_of_forty_pixels_runs_a_coefficient_to_its_stop(
+    name: str, moved: str, pull: tuple[float, float]
+) -> None:
+    handle = next(each for each in SCENE.handles if each.name == name)
+    settings = Settings(k1=0.05, k2=0.05)
+    at = handle.at(settings, {})
+    assert at is not None
+    units = 1.1 if handle.panel == "grid" else 0.55  # of a panel 360 px wide, and of the lead
+    place = (at[0] + units * pull[0], at[1] + units * pull[1])
+    values = pulled(handle, settings, place, SCENE.controls)
+    slider = next(each for each in SCENE.controls if each.name == moved)
+    assert isinstance(slider, Slider)
+    assert set(values) == {moved}
+    assert slider.minimum < float(values[moved]) < slider.maximum
+
+
+def test_the_outer_point_follows_the_hand_by_k2() -> None:
+    handle = next(each for each in SCENE.handles if each.name == "outer")
+    place = handle.at(Settings(k1=-0.2, k2=0.1), {})
+    assert place is not None
+    assert handle.pull(Settings(k1=-0.2), place)["k2"] == pytest.approx(0.1)

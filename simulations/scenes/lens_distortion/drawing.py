@@ -29,11 +29,12 @@ from simulations.models.distortion.lens_model import (
 
 VIEW_WIDTH, VIEW_HEIGHT, UNITS_PER_RADIUS = 400.0, 300.0, 250.0
 CENTRE = (200.0, 150.0)
-SAMPLE = (0.4, -0.4)
-"""The ideal point whose shift is shown: a crossing of the grid, inside the fold at every
+SAMPLE = (0.6, -0.4)
+"""The ideal point whose shift is shown: a crossing of the grid. Only in the strongest barrels is it
+past the fold."""
+INNER, OUTER = (0.56, 0.42), (0.72, -0.54)
+"""The ideal points marked in the photograph, towards corners. The inner one is in view at every
 setting."""
-IN_PICTURE = (0.56, 0.42)
-"""The ideal point marked in the photograph, towards a corner: in view at every setting."""
 VISIBLE_RADIUS_UNITS = 238.0
 """Radius above which too little of a circle is visible in the corners for a label."""
 
@@ -74,7 +75,9 @@ def grid_overlay(lens: Distortion) -> str:
 def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
     """The limit of the photograph and the shift of a point, or the limit of the correction."""
     limits = _limits(lens, with_fold=corrected, with_image=not corrected)
-    return limits if corrected else limits + _moved(lens)
+    if corrected:
+        return limits
+    return limits + "".join(_moved(ideal, lens) for ideal in (INNER, OUTER) if in_view(ideal, lens))
 
 
 def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float]:
@@ -83,9 +86,16 @@ def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float
     return float(x), float(y)
 
 
-def _moved(lens: Distortion) -> str:
-    """The shift of the marked point from its pinhole image."""
-    way = to_view(np.asarray(IN_PICTURE)), image_of(IN_PICTURE, lens)
+def in_view(ideal: tuple[float, float], lens: Distortion) -> bool:
+    """Whether a point of the photograph is inside the fold and inside its border."""
+    x, y = image_of(ideal, lens)
+    inside = 0.0 <= x <= VIEW_WIDTH and 0.0 <= y <= VIEW_HEIGHT
+    return inside and math.hypot(*ideal) < fold_radius(lens)
+
+
+def _moved(ideal: tuple[float, float], lens: Distortion) -> str:
+    """The shift of a marked point from its pinhole image."""
+    way = to_view(np.asarray(ideal)), image_of(ideal, lens)
     return line(*way, "casing") + line(*way, "image bold") + dot(way[1], "image")
 
 
@@ -142,28 +152,16 @@ def _below(radius: float) -> Point:
 
 
 def _cross(centre: Point) -> str:
+    """The principal point."""
     x, y = centre
-    return path([[(x - 6, y), (x + 6, y)], [(x, y - 6), (x, y + 6)]], "camera") + text(
-        (x + 8, y + 16), "principal point", "camera small halo"
-    )
+    return path([[(x - 6, y), (x + 6, y)], [(x, y - 6), (x, y + 6)]], "camera")
 
 
 def _sample(lens: Distortion) -> str:
+    """The shift of a crossing along the line from the principal point."""
     ideal = to_view(np.asarray(SAMPLE))
-    seen = to_view(distort(np.asarray(SAMPLE), lens))
-    moved = float(np.hypot(*(seen - ideal)))
     parts = [line(CENTRE, ideal, "world thin dashed"), dot(ideal, "world")]
-    if moved < 0.5:
-        label = text((ideal[0] - 9, ideal[1] + 17), "ideal = image", "strong halo", "end")
-        return "".join([*parts, label])
-    outwards = float(np.hypot(*(seen - CENTRE))) > float(np.hypot(*(ideal - CENTRE)))
-    right, left = (seen, ideal) if outwards else (ideal, seen)
-    names = ("image", "ideal") if outwards else ("ideal", "image")
-    roles = ("image", "world") if outwards else ("world", "image")
-    parts += [
-        arrow(ideal, seen, "ray bold"),
-        dot(seen, "image"),
-        text((right[0] + 9, right[1] - 5), names[0], f"{roles[0]} strong halo"),
-        text((left[0] - 9, left[1] + 13), names[1], f"{roles[1]} strong halo", "end"),
-    ]
+    if math.hypot(*SAMPLE) < fold_radius(lens):
+        seen = to_view(distort(np.asarray(SAMPLE), lens))
+        parts += [arrow(ideal, seen, "ray bold"), dot(seen, "image")]
     return "".join(parts)

@@ -1,5 +1,5 @@
-"""Handles of the lens-distortion figure: a crossing of the grid, a point of the
-photograph, and the image radius of the crossing in the plot."""
+"""Handles of the lens-distortion figure: two points of the photograph, a crossing of the grid, and
+its image radius in the plot."""
 
 import math
 from collections.abc import Mapping
@@ -7,14 +7,16 @@ from collections.abc import Mapping
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.models.distortion.lens_model import Distortion
+from simulations.models.distortion.lens_model import Distortion, fold_radius
 from simulations.models.distortion.radial_profile import evaluate
 from simulations.scenes.lens_distortion.drawing import (
     CENTRE,
-    IN_PICTURE,
+    INNER,
+    OUTER,
     SAMPLE,
     UNITS_PER_RADIUS,
     image_of,
+    in_view,
 )
 from simulations.scenes.lens_distortion.profile import at_radii, radius_at
 from simulations.scenes.lens_distortion.settings import Settings
@@ -23,21 +25,39 @@ RADIUS = math.hypot(*SAMPLE)
 """Radius of the sample point without the lens."""
 
 
-def _crossing(settings: Settings, _outputs: Outputs) -> Point:
-    return image_of(SAMPLE, _lens(settings))
+def _crossing(settings: Settings, _outputs: Outputs) -> Point | None:
+    """The image of the crossing, if it is inside the fold."""
+    lens = _lens(settings)
+    return image_of(SAMPLE, lens) if fold_radius(lens) > RADIUS else None
 
 
 def _crossing_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"k1": _putting(SAMPLE, place, settings.k2)}
+    return {"k1": _first_coefficient(_pulled_to(SAMPLE, place), RADIUS, settings.k2)}
 
 
-def _in_picture(settings: Settings, _outputs: Outputs) -> Point | None:
-    """The handle in the photograph, if it is not corrected."""
-    return None if settings.correct else image_of(IN_PICTURE, _lens(settings))
+def _inner(settings: Settings, _outputs: Outputs) -> Point | None:
+    return _in_photograph(INNER, settings)
 
 
-def _in_picture_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"k1": _putting(IN_PICTURE, place, settings.k2)}
+def _inner_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"k1": _first_coefficient(_pulled_to(INNER, place), math.hypot(*INNER), settings.k2)}
+
+
+def _outer(settings: Settings, _outputs: Outputs) -> Point | None:
+    return _in_photograph(OUTER, settings)
+
+
+def _outer_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """The k₂ that images the radius at the place: r (1 + k₁ r² + k₂ r⁴) solved for it."""
+    square = OUTER[0] ** 2 + OUTER[1] ** 2
+    factor = _pulled_to(OUTER, place) / math.sqrt(square)
+    return {"k2": (factor - 1.0 - settings.k1 * square) / square**2}
+
+
+def _in_photograph(ideal: tuple[float, float], settings: Settings) -> Point | None:
+    """A handle in the photograph, if it is in view and the photograph is not corrected."""
+    lens = _lens(settings)
+    return image_of(ideal, lens) if in_view(ideal, lens) and not settings.correct else None
 
 
 def _curve(settings: Settings, _outputs: Outputs) -> Point:
@@ -52,14 +72,11 @@ def _lens(settings: Settings) -> Distortion:
     return Distortion(k1=settings.k1, k2=settings.k2)
 
 
-def _putting(ideal: tuple[float, float], place: Point, k2: float) -> float:
-    """The k₁ that images a point at a place or, as the image is on the ray through the ideal point,
-    at its nearest point of that ray.
-    """
-    radius = math.hypot(*ideal)
+def _pulled_to(ideal: tuple[float, float], place: Point) -> float:
+    """The image radius at a place or, as the image is on the ray through the ideal point, at its
+    nearest point of that ray."""
     across, down = ((place[i] - CENTRE[i]) / UNITS_PER_RADIUS for i in (0, 1))
-    along = (across * ideal[0] + down * ideal[1]) / radius
-    return _first_coefficient(along, radius, k2)
+    return (across * ideal[0] + down * ideal[1]) / math.hypot(*ideal)
 
 
 def _first_coefficient(image: float, ideal: float, k2: float) -> float:
@@ -68,6 +85,8 @@ def _first_coefficient(image: float, ideal: float, k2: float) -> float:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("point", "picture", "Inner point", ("k1",), _inner, _inner_pulled, role="image"),
+    Handle("outer", "picture", "Outer point", ("k2",), _outer, _outer_pulled, role="image"),
     Handle(
         "crossing",
         "grid",
@@ -75,15 +94,6 @@ HANDLES: tuple[Handle[Settings], ...] = (
         ("k1",),
         _crossing,
         _crossing_pulled,
-        role="image",
-    ),
-    Handle(
-        "point",
-        "picture",
-        "Point of the picture",
-        ("k1",),
-        _in_picture,
-        _in_picture_pulled,
         role="image",
     ),
     Handle("curve", "profile", "Radius in the image", ("k1",), _curve, _curve_pulled, role="image"),

@@ -39,16 +39,20 @@ def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The grid, the picture, and the curve that the coefficients describe."""
+    """The photograph, the grid, and the curve that the coefficients describe."""
     lens = Distortion(k1=settings.k1, k2=settings.k2)
     drawn: Drawings = outputs["drawings"]
     over = drawn.corrected if settings.correct else drawn.photograph
     bow = largest_bow_px(lens)
     return Frame(
         panels=(
-            Panel("grid", "Grid", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.grid),
-            Panel("picture", "Picture", VIEW_WIDTH, VIEW_HEIGHT, outputs["encoded"], over),
-            Panel("profile", "Radius", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.profile),
+            Panel("picture", "The photograph", VIEW_WIDTH, VIEW_HEIGHT, outputs["encoded"], over),
+            Panel(
+                "grid", "A straight grid and its image", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.grid
+            ),
+            Panel(
+                "profile", "How far from the centre", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.profile
+            ),
         ),
         readouts=_readouts(lens, bow),
         description=_description(lens, bow, settings.correct),
