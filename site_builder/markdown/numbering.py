@@ -58,14 +58,16 @@ class _Numbering:
             return
         call: DirectiveCall = token.meta["call"]
         numbered, label = directive.numbered, call.text(LABEL.name)
+        counted = False
         if label:
             name = self._labelled(label, call.options[LABEL.name].line, call.name)
         elif numbered.again:
             name = self.context.free_id(numbered.id(call), call.line)
+            counted = name != numbered.id(call)
         else:
             name = self.context.take_id(numbered.id(call), call.line, call.name)
         self.context.placed[call.line] = self._count(
-            numbered.kind, name, call.line, labelled=bool(label)
+            numbered.kind, name, call.line, labelled=bool(label), counted=counted
         )
         if directive is SIMULATION:
             first, last = token.map or (0, 0)
@@ -103,11 +105,13 @@ class _Numbering:
             self.context.problem(line, f"label {label!r}; legal: {expected}")
         return self.context.take_id(label, line, kind)
 
-    def _count(self, kind: str, name: str, line: int, *, labelled: bool) -> Target:
+    def _count(
+        self, kind: str, name: str, line: int, *, labelled: bool, counted: bool = False
+    ) -> Target:
         self.counts[kind] += 1
         number = f"{self.context.position.mark}.{self.counts[kind]}"
         label = self.context.shared.words.label(kind)
         shown = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
-        target = Target(kind, self.chapter, name, number, "", line, labelled, shown)
+        target = Target(kind, self.chapter, name, number, "", line, labelled, shown, counted)
         self.targets.append(target)
         return target

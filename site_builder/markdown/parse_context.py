@@ -118,6 +118,13 @@ class ParseContext:
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
 
+    def warn_of_count(self, target: Target, line: int) -> None:
+        """Warn of a reference to an id that changes when the page gets another such figure."""
+        if target.counted:
+            where = f"better: a ':label:' on line {target.line}"
+            message = f"{target.id!r} depends on the order of the page; {where}"
+            self.problems.warn(self.path, line, message)
+
     def take_id(self, wanted: str, line: int, kind: str) -> str:
         """Claim an element id; taking one twice is a mistake."""
         if wanted in self.ids:

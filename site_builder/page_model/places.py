@@ -57,6 +57,8 @@ class Target:
     """Whether its author gave it its id, which then is unique in the book."""
     name: str = ""
     """``Chapter 4``, ``Figure 4.2``, ``Equation (4.7)``; a section's words, in quotes."""
+    counted: bool = False
+    """Whether its id ends in a number that depends on the order of the page."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,6 @@
 """Turning pages, finding one's place, themes, paper."""
 
-from typing import Any
+from typing import Any, Literal
 
 import pytest
 from support.reader import Reader
@@ -76,10 +76,34 @@ def test_the_whole_book_is_read_by_next_links(plain_reader: Reader, book: Any) -
 def test_the_theme_is_remembered(plain_reader: Reader) -> None:
     plain_reader.open(live=False)
     plain_reader.page.locator(".theme-toggle").click()
-    plain_reader.page.locator(".theme-toggle").click()
     assert plain_reader.page.locator("html").get_attribute("data-theme") == "dark"
     plain_reader.open(live=False)
     assert plain_reader.page.locator("html").get_attribute("data-theme") == "dark"
+
+
+@pytest.mark.parametrize(("system", "pressed"), [("light", "dark"), ("dark", "light")])
+def test_the_first_press_of_the_theme_button_changes_what_is_seen(
+    plain_reader: Reader, system: Literal["light", "dark"], pressed: str
+) -> None:
+    page = plain_reader.page
+    page.emulate_media(color_scheme=system)
+    plain_reader.open(live=False)
+    ground = "getComputedStyle(document.body).backgroundColor"
+    before = page.evaluate(ground)
+    page.locator(".theme-toggle").click()
+    assert page.locator("html").get_attribute("data-theme") == pressed
+    assert page.evaluate(ground) != before
+
+
+def test_a_reload_keeps_the_place_though_the_address_names_a_figure(plain_reader: Reader) -> None:
+    page = plain_reader.page
+    address = "lens-distortion/?figure-lens-distortion.k1=-0.2#figure-lens-distortion"
+    plain_reader.open(address, live=False)
+    page.evaluate("scrollBy(0, 150)")
+    page.wait_for_function("history.state?.scroll === Math.round(scrollY)")
+    place = page.evaluate("Math.round(scrollY)")
+    page.reload()
+    page.wait_for_function("place => Math.abs(scrollY - place) < 3", arg=place)
 
 
 def test_the_contents_open_and_close_by_keyboard(plain_reader: Reader) -> None:

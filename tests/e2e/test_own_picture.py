@@ -48,6 +48,37 @@ def test_a_figure_shows_the_reader_s_picture_and_then_the_book_s_again(
     expect(figure.get_by_role("button", name="The book’s picture")).to_be_hidden()
 
 
+def test_the_menu_of_pictures_leads_back_to_the_book_s(
+    visitor: Reader, book: Any, red_picture: Path
+) -> None:
+    figure = visitor.turn_to_figure(book, SCENE)
+    visitor.settle(figure)
+    frames = visitor.frames(figure)
+    figure.locator("input[type=file]").set_input_files(red_picture)
+    visitor.wait_frame(figure, frames)
+    frames = visitor.frames(figure)
+    visitor.uncover(figure)
+    figure.locator("select[name=picture]").select_option(index=1)
+    visitor.wait_frame(figure, frames)
+    visitor.settle(figure)
+    assert middle_pixel(visitor) != [200, 0, 0, 255]
+    expect(figure.get_by_role("button", name="The book’s picture")).to_be_hidden()
+
+
+@pytest.mark.parametrize(("size", "cropped"), [((640, 480), False), ((640, 640), True)])
+def test_a_picture_of_another_shape_is_said_to_be_cropped(
+    visitor: Reader, book: Any, tmp_path: Path, size: tuple[int, int], cropped: bool
+) -> None:
+    picture = tmp_path / "shape.png"
+    Image.new("RGB", size, (200, 0, 0)).save(picture)
+    figure = visitor.turn_to_figure(book, SCENE)
+    visitor.settle(figure)
+    frames = visitor.frames(figure)
+    figure.locator("input[type=file]").set_input_files(picture)
+    visitor.wait_frame(figure, frames)
+    expect(figure.locator(".photograph-cropped")).to_be_visible(visible=cropped)
+
+
 def small_picture() -> bytes:
     buffer = io.BytesIO()
     Image.new("RGB", (8, 8)).save(buffer, "PNG")

@@ -208,7 +208,7 @@ def test_a_browser_that_denies_every_kind_of_storage_shows_a_book_that_works(
         page = reader.page
         reader.open("why-image-formation/", live=False)
         page.locator(".theme-toggle").click()
-        assert page.locator("html").get_attribute("data-theme") == "light"
+        assert page.locator("html").get_attribute("data-theme") == "dark"
         form = page.locator("form.quiz:has([type=radio])").first
         form.locator("[type=radio]").first.check()
         form.locator("button[type=submit]").click()

@@ -64,7 +64,9 @@ def _find_figure(name: str, line: int, context: ParseContext) -> Place | None:
     places = {place.id.removeprefix("figure-"): place for place in context.figures}
     if name not in places:
         context.problem(line, unknown("figure", name, places))
-    return places.get(name)
+        return None
+    context.warn_of_count(context.placed[places[name].lines[0]], line)
+    return places[name]
 
 
 def _load(figure: Place, context: ParseContext) -> Scene[Any] | None:

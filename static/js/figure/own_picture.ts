@@ -23,6 +23,15 @@ export class OwnPicture {
     signal: AbortSignal,
   ) {
     const box = maybe(figure, ".photograph", HTMLElement);
+    // The menu of the book's pictures leads back to them.
+    figure.addEventListener(
+      "input",
+      (event) => {
+        const menu = within(event, "select", HTMLSelectElement);
+        if (menu?.name === "picture" && this.#picture) this.#show(null);
+      },
+      { signal },
+    );
     box?.addEventListener("change", (event) => this.#choose(event), { signal });
     box?.addEventListener(
       "click",
@@ -73,6 +82,7 @@ export class OwnPicture {
   #show(picture: Photograph | null) {
     this.#picture = picture;
     one(this.figure, ".photograph-back", HTMLElement).hidden = !picture;
+    one(this.figure, ".photograph-cropped", HTMLElement).hidden = !picture?.cropped;
     this.changed();
   }
 }

@@ -10,11 +10,15 @@ export interface Photograph {
   pixels: Uint8ClampedArray;
   width: number;
   height: number;
+  /** Whether only its middle is shown, as its shape is another. */
+  cropped: boolean;
 }
 
 /** Larger files, and pictures of more pixels, are refused before they fill the memory. */
 const LARGEST_MB = 60;
 const LARGEST_MEGAPIXELS = 120;
+/** How much of a side may be cut off without a word. */
+const UNSEEN = 0.01;
 /** A side of fewer pixels shows nothing worth a lens. */
 const SMALLEST_PX = 16;
 
@@ -36,7 +40,9 @@ export async function decode(file: File, width: number, height: number): Promise
   });
   try {
     refuseSize(file.name, bitmap);
-    return { number: ++pictures, pixels: cut(bitmap, width, height), width, height };
+    const shapes = (bitmap.width * height) / (bitmap.height * width);
+    const cropped = Math.abs(Math.log(shapes)) > UNSEEN;
+    return { number: ++pictures, pixels: cut(bitmap, width, height), width, height, cropped };
   } finally {
     bitmap.close();
   }

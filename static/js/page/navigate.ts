@@ -43,7 +43,7 @@ export function installNavigation(
   leave: (page: string) => void,
 ) {
   history.scrollRestoration = "manual";
-  if (history.state?.scroll && !location.hash) scrollTo(0, history.state.scroll);
+  if (history.state?.scroll !== undefined) restoreScroll();
   const leaveShown = () => leave(shownPath);
   addEventListener("pagehide", leaveShown);
   document.addEventListener("click", (event) => {

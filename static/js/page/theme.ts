@@ -10,13 +10,13 @@ import { words } from "./words.ts";
 type Theme = "system" | "light" | "dark";
 
 const KEY = `${STORAGE}theme`;
-const NEXT: Record<Theme, Theme> = { system: "light", light: "dark", dark: "system" };
+const DARK = matchMedia("(prefers-color-scheme: dark)");
 
 /** Listen for the theme button on any page. */
 export function installTheme() {
   document.addEventListener("click", (event) => {
     if (!within(event, ".theme-toggle", Element)) return;
-    setTheme(NEXT[currentTheme()]);
+    setTheme(nextTheme());
     showTheme();
   });
   showTheme();
@@ -35,6 +35,12 @@ export function showTheme() {
 function currentTheme(): Theme {
   const theme = document.documentElement.dataset.theme;
   return theme === "light" || theme === "dark" ? theme : "system";
+}
+
+/** From the system's theme to the other one, to the system's own by choice, and back. */
+function nextTheme(): Theme {
+  const [same, other]: Theme[] = DARK.matches ? ["dark", "light"] : ["light", "dark"];
+  return { system: other, [other]: same, [same]: "system" as const }[currentTheme()];
 }
 
 function setTheme(theme: Theme) {

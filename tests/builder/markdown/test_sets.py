@@ -2,12 +2,14 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 from support.html_outline import Element, read_html
 from support.little_book import rendered
 
 from site_builder.build import Options
+from site_builder.diagnostics import Diagnostic
 
 type Links = Callable[[str], list[Element]]
 FIGURE = ":::{simulation} demo\n:::\n"
@@ -65,3 +67,24 @@ def test_words_that_set_may_hold_emphasis_and_formulae(
     assert "<p>Set <em>now <a " in page
     assert "<strong>the</strong> <math>" in page
     assert "</math> so</a> at</em> once.</p>" in page
+
+
+LABELLED = ":::{simulation} demo\n:label: strong-lens\n:::\n"
+
+
+def test_a_labelled_figure_is_found_by_its_label_whatever_stands_before_it(links: Links) -> None:
+    cited = "{set}`x <strong-lens k1=0.1>`\n\n"
+    assert figures(links(f"{cited}{FIGURE}{LABELLED}")) == ["strong-lens"]
+    assert figures(links(f"{cited}{LABELLED}{FIGURE}")) == ["strong-lens"]
+
+
+@pytest.mark.parametrize("words", ["{set}`x <demo-2 k1=0.1>`", "{ref}`figure-demo-2`"])
+def test_a_figure_cited_by_its_count_is_a_warning(
+    make_book: Callable[..., Options], words: str
+) -> None:
+    warnings: list[Diagnostic] = []
+    body = f"{words}\n\n{FIGURE}\n{FIGURE}"
+    rendered(replace(make_book(body), warn=warnings.append))
+    assert [str(one).split(";")[0] for one in warnings] == [
+        "content/00-first.md:5: warning: 'figure-demo-2' depends on the order of the page"
+    ]
