@@ -36,22 +36,12 @@ class Curve:
     """Mean dark signal, which also fills the well but is subtracted from the means."""
 
 
-def over_wedge(means_e: Floats, patch: int, *, all_labels: bool) -> str:
-    """Mean electrons on each patch, or on the chosen one, and a frame around that."""
+def over_wedge(patch: int) -> str:
+    """A frame around the chosen patch."""
     width, height = PATCH_SIDES
-    labels = [
-        text(
-            ((k % COLUMNS + 0.5) * width, (k // COLUMNS + 1) * height - 7),
-            format_electrons(float(mean)),
-            "halo",
-            "middle",
-        )
-        for k, mean in enumerate(means_e)
-        if all_labels or k == patch
-    ]
     corner = (patch % COLUMNS * width + 2, patch // COLUMNS * height + 2)
-    frame = [rectangle(corner, width - 4, height - 4, style) for style in ("casing", "image bold")]
-    return "".join((*frame, *labels))
+    styles = ("casing", "image bold")
+    return "".join(rectangle(corner, width - 4, height - 4, style) for style in styles)
 
 
 def over_patch(label: str) -> str:
@@ -95,8 +85,7 @@ def transfer_plot(
         foot = level_place(plot, level_dn)
         parts += [line(foot, chosen, "image thin"), dot(foot, "image", 5)]
     parts += [circle(chosen, 8, "casing"), circle(chosen, 8, "image bold")]
-    parts += [dot(floor_place(plot, curve), "error", 5), _names(plot, curve, chosen, crosses)]
-    return "".join(parts)
+    return "".join((*parts, _names(plot, curve, chosen, crosses)))
 
 
 def _cross(place: Point) -> str:
@@ -111,11 +100,6 @@ def level_place(plot: Plot, level_dn: float) -> tuple[float, float]:
     return plot.clamped(level_dn, plot.y.low)
 
 
-def floor_place(plot: Plot, curve: Curve) -> tuple[float, float]:
-    """The right end of the floor."""
-    return plot.clamped(plot.x.high, curve.floor_dn2)
-
-
 def plot_of(curve: Curve) -> Plot:
     """The axes depend on gain and converter only, so that noise and exposure move the points."""
     high_x = 2 * curve.full_dn
@@ -127,7 +111,7 @@ def plot_of(curve: Curve) -> Plot:
 
 
 def _frame(plot: Plot) -> str:
-    means, variances = (log_ticks(axis.low, axis.high, 7) for axis in (plot.x, plot.y))
+    means, variances = (log_ticks(axis.low, axis.high, 3) for axis in (plot.x, plot.y))
     small = "muted small"
     return plot.frame(
         Scale("mean", "DN", means, [value for value, _ in means], "", small, centred=True),

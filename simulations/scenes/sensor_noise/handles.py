@@ -1,5 +1,5 @@
-"""Handles of the sensor-noise figure: the patch, in the picture and by its light on the
-axis of the plot, and the floor of the noise."""
+"""Handles of the sensor-noise figure: the light of the chosen patch on the axis of the plot, and
+the patch in the picture."""
 
 import math
 from collections.abc import Mapping
@@ -10,25 +10,23 @@ from simulations.engine.plotting.plot import Plot
 from simulations.engine.stages import Outputs
 from simulations.scenes.sensor_noise.drawing import (
     COLUMNS,
+    HEIGHT,
     PATCH_SIDES,
     ROWS,
-    floor_place,
+    WIDTH,
     level_place,
     plot_of,
 )
 from simulations.scenes.sensor_noise.settings import Settings
 from simulations.scenes.sensor_noise.stages import (
-    BRIGHTEST_E,
     curve_of,
-    floor_e2,
     patch_means_e,
     sensor_of,
 )
 
 
-def _patch(settings: Settings, _outputs: Outputs) -> Point:
-    row, column = divmod(settings.patch - 1, COLUMNS)
-    return ((column + 0.5) * PATCH_SIDES[0], (row + 0.5) * PATCH_SIDES[1])
+def _middle(_settings: Settings, _outputs: Outputs) -> Point:
+    return WIDTH / 2, HEIGHT / 2
 
 
 def _patch_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
@@ -59,47 +57,13 @@ def _level(settings: Settings, outputs: Outputs) -> Point | None:
 
 
 def _level_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """The exposure at which the chosen patch receives the light of this mean."""
     plot, gain = _plot(settings)
-    mean_e = _values(plot, place)[0] * gain
-    patch = 1.0 + 2.0 * (settings.exposure - math.log2(mean_e / BRIGHTEST_E))
-    # Values beyond an end of the axis are drawn at the end.
-    beyond = 0.5 * ((place[0] <= plot.x.start) - (place[0] >= plot.x.end))
-    return {"patch": patch + beyond}
-
-
-def _floor(settings: Settings, _outputs: Outputs) -> Point:
-    camera = sensor_of(settings.bits, settings.iso, settings.read_noise)
-    curve = curve_of(camera, settings.dark)
-    return floor_place(plot_of(curve), curve)
-
-
-def _floor_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """The read noise that, with dark signal and rounding, makes this floor."""
-    plot, gain = _plot(settings)
-    others = floor_e2(sensor_of(settings.bits, settings.iso, 0.0), settings.dark)
-    return {"read_noise": math.sqrt(max(_values(plot, place)[1] * gain**2 - others, 0.0))}
+    at_0_ev = float(patch_means_e(0.0)[settings.patch - 1])
+    return {"exposure": math.log2(_values(plot, place)[0] * gain / at_0_ev)}
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("patch", "wedge", "Patch", ("patch",), _patch, _patch_pulled, "press", "image"),
-    Handle(
-        "level",
-        "transfer",
-        "Light of the patch",
-        ("patch",),
-        _level,
-        _level_pulled,
-        "press",
-        "image",
-        reversed=("patch",),
-    ),
-    Handle(
-        "floor",
-        "transfer",
-        "Floor of the noise",
-        ("read_noise",),
-        _floor,
-        _floor_pulled,
-        role="error",
-    ),
+    Handle("level", "transfer", "Light", ("exposure",), _level, _level_pulled, "press", "image"),
+    Handle("patch", "wedge", "Patch to look at", ("patch",), _middle, _patch_pulled, "aim"),
 )

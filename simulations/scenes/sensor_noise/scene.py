@@ -40,7 +40,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     camera = sensor_of(settings.bits, settings.iso, settings.read_noise)
     means_e, floor = patch_light_e(outputs["light"]), floor_e2(camera, settings.dark)
     own, patch = outputs["photograph"] is not None, settings.patch - 1
-    title = "Your picture, in 24 patches" if own else "24 patches, and the mean electrons in each"
+    title = "Your picture, in 24 patches" if own else "The photo: 24 grey patches"
     curve = curve_of(camera, settings.dark)
     level = None if own else float(means_e[patch]) / camera.gain_e_per_dn
     plot = drawing.transfer_plot(
@@ -58,7 +58,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             _panel(
                 "wedge",
                 title,
-                drawing.over_wedge(means_e, patch, all_labels=not own),
+                drawing.over_wedge(patch),
                 outputs["picture"],
             ),
             _panel(
@@ -67,7 +67,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 drawing.over_patch(label),
                 enlarged(outputs["codes"][0, patch], camera),
             ),
-            _panel("transfer", "Photon transfer", plot),
+            _panel("transfer", "Noise of every patch, against its light", plot),
         ),
         readouts=(
             *patch_readouts(transfer, patch, float(means_e[patch]), floor),
@@ -101,10 +101,10 @@ def patch_readouts(
     expected = "clipped" if transfer.clipped[patch] else theory
     sigma = math.sqrt(transfer.variance_dn[patch])
     return (
-        readout("mean", "Patch mean", transfer.mean_dn[patch], "DN", digits=1, role="image"),
-        readout("sigma", "Patch σ", sigma, "DN", digits=2, role="image"),
-        Readout("snr", "SNR, measured", measured_ratio(transfer, patch), role="image"),
-        Readout("theory", "SNR, theory", expected, role="ray"),
+        readout("mean", "Mean of the patch", transfer.mean_dn[patch], "DN", digits=1, role="image"),
+        readout("sigma", "Noise of the patch (σ)", sigma, "DN", digits=2, role="image"),
+        Readout("snr", "Signal to noise (SNR)", measured_ratio(transfer, patch), role="image"),
+        Readout("theory", "SNR by theory", expected, role="ray"),
     )
 
 
@@ -112,10 +112,8 @@ def sensor_readouts(gain: Gain | None, camera: Sensor, floor: float) -> tuple[Re
     """Estimates of the sensor from all patches, and the true values."""
     span = math.log2(saturation_e(camera) / math.sqrt(floor))
     return (
-        Readout("gain", "Conversion gain, measured", measured_gain(gain), "e⁻/DN", "image"),
-        readout(
-            "truth", "Conversion gain, true", camera.gain_e_per_dn, "e⁻/DN", digits=3, role="light"
-        ),
+        Readout("gain", "Measured gain", measured_gain(gain), "e⁻/DN", "image"),
+        readout("truth", "True gain", camera.gain_e_per_dn, "e⁻/DN", digits=3, role="light"),
         readout("range", "Dynamic range", span, "stops", digits=1),
     )
 

@@ -14,6 +14,6 @@ class Settings:
     read_noise: float = slider("Read noise", 10, 0, 60, 1, unit="e⁻")
     dark: float = slider("Dark signal", 0, 0, 2000, 20, unit="e⁻")
     unequal: float = slider("Unequal cells (PRNU)", 0, 0, 5, 0.5, unit="%")
-    bits: int = slider("Converter", 12, 4, 14, 1, unit="bits")
+    bits: int = slider("Bit depth", 12, 4, 14, 1, unit="bits")
     patch: int = slider("Patch", 9, 1, 24, 1)
-    new_noise: int = action(*("Take it again",) * 8)
+    new_noise: int = action(*("Take another photo",) * 8)

@@ -23,7 +23,7 @@ from simulations.scenes.sensor_noise.stages import (
 frame = partial(frame_of, SCENE)
 
 
-def test_patches_of_the_picture_lie_where_their_labels_do() -> None:
+def test_patches_of_the_picture_are_in_order_of_their_light() -> None:
     shown = pixels_of(frame(read_noise=0))[..., 0].astype(float)
     tiles = shown.reshape(4, 40, 6, 40).mean(axis=(1, 3)).ravel()
     assert (np.diff(tiles[2:]) < 0).all()
@@ -76,7 +76,7 @@ def test_a_reader_s_picture_tells_the_gain_although_it_has_detail_of_its_own(iso
     assert abs(measured.gain.e_per_dn / truth - 1) < 0.15
     assert shown.description.startswith(f"Your own picture at ISO {iso}")
     assert "wedge" not in shown.description
-    assert {place.name for place in shown.handles} == {"patch", "floor"}
+    assert {place.name for place in shown.handles} == {"patch"}
 
 
 def test_a_reader_s_picture_is_judged_by_even_patches_as_bright() -> None:
@@ -91,3 +91,11 @@ def test_the_enlarged_patch_is_as_bright_whatever_its_light(patch: int) -> None:
     levels = enlarged[..., 0] / 255
     linear = np.where(levels <= 0.04045, levels / 12.92, ((levels + 0.055) / 1.055) ** 2.4)
     assert linear.mean() == pytest.approx(0.2, abs=0.02)
+
+
+def test_the_light_of_the_patch_is_led_along_the_axis_by_the_exposure() -> None:
+    given = {"iso": "3200", "exposure": -5, "patch": 13}
+    (level,) = (place for place in frame(**given).handles if place.name == "level")
+    assert SCENE.pull(SCENE.check(given), "level", (level.x, level.y)) == {"exposure": -5}
+    (brighter,) = (p for p in frame(**{**given, "exposure": -3}).handles if p.name == "level")
+    assert SCENE.pull(SCENE.check(given), "level", (brighter.x, level.y)) == {"exposure": -3}
