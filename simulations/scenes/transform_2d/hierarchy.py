@@ -55,9 +55,9 @@ def frame_of(name: str) -> tuple[float, float, float, float]:
 
 
 def grip(name: str) -> Point:
-    """The handle of a family, between the words of its frame."""
+    """The handle of a family, below its degrees of freedom."""
     _, top, right, _ = frame_of(name)
-    return right - 90.0, top + 32.0
+    return right - 32.0, top + 46.0
 
 
 def innermost_at(place: Point) -> str:
