@@ -70,17 +70,14 @@ def _ring_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
-        "stripes",
-        "picture",
-        "Stripes in front of the lens",
-        ("phase",),
-        _stripes,
-        _stripes_pulled,
-        "drag",
-        reversed=("phase",),
-    ),
-    Handle(
-        "ring", "picture", "Ring at Nyquist", ("frequency",), _ring, _ring_pulled, role="camera"
+        "frequency",
+        "spectrum",
+        "Frequency",
+        ("frequency",),
+        _frequency,
+        _frequency_pulled,
+        "press",
+        "world",
     ),
     Handle(
         "crest",
@@ -93,15 +90,16 @@ HANDLES: tuple[Handle[Settings], ...] = (
         reversed=("frequency",),
     ),
     Handle(
-        "frequency",
-        "spectrum",
-        "Frequency of the wave",
-        ("frequency",),
-        _frequency,
-        _frequency_pulled,
-        "press",
-        "world",
+        "stripes",
+        "picture",
+        "Stripes",
+        ("phase",),
+        _stripes,
+        _stripes_pulled,
+        "drag",
+        reversed=("phase",),
     ),
+    Handle("ring", "picture", "Nyquist ring", ("frequency",), _ring, _ring_pulled, role="camera"),
     Handle(
         "nyquist",
         "spectrum",

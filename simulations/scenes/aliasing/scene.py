@@ -49,11 +49,11 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     over_picture, over_row = _overlays(pattern, kernel, own)
     return Frame(
         panels=(
-            _panel("picture", "The sampled picture", over_picture, outputs["picture"]),
-            _panel("row", f"The marked pixels: the {wave} and its samples", over_row),
+            _panel("picture", "The picture, pixel by pixel", over_picture, outputs["picture"]),
+            _panel("row", f"The framed pixels: the {wave} and its samples", over_row),
             _panel(
                 "spectrum",
-                "Where its frequency ends up",
+                "The frequency, folded at Nyquist",
                 spectrum.draw(pattern, kernel, remaining, own),
             ),
         ),
@@ -79,12 +79,10 @@ def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) ->
 
 
 def _readouts(pattern: Pattern, passed: float, remaining: float) -> tuple[Readout, ...]:
-    frequency, alias = pattern.frequency * pattern.rate, pattern.alias * pattern.rate
-    nyquist = NYQUIST * pattern.rate
+    alias, nyquist = pattern.alias * pattern.rate, NYQUIST * pattern.rate
     return (
-        readout("frequency", "True frequency f", frequency, "cycles/px", role="world"),
-        readout("nyquist", "Nyquist frequency", nyquist, "cycles/px", role="camera"),
         readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
+        readout("nyquist", "Nyquist frequency", nyquist, "cycles/px", role="camera"),
         readout("period", "One stripe every", _period(alias), "px", digits=1, role="error"),
         readout("passed", "The filter passes", passed, "of the wave", digits=3, role="light"),
         Readout("kept", "The samples keep", format_number(remaining, 3), "of the wave", "image"),

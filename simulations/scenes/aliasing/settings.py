@@ -25,4 +25,6 @@ class Settings:
     phase: float = slider("Phase φ", 90, 0, 360, 5, unit="°")
     prefilter: str = choice("Filter before sampling", FILTERS)
     rate: float = slider("Sampling rate", 1, 0.5, 2, 0.05, unit="samples/px")
-    sweep: int = action("Sweep f", "Pause", drives="frequency", effect="play", seconds=16.0)
+    sweep: int = action(
+        "Sweep the frequency", "Pause", drives="frequency", effect="play", seconds=16.0
+    )

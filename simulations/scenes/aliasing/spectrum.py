@@ -16,9 +16,10 @@ from simulations.scenes.aliasing.pattern import Pattern
 
 HIGHEST = 1.2
 PLOT = Plot(Axis(0.0, HIGHEST, 40.0, 386.0), Axis(0.0, 1.0, 244.0, 116.0))
-FREQUENCIES = Scale("frequency", "cycles per pixel", ticks=(0, 0.25, 0.5, 0.75, 1))
+FREQUENCIES = Scale("frequency", "cycles per pixel", ticks=(0, 0.25, 0.5, 0.75, 1), gap=9.0)
+"""The ticks are clear of the handle of the fold."""
 AMPLITUDES = Scale(ticks=(0, 1), grid=(1,))
-LABELS = 98.0
+LABELS = 92.0
 """Row of the numbers above the lines."""
 HEAD = 7.0
 APART = 56.0

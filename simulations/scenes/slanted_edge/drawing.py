@@ -24,25 +24,25 @@ ACROSS = Plot(Axis(-REACH, REACH, 34.0, 388.0), Axis(0.0, 1.05, 214.0, 40.0))
 WAVES = Plot(Axis(0.0, 1.0, 34.0, 388.0), Axis(0.0, 1.05, 214.0, 40.0))
 NYQUIST = 0.5
 LEVELS = Scale(ticks=(0, 0.5, 1), grid=(0.5, 1), tick_style="muted small")
+HANDLE_ROW = 40.0
+"""Height of the edge's handle."""
 SPECK = 1.4
 """Length of the stroke for a pixel."""
 
 
-def edge_end(angle_deg: float) -> Point:
-    """The point where the edge leaves the picture at its upper border."""
-    return WIDTH / 2 + HEIGHT / 2 * math.tan(math.radians(angle_deg)), 0.0
+def edge_at(angle_deg: float, row: float) -> Point:
+    """The point of the edge at a height of the panel."""
+    return WIDTH / 2 + (HEIGHT / 2 - row) * math.tan(math.radians(angle_deg)), row
 
 
-def angle_of(place: Point) -> float:
-    """Angle in degrees of the edge that leaves the picture above a place."""
-    right, up = float(place[0]) - WIDTH / 2, HEIGHT / 2 - float(place[1])
-    return math.degrees(math.atan2(right, max(up, 1.0)))
+def angle_of(across: float) -> float:
+    """Angle in degrees of the edge whose handle is so far from the panel's left."""
+    return math.degrees(math.atan2(across - WIDTH / 2, HEIGHT / 2 - HANDLE_ROW))
 
 
 def over_picture(angle_deg: float) -> str:
-    """The edge, the handle at its end, and the row whose pixels are set off."""
-    end = edge_end(angle_deg)
-    foot = (WIDTH - end[0], HEIGHT)
+    """The edge, its handle, and the row whose pixels are set off."""
+    end, foot = edge_at(angle_deg, 0.0), edge_at(angle_deg, HEIGHT)
     corner = (0.0, MIDDLE_ROW * PER_PX)
     return "".join(
         (
@@ -50,7 +50,7 @@ def over_picture(angle_deg: float) -> str:
             line(foot, end, "world dashed"),
             rectangle(corner, WIDTH, PER_PX, "casing"),
             rectangle(corner, WIDTH, PER_PX, "camera"),
-            dot((end[0], 6.0), "world", 5),
+            dot(edge_at(angle_deg, HANDLE_ROW), "world", 5),
         )
     )
 
@@ -61,7 +61,7 @@ def light_across(reading: EdgeReading, row: Floats, angle_deg: float) -> str:
     near = np.abs(own) < REACH
     return "".join(
         (
-            ACROSS.frame(Scale("distance from the edge", "px", style="small"), LEVELS),
+            ACROSS.frame(Scale("distance from the edge", "px", (-4, 0, 4), style="small"), LEVELS),
             ACROSS.curve(reading.between, reading.slope, "light"),
             _specks(reading),
             *(ACROSS.mark(x, y, "camera", 3.5) for x, y in zip(own[near], row[near], strict=True)),
@@ -92,7 +92,7 @@ def waves_left(measured: Floats, true: Floats) -> str:
     return "".join(
         (
             WAVES.region(x=(NYQUIST, 1.0)),
-            WAVES.frame(Scale("frequency", "cycles per px", style="small"), LEVELS),
+            WAVES.frame(Scale("frequency", "cycles per px", (0, 0.5, 1), style="small"), LEVELS),
             WAVES.upright(NYQUIST, "camera thin dashed"),
             text((WAVES.x.place(NYQUIST), 28), "Nyquist", "camera small halo", "middle"),
             WAVES.curve(FREQUENCIES, true, "ray bold"),
@@ -108,7 +108,7 @@ def waves_left(measured: Floats, true: Floats) -> str:
 
 def _dots(measured: Floats) -> Iterator[str]:
     if np.isnan(measured).any():
-        yield text((WAVES.x.place(0.5), 130), "too few different distances", "error halo", "middle")
+        yield text(WAVES.at(0.98, 0.75), "too few different distances", "error halo", "end")
         return
     for f, left in zip(FREQUENCIES[::2].tolist(), measured[::2].tolist(), strict=True):
         yield WAVES.mark(f, left, "image", 2.5)

@@ -1,7 +1,5 @@
 """Slanted Edge: one picture of an edge, and the MTF measured from it."""
 
-import math
-
 import numpy as np
 
 from simulations.engine.controls import Value
@@ -52,25 +50,18 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             ),
         ),
         readouts=(
-            _rows(settings.angle),
-            _mtf50("measured", "MTF50 from the edge", outputs["measured"], settings.pitch, "image"),
-            _mtf50("true", "MTF50 of lens × pixel", outputs["true"], settings.pitch, "ray"),
+            _mtf50(
+                "measured", "MTF50, from the edge", outputs["measured"], settings.pitch, "image"
+            ),
+            _mtf50("true", "MTF50, lens × pixel", outputs["true"], settings.pitch, "ray"),
         ),
         description=describe(settings, outputs["measured"], outputs["true"]),
     )
 
 
-def _rows(angle_deg: float) -> Readout:
-    """Count of rows per pixel of shift of the edge."""
-    name, label = "rows", "Rows to one pixel"
-    if angle_deg == 0:
-        return Readout(name, label, "∞", "", "world")
-    return readout(name, label, 1 / math.tan(math.radians(angle_deg)), digits=1, role="world")
-
-
 def _mtf50(name: str, label: str, left: Floats, pitch: float, role: str) -> Readout:
     if np.isnan(left).any():
-        return Readout(name, label, "—", "", role)
+        return Readout(name, label, "not measurable", "", role)
     half = 1000.0 / pitch * first_fall(FREQUENCIES, left, 0.5)
     return readout(name, label, half, PER_MM, digits=1, role=role)
 
@@ -91,11 +82,11 @@ def describe(settings: Settings, measured: Floats, true: Floats) -> str:
 
 
 def _end(settings: Settings, _outputs: Outputs) -> Point:
-    return drawing.edge_end(settings.angle)[0], 6.0
+    return drawing.edge_at(settings.angle, drawing.HANDLE_ROW)
 
 
 def _end_pulled(_settings: Settings, place: Point) -> dict[str, Value]:
-    return {"angle": drawing.angle_of((place[0], 0.0))}
+    return {"angle": drawing.angle_of(place[0])}
 
 
 SCENE = Scene(
@@ -104,7 +95,5 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
-    handles=(
-        Handle("end", "picture", "End of the edge", ("angle",), _end, _end_pulled, role="world"),
-    ),
+    handles=(Handle("end", "picture", "Edge", ("angle",), _end, _end_pulled, role="world"),),
 )
