@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.drawing import Point, dot, line, path, rectangle, text
+from simulations.engine.drawing import dot, line, path, rectangle, text
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
@@ -30,7 +30,7 @@ SPECK = 1.4
 """Length of the stroke for a pixel."""
 
 
-def edge_at(angle_deg: float, row: float) -> Point:
+def edge_at(angle_deg: float, row: float) -> tuple[float, float]:
     """The point of the edge at a height of the panel."""
     return WIDTH / 2 + (HEIGHT / 2 - row) * math.tan(math.radians(angle_deg)), row
 
