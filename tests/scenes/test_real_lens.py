@@ -1,6 +1,7 @@
 """The figure of a real lens: its numbers against formulas, its tiers against the true ray."""
 
 import math
+import re
 
 import pytest
 from support.frames import texts_of
@@ -8,6 +9,7 @@ from support.frames import texts_of
 from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.scenes.real_lens.scene import SCENE
+from simulations.scenes.real_lens.settings import Settings
 
 
 def frame(tier: str = "exact", **given: object) -> Frame:
@@ -66,7 +68,10 @@ def test_errors_of_the_thin_lens_may_cancel() -> None:
 @pytest.mark.parametrize(
     ("given", "word"),
     [
-        ({"front": 40, "back": 40, "index": 2, "thickness": 20, "height": 15}, "totally reflected"),
+        (
+            {"front": 40, "back": 40, "index": 2, "thickness": 20, "height": 15, "opening": 20},
+            "totally reflected",
+        ),
         ({"thickness": 2, "height": 20}, "misses the glass"),
     ],
 )
@@ -76,6 +81,30 @@ def test_a_ray_that_ends_says_why(given: dict[str, object], word: str) -> None:
     assert word in shown.description
     assert word in shown.panels[0].overlay
     assert word not in frame("thin", **given).panels[0].overlay
+
+
+def test_a_ray_higher_than_the_opening_ends_there() -> None:
+    shown = frame(height=15, opening=14)
+    assert {texts_of(shown)[name] for name in ("true_at", "aberration")} == {
+        "stopped by the opening"
+    }
+    assert "stopped by the opening" in shown.panels[0].overlay
+    (ray,) = re.findall(r'<path class="ray bold" d="([^"]+)"', shown.panels[0].overlay)
+    assert ray.rpartition("L")[2].startswith("130,")  # the middle of the lens
+    assert "ray bold" not in shown.panels[1].overlay
+    assert "ray bold" in frame(height=14, opening=14).panels[1].overlay
+
+
+@pytest.mark.parametrize("name", ["front", "back"])
+def test_a_surface_is_bent_by_its_rim(name: str) -> None:
+    """The handle lies on the glass, and forty pixels of the lead panel do not exhaust it."""
+    handle = next(each for each in SCENE.handles if each.name == name)
+    settings = Settings(front=10, back=10)
+    at = handle.at(settings, {})
+    assert at is not None
+    assert handle.pull(settings, at)[name] == pytest.approx(10)
+    inwards = at[0] + (11 if name == "front" else -11), at[1]
+    assert 10 < float(handle.pull(settings, inwards)[name]) < 40
 
 
 def test_the_drawing_says_that_a_lens_that_spreads_light_has_no_image() -> None:

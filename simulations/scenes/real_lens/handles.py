@@ -1,5 +1,5 @@
 """Handles of the figure of a real lens: the marked ray, from the side and on the curve,
-both surfaces, the edge of the opening, and the object."""
+both surfaces, the object, and the opening."""
 
 from collections.abc import Mapping
 
@@ -41,11 +41,11 @@ def _back_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _opening(settings: Settings, _outputs: Outputs) -> Point:
-    return section.opening_mark(_view(settings), settings.opening)
+    return plots.opening_mark(settings.opening)
 
 
-def _opening_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"opening": -_view(settings).millimetres(place)[1]}
+def _opening_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"opening": plots.height_at(place)}
 
 
 def _object(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -86,15 +86,6 @@ HANDLES: tuple[Handle[Settings], ...] = (
         reversed=("back",),
     ),
     Handle(
-        "opening",
-        "lens",
-        "Edge of the opening",
-        ("opening",),
-        _opening,
-        _opening_pulled,
-        reversed=("opening",),
-    ),
-    Handle(
         "object",
         "lens",
         "Object",
@@ -104,10 +95,11 @@ HANDLES: tuple[Handle[Settings], ...] = (
         role="world",
         reversed=("vergence",),
     ),
+    Handle("opening", "aberration", "Half opening", ("opening",), _opening, _opening_pulled),
     Handle(
         "curve",
         "aberration",
-        "Height of the ray on the curve",
+        "Height of the marked ray",
         ("height",),
         _on_curve,
         _on_curve_pulled,

@@ -24,7 +24,7 @@ ASIDE = Axis(-3.0, 3.0, FLOOR, TOP)
 """Distances from the optical axis in the second panel, mm."""
 HEIGHTS = Axis(0.0, 20.0, FLOOR, TOP)
 """Heights of rays in the third panel, mm."""
-ALONG = Scale("mm behind the lens’s middle", ticks=7, style="small", tick_style="muted small")
+ALONG = Scale("mm behind the lens’s middle", ticks=4, style="small", tick_style="muted small")
 
 
 def height_at(place: Point) -> float:
@@ -32,8 +32,14 @@ def height_at(place: Point) -> float:
     return HEIGHTS.value(float(place[1]))
 
 
-def close(glass: Glass, fan: Rays, marked: Rays) -> str:
-    """The rays around the image; heights are drawn larger than lengths."""
+def opening_mark(opening: float) -> tuple[float, float]:
+    """The right end of the line of the opening."""
+    return RIGHT - 10.0, HEIGHTS.place(opening)
+
+
+def close(glass: Glass, fan: Rays, marked: Rays | None) -> str:
+    """The rays around the image; heights are drawn larger than lengths. ``marked`` is None if that
+    ray is stopped."""
     plot = _plot(glass, ASIDE)
     parts = [
         *_frame(glass, plot, "mm from the axis", (-2, 2) if glass.real else ()),
@@ -42,10 +48,10 @@ def close(glass: Glass, fan: Rays, marked: Rays) -> str:
     if glass.real:
         parts += [
             _ways(glass, plot, fan, "light thin"),
-            _ways(glass, plot, marked, "ray bold"),
             *_models(glass, plot),
-            *_crossing(plot, marked, 0.0),
         ]
+        if marked:
+            parts += [_ways(glass, plot, marked, "ray bold"), *_crossing(plot, marked, 0.0)]
     return "".join(parts)
 
 
@@ -54,12 +60,18 @@ def aberration(glass: Glass, curve: Floats, height: float, marked: Rays, opening
     models."""
     plot = _plot(glass, HEIGHTS)
     parts = [
-        *_frame(glass, plot, "height h, mm", (0, 5, 10, 15, 20)),
+        *_frame(glass, plot, "height h, mm", (0, 10, 20)),
         plot.level(opening, "thin dashed"),
-        text((RIGHT, HEIGHTS.place(opening) - 5), "opening", "small halo", "end"),
+        text((RIGHT - 28, HEIGHTS.place(opening) - 5), "opening", "small halo", "end"),
+        dot(opening_mark(opening)),
     ]
     if glass.real:
-        parts += [*_models(glass, plot), plot.curve(curve, HEIGHTS_MM, "light bold")]
+        within, beyond = opening >= HEIGHTS_MM, opening <= HEIGHTS_MM
+        parts += [
+            *_models(glass, plot),
+            plot.curve(curve[beyond], HEIGHTS_MM[beyond], "light thin dashed"),
+            plot.curve(curve[within], HEIGHTS_MM[within], "light bold"),
+        ]
         parts += _crossing(plot, marked, height)
     return "".join(parts)
 

@@ -38,6 +38,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     heights = fan_heights(settings.opening)
     width, height = section.WIDTH, section.HEIGHT
     shown = plots.aberration(glass, outputs["curve"], settings.height, marked, settings.opening)
+    passing = None if section.stopped(settings, marked) else marked
     return Frame(
         panels=(
             Panel(
@@ -49,30 +50,31 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             ),
             Panel(
                 "close",
-                "Close to the image: heights enlarged",
+                "Close to the image, heights enlarged",
                 width,
                 height,
-                overlay=plots.close(glass, fan, marked),
+                overlay=plots.close(glass, fan, passing),
             ),
             Panel("aberration", "Where rays cross the axis", width, height, overlay=shown),
         ),
-        readouts=_readouts(glass, true),
+        readouts=_readouts(settings, glass, true),
         description=describe(settings, glass, true),
     )
 
 
-def _readouts(glass: Glass, true: Rays) -> tuple[Readout, ...]:
+def _readouts(settings: Settings, glass: Glass, true: Rays) -> tuple[Readout, ...]:
     """The readouts that do not depend on the tier."""
     thin, thick = thin_power_per_mm(glass.lens), power_per_mm(glass.lens)
     crossing = float(true.crossing_mm[0])
     off = crossing - glass.paraxial_mm if glass.real else math.nan
+    reason = _reason(settings, true)
     return (
         readout("focal_thin", "f, thin lens", _focal(thin), "mm"),
         readout("focal", "f, thick lens", _focal(thick), "mm", role="image"),
         _place("thin_at", "Thin lens: image at", glass.thin_mm, ""),
         _place("thick_at", "Thick lens: image at", glass.paraxial_mm, "image"),
-        _or_reason("true_at", "The ray crosses at", true, crossing, "ray"),
-        _or_reason("aberration", "Spherical aberration", true, off, "error"),
+        _or_reason("true_at", "The ray crosses at", reason, crossing, "ray"),
+        _or_reason("aberration", "Spherical aberration", reason, off, "error"),
         _angle("incidence", "Ray meets the front at", glass, true, inside=False),
         _angle("refracted", "… and goes on at", glass, true, inside=True),
     )
@@ -91,10 +93,17 @@ def _place(name: str, label: str, along_mm: float, role: str) -> Readout:
     return readout(name, label, along_mm, "mm", role=role)
 
 
-def _or_reason(name: str, label: str, true: Rays, value: float, role: str) -> Readout:
+def _reason(settings: Settings, true: Rays) -> str:
+    """Why the marked ray does not get through; empty if it does."""
+    if section.stopped(settings, true):
+        return section.STOPPED
+    return "" if true.fate[0] == PASSES else section.FATES[int(true.fate[0])]
+
+
+def _or_reason(name: str, label: str, reason: str, value: float, role: str) -> Readout:
     """A number, or the reason why there is none."""
-    if true.fate[0] != PASSES:
-        return Readout(name, label, section.FATES[int(true.fate[0])], "", role)
+    if reason:
+        return Readout(name, label, reason, "", role)
     if not math.isfinite(value) or abs(value) > 1.0 / FLATTEST:
         return Readout(name, label, "none", "", role)
     return readout(name, label, value, "mm", role=role)
@@ -126,6 +135,8 @@ def front_angles(glass: Glass, true: Rays) -> tuple[float, float]:
 def describe(settings: Settings, glass: Glass, true: Rays) -> str:
     """The result for the marked ray, compared with the simple models."""
     ray = f"A ray at a height of {format_number(settings.height, 1)} mm"
+    if section.stopped(settings, true):
+        return f"{ray} is {section.STOPPED}, half of which is smaller."
     if true.fate[0] != PASSES:
         return f"{ray} {_FAILED[int(true.fate[0])]}."
     crossing = float(true.crossing_mm[0])

@@ -21,8 +21,8 @@ from simulations.scenes.real_lens.stages import Glass
 
 WIDTH, HEIGHT = 400.0, 300.0
 AXIS_Y = HEIGHT / 2
-MARK_MM = 6.5
-"""Distance of the surfaces' handles from the axis, clear of the handle of the opening."""
+MARK_MM = 16.0
+"""Distance of the surfaces' handles from the axis: near the rim, where the glass moves far."""
 ENTRY_MM = 20.0
 """Distance of the marked ray's handle before the middle."""
 BLADE_MM = 25.0
@@ -31,6 +31,7 @@ FATES = {
     REFLECTED: "totally reflected",
     LEAVES_BY_RIM: "runs into the rim",
 }
+STOPPED = "stopped by the opening"
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,14 +85,39 @@ def draw(settings: Settings, glass: Glass, fan: Rays, marked: Rays, heights: Flo
             polygon(outline(view, glass), "camera fill"),
             path(ways(view, glass, fan, heights), "light thin"),
             *_failures(view, fan, heights, glass, small=True),
-            path(ways(view, glass, marked, height), "ray bold"),
-            *_failures(view, marked, height, glass, small=False),
-            *_normals(view, glass, marked),
             *_stop(view, settings.opening),
+            *_marked(view, settings, glass, marked, height),
+            *_normals(view, glass, marked),
             *_marks(view, settings, glass),
             *_image(view, glass),
         )
     )
+
+
+def stopped(settings: Settings, ray: Rays) -> bool:
+    """Whether the marked ray reaches the glass but not the opening."""
+    return settings.height > settings.opening and ray.fate[0] != MISSES
+
+
+def _marked(
+    view: View, settings: Settings, glass: Glass, marked: Rays, height: Floats
+) -> Iterator[str]:
+    """The marked ray: to its end, or to the opening if that stops it."""
+    (way,) = ways(view, glass, marked, height)
+    if not stopped(settings, marked):
+        yield path([way], "ray bold")
+        yield from _failures(view, marked, height, glass, small=False)
+        return
+    end = (view.lens_x, float(np.interp(view.lens_x, *np.transpose(way))))
+    yield path([[*(place for place in way if place[0] < view.lens_x), end]], "ray bold")
+    yield dot(end, "error", 4)
+    yield _reason(view, glass, float(height[0]), STOPPED)
+
+
+def _reason(view: View, glass: Glass, height: float, words: str) -> str:
+    """Why the marked ray ends, above the lens."""
+    above = view.at(0.0, min(max(glass.rim_mm, height, BLADE_MM) + 4.0, view.up_mm - 4.0))
+    return text(above, words, "error halo", "middle")
 
 
 def entry_mark(view: View, height: float, distance_mm: float) -> tuple[float, float]:
@@ -104,10 +130,10 @@ def height_of(view: View, place: Point, distance_mm: float) -> float:
 
 
 def surface_mark(view: View, settings: Settings, *, front: bool) -> tuple[float, float]:
-    """The handle of a surface, below the axis, on the front or on the back."""
+    """The handle of a surface: of the front below the axis, of the back above."""
     bulge = settings.front if front else settings.back
     along = settings.thickness / 2.0 - float(sag_mm(bulge / 1000.0, MARK_MM))
-    return view.at(-along if front else along, -MARK_MM)
+    return view.at(-along, -MARK_MM) if front else view.at(along, MARK_MM)
 
 
 def bulge_of(view: View, place: Point, thickness: float, *, front: bool) -> float:
@@ -116,11 +142,6 @@ def bulge_of(view: View, place: Point, thickness: float, *, front: bool) -> floa
     along = view.millimetres(place)[0]
     sag = thickness / 2.0 + (along if front else -along)
     return 2000.0 * sag / (sag * sag + MARK_MM**2)
-
-
-def opening_mark(view: View, opening: float) -> tuple[float, float]:
-    """The lower edge of the opening."""
-    return view.at(0.0, -opening)
 
 
 def object_mark(distance_mm: float) -> tuple[float, float] | None:
@@ -184,8 +205,7 @@ def _failures(
         place = places[0] if places else (0.0, float(height))
         yield dot(view.at(*place), "error", 2.5 if small else 4)
         if not small:
-            above = view.at(0.0, min(max(glass.rim_mm, float(height)) + 6.0, view.up_mm - 6.0))
-            yield text(above, FATES[int(fate)], "error halo", "middle")
+            yield _reason(view, glass, float(height), FATES[int(fate)])
 
 
 def _normals(view: View, glass: Glass, marked: Rays) -> Iterator[str]:
@@ -208,26 +228,43 @@ def _normals(view: View, glass: Glass, marked: Rays) -> Iterator[str]:
 def _stop(view: View, opening: float) -> Iterator[str]:
     for side in (-1, 1):
         yield line(view.at(0.0, side * opening), view.at(0.0, side * BLADE_MM), "bold")
-    yield dot(opening_mark(view, opening))
 
 
 def _marks(view: View, settings: Settings, glass: Glass) -> Iterator[str]:
     for front in (True, False):
-        yield dot(surface_mark(view, settings, front=front), "camera", 5)
+        mark = surface_mark(view, settings, front=front)
+        if glass.rim_mm < MARK_MM:
+            yield polyline(_beyond_rim(view, glass, front=front), "camera thin dashed")
+        yield dot(mark, "camera", 5)
     entry = entry_mark(view, settings.height, glass.distance_mm)
     yield dot(entry, "ray", 5)
-    yield text((entry[0] - 4, entry[1] - 9), "h", "ray italic halo", "end")
+    foot = (entry[0], AXIS_Y)
+    yield line(entry, foot, "ray thin")
+    yield text((entry[0] - 6, 0.5 * (entry[1] + AXIS_Y) + 4), "h", "ray italic halo", "end")
     thing = object_mark(glass.distance_mm)
     if thing:
         yield dot(thing, "world", 5)
     yield text(view.at(0.0, -BLADE_MM - 5.0), "opening", "halo", "middle")
 
 
+def _beyond_rim(view: View, glass: Glass, *, front: bool) -> list[tuple[float, float]]:
+    """A surface from the rim to its handle."""
+    lens, side = glass.lens, -1.0 if front else 1.0
+    heights = side * np.linspace(glass.rim_mm, MARK_MM, 9)
+    sags = sag_mm(lens.front_per_mm if front else lens.back_per_mm, heights)
+    middle = side * lens.thickness_mm / 2.0
+    return [view.at(middle + s, h) for s, h in zip(sags, heights, strict=True)]
+
+
 def _image(view: View, glass: Glass) -> Iterator[str]:
-    """The image in the simple models."""
-    for place, style, row in ((glass.thin_mm, "muted", 18.0), (glass.paraxial_mm, "image", -9.0)):
+    """The image in the simple models, named above the rays."""
+    names = (
+        ("thin lens", glass.thin_mm, "muted", 70.0),
+        ("thick lens", glass.paraxial_mm, "image", 86.0),
+    )
+    for name, place, style, row in names:
         if 0.0 < place <= view.right_mm:
             x = view.at(place, 0.0)[0]
+            yield line((x, AXIS_Y + 7), (x, AXIS_Y - row), f"{style} thin")
             yield line((x, AXIS_Y - 7), (x, AXIS_Y + 7), f"{style} bold")
-            name = "thin" if style == "muted" else "thick"
-            yield text((min(x, WIDTH - 22), AXIS_Y + row), name, f"{style} small halo", "middle")
+            yield text((x - 5.0, AXIS_Y - row + 9.0), name, f"{style} small halo", "end")
