@@ -7,6 +7,7 @@ import pytest
 from support.frames import frame_of, outputs_of, pixels_of
 
 from simulations.pictures.still_life.things import THINGS, thing_depth
+from simulations.scenes._still_life_camera.focus_plane import floor_depth, floor_tangent
 from simulations.scenes.still_life.scene import SCENE
 from simulations.scenes.still_life.settings import Settings
 from simulations.scenes.still_life.stages import COLUMNS, DRAFT, DRAFT_COLUMNS
@@ -15,7 +16,6 @@ from simulations.scenes.still_life.view import (
     UNITS_PER_TANGENT,
     WIDTH,
     disc_width,
-    floor_depth,
     floor_row,
 )
 
@@ -29,11 +29,11 @@ def test_the_row_of_a_depth_is_where_the_floor_has_that_depth() -> None:
     for wanted in (2.0, 3.0, 5.0):
         row = floor_row(wanted) * len(depth) / HEIGHT
         assert np.interp(row - 0.5, np.arange(len(depth)), depth) == pytest.approx(wanted, rel=0.01)
-        assert floor_depth(floor_row(wanted)) == pytest.approx(wanted)
+        assert floor_depth(floor_tangent(wanted)) == pytest.approx(wanted)
 
 
 def test_the_sky_has_no_floor() -> None:
-    assert floor_depth(0.0) == np.inf
+    assert floor_depth(-0.1) == np.inf
 
 
 @pytest.mark.parametrize("name", ["red ball", "striped ball", "green ball"])

@@ -52,7 +52,7 @@ def defocus(
     focal_length: float,
     aperture: float,
     focus: float,
-    reduction: int,
+    reduction: float,
     enlarged: float,
 ) -> LitScene:
     """Blur each layer, and the background by depth, by the discs of confusion."""
@@ -113,9 +113,9 @@ def mean_through_lens(
     return np.asarray(total / np.float32(len(points)), np.float32)
 
 
-def enlarge(overlaid: Planes, reduction: int) -> Planes:
+def enlarge(overlaid: Planes, reduction: float) -> Planes:
     """Scale up a picture (3, h, w) drawn with one ray per ``reduction`` pixels each way."""
-    for _ in range(reduction.bit_length() - 1):
+    for _ in range(int(reduction).bit_length() - 1):
         overlaid = double(overlaid)
     return overlaid
 

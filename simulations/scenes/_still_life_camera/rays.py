@@ -87,11 +87,12 @@ def sensor_rays(focal_length: float, focus: float) -> Rays:
 
 
 def pinhole_rays(
-    focal_length: float, drawn_focus: float, reduction: int, margin_columns: int, margin_rows: int
+    focal_length: float, drawn_focus: float, reduction: float, margin_columns: int, margin_rows: int
 ) -> Rays:
-    """Straight rays through the pixels of the sensor and of a margin on each of its sides."""
-    columns = (COLUMNS + 2 * margin_columns) // reduction
-    rows = (ROWS + 2 * margin_rows) // reduction
+    """Straight rays through the sensor and a margin on each of its sides, one for ``reduction``
+    pixels each way; below 1, several for each pixel."""
+    columns = round((COLUMNS + 2 * margin_columns) / reduction)
+    rows = round((ROWS + 2 * margin_rows) / reduction)
     centre = ((columns - 1) / 2, (rows - 1) / 2)
     K = pinhole.intrinsics(principal_mm(focal_length, drawn_focus) / (PITCH_MM * reduction), centre)
     return Rays(pinhole.pixel_rays(K, columns, rows), np.ones((rows, columns), bool))

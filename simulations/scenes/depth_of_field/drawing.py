@@ -79,8 +79,8 @@ def lens_diagram(lens: Lens) -> str:
     before_focus = lens.far.distance_m < lens.focus_m
     # Light from beyond the focus meets before the sensor, light from nearer behind it.
     discs = (
-        (lens.far, -lens.far.disc_mm if not before_focus else lens.far.disc_mm, "light"),
-        (lens.near, lens.near.disc_mm if not behind_focus else -lens.near.disc_mm, "world"),
+        (lens.far, -lens.far.disc_mm if not before_focus else lens.far.disc_mm, "world"),
+        (lens.near, lens.near.disc_mm if not behind_focus else -lens.near.disc_mm, "error"),
     )
     parts = [*_axis(), *_in_focus(lens)]
     for point, signed_mm, role in discs:
@@ -160,14 +160,12 @@ def _scale_bar(scale: float) -> Iterator[str]:
 
 
 def _labels(lens: Lens) -> Iterator[str]:
-    """Labels of the three points, above and below the axis, and the sizes of the discs."""
-    for point, role, row in ((lens.near, "world", 104), (lens.far, "light", 122)):
+    """Labels of the three points, above and below the axis."""
+    for point, role, row in ((lens.near, "error", 104), (lens.far, "world", 122)):
         at = column(point.distance_m)
         yield line((at, AXIS_Y + 8), (at, AXIS_Y + row - 13), f"{role} thin faint")
         name = f"{point.name}, {format_number(point.distance_m, 1)} m"
         yield text((max(at, 46), AXIS_Y + row), name, f"{role} halo", "middle")
-        disc = f"{point.name}: c = {format_number(point.disc_mm, 3)} mm"
-        yield text((WIDTH - 6, AXIS_Y + row), disc, f"{role} halo", "end")
     at = min(max(column(lens.focus_m), 56), LENS_X - 56)
     yield line((column(lens.focus_m), AXIS_Y - 8), (at, AXIS_Y - 72), "ray thin faint")
     name = f"focus {format_number(lens.focus_m, 2)} m"

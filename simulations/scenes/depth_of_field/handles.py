@@ -1,5 +1,5 @@
-"""Handles of the depth-of-field figure: the distance in focus, the rim of the opening, and any
-thing in the picture."""
+"""Handles of the depth-of-field figure: the plane of focus, the point in focus, the rim of the
+opening, and any thing in the picture."""
 
 from collections.abc import Mapping
 
@@ -7,6 +7,7 @@ from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.pictures.still_life.depth import depth_met
+from simulations.scenes._still_life_camera.focus_plane import HANDLE_TANGENT
 from simulations.scenes._still_life_camera.rays import (
     SENSOR_HEIGHT_MM,
     SENSOR_WIDTH_MM,
@@ -22,6 +23,7 @@ from simulations.scenes.depth_of_field.drawing import (
     distance_of,
     half_opening,
 )
+from simulations.scenes.depth_of_field.focus_line import floor_row, focus_of_row, units_per_tangent
 from simulations.scenes.depth_of_field.settings import Settings, has_image
 
 
@@ -44,6 +46,18 @@ def _rim_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"aperture": settings.focal_length / aperture_of(AXIS_Y - place[1])}
 
 
+def _floor(settings: Settings, _outputs: Outputs) -> Point | None:
+    if not has_image(settings):
+        return None
+    row = floor_row(settings.focal_length, settings.focus)
+    across = HANDLE_TANGENT * units_per_tangent(settings.focal_length, settings.focus)
+    return None if row is None else (min(WIDTH / 2 + across, WIDTH), row)
+
+
+def _floor_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"focus": focus_of_row(settings.focal_length, place[1])}
+
+
 def _middle(_settings: Settings, _outputs: Outputs) -> Point:
     return (WIDTH / 2, HEIGHT / 2)
 
@@ -59,10 +73,11 @@ def _aimed(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("floor", "picture", "Plane of focus", ("focus",), _floor, _floor_pulled, role="ray"),
     Handle(
         "focus",
         "lens",
-        "Distance in focus",
+        "Point in focus",
         ("focus",),
         _focus,
         _focus_pulled,

@@ -25,7 +25,11 @@ from simulations.scenes.depth_of_field.settings import Settings, has_image
 from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, Sharpness, sharpness
 from simulations.scenes.depth_of_field.stages import (
     COARSE,
+    COSTLY,
+    FINE,
     FIXED,
+    QUICK,
+    REDUCTIONS,
     STAGES,
     TIERS,
     estimates,
@@ -34,7 +38,7 @@ from simulations.scenes.depth_of_field.stages import (
 
 LARGEST_DRAWN_PX = 48.0
 """Largest disc that is drawn: wider ones blur everything and take seconds."""
-UNLIT = np.full((ROWS, COLUMNS), 0.35)
+UNLIT = np.full((round(ROWS / FINE), round(COLUMNS / FINE)), 0.35)
 """The picture if the lens forms none."""
 
 
@@ -57,7 +61,8 @@ def parameters(settings: Settings, tier: str) -> dict[str, Value] | None:
     return {
         **FIXED,
         **drawing_of(tier == SCALED, settings.focal_length, settings.focus),
-        "reduction": 2 if tier == COARSE else 1,
+        "reduction": REDUCTIONS.get(tier, FINE),
+        "repeated": 2 if tier in COSTLY else 1,
         "aperture": f_number,
         "largest_blur": widest,
     }
@@ -87,7 +92,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         format_number(sharp.far_limit_m, 2),
         format_number(hyperfocal_m, 2),
     )
-    panels = _panels(drawing.lens_diagram(lens), outputs["encoded"], _note(settings))
+    marks = outputs["plane of focus"] + _note(settings)
+    panels = _panels(drawing.lens_diagram(lens), outputs["encoded"], marks)
     return Frame(panels, _readouts(texts), describe(settings, sharp))
 
 
@@ -100,20 +106,20 @@ def _note(settings: Settings) -> str:
     return text((drawing.WIDTH / 2, drawing.HEIGHT - 12), capped, "halo", "middle")
 
 
-def _panels(diagram: str, picture: NDArray[np.uint8], note: str) -> tuple[Panel, Panel]:
+def _panels(diagram: str, picture: NDArray[np.uint8], marks: str) -> tuple[Panel, Panel]:
     width, height = drawing.WIDTH, drawing.HEIGHT
     return (
-        Panel("lens", "The cones of light, schematic", width, height, overlay=diagram),
-        Panel("picture", "The picture", width, height, picture, note),
+        Panel("picture", "What the camera sees", width, height, picture, marks),
+        Panel("lens", "Light through the lens, not to scale", width, height, overlay=diagram),
     )
 
 
 def _readouts(texts: tuple[str, ...]) -> tuple[Readout, ...]:
     names = (
-        ("near_mm", "Disc of the ball", "mm", "world"),
-        ("near_px", "Disc of the ball", "px", "world"),
-        ("far_mm", "Disc of the wall", "mm", "light"),
-        ("far_px", "Disc of the wall", "px", "light"),
+        ("near_mm", "Blur of the red ball", "mm", "error"),
+        ("near_px", "Blur of the red ball", "px", "error"),
+        ("far_mm", "Blur of the wall", "mm", "world"),
+        ("far_px", "Blur of the wall", "px", "world"),
         ("sensor", "Lens to sensor", "mm", "camera"),
         ("near_limit", "Sharp from", "m", "ray"),
         ("far_limit", "Sharp to", "m", "ray"),
@@ -130,7 +136,7 @@ def _refuse(settings: Settings, hyperfocal_m: float) -> Frame:
     focal, focus = settings.focal_length, settings.focus
     place, way = ("at", "parallel") if 1000 * focus == focal else ("inside", "spreading")
     note = text((drawing.WIDTH / 2, drawing.HEIGHT / 2), "no real image", "strong halo", "middle")
-    texts = (*("—",) * 7, format_number(hyperfocal_m, 2))
+    texts = (*("none",) * 7, format_number(hyperfocal_m, 2))
     panels = _panels(drawing.virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
     description = (
         f"No picture: an object at {1000 * focus:.0f} mm lies {place} the focal length of "
@@ -150,10 +156,15 @@ def describe(settings: Settings, sharp: Sharpness) -> str:
     near, far = (
         format_number(blur / PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
     )
+    seen = " and ".join(
+        f"the {name} {'sharp' if blur <= PITCH_MM else 'blurred'}"
+        for name, blur in (("red ball", sharp.near_blur_mm), ("wall", sharp.far_blur_mm))
+    )
     return (
-        f"At {settings.focal_length:.0f} mm and f/{settings.aperture:.1f} the lens is focused at "
-        f"{settings.focus:.2f} m and sharp {reach}; points of the red ball spread to "
-        f"discs of {near} pixels, those of the wall to {far}."
+        f"Balls and boxes on a chequered floor, {seen}. At {settings.focal_length:.0f} mm and "
+        f"f/{settings.aperture:.1f} the lens is focused at {settings.focus:.2f} m and sharp "
+        f"{reach}; points of the red ball spread to discs of {near} pixels, those of the wall to "
+        f"{far}."
     )
 
 
@@ -176,7 +187,7 @@ SCENE = Scene(
     parameters=parameters,
     tiers=TIERS,
     default_tier="layered",
-    own_drafts={SCALED: ("focus",), COARSE: ("focal_length",)},
+    own_drafts={SCALED: ("focus",), COARSE: ("focal_length",), QUICK: ("aperture",)},
     ladder="depth-of-field",
     estimate=estimate,
 )

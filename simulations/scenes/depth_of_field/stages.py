@@ -34,13 +34,16 @@ from simulations.scenes._still_life_camera.picture import (
     through_lens,
 )
 from simulations.scenes._still_life_camera.rays import Rays, blur_px, largest_blur_px, pinhole_rays
+from simulations.scenes.depth_of_field.focus_line import focus_line
 
 TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
 """Rungs of the ladder `depth-of-field`, without its random rays and without 64 rays, which would
 take seconds."""
 COARSE = "coarse"
 """The draft while the focal length moves: a ray for four pixels."""
-LAYERED = ("layered", COARSE, SCALED)
+QUICK = "quick"
+"""The draft while the aperture moves: a ray for each pixel."""
+LAYERED = ("layered", COARSE, QUICK, SCALED)
 """Tiers that blur each layer by itself."""
 FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
     "discs": lambda sharp, radius, _depth: blur_by_depth(sharp, radius),
@@ -50,6 +53,12 @@ FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
 """Tiers that blur a finished picture (3, H, W), by its radii of discs and its depths (H, W)."""
 SPIRALS: Mapping[str, Floats] = {"fibonacci-16": fibonacci_disc(16)}
 """Tiers that send rays through points (n, 2) spread over the lens."""
+COSTLY = ("gather", *SPIRALS)
+"""Tiers that are drawn with a ray for each pixel, too."""
+REDUCTIONS = {COARSE: 2.0, **dict.fromkeys((QUICK, SCALED, *COSTLY), 1.0)}
+"""Pixels per ray each way, by tier and draft."""
+FINE = 0.5
+"""The same of all others: the picture is shown wider than the sensor has pixels."""
 LIGHT_ANGLE_DEG = 40.0
 FIXED: Mapping[str, Value] = {
     "light_angle": LIGHT_ANGLE_DEG,
@@ -81,16 +90,23 @@ def depth_of(lit: LitScene) -> Floats:
     return depth
 
 
-def _overlay(lit: LitScene, enlarged: float, reduction: int) -> Planes:
+def _overlay(lit: LitScene, enlarged: float, reduction: float) -> Planes:
     return enlarge(overlay(lit, enlarged), reduction)
 
 
 def _filter(
-    sharp: Planes, lit: LitScene, focal_length: float, aperture: float, focus: float, tier: str
+    sharp: Planes,
+    lit: LitScene,
+    focal_length: float,
+    aperture: float,
+    focus: float,
+    reduction: float,
+    tier: str,
 ) -> Planes:
     """The finished picture, each pixel blurred according to its depth."""
     depth = depth_of(lit)
-    return FILTERS[tier](sharp, blur_px(focal_length, aperture, focus, depth) / 2, depth)
+    radius = blur_px(focal_length, aperture, focus, depth) / (2 * reduction)
+    return FILTERS[tier](sharp, radius, depth)
 
 
 def _rays(
@@ -103,6 +119,12 @@ def _rays(
 def encode(light: Planes) -> Raster:
     """Canvas bytes of linear light (3, H, W)."""
     return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
+
+
+def _shown(light: Planes, repeated: int) -> Raster:
+    """Canvas bytes, each repeated so many times each way: all tiers show pictures of one size."""
+    raster = encode(light)
+    return np.ascontiguousarray(raster.repeat(repeated, axis=0).repeat(repeated, axis=1))
 
 
 def _unless(tiers: Container[str], otherwise: str, tier: str) -> str:
@@ -139,7 +161,8 @@ STAGES = (
         partial(_unless, SPIRALS, "every pixel has one ray"),
         passes_on="filter",
     ),
-    Stage("encoded", encode, ("rays through the lens",)),
+    Stage("encoded", _shown, ("rays through the lens",)),
+    Stage("plane of focus", focus_line, ("light",)),
 )
 
 
@@ -150,7 +173,8 @@ def estimates(
 
     The rays form a grid that no tier uses; the wider the widest disc, the finer the grid.
     """
-    shown = picture[..., :3].astype(np.float32)
+    repeated = len(picture) // len(rays.valid)
+    shown = picture[::repeated, ::repeated, :3].astype(np.float32)
     across = math.ceil(1.5 * widest_px(focal_length, aperture, focus))
     points = aperture_grid(min(max(across, FEWEST_ACROSS), MOST_ACROSS))
     total = np.zeros((3, *shown.shape[:2]), np.float32)

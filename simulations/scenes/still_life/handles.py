@@ -6,13 +6,12 @@ from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.pictures.still_life.depth import depth_met
+from simulations.scenes._still_life_camera.focus_plane import HANDLE_TANGENT, floor_depth
 from simulations.scenes.still_life.settings import Settings
 from simulations.scenes.still_life.view import (
-    HANDLE_TANGENT,
     HEIGHT,
     UNITS_PER_TANGENT,
     WIDTH,
-    floor_depth,
     floor_row,
     tangents,
 )
@@ -23,7 +22,7 @@ def _focus(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _focus_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"focus": floor_depth(place[1])}
+    return {"focus": floor_depth(tangents(place)[1])}
 
 
 def _middle(_settings: Settings, _outputs: Outputs) -> Point:

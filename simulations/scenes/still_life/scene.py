@@ -1,13 +1,10 @@
 """A still life through a fast lens: the picture of the title page."""
 
-import numpy as np
-
-from simulations.engine.drawing import path
 from simulations.engine.frame import Frame, Panel, format_number
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.pictures.still_life.light import LitScene
 from simulations.pictures.still_life.things import THINGS, thing_depth
+from simulations.scenes._still_life_camera.focus_plane import line_on_floor
 from simulations.scenes.still_life.handles import HANDLES
 from simulations.scenes.still_life.settings import Settings
 from simulations.scenes.still_life.stages import DRAFT, STAGES, parameters
@@ -16,26 +13,9 @@ from simulations.scenes.still_life.view import HEIGHT, WIDTH, floor_row
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture, and where the plane of focus cuts the floor."""
-    line = _plane_on_floor(settings.focus, outputs["light"])
+    line = line_on_floor(outputs["light"], floor_row(settings.focus), WIDTH, HEIGHT)
     picture = Panel("picture", "", WIDTH, HEIGHT, outputs["picture"], line)
     return Frame((picture,), (), _description(settings))
-
-
-def _plane_on_floor(focus: float, lit: LitScene) -> str:
-    """The line on the floor at the distance in focus, where no thing hides it."""
-    rows, columns = lit.base_depth.shape
-    row = floor_row(focus)
-    place = min(int(row / HEIGHT * rows), rows - 1)
-    hidden = np.zeros(columns, bool)
-    for layer in lit.layers:
-        _, height, width = layer.planes.shape
-        if layer.top <= place < layer.top + height:
-            left, right = max(layer.left, 0), min(layer.left + width, columns)
-            cover = layer.planes[3, place - layer.top, left - layer.left : right - layer.left]
-            hidden[left:right] |= cover > 0.5
-    edges = np.flatnonzero(np.diff(hidden, prepend=True, append=True)) * WIDTH / columns
-    pieces = [[(left, row), (right, row)] for left, right in edges.reshape(-1, 2)]
-    return path(pieces, "casing") + path(pieces, "ray")
 
 
 def _description(settings: Settings) -> str:

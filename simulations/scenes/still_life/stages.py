@@ -23,7 +23,7 @@ from simulations.scenes.still_life.view import FILM_WIDTH_MM, FOCAL_MM, disc_wid
 
 DRAFT = "draft"
 """The picture while a control moves."""
-COLUMNS, DRAFT_COLUMNS = 960, 480
+COLUMNS, DRAFT_COLUMNS = 800, 400
 """Pixels across, at rest and in the draft; half as many down."""
 
 
