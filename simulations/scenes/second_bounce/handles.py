@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.scenes.second_bounce import profile, section
+from simulations.scenes.second_bounce import profile, room, section
 from simulations.scenes.second_bounce.settings import Settings
 from simulations.scenes.second_bounce.shown import shown_at
 
@@ -16,6 +16,22 @@ def _lamp(settings: Settings, _outputs: Outputs) -> Point:
 
 def _lamp_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"light_angle": section.angle_at(place)}
+
+
+def _lamp_in_room(settings: Settings, _outputs: Outputs) -> Point:
+    return room.lamp_at(settings.light_angle)
+
+
+def _lamp_in_room_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"light_angle": room.nearest_angle(place)}
+
+
+def _point_in_room(settings: Settings, _outputs: Outputs) -> Point:
+    return room.on_floor(settings.place)
+
+
+def _point_in_room_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"place": room.nearest_place(place)}
 
 
 def _wall(settings: Settings, _outputs: Outputs) -> Point:
@@ -44,6 +60,25 @@ def _plotted_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
+        "lamp-in-room",
+        "picture",
+        "Lamp",
+        ("light_angle",),
+        _lamp_in_room,
+        _lamp_in_room_pulled,
+        role="light",
+        reversed=("light_angle",),
+    ),
+    Handle(
+        "point-in-room",
+        "picture",
+        "Point on the floor",
+        ("place",),
+        _point_in_room,
+        _point_in_room_pulled,
+        role="image",
+    ),
+    Handle(
         "lamp",
         "section",
         "Lamp",
@@ -56,7 +91,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "wall",
         "section",
-        "Rim of the wall",
+        "Top of the wall",
         ("opening",),
         _wall,
         _wall_pulled,

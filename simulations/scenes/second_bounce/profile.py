@@ -13,8 +13,8 @@ from simulations.scenes.second_bounce.stages import PLACES, Planes
 
 PLOT = Plot(Axis(-1.0, 1.0, 42.0, 386.0), Axis(0.0, 1.2, 262.0, 44.0))
 """Places along the wall from −1 to 0, along the floor from 0 to 1."""
-FROM_EDGE = Scale(ticks=[(place, f"{abs(place):g}") for place in (-1, -0.5, 0, 0.5, 1)])
-BRIGHTNESS = Scale(ticks=(0, 0.5, 1))
+FROM_EDGE = Scale(ticks=[(place, f"{abs(place):g}") for place in (-1, 0, 1)])
+BRIGHTNESS = Scale(ticks=(0, 1))
 ALONG = np.concatenate([-PLACES[::-1], PLACES])
 
 

@@ -1,4 +1,4 @@
-"""A floor and a wall: light that bounces between the two planes, also into the lamp's shadow.
+"""A floor, a wall and a ball: light that bounces between them, also into the lamp's shadow.
 
 The computation is in `simulations.scenes.second_bounce.stages`.
 """
@@ -11,25 +11,31 @@ from simulations.engine.stages import Outputs
 from simulations.models.light.interreflection import edge_factor, shadow_end
 from simulations.scenes.second_bounce import section
 from simulations.scenes.second_bounce.handles import HANDLES
+from simulations.scenes.second_bounce.picture import marks
 from simulations.scenes.second_bounce.profile import profile
 from simulations.scenes.second_bounce.settings import BOUNCES, Settings
 from simulations.scenes.second_bounce.shown import Shown, shown_at
 from simulations.scenes.second_bounce.stages import STAGES
-from simulations.scenes.second_bounce.view import view
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The planes from the side, from the front, and as curves."""
+    """The room, the planes from the side, and their brightness as curves."""
     planes = outputs["planes"]
     shown = shown_at(planes, settings.place)
     width, height = section.WIDTH, section.HEIGHT
-    picture = view(planes, settings.opening)
     curves = profile(planes, settings.place, (shown.red, shown.blue))
     return Frame(
         panels=(
+            Panel(
+                "picture",
+                "What the camera sees",
+                width,
+                height,
+                outputs["picture"],
+                marks(settings),
+            ),
             Panel("section", "From the side", width, height, overlay=section.section(settings)),
-            Panel("picture", "What a camera sees", width, height, picture),
-            Panel("profile", "Brightness along both", width, height, overlay=curves),
+            Panel("profile", "Brightness of wall and floor", width, height, overlay=curves),
         ),
         readouts=_readouts(settings, shown),
         description=describe(settings, shown),
@@ -42,8 +48,8 @@ def _readouts(settings: Settings, shown: Shown) -> tuple[Readout, ...]:
         readout("lamp", "Point, lamp alone", shown.lamp, digits=3, role="light"),
         readout("red", "Point, red light", shown.red, digits=3, role="ray"),
         readout("blue", "Point, blue light", shown.blue, digits=3, role="image"),
-        readout("bounced", "Of red, from the wall", shown.red - shown.lamp, digits=3),
-        readout("factor", "Edge of two alike: factor", factor, digits=2),
+        readout("bounced", "Point, red light from the wall", shown.red - shown.lamp, digits=3),
+        readout("factor", "Edge of two alike: times brighter", factor, digits=2),
     )
 
 
@@ -60,14 +66,15 @@ def describe(settings: Settings, shown: Shown) -> str:
     times = "bounce" if settings.bounces == "1" else "bounces"
     wall = "red" if settings.wall == "red" else "white"
     return (
-        f"A white floor and a {wall} wall at {settings.opening:.0f}° to it, with the lamp "
-        f"{settings.light_angle:.0f}° above the floor: {shadow}, and with {count} {times} a point "
-        f"{100 * settings.place:.0f}\u00a0% out from the edge has the brightness "
-        f"{format_number(shown.red)} in red light and {format_number(shown.blue)} in blue."
+        f"A white ball on a white floor, before a {wall} wall at {settings.opening:.0f}° to it, "
+        f"with the lamp {settings.light_angle:.0f}° above the floor: {shadow}, "
+        f"and with {count} {times} a point {100 * settings.place:.0f}\u00a0% out from the "
+        f"edge has the brightness {format_number(shown.red)} in red light and "
+        f"{format_number(shown.blue)} in blue."
     )
 
 
-# The solution takes a millisecond: no tiers.
+# The picture takes a dozen milliseconds, and thirty for a new opening: no tiers.
 SCENE = Scene(
     id="second-bounce",
     title="A Shadow and a Second Bounce",

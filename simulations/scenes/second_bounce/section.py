@@ -5,6 +5,7 @@ import math
 from simulations.engine.drawing import Point, arrow, circle, dot, line, polygon, text
 from simulations.models.light.interreflection import shadow_end
 from simulations.scenes._ball.marks import lamp
+from simulations.scenes.second_bounce import room
 from simulations.scenes.second_bounce.settings import Settings
 
 WIDTH, HEIGHT = 400, 320
@@ -38,8 +39,10 @@ def section(settings: Settings) -> str:
     """Planes, lamp, shadow, and the chosen point's view of the wall."""
     wall, floor = towards(settings.opening, LENGTH), towards(0, LENGTH)
     here, source = towards(0, LENGTH * settings.place), towards(settings.light_angle, LAMP)
+    middle = EDGE[0] + LENGTH * float(room.CENTRE[0]), EDGE[1] - LENGTH * room.RADIUS
     parts = [
         polygon((here, EDGE, wall), "ray fill thin"),
+        circle(middle, room.RADIUS * LENGTH, "world thin"),
         *_shadow(settings),
         line(EDGE, floor, "world bold"),
         line(EDGE, wall, "world bold"),

@@ -19,7 +19,7 @@ class Settings:
     """The settings of the figure."""
 
     bounces: str = choice("Bounces", BOUNCES, "all")
-    light_angle: float = slider("Lamp, from the floor", 55, 10, 170, 1, unit="°")
+    light_angle: float = slider("Lamp above the floor", 55, 10, 170, 1, unit="°")
     opening: float = slider("Opening angle φ", 90, 40, 150, 1, unit="°")
     albedo: float = slider("Albedo ρ", 0.8, 0, 0.95, 0.01)
     wall: str = choice("Wall", WALLS)
