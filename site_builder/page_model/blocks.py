@@ -78,4 +78,6 @@ class Source:
     """File of the module, relative to the root of the project."""
     first_line: int
     code: str
+    docstring: tuple[int, int]
+    """Its lines in the code, from the first to before the last; equal where there is none."""
     caption: Passage

@@ -20,7 +20,7 @@ from site_builder.benchmarks.quantities import milliseconds, quantity
 from site_builder.book import Book
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
-from site_builder.markdown.text.code import code_html, highlighted_lines
+from site_builder.markdown.text.code import highlighted_lines
 from site_builder.page_model.passage import Passage
 from site_builder.pages.policy import page_policy
 from site_builder.pages.views.control import FOLDER as CONTROL_KINDS
@@ -51,7 +51,6 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "milliseconds": milliseconds,
     "marked_terms": marked_terms,
     "passage": passage_html,
-    "code": lambda code: Markup(code_html(code, "python")),
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """Functions of templates, for what is computed from the page model."""

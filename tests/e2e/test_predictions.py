@@ -1,5 +1,6 @@
 """A guess is made first and the answer met after it, whatever is guessed and by whichever hand."""
 
+import re
 from typing import Any
 
 import pytest
@@ -100,13 +101,15 @@ def test_a_sketch_is_made_by_arrow_keys_alone(plain_reader: Reader, book: Any) -
     first = form.locator("input[name=guess]").first
     first.focus()
     plain_reader.page.keyboard.press("End")
-    for press in ("Tab", "ArrowUp", "Tab", "ArrowDown"):
+    for press in ("Tab", "ArrowUp", "Tab", "ArrowDown", "Tab", "Tab", "ArrowUp"):
         plain_reader.page.keyboard.press(press)
     values = [float(i.input_value()) for i in form.locator("input[name=guess]").all()]
-    assert values == pytest.approx([1, 0.51, 0.49, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5])
+    assert values == pytest.approx([1, 0.51, 0.49, 0.5, 0.51, 0.5, 0.5, 0.5, 0.5])
     assert form.locator("circle.focused").count() == 1
     form.locator("button[type=submit]").press("Enter")
     assert form.get_attribute("data-answered") == "wrong"
+    numbers = re.findall(r"\d[\w.]*\b", form.locator(".feedback").inner_text())
+    assert numbers == ["90", "0.51", "0"], "the cosine of 90° is no more than rounding away from 0"
 
 
 def test_a_reset_takes_guesses_back(plain_reader: Reader, book: Any) -> None:

@@ -33,7 +33,8 @@ def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) ->
         return None
     first, last = _span(definitions[name])
     code = dedent("\n".join(source.splitlines()[first - 1 : last])) + "\n"
-    return Source(module, name, path, first, code, caption)
+    start, end = _docstring(definitions[name])
+    return Source(module, name, path, first, code, (start - first, end - first), caption)
 
 
 def _text_of(module: str, path: str, root: Path) -> str:
@@ -60,6 +61,14 @@ def _span(definition: Definition) -> tuple[int, int]:
     """First and last line, decorators included."""
     first = min([definition.lineno, *(item.lineno for item in definition.decorator_list)])
     return first, definition.end_lineno or first
+
+
+def _docstring(definition: Definition) -> tuple[int, int]:
+    """Its first line, and the one after its last; equal where there is none."""
+    opening = definition.body[0]
+    if ast.get_docstring(definition, clean=False) is None:
+        return opening.lineno, opening.lineno
+    return opening.lineno, (opening.end_lineno or opening.lineno) + 1
 
 
 def _modules(package: Path) -> list[str]:

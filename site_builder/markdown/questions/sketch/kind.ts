@@ -80,15 +80,20 @@ export const kind: Kind<Sketched, number[]> = {
     const farthest = Math.max(...off);
     const index = off.indexOf(farthest);
     const along = x[0] + ((x[1] - x[0]) * index) / (truth.length - 1);
-    const numbers = { x: short(along), drawn: short(given[index]), truth: short(truth[index]) };
+    const numbers = {
+      x: short(along, x),
+      drawn: short(given[index], y),
+      truth: short(truth[index], y),
+    };
     const remark = words("predict.farthest", numbers);
     return { right: farthest <= CLOSE * (y[1] - y[0]), replies: [], remark };
   },
 };
 
-/** Two digits after the first, with a true minus sign. */
-function short(value: number) {
-  return numeral(String(Number(value.toPrecision(3))).replace("-", "\u2212"));
+/** To a thousandth of its axis, or finer, with a true minus sign. */
+function short(value: number, [start, end]: [number, number]) {
+  const decimals = Math.max(0, 3 - Math.floor(Math.log10(end - start)));
+  return numeral(String(Number(value.toFixed(decimals))).replace("-", "\u2212"));
 }
 
 /** Each point that the pointer passes goes to its height. */
