@@ -245,3 +245,28 @@ WALK = """async (figure, [slider, count]) => {
   play.click();
   return {places: seen, moves};
 }"""
+
+
+PLAYS = """figure => {
+  const time = figure.querySelector('input[name=time]');
+  return new Promise((resolve) => {
+    const start = time.value;
+    setTimeout(() => resolve(time.value !== start), 1500);
+  });
+}"""
+
+
+def test_a_wheel_turns_as_it_comes_into_view_until_a_hand_is_on_it(
+    visitor: Reader, book: Any
+) -> None:
+    figure = visitor.turn_to_figure(book, "wagon-wheel")
+    assert figure.evaluate(PLAYS)
+    figure.locator("input[name=speed]").focus()
+    visitor.page.keyboard.press("ArrowRight")
+    assert not figure.evaluate(PLAYS)
+
+
+def test_a_wheel_stands_where_the_reader_asked_for_less_motion(
+    calm_visitor: Reader, book: Any
+) -> None:
+    assert not calm_visitor.turn_to_figure(book, "wagon-wheel").evaluate(PLAYS)

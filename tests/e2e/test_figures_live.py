@@ -12,6 +12,7 @@ def test_every_chapter_shows_its_figures_and_questions_and_figures_come_alive_in
     reader: Reader, book: Any
 ) -> None:
     reader.page.add_init_script(HOLD)
+    reader.page.emulate_media(reduced_motion="reduce")  # one plays as it comes into view
     reader.open(live=False)
     come_alive(reader, "landing page")
     for number, chapter in enumerate(book["chapters"]):
