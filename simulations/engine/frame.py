@@ -36,6 +36,8 @@ class Panel:
     """SVG markup in view box units; CSS classes only, so that themes and print work."""
     pixelated: bool = False
     """Show the raster's pixels as squares instead of smoothing them."""
+    lead: bool = False
+    """Whether the figure is above all this panel: it comes first, and larger than the others."""
 
     def __post_init__(self) -> None:
         raster = self.raster
@@ -125,6 +127,9 @@ class Frame:
                 entries_given = entries if isinstance(entries, tuple) else (entries,)
                 given = ", ".join(type(entry).__name__ for entry in entries_given)
                 raise TypeError(f"{name} {given}; legal: a tuple of {legal.__name__}")
+        leads = [panel.name for panel in self.panels if panel.lead]
+        if len(leads) > 1:
+            raise ValueError(f"panels {leads} all lead; legal: at most one")
         for kind, names in (
             ("panel", [panel.name for panel in self.panels]),
             ("readout", [readout.name for readout in self.readouts]),

@@ -60,24 +60,25 @@ def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
     visitor: Reader, book: Any
 ) -> None:
     visitor.page.set_viewport_size(PHONE)
-    figure = visitor.turn_to_figure(book, "aliasing")
-    strip = figure.locator(".panels")
+    figure = visitor.turn_to_figure(book, "lens-distortion")
+    strip = figure.locator(".other-panels")
     strip.focus()
     visitor.page.keyboard.press("ArrowRight")
     visitor.page.wait_for_function(SECOND_IS_SHOWN, arg=strip.element_handle())
     frames = visitor.frames(figure)
-    figure.locator("input[name=frequency]").focus()
+    figure.locator("input[name=k1]").focus()
     visitor.page.keyboard.press("ArrowRight")
     visitor.wait_frame(figure, frames)
     assert strip.evaluate(SECOND_IS_SHOWN)
 
 
 def test_a_dot_brings_its_panel_into_view_and_tells_of_it(phone: Reader, book: Any) -> None:
-    open_page(phone, next(c["url"] for c in book["chapters"] if "aliasing" in c["simulations"]))
-    figure = phone.figure("aliasing")
+    address = next(c["url"] for c in book["chapters"] if "lens-distortion" in c["simulations"])
+    open_page(phone, address)
+    figure = phone.figure("lens-distortion")
     dots = figure.locator(".panel-dots > button")
     dots.nth(1).tap()
-    strip = figure.locator(".panels").element_handle()
+    strip = figure.locator(".other-panels").element_handle()
     phone.page.wait_for_function(SECOND_IS_SHOWN, arg=strip)
     figure.locator('.panel-dots > button:nth-child(2)[aria-current="true"]').wait_for()
 

@@ -67,6 +67,12 @@ def test_names_must_be_unique_in_a_frame() -> None:
         Frame((panel,), (readout("x", "x", 1), readout("x", "y", 2)), "Shows.")
 
 
+def test_at_most_one_panel_leads() -> None:
+    both = (Panel("one", "", 400, 300, lead=True), Panel("two", "", 400, 300, lead=True))
+    with pytest.raises(ValueError, match="all lead"):
+        Frame(both, (), "Two pictures.")
+
+
 def test_a_frame_must_be_told_in_words() -> None:
     with pytest.raises(ValueError, match="description"):
         Frame((Panel("a", "", 400, 300),), (), "  ")

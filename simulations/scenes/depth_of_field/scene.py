@@ -109,7 +109,7 @@ def _note(settings: Settings) -> str:
 def _panels(diagram: str, picture: NDArray[np.uint8], marks: str) -> tuple[Panel, Panel]:
     width, height = drawing.WIDTH, drawing.HEIGHT
     return (
-        Panel("picture", "What the camera sees", width, height, picture, marks),
+        Panel("picture", "What the camera sees", width, height, picture, marks, lead=True),
         Panel("lens", "Light through the lens, not to scale", width, height, overlay=diagram),
     )
 

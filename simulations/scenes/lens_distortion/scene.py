@@ -46,7 +46,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     bow = largest_bow_px(lens)
     return Frame(
         panels=(
-            Panel("picture", "The photograph", VIEW_WIDTH, VIEW_HEIGHT, outputs["encoded"], over),
+            Panel(
+                "picture",
+                "The photograph",
+                VIEW_WIDTH,
+                VIEW_HEIGHT,
+                outputs["encoded"],
+                over,
+                lead=True,
+            ),
             Panel(
                 "grid", "A straight grid and its image", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.grid
             ),

@@ -52,6 +52,7 @@ class SimulationView:
     """The scene's title, numbered where the page shows the scene again."""
     description: str
     panels: tuple[PanelView, ...]
+    """The one that leads first."""
     cells: tuple[Cell, ...]
     """Controls in sight."""
     folded_cells: tuple[Cell, ...]
@@ -80,7 +81,7 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
             PanelView(
                 panel, *_picture(still, panel.name, assets), _handles(still, panel.name, words)
             )
-            for panel in frame.panels
+            for panel in sorted(frame.panels, key=lambda panel: not panel.lead)
         ),
         cells=cells,
         folded_cells=folded_cells,

@@ -16,14 +16,14 @@ export function installPanelDots() {
 
 function show(dot: HTMLButtonElement) {
   const dots = dot.parentElement;
-  const strip = dots?.previousElementSibling;
+  const strip = dots?.previousElementSibling?.querySelector(".other-panels");
   if (!dots || !strip) return;
   strip.scrollTo({ left: (way(strip) * Number(dot.dataset.place)) / (dots.children.length - 1) });
 }
 
 function pushed({ target }: Event) {
-  if (!(target instanceof HTMLElement) || !target.matches(".panels")) return;
-  const dots = target.nextElementSibling;
+  if (!(target instanceof HTMLElement) || !target.matches(".other-panels")) return;
+  const dots = target.parentElement?.nextElementSibling;
   if (!dots?.matches(".panel-dots")) return;
   const place = Math.round((target.scrollLeft / way(target)) * (dots.children.length - 1));
   for (const dot of all(dots, "button", HTMLButtonElement)) {

@@ -1,6 +1,6 @@
 /** What can be pushed sideways can be focused, so that arrow keys push it, too. */
 
-const BOXES = ".panels, .formula, .table-wrapper, .nowrap, :is(p, li) > math, pre";
+const BOXES = ".other-panels, .formula, .table-wrapper, .nowrap, :is(p, li) > math, pre";
 
 const sizes = new ResizeObserver((entries) => mark(entries.map(({ target }) => target)));
 
