@@ -12,8 +12,8 @@ import pytest
 from support.label_boxes import in_figures, labels
 
 from simulations.engine.controls import Slider
+from simulations.scenes._mapped_square.plane import HEIGHT, WIDTH, lines_at_infinity
 from simulations.scenes.transform_2d.handles import matrix
-from simulations.scenes.transform_2d.plane import HEIGHT, WIDTH, lines_at_infinity
 from simulations.scenes.transform_2d.scene import SCENE
 
 SLIDERS = {control.name: control for control in SCENE.controls if isinstance(control, Slider)}

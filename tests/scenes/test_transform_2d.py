@@ -11,12 +11,12 @@ from support.frames import frame_of, texts_at
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import apply_homography
-from simulations.scenes.transform_2d.family import transformation
+from simulations.scenes._mapped_square.family import transformation
+from simulations.scenes._mapped_square.plane import HEIGHT, WIDTH, from_view, to_view
+from simulations.scenes._mapped_square.square import SQUARE
 from simulations.scenes.transform_2d.handles import matrix
 from simulations.scenes.transform_2d.hierarchy import RUNGS
-from simulations.scenes.transform_2d.plane import HEIGHT, WIDTH, from_view, to_view
 from simulations.scenes.transform_2d.scene import SCENE
-from simulations.scenes.transform_2d.square import SQUARE
 
 AMOUNTS = (0, 1, 30, 57, 58, 70, 99, 100)
 PROPERTIES = ("orientation", "lengths", "angles", "parallels", "lines")

@@ -1,7 +1,6 @@
 """Handles of the explorer: P, its image, a corner of the image, and the families."""
 
 from collections.abc import Mapping
-from functools import lru_cache
 
 import numpy as np
 
@@ -10,9 +9,10 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import apply_homography
-from simulations.scenes.transform_2d import family, hierarchy
-from simulations.scenes.transform_2d.marks import nearest_amount
-from simulations.scenes.transform_2d.plane import from_view, to_view
+from simulations.scenes._mapped_square import family
+from simulations.scenes._mapped_square.marks import nearest_amount
+from simulations.scenes._mapped_square.plane import from_view, to_view
+from simulations.scenes.transform_2d import hierarchy
 from simulations.scenes.transform_2d.settings import Settings
 
 
@@ -25,17 +25,6 @@ def matrix(settings: Settings) -> Floats:
     """The matrix (3, 3) that the figure shows."""
     pull = (settings.pull_x, settings.pull_y)
     return family.pulled(settings.transform, unpulled(settings), pull)
-
-
-@lru_cache(maxsize=8)
-def way(kind: str, pull: Point) -> Floats:
-    """The matrices (101, 3, 3) of all whole amounts."""
-    return family.pulled(kind, _unpulled_way(kind), pull)
-
-
-@lru_cache(maxsize=8)
-def _unpulled_way(kind: str) -> Floats:
-    return np.array([family.transformation(kind, float(amount)) for amount in range(101)])
 
 
 def _point(settings: Settings, _outputs: Outputs) -> Point:
@@ -53,7 +42,7 @@ def _image(settings: Settings, _outputs: Outputs) -> Point | None:
 
 
 def _image_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    matrices = way(settings.transform, (settings.pull_x, settings.pull_y))
+    matrices = family.way(settings.transform, (settings.pull_x, settings.pull_y))
     point = np.array([settings.point_x, settings.point_y])
     return {"amount": float(nearest_amount(matrices, point, place))}
 

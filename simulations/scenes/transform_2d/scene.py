@@ -8,14 +8,13 @@ from simulations.engine.frame import Frame, Panel, Readout, format_number, matri
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
-from simulations.models.geometry import transforms
 from simulations.models.geometry.preserved_properties import Preservation, measure_preservation
-from simulations.scenes.transform_2d import marks, plane
-from simulations.scenes.transform_2d.handles import HANDLES, matrix, way
+from simulations.scenes._mapped_square import family, marks, plane
+from simulations.scenes._mapped_square.measures import area_ratio, describe_point, point_readouts
+from simulations.scenes._mapped_square.square import grid_segments
+from simulations.scenes.transform_2d.handles import HANDLES, matrix
 from simulations.scenes.transform_2d.hierarchy import RUNGS, hierarchy_panel
-from simulations.scenes.transform_2d.plane import image_of
 from simulations.scenes.transform_2d.settings import Settings
-from simulations.scenes.transform_2d.square import SQUARE, grid_segments
 
 ROUNDING = 1e-9
 """Largest measured change, in radians or as a share, that counts as rounding."""
@@ -42,7 +41,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
 
 def plane_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
     """Original and image on common axes."""
-    matrices = way(settings.transform, (settings.pull_x, settings.pull_y))
+    matrices = family.way(settings.transform, (settings.pull_x, settings.pull_y))
     overlay = "".join(
         (
             plane.axes(),
@@ -56,42 +55,12 @@ def plane_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
     return Panel("plane", "Original and image", plane.WIDTH, plane.HEIGHT, overlay=overlay)
 
 
-def point_readouts(H: Floats, point: Floats) -> tuple[Readout, ...]:
-    """The image of P, and the divisor w."""
-    image, valid = transforms.apply_homography(H, point)
-    w = float(H[2] @ [*point, 1.0])
-    if not valid:
-        nowhere = ("x", "y")
-        gone = tuple(
-            Readout(name, f"{name}′ of P′", "at infinity", "", "image") for name in nowhere
-        )
-        return (*gone, readout("w", "w at P", w, digits=3))
-    x, y = (float(value) for value in image)
-    return (
-        readout("x", "x′ of P′", x, digits=1, role="image"),
-        readout("y", "y′ of P′", y, digits=1, role="image"),
-        readout("w", "w at P", w, digits=3),
-    )
-
-
 def entries_of(H: Floats) -> list[list[str]]:
     """H with two decimals; four in the last row, whose entries divide by lengths."""
     rows = [[format_number(float(entry), 2) for entry in row] for row in H[:2]]
     affine = not H[2, :2].any()
     last = ["0", "0", "1"] if affine else [format_number(float(entry), 4) for entry in H[2]]
     return [*rows, last]
-
-
-def area_ratio(H: Floats) -> float:
-    """Area of the square's image over that of the square; infinite if it is cut."""
-    image = image_of(H, SQUARE)
-    return math.inf if image.cut else area(image.points) / area(SQUARE)
-
-
-def area(polygon: Floats) -> float:
-    """Area by the shoelace formula."""
-    x, y = polygon[:, 0], polygon[:, 1]
-    return 0.5 * abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1)))
 
 
 def preservation_readouts(measured: Preservation) -> tuple[Readout, ...]:
@@ -135,18 +104,6 @@ def describe(kind: str, H: Floats, measured: Preservation) -> str:
     }
     preserved = [name for name, change in changes.items() if change <= ROUNDING]
     return f"The square under {RUNGS[kind].phrase} {size}; kept: {', '.join(preserved)}."
-
-
-def describe_point(H: Floats, point: Floats) -> str:
-    """The image of P, in words."""
-    here = coordinates(point, 0)
-    image, valid = transforms.apply_homography(H, point)
-    return f"P at {here} goes to {coordinates(image, 1) if valid else 'infinity'}."
-
-
-def coordinates(point: Floats, digits: int) -> str:
-    x, y = (format_number(float(value), digits) for value in point)
-    return f"({x}, {y})"
 
 
 SCENE = Scene("transform-2d", "2D Transform Explorer", Settings, draw, handles=HANDLES)

@@ -1,4 +1,4 @@
-"""The plane of the transform explorer: its axes, the square, and the lines at infinity."""
+"""The plane of the square: its axes, the square, and the lines at infinity."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ from simulations.models.geometry.transforms import (
     clip_half_plane,
     clip_to_visible,
 )
-from simulations.scenes.transform_2d.square import GRID, LETTER, SQUARE
+from simulations.scenes._mapped_square.square import GRID, LETTER, SQUARE
 
 WIDTH, HEIGHT = 400.0, 340.0
 SCALE = 1.6

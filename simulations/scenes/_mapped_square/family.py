@@ -1,4 +1,4 @@
-"""The matrices of the explorer: one of each family, and the change by pulling a corner.
+"""The matrices of the square's images: one of each family, and the change by pulling a corner.
 
 Four corners have eight coordinates. Pulling one corner uses two degrees of freedom of a family; the
 remaining ones keep other corners fixed: none under a translation, the opposite one under a
@@ -8,12 +8,13 @@ transformation, all three under a homography.
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 
 import numpy as np
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import transforms
-from simulations.scenes.transform_2d.square import SQUARE
+from simulations.scenes._mapped_square.square import SQUARE
 
 LOWER_LEFT, LOWER_RIGHT, UPPER_RIGHT, PULLED = range(4)
 """Indices of corners of the square. No transformation here maps the upper left one to infinity."""
@@ -49,6 +50,17 @@ def transformation(kind: str, amount: float) -> Floats:
         return H
     tilt = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-amount / 10000.0, amount / 3000.0, 1.0]]
     return transforms.projective(H @ tilt)
+
+
+@lru_cache(maxsize=8)
+def way(kind: str, pull: tuple[float, float] = (0.0, 0.0)) -> Floats:
+    """The matrices (101, 3, 3) of all whole amounts."""
+    return pulled(kind, _unpulled_way(kind), pull)
+
+
+@lru_cache(maxsize=8)
+def _unpulled_way(kind: str) -> Floats:
+    return np.array([transformation(kind, float(amount)) for amount in range(101)])
 
 
 def pulled(kind: str, H: Floats, pull: Sequence[float]) -> Floats:

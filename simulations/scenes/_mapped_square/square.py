@@ -1,4 +1,4 @@
-"""The square of the transform explorer, with the letter and the lines in it."""
+"""The square that is mapped, with the letter and the lines in it."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The marks in the plane of the transform explorer: P, its image, and the corners."""
+"""The marks in the plane of the square: P, its image, and the corners."""
 
 from collections.abc import Iterator
 
@@ -8,9 +8,9 @@ from simulations.engine import drawing
 from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import apply_homography, sign_of_w
-from simulations.scenes.transform_2d import family
-from simulations.scenes.transform_2d.plane import HEIGHT, WIDTH, from_view, in_frame, to_view
-from simulations.scenes.transform_2d.square import SQUARE
+from simulations.scenes._mapped_square import family
+from simulations.scenes._mapped_square.plane import HEIGHT, WIDTH, from_view, in_frame, to_view
+from simulations.scenes._mapped_square.square import SQUARE
 
 CLEAR = 15.0
 """Distance from a point to its label, in view box units, with space for a handle between."""
