@@ -103,7 +103,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "nyquist",
         "spectrum",
-        "Nyquist frequency",
+        "Limit at Nyquist",
         ("rate",),
         _nyquist,
         _nyquist_pulled,

@@ -88,7 +88,7 @@ def _aimed(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("aim", "photograph", "What to focus on", ("focus",), _middle, _aimed, "aim"),
+    Handle("aim", "photograph", "Object to focus on", ("focus",), _middle, _aimed, "aim"),
     Handle("focus", "plan", "Distance in focus", ("focus",), _focus, _focus_pulled, role="ray"),
     Handle(
         "edge",

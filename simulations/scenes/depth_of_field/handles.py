@@ -94,5 +94,5 @@ HANDLES: tuple[Handle[Settings], ...] = (
         role="camera",
         reversed=("aperture",),
     ),
-    Handle("aim", "picture", "What to focus on", ("focus",), _middle, _aimed, "aim"),
+    Handle("aim", "picture", "Object to focus on", ("focus",), _middle, _aimed, "aim"),
 )

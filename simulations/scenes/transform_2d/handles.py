@@ -78,7 +78,9 @@ HANDLES: tuple[Handle[Settings], ...] = (
         _corner_pulled,
         role="image",
     ),
-    Handle("point", "plane", "P", ("point_x", "point_y"), _point, _point_pulled, role="world"),
+    Handle(
+        "point", "plane", "Point P", ("point_x", "point_y"), _point, _point_pulled, role="world"
+    ),
     Handle("image", "plane", "Image of P", ("amount",), _image, _image_pulled, role="image"),
     Handle(
         "family",

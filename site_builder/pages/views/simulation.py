@@ -30,6 +30,8 @@ class HandleView:
     """Least, present and greatest value of what it drives first; of a menu, places in it."""
     keys: str
     """What the arrow keys do."""
+    hint: str
+    """What a hand does: ``Drag the lamp``."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,9 +128,17 @@ def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView,
         said = (f"{item.label} {value_text(item, values[item.name], words)}" for item in driven)
         reach = driven[0].span(values[driven[0].name])
         place = places.get(handle.name)
-        return HandleView(handle, place, ", ".join(said), reach, _keys(driven, words))
+        return HandleView(
+            handle, place, ", ".join(said), reach, _keys(driven, words), _hint(handle, words)
+        )
 
     return tuple(view(handle) for handle in scene.handles if handle.panel == panel)
+
+
+def _hint(handle: Handle[Any], words: Words) -> str:
+    key, label = "figure.press" if handle.reach == "aim" else "figure.drag", handle.label
+    begins = words(key, handle="").startswith(" ")
+    return words(key, handle=label if begins else label[:1].lower() + label[1:])
 
 
 def _keys(driven: Sequence[Control], words: Words) -> str:

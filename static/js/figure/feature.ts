@@ -1,6 +1,7 @@
 /** What a book with figures ships: the elements, and gestures on them. */
 
 import { SimulationFigure } from "./element.ts";
+import { nudgeFirstHandle, watchHands } from "./nudge.ts";
 import { installGestures, offerWords, returned } from "./gestures.ts";
 import { installPanelDots } from "./panel_dots.ts";
 import { prewarmNext, watchInput } from "./prewarm.ts";
@@ -11,12 +12,14 @@ export function install() {
   installPanelDots();
   installGestures();
   watchInput();
+  watchHands();
 }
 
 /** Called for each page. */
 export function arrive() {
   offerWords();
   prewarmNext();
+  nudgeFirstHandle();
 }
 
 export { returned };

@@ -1,0 +1,53 @@
+"""A handle says what a hand does with it, and the first of a page moves once."""
+
+import pytest
+from playwright.sync_api import Browser, Locator, expect
+from support.reader import Reader, visit
+from support.static_server import StaticServer
+
+pytestmark = pytest.mark.browser
+
+CHAPTER = "lens-distortion/"
+FIRST = ".handle:not(.drag, .aim, [hidden])"
+
+
+def hint_is_seen(handle: Locator) -> bool:
+    seen: bool = handle.evaluate(
+        "async handle => {"
+        "  await Promise.all(handle.getAnimations({subtree: true}).map((one) => one.finished));"
+        "  return getComputedStyle(handle, '::after').opacity === '1'; }"
+    )
+    return seen
+
+
+def test_a_handle_that_is_pointed_at_says_what_to_do_and_is_quiet_while_dragged(
+    guest: Reader,
+) -> None:
+    page = guest.page
+    guest.open(CHAPTER)
+    page.mouse.move(0, 0)
+    handle = page.locator(FIRST).first
+    handle.scroll_into_view_if_needed()
+    handle.hover()
+    assert hint_is_seen(handle)
+    assert str(handle.get_attribute("data-hint")).startswith("Drag the ")
+    page.mouse.down()
+    assert not hint_is_seen(handle)
+    page.mouse.up()
+
+
+@pytest.mark.parametrize("motion", ["no-preference", "reduce"])
+def test_the_first_handle_of_a_page_moves_once_where_motion_is_welcome(
+    chromium: Browser, server: StaticServer, motion: str
+) -> None:
+    with visit(chromium, server, reduced_motion=motion) as reader:
+        reader.open(CHAPTER)
+        handle = reader.page.locator(FIRST).first
+        values = reader.page.evaluate("location.search")
+        handle.evaluate("handle => handle.scrollIntoView({block: 'center'})")
+        if motion == "reduce":
+            reader.page.wait_for_timeout(300)
+            expect(handle).not_to_have_class("nudged")
+        else:
+            expect(handle).to_contain_class("nudged")
+        assert reader.page.evaluate("location.search") == values
