@@ -57,9 +57,18 @@ def _span(content: str, kind: str, down_em: float) -> str:
 def swatch(corner: Point, width: float, height: float, srgb: Sequence[float]) -> str:
     """A rectangle in a computed colour, 0 to 1, the same in all themes."""
     x, y, w, h = (coordinate(value) for value in (corner[0], corner[1], width, height))
+    return f'<rect class="swatch" x="{x}" y="{y}" width="{w}" height="{h}" fill="{_hex(srgb)}"/>'
+
+
+def swatch_polygon(points: Sequence[Point], srgb: Sequence[float]) -> str:
+    """A polygon, likewise."""
+    corners = " ".join(f"{coordinate(x)},{coordinate(y)}" for x, y in points)
+    return f'<polygon class="swatch" points="{corners}" fill="{_hex(srgb)}"/>'
+
+
+def _hex(srgb: Sequence[float]) -> str:
     red, green, blue = (round(255 * min(max(float(value), 0.0), 1.0)) for value in srgb)
-    fill = f"#{red:02x}{green:02x}{blue:02x}"
-    return f'<rect class="swatch" x="{x}" y="{y}" width="{w}" height="{h}" fill="{fill}"/>'
+    return f"#{red:02x}{green:02x}{blue:02x}"
 
 
 def polar(centre: Point, radius: float, angle_rad: float) -> tuple[float, float]:

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine import drawing
+from simulations.engine.drafting import polar, swatch_polygon
 from simulations.engine.frame import format_number
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.raycasting import Box, Sphere
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, Thing
 
@@ -154,23 +156,20 @@ def _wall(back: float) -> str:
     left, right = (8.0, on_plan(0, WALL_DISTANCE)[1]), (PLAN_WIDTH - 8.0, 0.0)
     row = left[1]
     return drawing.line(left, (right[0], row), "world bold") + drawing.text(
-        (10, row - 7), f"wall with test chart, {WALL_DISTANCE + back:.3g} m", "world small"
+        (10, row - 7), f"wall, {WALL_DISTANCE + back:.3g} m", "world small"
     )
 
 
 def _thing(thing: Thing, back: float) -> str:
-    x, y, _ = thing.solid.centre
-    centre, units = on_plan(x, y, back), units_per_metre(back)
+    """The thing in its own colour, which tells it from the others."""
     match thing.solid:
-        case Sphere(radius=radius):
-            reach = radius * units
-            shape = drawing.circle(centre, reach, "world fill")
+        case Sphere(centre=(x, y, _), radius=radius):
+            reach, middle = radius * units_per_metre(back), on_plan(x, y, back)
+            turns = np.linspace(0.0, 2.0 * math.pi, 36, endpoint=False)
+            outline = [polar(middle, reach, float(turn)) for turn in turns]
         case Box() as box:
-            shape = drawing.polygon(_corners(box, back), "world fill")
-            reach = box.size[0] * units / 2
-    side = -1 if x < 0 else 1
-    label = (centre[0] + side * (reach + 6), centre[1] + 4)
-    return shape + drawing.text(label, thing.name, "world small halo", "end" if x < 0 else "start")
+            outline = _corners(box, back)
+    return swatch_polygon(outline, encode_srgb(thing.albedo).tolist())
 
 
 def _corners(box: Box, back: float) -> list[Point]:

@@ -97,7 +97,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
     return Frame(
         panels=(
-            Panel("photograph", "Captured image", PLAN_WIDTH, PLAN_HEIGHT, photograph),
+            Panel("photograph", "What the camera records", PLAN_WIDTH, PLAN_HEIGHT, photograph),
             Panel("plan", "From above", PLAN_WIDTH, PLAN_HEIGHT, overlay=plan),
         ),
         readouts=_readouts(now, view_rad, near, far, quality),
