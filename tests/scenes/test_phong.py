@@ -10,9 +10,11 @@ from support.frames import frame_of, pixels_of, texts_of
 
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.scenes._ball.ball import PIXELS_PER_UNIT, RADIUS_PX, build_ball, light_direction
+from simulations.scenes.phong import width
 from simulations.scenes.phong.gloss import (
     ALBEDO,
     angles_at,
+    fading,
     half_width_rad,
     highlight,
     lobe,
@@ -51,6 +53,19 @@ def test_the_half_width_read_out_is_where_the_drawn_lobe_has_half_its_height(
     highlight = lobe(0, model, shininess, specular=1) - ALBEDO[0]
     width_deg = np.interp(0.5, highlight[:89:-1], np.arange(0.0, 91.0)[::-1])
     assert math.degrees(half_width_rad(model, shininess)) == pytest.approx(width_deg, abs=0.3)
+
+
+@pytest.mark.parametrize("model", ["phong", "blinn_phong"])
+def test_the_plot_of_the_width_is_the_drawn_lobe_and_its_handle_sets_the_shininess(
+    model: str,
+) -> None:
+    """Normal and lamp in line, so that the camera's turn is its angle from the normal."""
+    drawn = lobe(0, model, 30, specular=1) - ALBEDO[0]
+    turns = np.radians(np.arange(0.0, 61.0))
+    np.testing.assert_allclose(fading(model, 30, turns), drawn[90:151], atol=1e-9)
+    place = width.at(model, 30)
+    assert place is not None
+    assert SCENE.pull(SCENE.check({"model": model}), "width", place) == {"shininess": 30}
 
 
 def test_blinn_needs_a_fourfold_exponent() -> None:

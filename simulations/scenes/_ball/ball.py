@@ -158,7 +158,7 @@ def _whole_pixels(rgba: NDArray[np.uint8]) -> NDArray[np.uint32]:
 
 def camera_panel(picture: Raster, overlay: str) -> Panel:
     """The picture with its marks."""
-    return Panel("camera", "What the camera sees", WIDTH, HEIGHT, picture, overlay)
+    return Panel("camera", "What the camera sees", WIDTH, HEIGHT, picture, overlay, lead=True)
 
 
 def true_cosine(ball: Ball, angle_deg: float) -> NDArray[np.float64]:

@@ -20,6 +20,8 @@ PLOT = Plot(
     Axis(float(WAVELENGTHS_NM[0]), float(WAVELENGTHS_NM[-1]), 34.0, 386.0),
     Axis(0.0, 1.0, 262.0, 52.0),
 )
+BELOW = HEIGHT - round(PLOT.y.start)
+"""Space below the floor, for the names of the axis."""
 FINE = 2
 """Pixels per unit of the view box."""
 STRIP = 10
@@ -32,27 +34,27 @@ GREY = 0.15
 """Grey added to the colours of the strip, which are all outside the display's gamut."""
 
 
-def curve(heights: Floats, style: str) -> str:
+def curve(heights: Floats, style: str, plot: Plot = PLOT) -> str:
     """A spectrum (81,) of heights from 0 to 1."""
-    return PLOT.curve(WAVELENGTHS_NM, heights, style)
+    return plot.curve(WAVELENGTHS_NM, heights, style)
 
 
-def area(heights: Floats, style: str) -> str:
+def area(heights: Floats, style: str, plot: Plot = PLOT) -> str:
     """The area under a spectrum."""
-    return PLOT.area(WAVELENGTHS_NM, heights, style)
+    return plot.area(WAVELENGTHS_NM, heights, style)
 
 
 @cache
-def axes() -> str:
+def axes(plot: Plot = PLOT) -> str:
     """Lines, ticks and their names."""
-    return PLOT.frame(WAVELENGTHS, SHARES)
+    return plot.frame(WAVELENGTHS, SHARES)
 
 
 @cache
-def colours_below() -> Raster:
+def colours_below(plot: Plot = PLOT) -> Raster:
     """(H, W, 4) the colours of the wavelengths as near as a display can show, under the floor."""
-    picture = np.zeros((FINE * HEIGHT, FINE * WIDTH, 4), np.uint8)
-    floor = FINE * round(PLOT.y.start)
+    floor = FINE * round(plot.y.start)
+    picture = np.zeros((floor + FINE * BELOW, FINE * WIDTH, 4), np.uint8)
     picture[floor + FINE : floor + FINE * STRIP, COLUMNS] = _rainbow()
     return picture
 

@@ -37,6 +37,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 HEIGHT,
                 outputs["picture"],
                 marks(view, settings.roughness, settings.specular),
+                lead=True,
             ),
             Panel(
                 "lobe",

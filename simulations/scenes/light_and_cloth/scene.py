@@ -32,7 +32,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     sent_back = axes.colours_under(light / light.max() * pair[0])
     return Frame(
         panels=(
-            Panel("light", "Light × cloth", width, height, sent_back, curves),
+            Panel("light", "Light × cloth", width, height, sent_back, curves, lead=True),
             Panel(
                 "patches",
                 "What the eye sees",

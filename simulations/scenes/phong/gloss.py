@@ -70,6 +70,17 @@ def half_width_rad(model: str, shininess: float) -> float:
     return MODELS[model].turn * math.acos(2 ** (-1 / shininess))
 
 
+def shininess_of_width(model: str, turn_rad: float) -> float:
+    """The shininess with that half-width, which is above 0 and below a right angle."""
+    return math.log(0.5) / math.log(math.cos(turn_rad / MODELS[model].turn))
+
+
+def fading(model: str, shininess: float, turn_rad: Floats) -> Floats:
+    """The highlight (...) as a share of its middle, to a camera that turns away in the plane of n
+    and l, by less than a right angle."""
+    return np.cos(turn_rad / MODELS[model].turn) ** shininess
+
+
 @dataclass(frozen=True, slots=True)
 class Angles:
     """Cosines at the probed point, none of them clamped."""

@@ -8,6 +8,7 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.scenes._ball.marks import angle_of_normal
 from simulations.scenes._ball.probe import bearing_deg, probe_on_ball
+from simulations.scenes.phong import width
 from simulations.scenes.phong.drawing import FOOT, VECTOR, highlight_grip, lamp_place, towards
 from simulations.scenes.phong.settings import Settings
 
@@ -49,6 +50,14 @@ def _angle_at_foot(place: Point, present_deg: float) -> float:
     return bearing_deg(across, up, present_deg)
 
 
+def _width(settings: Settings, _outputs: Outputs) -> Point | None:
+    return width.at(settings.model, settings.shininess)
+
+
+def _width_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"shininess": width.shininess_at(place, settings.model)}
+
+
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "highlight",
@@ -70,5 +79,15 @@ HANDLES: tuple[Handle[Settings], ...] = (
         _camera_pulled,
         role="camera",
         reversed=("probe",),
+    ),
+    Handle(
+        "width",
+        "width",
+        "Width of the highlight",
+        ("shininess",),
+        _width,
+        _width_pulled,
+        role="ray",
+        reversed=("shininess",),
     ),
 )

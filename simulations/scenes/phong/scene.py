@@ -42,6 +42,7 @@ from simulations.scenes.phong.gloss import (
 )
 from simulations.scenes.phong.handles import HANDLES
 from simulations.scenes.phong.settings import Settings
+from simulations.scenes.phong.width import width_plot
 
 
 def _matte(normals: Floats, ball: Ball, light_angle: float) -> Floats:
@@ -80,7 +81,7 @@ STAGES = (
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The ball and the lobe."""
+    """The ball, the lobe, and the width of the highlight."""
     light_angle, probe, model = settings.light_angle, settings.probe, settings.model
     shininess, specular = settings.shininess, settings.specular
     at = angles_at(light_angle, probe)
@@ -97,6 +98,13 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 WIDTH,
                 HEIGHT,
                 overlay=lobes(settings, matte),
+            ),
+            Panel(
+                "width",
+                "Width of the highlight",
+                WIDTH,
+                HEIGHT,
+                overlay=width_plot(model, shininess),
             ),
         ),
         readouts=(

@@ -33,6 +33,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 height,
                 outputs["picture"],
                 marks(settings),
+                lead=True,
             ),
             Panel("section", "From the side", width, height, overlay=section.section(settings)),
             Panel("profile", "Brightness of wall and floor", width, height, overlay=curves),

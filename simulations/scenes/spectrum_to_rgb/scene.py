@@ -15,7 +15,7 @@ from simulations.scenes._spectra import axes, patches
 from simulations.scenes._spectra.choices import NAMES
 from simulations.scenes._spectra.words import lit_surface
 from simulations.scenes.spectrum_to_rgb.handles import HANDLES
-from simulations.scenes.spectrum_to_rgb.sensed import sensed
+from simulations.scenes.spectrum_to_rgb.sensed import HEIGHT, PLOT, sensed
 from simulations.scenes.spectrum_to_rgb.settings import Settings
 from simulations.scenes.spectrum_to_rgb.stages import CHART, STAGES, Colours
 
@@ -38,13 +38,14 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 outputs["picture"],
                 CHART.overlay(settings.surface),
                 pixelated=True,
+                lead=True,
             ),
             Panel(
                 "sensor",
                 "What the sensor takes of the light",
                 axes.WIDTH,
-                axes.HEIGHT,
-                axes.colours_below(),
+                HEIGHT,
+                axes.colours_below(PLOT),
                 areas,
             ),
         ),

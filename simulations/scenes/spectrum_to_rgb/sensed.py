@@ -1,12 +1,16 @@
 """The panel of the sensor: its curves, and their products with the light of the surface."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from simulations.engine.drawing import text
 from simulations.models.arrays import Floats
 from simulations.models.color.spectra import WAVELENGTHS_NM
-from simulations.scenes._spectra.axes import PLOT, area, axes, curve
+from simulations.scenes._spectra import axes
 
+HEIGHT = 470
+"""Taller than the other panel, beside which it is narrower."""
+PLOT = replace(axes.PLOT, y=replace(axes.PLOT.y, start=float(HEIGHT - axes.BELOW)))
 LEGEND = 24.0
 """Row of the names of the curves."""
 LETTERS = {"camera": ("R", "G", "B"), "eye": ("x̄", "ȳ", "z̄")}
@@ -16,9 +20,9 @@ def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw:
     """The sensor's curves (81, 3), and their products with the light from a surface."""
     back = light / light.max() * reflectance
     scale = curves.max()
-    parts = [axes()]
-    parts += [area(back * each / scale, "image fill thin") for each in curves.T]
-    parts += [curve(each / scale, "camera thin") for each in curves.T]
+    parts = [axes.axes(PLOT)]
+    parts += [axes.area(back * each / scale, "image fill thin", PLOT) for each in curves.T]
+    parts += [axes.curve(each / scale, "camera thin", PLOT) for each in curves.T]
     parts += _letters(curves / scale, LETTERS[sensor])
     sums = ", ".join(
         f"{letter} {value:.2f}" for letter, value in zip(LETTERS[sensor], raw, strict=True)
