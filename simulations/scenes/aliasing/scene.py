@@ -75,7 +75,8 @@ def _overlays(pattern: Pattern, kernel: Prefilter, own: Own | None) -> tuple[str
 
 
 def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) -> Panel:
-    return Panel(name, title, row.WIDTH, row.HEIGHT, raster, overlay, raster is not None)
+    is_picture = raster is not None
+    return Panel(name, title, row.WIDTH, row.HEIGHT, raster, overlay, is_picture, lead=is_picture)
 
 
 def _readouts(pattern: Pattern, passed: float, remaining: float) -> tuple[Readout, ...]:

@@ -51,7 +51,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def _panel(name: str, title: str, raster: Raster, overlay: str) -> Panel:
-    return Panel(name, title, drawing.WIDTH, drawing.HEIGHT, raster, overlay)
+    width, height = drawing.WIDTH, drawing.HEIGHT
+    return Panel(name, title, width, height, raster, overlay, lead=name == "picture")
 
 
 def _enlarged(picture: Raster, settings: Settings) -> Panel:

@@ -53,7 +53,9 @@ def _panels(settings: Settings, shown: Raster, codes: NDArray[np.integer]) -> tu
     patterns = pattern_table(codes, settings.first)
     table = drawing.code_table(codes, settings.first)
     return (
-        Panel("picture", "The picture before and after", width, height, shown, wipe + frame),
+        Panel(
+            "picture", "The picture before and after", width, height, shown, wipe + frame, lead=True
+        ),
         Panel("block", "The framed block, enlarged", width, height, close, grid, pixelated=True),
         Panel("codes", "How much of each pattern", width, height, patterns, table, pixelated=True),
     )

@@ -32,6 +32,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 outputs["picture"],
                 star_overlay(settings),
                 pixelated=True,
+                lead=True,
             ),
             Panel(
                 "spot",

@@ -79,7 +79,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) -> Panel:
     width, height = drawing.WIDTH, drawing.HEIGHT
-    return Panel(name, title, width, height, raster, overlay, raster is not None)
+    lead = name == "wedge"
+    return Panel(name, title, width, height, raster, overlay, raster is not None, lead=lead)
 
 
 def noise_share(transfer: Transfer, patch: int) -> str:

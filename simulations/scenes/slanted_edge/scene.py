@@ -33,6 +33,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 to_rgba8(encode_srgb(np.clip(picture, 0.0, 1.0))),
                 drawing.over_picture(settings.angle),
                 pixelated=True,
+                lead=True,
             ),
             Panel(
                 "across",

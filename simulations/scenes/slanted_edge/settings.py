@@ -9,6 +9,6 @@ from simulations.engine.settings import slider
 class Settings:
     """The settings of the figure."""
 
-    angle: float = slider("Slant of the edge", 5, 0, 30, 0.5, unit="°")
+    angle: float = slider("Slant of the edge", 5, 0, 20, 0.5, unit="°")
     aperture: float = slider("Aperture", 8, 2.8, 22, 0.1, prefix="f/")
     pitch: float = slider("Pixel pitch p", 4, 2, 8, 0.1, unit="µm")

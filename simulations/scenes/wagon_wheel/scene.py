@@ -46,6 +46,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 height,
                 outputs["film"],
                 drawing.over_film(apparent, sure),
+                lead=True,
             ),
             Panel(
                 "wheel",
