@@ -137,7 +137,7 @@ def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
         if index > reached:
             parts.append(drawing.text((34, top + 28), entry.title, f"{style} strong"))
         else:
-            parts.append(drawing.text((34, top + 19), entry.title, f"{style} strong"))
+            parts.append(drawing.text((34, top + 17), entry.title, f"{style} strong"))
             weight = "strong" if index == reached else ""
-            parts.append(drawing.text((34, top + 37), entry.numbers, weight))
+            parts.append(drawing.text((34, top + 38.5), entry.numbers, weight))
     return "".join(parts)

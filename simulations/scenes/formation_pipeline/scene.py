@@ -34,7 +34,14 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     ledger = draw_ledger(entries, station)
     return Frame(
         panels=(
-            Panel("way", "The way of the light (not to scale)", WIDTH, HEIGHT, overlay=way),
+            Panel(
+                "way",
+                "The way of the light (not to scale)",
+                WIDTH,
+                HEIGHT,
+                overlay=way,
+                lead=True,
+            ),
             Panel(
                 "ledger",
                 "What is known after each step",

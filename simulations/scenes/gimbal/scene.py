@@ -49,6 +49,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 rings.WIDTH,
                 rings.HEIGHT,
                 overlay=outputs["rings"],
+                lead=True,
             ),
             Panel(
                 "sight", "What the camera sees", sight.WIDTH, sight.HEIGHT, overlay=outputs["sight"]

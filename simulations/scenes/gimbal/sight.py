@@ -14,7 +14,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry import euler
 from simulations.models.geometry.transforms import clip_half_plane
 
-WIDTH, HEIGHT = 400.0, 300.0
+WIDTH, HEIGHT = 400.0, 340.0
 CENTRE = np.array([WIDTH / 2.0, HEIGHT / 2.0])
 FOCAL = 260.0
 """Focal length in view box units: the picture is 75° wide."""

@@ -9,8 +9,8 @@ from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.scenes._mapped_square import family
 
-WIDTH, HEIGHT = 400.0, 300.0
-PLOT = Plot(Axis(0.0, 100.0, 46.0, 386.0), Axis(-1.0, 2.0, 250.0, 36.0))
+WIDTH, HEIGHT = 400.0, 340.0
+PLOT = Plot(Axis(0.0, 100.0, 46.0, 386.0), Axis(-1.0, 2.0, 290.0, 36.0))
 SCALES = (Scale("amount", ticks=(0.0, 50.0, 100.0)), Scale("w", ticks=(0.0, 1.0)))
 
 

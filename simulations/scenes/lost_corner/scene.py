@@ -30,7 +30,14 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     )
     return Frame(
         panels=(
-            Panel("plane", "A square and its image", plane.WIDTH, plane.HEIGHT, overlay=overlay),
+            Panel(
+                "plane",
+                "A square and its image",
+                plane.WIDTH,
+                plane.HEIGHT,
+                overlay=overlay,
+                lead=True,
+            ),
             Panel(
                 "divisor",
                 "What the coordinates of P′ are divided by",

@@ -10,11 +10,11 @@ from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.scenes.rotation_3d.sphere import MANNERS, ROLES, STEPS, Path
 
-WIDTH, HEIGHT = 400.0, 300.0
-PLOT = Plot(Axis(0.0, 1.0, 52.0, 384.0), Axis(0.0, 180.0, 250.0, 36.0))
+WIDTH, HEIGHT = 400.0, 340.0
+PLOT = Plot(Axis(0.0, 1.0, 52.0, 384.0), Axis(0.0, 180.0, 290.0, 36.0))
 SCALES = (
     Scale("progress s", ticks=(0.0, 0.5, 1.0)),
-    Scale("turned so far, °", ticks=(0.0, 90.0, 180.0)),
+    Scale("turned so far, °", ticks=(0.0, 60.0, 120.0)),
 )
 
 

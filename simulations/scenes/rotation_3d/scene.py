@@ -38,6 +38,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 sphere.WIDTH,
                 sphere.HEIGHT,
                 overlay=sphere.draw(there, outputs["traces"], outputs["view"], chosen, share),
+                lead=True,
             ),
             Panel(
                 "progress",

@@ -8,9 +8,9 @@ from simulations.scenes.stability import plot
 from simulations.scenes.stability.errors import Errors
 from simulations.scenes.stability.settings import Settings
 
-WIDTH, HEIGHT = 400.0, 240.0
-LEFT, RIGHT, BAR = 16.0, 384.0, 34.0
-ROWS = (62.0, 152.0)
+WIDTH, HEIGHT = 400.0, 290.0
+LEFT, RIGHT, BAR = 16.0, 384.0, 46.0
+ROWS = (66.0, 178.0)
 """Tops of the two bars."""
 CELLS = {"float64": 16, "float32": 8}
 """Digits that each format can hold, rounded up."""

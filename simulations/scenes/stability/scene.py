@@ -22,6 +22,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 plot.WIDTH,
                 plot.HEIGHT,
                 overlay=plot.draw(settings, errors),
+                lead=True,
             ),
             Panel(
                 "digits",

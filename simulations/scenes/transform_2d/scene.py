@@ -52,7 +52,9 @@ def plane_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
             marks.point_and_image(H, matrices[::4], point),
         )
     )
-    return Panel("plane", "Original and image", plane.WIDTH, plane.HEIGHT, overlay=overlay)
+    return Panel(
+        "plane", "Original and image", plane.WIDTH, plane.HEIGHT, overlay=overlay, lead=True
+    )
 
 
 def entries_of(H: Floats) -> list[list[str]]:
