@@ -38,9 +38,9 @@ OFFER = """(address) => {
 
 @pytest.fixture(scope="module")
 def chapters(book: Any) -> list[Any]:
-    """Two that follow each other, each with one figure, and one that is far from them."""
+    """One with one figure, the next, which has some too, and one that is far from them."""
     few = [len(chapter["simulations"]) for chapter in book["chapters"]]
-    first = next(at for at in range(len(few)) if few[at : at + 2] == [1, 1])
+    first = next(at for at in range(len(few)) if few[at] == 1 and few[at + 1])
     far = next(at for at in range(first + 3, len(few)) if few[at])
     return [book["chapters"][at] for at in (first, first + 1, far)]
 

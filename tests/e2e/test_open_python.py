@@ -26,7 +26,8 @@ THE_BOOK_CHANGES = """() => {
 
 
 def figures(reader: Reader) -> list[Locator]:
-    return reader.page.locator('simulation-figure[data-simulation="lens-distortion"]').all()
+    places = ("figure-lens-distortion", "figure-two-coefficients")
+    return [reader.page.locator(f"#{place} simulation-figure") for place in places]
 
 
 def open_python(figure: Locator, part: str = "encoded") -> None:

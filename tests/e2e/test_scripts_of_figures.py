@@ -17,6 +17,7 @@ pytestmark = pytest.mark.browser
 ROOT = Path(__file__).resolve().parents[2]
 
 FIGURES = """() => [...document.querySelectorAll('simulation-figure')].map((figure) => ({
+  id: figure.closest('figure').id,
   scene: figure.dataset.simulation,
   schema: JSON.parse(figure.querySelector('script.schema').textContent),
   says: [...figure.querySelectorAll('.readout')].map((box) => [
@@ -92,7 +93,7 @@ def test_the_script_that_is_copied_prints_what_the_figure_shows_now(
     figure.locator("[data-copy-python]").click()
     figure.locator(".tools-said", has_text="copied").wait_for()
     shown = next(
-        each for each in visitor.page.evaluate(FIGURES) if each["scene"] == "lens-distortion"
+        each for each in visitor.page.evaluate(FIGURES) if each["id"] == "figure-lens-distortion"
     )
     assert run_elsewhere(tmp_path, [copied(visitor.page)]) == [says(shown["says"])]
 
