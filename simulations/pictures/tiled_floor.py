@@ -46,6 +46,8 @@ class Box:
     y: float
     width: float
     height: float
+    paint: tuple[float, float, float] = BOX_PAINT
+    """Linear RGB."""
 
     @property
     def spans(self) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
@@ -136,7 +138,7 @@ def with_box(
     sides = box.seen_from(-rotation.T @ offset)
     if sides:
         corners = world_to_camera([box.side(name) for name in sides], pose)
-        _paint(picture, corners, np.asarray(K, float), [LIGHT[name] for name in sides])
+        _paint(picture, corners, np.asarray(K, float), [LIGHT[name] for name in sides], box.paint)
     return picture
 
 
@@ -146,7 +148,13 @@ def _shade(picture: NDArray[np.float32], corners: Floats, K: Floats) -> None:
     picture[rows, columns] *= (1.0 - (1.0 - SHADE) * share)[..., None]
 
 
-def _paint(picture: NDArray[np.float32], sides: Floats, K: Floats, lights: Sequence[float]) -> None:
+def _paint(
+    picture: NDArray[np.float32],
+    sides: Floats,
+    K: Floats,
+    lights: Sequence[float],
+    paint: Sequence[float],
+) -> None:
     """Draw sides (M, 4, 3) in the camera frame that do not hide each other.
 
     They are summed before they are composited, so that the floor is not visible through their
@@ -161,7 +169,7 @@ def _paint(picture: NDArray[np.float32], sides: Floats, K: Floats, lights: Seque
         light += np.float32(brightness) * share
     light /= np.maximum(covered, 1.0)
     part *= (1.0 - np.minimum(covered, 1.0))[..., None]
-    part += light[..., None] * np.asarray(BOX_PAINT, np.float32)
+    part += light[..., None] * np.asarray(paint, np.float32)
 
 
 def polygon_coverage(

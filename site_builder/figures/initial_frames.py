@@ -41,10 +41,11 @@ class InitialFrame:
 
     @property
     def main_panel(self) -> Panel:
-        """What stands for the figure where there is room for one panel: the first that is a
-        picture, else the first."""
+        """What stands for the figure where there is room for one panel: its lead, else the first
+        that is a picture, else the first."""
         panels = self.frame.panels
-        return next((panel for panel in panels if panel.name in self.pictures), panels[0])
+        pictures = (panel for panel in panels if panel.name in self.pictures)
+        return next((panel for panel in panels if panel.lead), next(pictures, panels[0]))
 
 
 type InitialFrames = dict[tuple[str, int], InitialFrame]

@@ -114,3 +114,10 @@ def test_sides_that_are_seen_edge_on_cover_nothing() -> None:
     np.testing.assert_array_equal(picture[: int(low[1])], floor[: int(low[1])])
     below = np.s_[int(high[1]) - 2, int(high[0]) - 4]
     np.testing.assert_allclose(picture[below], floor[below] * SHADE, rtol=1e-5)
+
+
+def test_a_box_has_the_colour_of_its_paint() -> None:
+    pose, centred = pose_above_ground(1.5, 0.0, 0.0), intrinsics(160.0, (99.5, 74.5))
+    floor = tiled_floor(pose, centred, 200, 150)
+    blue = with_box(floor, pose, centred, Box(0.0, 6.0, 2.0, 3.0, (0.1, 0.2, 0.4)))
+    np.testing.assert_allclose(blue[75, 100] / blue[75, 100, 2], (0.25, 0.5, 1.0), rtol=1e-3)

@@ -97,7 +97,14 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
     return Frame(
         panels=(
-            Panel("photograph", "What the camera records", PLAN_WIDTH, PLAN_HEIGHT, photograph),
+            Panel(
+                "photograph",
+                "What the camera records",
+                PLAN_WIDTH,
+                PLAN_HEIGHT,
+                photograph,
+                lead=True,
+            ),
             Panel("plan", "From above", PLAN_WIDTH, PLAN_HEIGHT, overlay=plan),
         ),
         readouts=_readouts(now, view_rad, near, far, quality),

@@ -47,7 +47,7 @@ def pixel_at(spot: drawing.Point) -> Floats:
 def left_panel(view: View, floor: Raster) -> Panel:
     foot = project(_foot(view), view.pair.K)[0]
     overlay = _post(view.left, foot) + _image(view.left)
-    return Panel("left", "Left picture", WIDTH, HEIGHT, floor, overlay)
+    return Panel("left", "What the left camera sees", WIDTH, HEIGHT, floor, overlay)
 
 
 def right_panel(view: View, floor: Raster, line: bool) -> Panel:
@@ -56,7 +56,7 @@ def right_panel(view: View, floor: Raster, line: bool) -> Panel:
     if line:
         parts += [_row(view), _line(view), _depths(view)]
     parts += [_disparity(view), _image(view.right)]
-    return Panel("right", "Right picture", WIDTH, HEIGHT, floor, "".join(parts))
+    return Panel("right", "What the right camera sees", WIDTH, HEIGHT, floor, "".join(parts))
 
 
 def _foot(view: View) -> Floats:
@@ -82,18 +82,11 @@ def _post(top: Floats, foot: Floats) -> str:
 
 
 def _image(pixel: Floats) -> str:
-    """The lamp and its pixel, or its direction if it is outside the picture."""
-    words = f"({format_number(pixel[0], 1)}, {format_number(pixel[1], 1)}) px"
+    """The lamp, or its direction if it is outside the picture."""
     if not in_picture(pixel):
-        side = "left" if pixel[0] < 0 else "right"
-        text = f"outside, to the {side}: {words}"
+        text = f"outside, to the {'left' if pixel[0] < 0 else 'right'}"
         return drawing.text((WIDTH / 2.0, 22.0), text, "image halo", "middle")
-    x, y = place(pixel)
-    below = y < 40.0
-    label = (min(max(x, 70.0), WIDTH - 70.0), y + 28.0 if below else y - 16.0)
-    return drawing.dot((x, y), "image", 5.0) + drawing.text(
-        label, words, "image strong halo", "middle"
-    )
+    return drawing.dot(place(pixel), "image", 5.0)
 
 
 def _row(view: View) -> str:
@@ -143,7 +136,9 @@ def _disparity(view: View) -> str:
             drawing.arrow(*ends, "image"),
             drawing.circle(start, 5.0, "image"),
         ]
-        middle = (min(max((start[0] + end[0]) / 2.0, 50.0), WIDTH - 50.0), ends[0][1] + 18.0)
         words = f"d = {format_number(view.disparity, 1)} px"
-        parts.append(drawing.text(middle, words, "image small halo", "middle"))
+        left, right = sorted((float(start[0]), float(end[0])))
+        fits = right < WIDTH - 90.0
+        beside = (right + 10.0 if fits else left - 10.0, ends[0][1] + 4.0)
+        parts.append(drawing.text(beside, words, "image small halo", "start" if fits else "end"))
     return "".join(parts)

@@ -5,13 +5,16 @@ import math
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.engine.frame import Panel, format_number
+from simulations.engine.drafting import swatch_polygon
+from simulations.engine.frame import Panel
 from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.geometry.transforms import clip_half_plane
+from simulations.scenes.two_views.stages import BLOCKS
 from simulations.scenes.two_views.view import HALF_WIDTH_PX, View
 
 WIDTH, HEIGHT = 400.0, 300.0
-TITLE = "From above (X drawn stretched)"
+TITLE = "From above, widths stretched"
 CENTRE = np.array([30.0, 135.0])
 """The left camera, seen from above: depth to the right, X downwards."""
 DEPTH_SCALE, SIDE_SCALE = 17.5, 32.0
@@ -41,8 +44,22 @@ def axis_end(view: View) -> Floats:
 
 
 def plan_panel(view: View) -> Panel:
-    parts = (_depth_axis(), _cameras(view), _rays(view), _doubt(view), _point(view))
-    return Panel("plan", TITLE, WIDTH, HEIGHT, overlay="".join(parts))
+    parts = (_blocks(), _depth_axis(), _cameras(view), _rays(view), _doubt(view), _point(view))
+    return Panel("plan", TITLE, WIDTH, HEIGHT, overlay="".join(parts), lead=True)
+
+
+def _blocks() -> str:
+    """What stands on the square, in its colours."""
+    shapes = []
+    for block in BLOCKS:
+        (x0, x1), (y0, y1), _ = block.spans
+        corners = np.array([above(y, x) for y, x in ((y0, x0), (y1, x0), (y1, x1), (y0, x1))])
+        for limit in LIMITS:
+            corners = clip_half_plane(corners, limit)
+        if len(corners) > 2:
+            points = [(float(x), float(y)) for x, y in corners]
+            shapes.append(swatch_polygon(points, encode_srgb(block.paint).tolist()))
+    return "".join(shapes)
 
 
 def _segment(start: Floats, end: Floats, style: str) -> str:
@@ -79,9 +96,6 @@ def _cameras(view: View) -> str:
     parts.append(_segment(right, axis_end(view), "camera thin"))
     parts.append(drawing.line(left, right, "camera bold"))
     parts += [drawing.dot(left, "camera", 4.5), drawing.dot(right, "camera", 4.5)]
-    parts.append(drawing.text((4.0, left[1] - 13.0), "left", "camera small halo"))
-    words = f"b = {format_number(pair.baseline)} m"
-    parts.append(drawing.text((4.0, right[1] + 26.0), words, "camera small halo"))
     return "".join(parts)
 
 
@@ -107,10 +121,4 @@ def _point(view: View) -> str:
     spot = above(view.depth, float(view.point[0]))
     if not (0.0 <= spot[0] <= WIDTH and 0.0 <= spot[1] <= HEIGHT):
         return ""
-    up = spot[1] > HEIGHT / 2.0
-    row = min(max(spot[1] + (26.0 if up else -16.0), 16.0), HEIGHT - 40.0)
-    column = min(max(spot[0], 52.0), WIDTH - 40.0)
-    label = f"Z = {format_number(view.depth, 1)} m"
-    return drawing.dot(spot, "world", 5.0) + drawing.text(
-        (column, row), label, "world strong halo", "middle"
-    )
+    return drawing.dot(spot, "world", 5.0)

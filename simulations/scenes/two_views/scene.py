@@ -85,7 +85,8 @@ def _description(settings: Settings, view: View) -> str:
     )
     error = settings.matching_error
     return (
-        f"Two cameras {position}. A lamp {format_number(view.depth, 1)} m away has a disparity of "
+        f"Two cameras {position}, before coloured blocks on a tiled square. A lamp "
+        f"{format_number(view.depth, 1)} m away has a disparity of "
         f"{format_number(view.disparity, 1)} px and is {row}{seen}"
         + (f"; a match good to {format_number(error, 1)} px {doubt}." if error else ".")
     )
