@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from support.frames import frame_of
+from support.frames import frame_of, pixels_of
 
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
@@ -15,8 +15,7 @@ frame = partial(frame_of, SCENE)
 
 
 def light(**given: object) -> Floats:
-    raster = frame(**given).panels[1].raster
-    assert raster is not None
+    raster = pixels_of(frame(**given), 0)
     return np.asarray(decode_srgb(raster[..., :3] / 255.0))
 
 

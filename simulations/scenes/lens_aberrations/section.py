@@ -18,7 +18,7 @@ UNITS_PER_MM = 5.0
 LENS_X, AXIS_Y = 200.0, 138.0
 LENS_MM, SENSOR_MM = 25.0, 26.0
 """Half heights as drawn."""
-BLADE_MM, TUBE_MM = 20.0, 14.0
+BLADE_MM, TUBE_MM = 17.5, 14.0
 """Outer ends of the stop and of the rim, with their marks."""
 SPREAD = 5.0
 """Exaggeration of the dispersion, which would be too small to see."""

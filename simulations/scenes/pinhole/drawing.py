@@ -13,7 +13,7 @@ MIDDLE = 156.0
 FRONT, WALL = 196.0, 364.0
 """Columns of the side with the hole and of the wall with the picture."""
 HALF_BOX = 130.0
-UNITS_PER_MM = 32.0
+UNITS_PER_MM = 54.0
 RISE = 0.44
 """Slope of a beam."""
 BEAMS = (("world", 1.0), ("light", -1.0))

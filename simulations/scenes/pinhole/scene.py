@@ -17,11 +17,13 @@ def spread(settings: Settings) -> float:
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The box from the side, and the wall as seen from within."""
+    """The wall as seen from within, and the box from the side."""
     return Frame(
         panels=(
-            Panel("section", "The box", WIDTH, HEIGHT, overlay=section(settings.hole)),
             Panel("wall", "The picture on the wall", WIDTH, HEIGHT, outputs["picture"]),
+            Panel(
+                "section", "The box from the side", WIDTH, HEIGHT, overlay=section(settings.hole)
+            ),
         ),
         readouts=_readouts(settings),
         description=describe(settings),
@@ -33,7 +35,9 @@ def _readouts(settings: Settings) -> tuple[Readout, ...]:
     return (
         readout("straight", "Spot, straight rays", settings.hole, "mm", digits=2, role="camera"),
         readout("spread", "Spot, diffraction", spread(settings), "mm", digits=2),
-        readout("light", f"Light, of that at {WIDEST_MM:g} mm", light, "%", digits=2, role="light"),
+        readout(
+            "light", f"Light, compared with {WIDEST_MM:g} mm", light, "%", digits=2, role="light"
+        ),
     )
 
 

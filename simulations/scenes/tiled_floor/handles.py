@@ -19,6 +19,9 @@ from simulations.scenes.tiled_floor.drawing import (
 from simulations.scenes.tiled_floor.settings import Settings
 from simulations.scenes.tiled_floor.view import MIDDLE, Camera, box_of, camera_of
 
+ASIDE_PX = 80.0
+"""Distance along the horizon of its handle from the box's, which start in the middle."""
+
 type At = Callable[[Settings, Outputs], Point | None]
 type Pull = Callable[[Settings, Point], Mapping[str, Value]]
 
@@ -62,10 +65,12 @@ def _top_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _level(settings: Settings, _outputs: Outputs) -> Point:
-    """The point of the horizon that is nearest to the principal point."""
+    """A point of the horizon, aside from the one nearest to the principal point."""
     view = camera_of(settings)
     middle, line = view.K[:2, 2], view.horizon
-    return in_picture(middle - (line[:2] @ middle + line[2]) * line[:2])
+    nearest = middle - (line[:2] @ middle + line[2]) * line[:2]
+    aside = ASIDE_PX if settings.principal_x <= 0.0 else -ASIDE_PX
+    return in_picture(nearest + aside * np.array([line[1], -line[0]]))
 
 
 def _level_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:

@@ -1,6 +1,7 @@
 """A tiled floor in perspective: vanishing points, the horizon, and measurements by them."""
 
 import math
+from dataclasses import fields
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from simulations.models.projection.vanishing import angle_between
 from simulations.scenes.tiled_floor.drawing import HEIGHT, WIDTH, picture_overlay, plane_overlay
 from simulations.scenes.tiled_floor.handles import HANDLES
 from simulations.scenes.tiled_floor.settings import Settings
-from simulations.scenes.tiled_floor.stages import STAGES
+from simulations.scenes.tiled_floor.stages import DRAFT, STAGES, parameters
 from simulations.scenes.tiled_floor.view import (
     HEIGHT_PX,
     MIDDLE,
@@ -28,10 +29,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     over, around = (draw(view, box, settings.lines) for draw in (picture_overlay, plane_overlay))
     return Frame(
         panels=(
-            Panel("picture", "The picture", WIDTH, HEIGHT, outputs["picture"], over),
+            Panel("picture", "What the camera sees", WIDTH, HEIGHT, outputs["picture"], over),
             Panel(
                 "plane",
-                "The image plane, three times as wide",
+                "The whole image plane",
                 WIDTH,
                 HEIGHT,
                 outputs["wider"],
@@ -80,9 +81,9 @@ def _readouts(settings: Settings, view: Camera) -> tuple[Readout, ...]:
         )
     ]
     box = (
-        Readout("box", "Box, by the horizon", "behind", "", "world")
+        Readout("box", "Box height by the horizon", "behind", "", "world")
         if measured is None
-        else readout("box", "Box, by the horizon", measured, "m", role="world")
+        else readout("box", "Box height by the horizon", measured, "m", role="world")
     )
     return (
         readout("horizon", "Horizon in row", horizon_row(view), "px", digits=1, role="camera"),
@@ -133,4 +134,6 @@ SCENE = Scene(
     draw=draw,
     stages=STAGES,
     handles=HANDLES,
+    parameters=parameters,
+    own_drafts={DRAFT: tuple(each.name for each in fields(Settings) if each.name != "lines")},
 )
