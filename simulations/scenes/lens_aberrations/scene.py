@@ -49,6 +49,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 height,
                 close,
                 pixelated=True,
+                lead=True,
             ),
             Panel("lens", "The light of that corner, from the side", width, height, overlay=cut),
             Panel("picture", "The whole picture", width, height, picture, frame),

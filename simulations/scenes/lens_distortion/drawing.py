@@ -33,8 +33,8 @@ SAMPLE = (0.6, -0.4)
 """The ideal point whose shift is shown: a crossing of the grid. Only in the strongest barrels is it
 past the fold."""
 INNER, OUTER = (0.6, 0.45), (0.72, -0.54)
-"""The ideal points marked in the photograph, towards corners. While k₂ is 0, the inner one is always
-in view."""
+"""The ideal points marked in the photograph, towards corners. While k₂ is 0, the inner one
+is always in view."""
 VISIBLE_RADIUS_UNITS = 238.0
 """Radius above which too little of a circle is visible in the corners for a label."""
 

@@ -46,7 +46,7 @@ def image_panel(view: View) -> Panel:
             point(view) if view.visible else no_image(view),
         )
     )
-    return Panel("image", "The picture", WIDTH, HEIGHT, overlay=overlay)
+    return Panel("image", "The picture", WIDTH, HEIGHT, overlay=overlay, lead=True)
 
 
 def axes() -> str:

@@ -200,7 +200,7 @@ def _ray_without_image(view: View) -> str:
 def centre(view: View) -> str:
     """The centre, or how far to the left it is."""
     if view.camera.parallel:
-        words = "parallel rays: the centre is at infinity"
+        words = "parallel rays: centre at infinity"
     elif view.camera.centre_m < LEFT_M:
         words = f"centre: {-view.camera.centre_m:.0f} m farther back"
     else:

@@ -20,7 +20,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The wall as seen from within, and the box from the side."""
     return Frame(
         panels=(
-            Panel("wall", "The picture on the wall", WIDTH, HEIGHT, outputs["picture"]),
+            Panel("wall", "The picture on the wall", WIDTH, HEIGHT, outputs["picture"], lead=True),
             Panel(
                 "section", "The box from the side", WIDTH, HEIGHT, overlay=section(settings.hole)
             ),

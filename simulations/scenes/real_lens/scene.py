@@ -47,6 +47,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 width,
                 height,
                 overlay=section.draw(settings, glass, fan, marked, heights),
+                lead=True,
             ),
             Panel(
                 "close",

@@ -29,7 +29,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     over, around = (draw(view, box, settings.lines) for draw in (picture_overlay, plane_overlay))
     return Frame(
         panels=(
-            Panel("picture", "What the camera sees", WIDTH, HEIGHT, outputs["picture"], over),
+            Panel(
+                "picture",
+                "What the camera sees",
+                WIDTH,
+                HEIGHT,
+                outputs["picture"],
+                over,
+                lead=True,
+            ),
             Panel(
                 "plane",
                 "The whole image plane",
