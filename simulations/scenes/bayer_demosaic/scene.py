@@ -71,9 +71,9 @@ def _readouts(errors: Errors, shared: tuple[float, float]) -> tuple[Readout, ...
     correlation = " / ".join(format_number(each, 2) for each in shared)
     psnr, light = (format_number(each, 1) for each in (errors.psnr_db, errors.light_psnr_db))
     return (
-        Readout("psnr", "Fidelity on the screen (PSNR)", psnr, "dB", "error"),
-        Readout("shared", "Correlation with green: red / blue", correlation),
-        Readout("light", "Fidelity in light (PSNR)", light, "dB"),
+        Readout("psnr", "Fidelity (PSNR)", psnr, "dB", "error"),
+        Readout("shared", "Correlation with green, R / B", correlation),
+        Readout("light", "Fidelity in light", light, "dB"),
         Readout("worst", "Worst error", format_number(errors.worst_codes, 0), "of 255", "error"),
     )
 
