@@ -60,6 +60,8 @@ def _pair(place: Floats) -> Point:
 
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("image", "plane", "Image of P", ("amount",), _image, _image_pulled, role="image"),
-    Handle("point", "plane", "P", ("point_x", "point_y"), _point, _point_pulled, role="world"),
+    Handle(
+        "point", "plane", "Point P", ("point_x", "point_y"), _point, _point_pulled, role="world"
+    ),
     Handle("amount", "divisor", "Amount", ("amount",), _amount, _amount_pulled, "press", "image"),
 )
