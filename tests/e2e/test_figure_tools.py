@@ -132,7 +132,7 @@ def test_words_and_readouts_light_up_what_has_their_colour(guest: Reader, figure
             guest.page.wait_for_function(lit, arg=[element.element_handle(), role])
         guest.page.mouse.move(0, 0)
         guest.page.wait_for_function(lit, arg=[figure.element_handle(), ""])
-    caption.locator(".role-image").focus()
+    caption.locator(".role-image").hover()
     guest.page.wait_for_function(lit, arg=[figure.element_handle(), "image"])
     faded = "element => getComputedStyle(element).opacity !== '1'"
     guest.page.wait_for_function(

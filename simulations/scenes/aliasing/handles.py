@@ -99,7 +99,9 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "drag",
         reversed=("phase",),
     ),
-    Handle("ring", "picture", "Nyquist ring", ("frequency",), _ring, _ring_pulled, role="camera"),
+    Handle(
+        "ring", "picture", "Ring at Nyquist", ("frequency",), _ring, _ring_pulled, role="camera"
+    ),
     Handle(
         "nyquist",
         "spectrum",

@@ -68,5 +68,5 @@ def _camera_pulled(_settings: Settings, pointer: Point) -> Mapping[str, Value]:
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("marker", "way", "Light", ("station",), _marker, _marker_pulled, "press", "ray"),
     Handle("camera", "way", "Camera", ("distance",), _camera, _camera_pulled, role="camera"),
-    Handle("line", "ledger", "Step in the list", ("station",), _line, _line_pulled, "press"),
+    Handle("line", "ledger", "Mark in the list", ("station",), _line, _line_pulled, "press"),
 )

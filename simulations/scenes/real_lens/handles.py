@@ -65,7 +65,7 @@ def _on_curve_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("ray", "lens", "Height of the marked ray", ("height",), _ray, _ray_pulled, role="ray"),
+    Handle("ray", "lens", "Marked ray", ("height",), _ray, _ray_pulled, role="ray"),
     Handle(
         "front",
         "lens",
@@ -95,11 +95,11 @@ HANDLES: tuple[Handle[Settings], ...] = (
         role="world",
         reversed=("vergence",),
     ),
-    Handle("opening", "aberration", "Half opening", ("opening",), _opening, _opening_pulled),
+    Handle("opening", "aberration", "Edge of the opening", ("opening",), _opening, _opening_pulled),
     Handle(
         "curve",
         "aberration",
-        "Height of the marked ray",
+        "Marked ray",
         ("height",),
         _on_curve,
         _on_curve_pulled,

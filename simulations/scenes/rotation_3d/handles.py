@@ -52,6 +52,8 @@ def _view(settings: Settings) -> Floats:
 
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("sight", "blend", "Line of sight", ("t",), _sight, _sight_pulled, role="camera"),
-    Handle("progress", "progress", "Progress", ("t",), _mark, _mark_pulled, "press", "camera"),
+    Handle(
+        "progress", "progress", "Mark on the curves", ("t",), _mark, _mark_pulled, "press", "camera"
+    ),
     background("blend"),
 )

@@ -15,6 +15,9 @@ from simulations.scenes._mapped_square.plane import from_view, to_view
 from simulations.scenes.transform_2d import hierarchy
 from simulations.scenes.transform_2d.settings import Settings
 
+HALF_WAY = 14.0
+"""From half way between two marks of families up to the edge of a frame."""
+
 
 def unpulled(settings: Settings) -> Floats:
     """The matrix (3, 3) of family and amount alone."""
@@ -61,7 +64,7 @@ def _family(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _family_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"transform": hierarchy.innermost_at(place)}
+    return {"transform": hierarchy.innermost_at((place[0], place[1] - HALF_WAY))}
 
 
 def _pair(place: Floats) -> Point:

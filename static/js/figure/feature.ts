@@ -2,7 +2,7 @@
 
 import { SimulationFigure } from "./element.ts";
 import { nudgeFirstHandle, watchHands } from "./nudge.ts";
-import { installGestures, offerWords, returned } from "./gestures.ts";
+import { installGestures, returned } from "./gestures.ts";
 import { installPanelDots } from "./panel_dots.ts";
 import { prewarmNext, watchInput } from "./prewarm.ts";
 
@@ -17,7 +17,6 @@ export function install() {
 
 /** Called for each page. */
 export function arrive() {
-  offerWords();
   prewarmNext();
   nudgeFirstHandle();
 }

@@ -7,7 +7,6 @@ import { isPlain, within } from "../page/dom.ts";
 
 /** What may have the colour of an idea: words, parts of formulae, readouts, handles, controls. */
 const COLOURED = '[class*="role-"], .control';
-const SYMBOL = 'math [class^="role-"]';
 
 /** Figures that the reader has changed since the page was opened. */
 const touched = new WeakSet();
@@ -19,37 +18,8 @@ export function installGestures() {
   document.addEventListener("figure-rest", rested);
   // What a press copies must be at hand when it comes: browsers forbid it a moment later.
   document.addEventListener("toggle", fetchTools, true);
-  document.addEventListener("keydown", walkFormula);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
   for (const type of ["pointerover", "focusin"]) document.addEventListener(type, highlight);
-}
-
-/**
- * What stands for an idea can be focused, as it can be pointed at: each word, and of each formula
- * the first symbol, from which arrow keys lead to the others.
- */
-export function offerWords() {
-  for (const word of document.querySelectorAll('main span[class^="role-"]')) {
-    word.setAttribute("tabindex", "0");
-  }
-  for (const formula of document.querySelectorAll("main math")) {
-    for (const [index, symbol] of formula.querySelectorAll('[class^="role-"]').entries()) {
-      symbol.setAttribute("tabindex", index === 0 ? "0" : "-1");
-    }
-  }
-}
-
-function walkFormula(event: KeyboardEvent) {
-  const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-  const symbol = within(event, SYMBOL, MathMLElement);
-  if (!step || !symbol) return;
-  const symbols = [...(symbol.closest("math")?.querySelectorAll('[class^="role-"]') ?? [])];
-  const next = symbols[symbols.indexOf(symbol) + step];
-  if (!(next instanceof MathMLElement)) return;
-  event.preventDefault();
-  symbol.setAttribute("tabindex", "-1");
-  next.setAttribute("tabindex", "0");
-  next.focus();
 }
 
 /** The address has become another one of the same page: its figures follow. */

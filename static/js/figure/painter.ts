@@ -107,6 +107,11 @@ export function takeStills(figure: HTMLElement) {
 
 function putInPlace(view: HTMLElement, canvas: HTMLCanvasElement) {
   canvas.classList.add("live");
+  const title = view.closest(".panel")?.querySelector(".panel-title");
+  if (title) {
+    canvas.role = "img";
+    canvas.setAttribute("aria-labelledby", title.id);
+  }
   const still = view.querySelector("img.still");
   if (still) still.replaceWith(canvas);
   else view.prepend(canvas);
