@@ -75,7 +75,8 @@ def describe(settings: Settings, exchange: Exchange, seen: float) -> str:
     verdict = ", more than came" if exchange.sent > 1 + 1e-9 else ""
     alike = "" if _alike(exchange) else "; light and camera exchanged, it would be another"
     return (
-        f"A surface by the model “{name}”, lit at {abs(settings.light_angle):.0f}° from its "
+        f"A red ball by the model “{name}”, beside sixteen from smooth to rough and from "
+        f"matte to mirror; a point of it, lit at {abs(settings.light_angle):.0f}° from its "
         f"normal and seen at {abs(settings.view_angle):.0f}° on {sides}, shows the brightness "
         f"{format_number(seen)}{alike}; in all directions together it sends back {share}\u00a0% of "
         f"the light{verdict}."

@@ -23,7 +23,7 @@ TICKS = Scale(ticks=(0.4, 0.8), grid=(0.2, 0.4, 0.6, 0.8))
 PURE_NM = np.arange(420.0, 641.0, 4.0)
 """Wavelengths of the edge of all colours: beyond these it hardly moves, and the fits are
 inaccurate."""
-MARKED_NM = (490, 520, 600)
+MARKED_NM = (490, 600)
 """Labelled wavelengths of the edge."""
 TEMPERATURES_K = np.arange(COOLEST_K, HOTTEST_K + 1.0, STEP_K)
 """The steps of its slider."""

@@ -160,11 +160,12 @@ def _coded(light: Floats, cover: Floats) -> Raster:
 
 
 def marks(settings: Settings) -> str:
-    """The lamp and the chosen point."""
-    here = room.on_floor(settings.place)
+    """The lamp, dashed behind the wall, and the chosen point."""
+    here, source = room.on_floor(settings.place), room.lamp_at(settings.light_angle)
+    hidden = settings.light_angle > settings.opening
     return "".join(
         (
-            *lamp(room.lamp_at(settings.light_angle)),
+            *((circle(source, 9, "light dashed"),) if hidden else lamp(source)),
             *(circle(here, 5.5, "casing"), dot(here, "image", 5)),
         )
     )
