@@ -63,5 +63,14 @@ HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "point", "plane", "Point P", ("point_x", "point_y"), _point, _point_pulled, role="world"
     ),
-    Handle("amount", "divisor", "Amount", ("amount",), _amount, _amount_pulled, "press", "image"),
+    Handle(
+        "amount",
+        "divisor",
+        "Mark on the curve",
+        ("amount",),
+        _amount,
+        _amount_pulled,
+        "press",
+        "image",
+    ),
 )

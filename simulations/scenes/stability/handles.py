@@ -25,7 +25,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "place",
         "plot",
-        "Mark",
+        "Mark on the curve",
         ("power",),
         _place,
         _place_pulled,

@@ -88,7 +88,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "family",
         "hierarchy",
-        "Family",
+        "Family mark",
         ("transform",),
         _family,
         _family_pulled,
