@@ -101,3 +101,14 @@ def test_the_wide_panel_holds_the_picture_in_its_middle() -> None:
     inner = plane[120:240, 160:320]
     np.testing.assert_allclose(inner[..., :3].mean(), picture[..., :3].mean(), atol=1.0)
     assert plane[..., 3].sum() == 255 * inner.shape[0] * inner.shape[1]
+
+
+def test_the_floor_is_drawn_finer_at_rest_than_while_the_camera_moves() -> None:
+    drafts = SCENE.drafts_of("")
+    assert {name for name in ("pitch", "box_x", "lines") if name in drafts} == {"pitch", "box_x"}
+    rest, moved = (pixels_of(frame(tier), 0) for tier in ("", drafts["pitch"]))
+    assert rest.shape[1] == 2 * moved.shape[1]
+    halved = rest.reshape(240, 2, 320, 2, 4).mean(axis=(1, 3))
+    assert np.abs(halved - moved).mean() < 4
+    small = [pixels_of(frame(tier), 1) for tier in ("", drafts["pitch"])]
+    assert small[0].shape == small[1].shape

@@ -1,5 +1,4 @@
-"""Handles of the lens-distortion figure: two points of the photograph, a crossing of the grid, and
-its image radius in the plot."""
+"""Handles of the lens-distortion figure: two points of the photograph, a crossing of the grid."""
 
 import math
 from collections.abc import Mapping
@@ -8,7 +7,6 @@ from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.models.distortion.lens_model import Distortion, fold_radius
-from simulations.models.distortion.radial_profile import evaluate
 from simulations.scenes.lens_distortion.drawing import (
     CENTRE,
     INNER,
@@ -18,7 +16,6 @@ from simulations.scenes.lens_distortion.drawing import (
     image_of,
     in_view,
 )
-from simulations.scenes.lens_distortion.profile import at_radii, radius_at
 from simulations.scenes.lens_distortion.settings import Settings
 
 RADIUS = math.hypot(*SAMPLE)
@@ -60,14 +57,6 @@ def _in_photograph(ideal: tuple[float, float], settings: Settings) -> Point | No
     return image_of(ideal, lens) if in_view(ideal, lens) and not settings.correct else None
 
 
-def _curve(settings: Settings, _outputs: Outputs) -> Point:
-    return at_radii(RADIUS, float(evaluate(_lens(settings).radial, RADIUS)))
-
-
-def _curve_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"k1": _first_coefficient(radius_at(place)[1], RADIUS, settings.k2)}
-
-
 def _lens(settings: Settings) -> Distortion:
     return Distortion(k1=settings.k1, k2=settings.k2)
 
@@ -96,5 +85,4 @@ HANDLES: tuple[Handle[Settings], ...] = (
         _crossing_pulled,
         role="image",
     ),
-    Handle("curve", "profile", "Radius in the image", ("k1",), _curve, _curve_pulled, role="image"),
 )

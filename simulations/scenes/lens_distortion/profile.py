@@ -56,11 +56,6 @@ def at_radii(radius: float, image: float) -> tuple[float, float]:
     return PLOT.at(float(radius), float(image))
 
 
-def radius_at(place: Point) -> tuple[float, float]:
-    """Ideal radius and radius in the image of a place of the panel."""
-    return PLOT.values(place)
-
-
 def _identity_label(lens: Distortion) -> Point:
     """Label next to the dashed line, on the side away from the curve."""
     inwards = float(evaluate(lens.radial, 1.0)) < 0.99
