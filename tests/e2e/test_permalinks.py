@@ -40,7 +40,7 @@ def test_an_address_sets_its_figure_and_no_other(visitor: Reader) -> None:
     assert figure.locator("[name=correct]").is_checked()
     assert figure.get_attribute("data-tier") == "newton-5"
     assert figure.locator("output[name=corner]").inner_text() == "−60.0"
-    other = visitor.page.locator(f"#{ID}-2")
+    other = visitor.page.locator("#figure-two-coefficients")
     assert values(other, "k1", "k2") == ["-0.2", "0.2"]
     assert not figure.locator(".figure-status").is_visible()
 
