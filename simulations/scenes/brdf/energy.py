@@ -33,7 +33,7 @@ def energy_plot(curve: Floats, angle_deg: float, sent: float, head_on: float | N
     return "".join(
         (
             _ground(),
-            "" if head_on is None else _facet(head_on),
+            "" if head_on is None else _facet(head_on, float(curve[0])),
             PLOT.curve(INCIDENCE_DEG, curve, within),
             PLOT.drop(angle_deg, sent, "light thin"),
             PLOT.mark(angle_deg, sent, "light"),
@@ -41,11 +41,13 @@ def energy_plot(curve: Floats, angle_deg: float, sent: float, head_on: float | N
     )
 
 
-def _facet(head_on: float) -> str:
+def _facet(head_on: float, share: float) -> str:
+    """The share of a smooth facet; its name keeps clear of the curve, which begins at ``share``."""
+    below = head_on > 0.12 and 0.0 <= share - head_on < 0.16
     fine = np.linspace(0.0, 90.0, 46)
     x, y = at(0.0, head_on)
     return PLOT.curve(fine, schlick(np.cos(np.radians(fine)), head_on), "image thin dashed") + text(
-        (x + 8, y - 6), "F(θ) of one facet", "image small halo"
+        (x + 8, y + (15 if below else -6)), "F(θ) of one facet", "image small halo"
     )
 
 
