@@ -4,7 +4,6 @@ Angles are counter-clockwise as seen, from the right.
 """
 
 import math
-import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -14,15 +13,13 @@ from simulations.engine.drawing import (
     arrow,
     coordinate,
     escaped,
+    ground,
     path,
     polygon,
     polyline,
 )
+from simulations.engine.letters import SCRIPT, SCRIPT_SIZE
 
-SCRIPT = re.compile(r"([_^])(?:\{([^}]*)\}|(.))")
-"""An index or an exponent: ``z_s``, ``r^2``, ``N_{min}``."""
-SCRIPT_SIZE = 0.74
-"""Size of a script's letters, relative to the label's."""
 HEIGHTS = {"_": ("sub", 0.22), "^": ("super", -0.37)}
 """Class of a script, and its distance below the baseline in letter heights of the label."""
 
@@ -30,7 +27,9 @@ HEIGHTS = {"_": ("sub", 0.22), "^": ("super", -0.37)}
 def label(position: Point, content: str, style: str = "", anchor: str = "start") -> str:
     """A text in which ``_`` lowers and ``^`` raises the next character or ``{group}``."""
     x, y = coordinate(position[0]), coordinate(position[1])
-    return f'<text class="{style}" x="{x}" y="{y}" text-anchor="{anchor}">{_spans(content)}</text>'
+    below = ground(position, content, style, anchor)
+    words = _spans(content)
+    return f'{below}<text class="{style}" x="{x}" y="{y}" text-anchor="{anchor}">{words}</text>'
 
 
 def _spans(content: str) -> str:

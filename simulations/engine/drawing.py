@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from simulations.engine.letters import width_em
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -20,6 +22,11 @@ type Point = Sequence[float] | Points
 
 SHORTER = (("-0.00", "0"), (".00", ""), *((f".{digit}0", f".{digit}") for digit in range(1, 10)))
 """Replacements that shorten numbers of two decimals; the order matters."""
+
+GROUND_PAD_EM = 0.28
+"""Room on both sides of a label on its ground."""
+BEFORE = {"start": 0.0, "middle": 0.5, "end": 1.0}
+"""The part of a label that lies to the left of its place, by its anchor."""
 
 
 def coordinate(value: float) -> str:
@@ -96,7 +103,24 @@ def escaped(content: str) -> str:
 def text(position: Point, content: str, style: str = "", anchor: str = "start") -> str:
     """A label; ``anchor`` is start, middle or end. The content is escaped."""
     x, y = coordinate(position[0]), coordinate(position[1])
-    return f'<text class="{style}" x="{x}" y="{y}" text-anchor="{anchor}">{escaped(content)}</text>'
+    below = ground(position, content, style, anchor)
+    words = escaped(content)
+    return f'{below}<text class="{style}" x="{x}" y="{y}" text-anchor="{anchor}">{words}</text>'
+
+
+def ground(position: Point, content: str, style: str = "", anchor: str = "start") -> str:
+    """The ground of a label whose style is ``ground``; its sizes are relative to the letters."""
+    classes = style.split()
+    if "ground" not in classes or not content:
+        return ""
+    words = width_em(content, strong="strong" in classes)
+    left, width = -BEFORE[anchor] * words - GROUND_PAD_EM, words + 2 * GROUND_PAD_EM
+    x, y = coordinate(position[0]), coordinate(position[1])
+    sizes = " ".join(("ground", *(size for size in ("small", "italic") if size in classes)))
+    return (
+        f'<rect class="{sizes}" transform="translate({x} {y})" x="{left:.2f}em" y="-0.98em"'
+        f' width="{width:.2f}em" height="1.32em" rx="0.3em"/>'
+    )
 
 
 def arrow(start: Point, end: Point, style: str = "", head: float = 8.0) -> str:

@@ -56,7 +56,7 @@ def draw() -> Illustration:
         label(np.add(at(*VECTOR), (8, 4)), "p", "world italic"),
         label(np.add(at(*turned(ANGLE_RAD)), (-10, 0)), "R p", "image italic", "end"),
         label(np.add(at(*sideways), (8, 0)), "n × p", "light italic"),
-        label(np.add(angle[12], (4, -5)), "θ", "ray italic halo"),
+        label(np.add(angle[12], (4, -5)), "θ", "ray italic ground"),
         label(np.add(at(*(0.55 * along())), (9, 4)), "stays", "muted small"),
     ]
     words = (

@@ -62,7 +62,7 @@ def draw() -> Illustration:
         dimension((LENS, 212), (place, 212), "image"),
         dimension((LENS, 244), (LENS + tip(), 244), "world"),
         dimension((LENS - 22, AXIS - half), (LENS - 22, AXIS + half), "camera"),
-        label((LENS - 30, AXIS - 16), "A", "camera italic halo", "end"),
+        label((LENS - 30, AXIS - 16), "A", "camera italic ground", "end"),
         label((LENS - NEAR / 2, 207), "Z", "world italic", "middle"),
         label((LENS - FOCUS / 2 - 30, 239), "s", "ray italic", "middle"),
         label((LENS + sensor() / 2, 207), "z_s", "image italic", "middle"),

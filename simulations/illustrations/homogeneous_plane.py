@@ -41,9 +41,9 @@ def draw() -> Illustration:
         label(np.add(at(0, 3.1, 0), (4, -6)), "v", "muted italic"),
         label(np.add(at(0, 0, 2.6), (-14, 6)), "w", "muted italic"),
         label(np.add(plane[0], (4, 16)), "w = 1", "image italic"),
-        label(np.add(at(*on_ray(1)), (10, 4)), "(2, 1, 1)", "image halo"),
-        label(np.add(at(*on_ray(2)), (10, 5)), "(4, 2, 2)", "ray halo"),
-        label(np.add(at(*on_ray(0.5)), (10, 6)), "(1, 0.5, 0.5)", "ray halo"),
+        label(np.add(at(*on_ray(1)), (10, 4)), "(2, 1, 1)", "image ground"),
+        label(np.add(at(*on_ray(2)), (10, 5)), "(4, 2, 2)", "ray ground"),
+        label(np.add(at(*on_ray(0.5)), (10, 6)), "(1, 0.5, 0.5)", "ray ground"),
         label(np.add(at(*FAR, 0), (8, 4)), "w = 0", "error italic"),
         label(np.add(at(0, 0, 0), (-8, 16)), "(0, 0, 0)", "camera small", "middle"),
     ]

@@ -46,7 +46,7 @@ def draw() -> Illustration:
     marks += [
         dot(root, "image", 4.5),
         label((PLOT.x.start + 8, wanted - 8), f"seen: r_d = {SEEN:g}", "image"),
-        label((root[0] + 10, foot - 8), f"r = {found[-1]:.3f}", "image halo"),
+        label((root[0] + 10, foot - 8), f"r = {found[-1]:.3f}", "image ground"),
         label((PLOT.x.end, foot + 18), "ideal radius r", "muted small", "end"),
     ]
     words = (

@@ -75,7 +75,7 @@ def _normal() -> list[str]:
     tip = SPACE.at(0, 0, 1)
     return [
         arrow(SPACE.at(0, 0, 0), tip, "world"),
-        label((tip[0] + 6, tip[1] + 6), "n", "world italic halo"),
+        label((tip[0] + 6, tip[1] + 6), "n", "world italic ground"),
     ]
 
 
@@ -112,7 +112,7 @@ def _radiance() -> Panel:
     marks = [_square(), *_normal(), *_cone()]
     tip = SPACE.at(*(np.array(towards(VIEW_DEG)) * REACH))
     marks.append(arrow(SPACE.at(0, 0, 0), tip, "camera"))
-    marks.append(label((tip[0] + 6, tip[1] + 14), "v", "camera italic halo"))
+    marks.append(label((tip[0] + 6, tip[1] + 14), "v", "camera italic ground"))
     below = f"L = {radiance():.0f} W/(m² sr): {power():.0f} W into this cone"
     return _panel("radiance", "Radiance: one direction", marks, below)
 

@@ -49,9 +49,9 @@ def draw() -> Illustration:
         *(_curve(value, "muted thin dashed") for value, _ in OTHERS),
         *(_above(light, value, f"{value}", "muted") for value, light in OTHERS),
         _curve(VALUE, "image bold"),
-        *(_above(light, VALUE, name, "world halo") for light, name in WALLS),
+        *(_above(light, VALUE, name, "world ground") for light, name in WALLS),
         *(dot(PLOT.at(light, albedo(VALUE, light)), "world", 4.5) for light, _ in WALLS),
-        label((84, 26), f"pixel value {VALUE}", "image strong halo"),
+        label((84, 26), f"pixel value {VALUE}", "image strong ground"),
         label((219, 262), "light on the wall", "light", "middle"),
         label((39, 70), "albedo", "world small", "end"),
     ]

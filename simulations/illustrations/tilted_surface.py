@@ -54,7 +54,7 @@ def _panel(tilt_deg: float) -> Panel:
             arrow((MIDDLE, TABLE), tip, "camera bold"),
             arc((MIDDLE, TABLE), 44, math.pi / 2 - tilt, math.pi / 2, "ray"),
             label((tip[0] + 6, tip[1] + 4), "n", "camera italic"),
-            label((MIDDLE + 25, TABLE - 47), "θ", "ray italic halo"),
+            label((MIDDLE + 25, TABLE - 47), "θ", "ray italic ground"),
         ]
     marks.append(
         label(

@@ -60,7 +60,7 @@ def draw() -> Illustration:
     marks += [
         circle(vanish, 7, "light bold"),
         dot(centre, "camera", 5),
-        label((vanish[0] + 12, vanish[1] + 20), "vanishing point", "light halo"),
+        label((vanish[0] + 12, vanish[1] + 20), "vanishing point", "light ground"),
         label((centre[0] + 12, centre[1] + 6), "centre of projection", "camera"),
         label((at(4.4, FOCAL)[0] + 6, vanish[1] - 8), "image plane", "image", "end"),
         label(np.add(at(*on_rail(4.5)), (-14, 4)), "rail", "world", "end"),

@@ -164,7 +164,7 @@ def _names(measured: MeasuredLadder, at: Place, lines: Sequence[Segment], grey: 
         Label(
             at(item, "browser"),
             item.tier.label,
-            "halo chart-name" + (" muted" if item.tier.id in grey else ""),
+            "ground chart-name" + (" muted" if item.tier.id in grey else ""),
             prefer="right",
             leader="muted thin",
             others=[at(item, "native")],

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 
 from PIL import ImageFont
 
-from simulations.engine.drafting import SCRIPT_SIZE
+from simulations.engine.letters import SCRIPT_SIZE
 from simulations.engine.plotting.labels import Rectangle
 
 ITALIC, UPRIGHT = 14.0, 13.5

@@ -9,6 +9,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from simulations.engine import drawing
+from simulations.engine.letters import width_em
 
 finite = st.floats(-1e4, 1e4)
 
@@ -58,8 +59,19 @@ def test_an_arrow_is_well_formed_and_ends_at_its_end(
 
 @given(st.text(st.characters(categories=("L", "N", "P", "S"))))
 def test_any_text_is_escaped(content: str) -> None:
-    label = ElementTree.fromstring(drawing.text((0, 0), content, "halo"))
+    label = ElementTree.fromstring(drawing.text((0, 0), content, "strong"))
     assert (label.text or "") == content
+
+
+@pytest.mark.parametrize(("anchor", "left"), [("start", 0.0), ("middle", 0.5), ("end", 1.0)])
+def test_a_label_over_a_picture_has_a_ground_around_its_words(anchor: str, left: float) -> None:
+    markup = drawing.text((10, 20), "horizon", "camera small ground", anchor)
+    ground, label = ElementTree.fromstring(f"<g>{markup}</g>")
+    assert ground.get("class") == "ground small"
+    begins, width = (float((ground.get(name) or "")[:-2]) for name in ("x", "width"))
+    words = width_em("horizon")
+    assert begins < -left * words < -left * words + words < begins + width
+    assert label.text == "horizon"
 
 
 def test_shapes_carry_their_classes_and_no_colours() -> None:

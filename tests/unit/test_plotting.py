@@ -11,11 +11,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.label_boxes import in_figures, labels
 
+from simulations.engine.letters import width_of
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.clipping import clipped
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.plotting.legend import Entry, legend
-from simulations.engine.plotting.letters import width_of
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.plotting.ticks import log_ticks, round_ticks

@@ -15,7 +15,7 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import Point, line
-from simulations.engine.plotting.letters import ASCENT, DESCENT, size_of, width_of
+from simulations.engine.letters import ASCENT, DESCENT, size_of, width_of
 
 SIDES = {
     "above right": (1, -1),

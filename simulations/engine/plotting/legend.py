@@ -6,7 +6,7 @@ from typing import Literal
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import Point, dot, line, rectangle
-from simulations.engine.plotting.letters import width_of
+from simulations.engine.letters import width_of
 
 type Sign = Literal["line", "dot", "area"]
 

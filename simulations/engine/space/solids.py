@@ -68,7 +68,7 @@ class Words:
 
     point: ArrayLike
     words: str
-    style: str = "halo"
+    style: str = "ground"
     offset: tuple[float, float] = (8.0, -6.0)
     anchor: str = "start"
 

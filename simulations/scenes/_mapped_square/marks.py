@@ -55,7 +55,7 @@ def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> s
     left = place[0] > WIDTH - CLEAR - LETTER * len(words)
     above = (role == "image" and place[1] > 26.0) or place[1] > HEIGHT - 26.0
     corner = place + np.array([-CLEAR if left else CLEAR, 4.0 - CLEAR if above else CLEAR])
-    return drawing.text(corner, words, f"{role} halo strong", "end" if left else "start")
+    return drawing.text(corner, words, f"{role} ground strong", "end" if left else "start")
 
 
 def corners(kind: str, H: Floats) -> Iterator[str]:

@@ -77,8 +77,8 @@ def in_frame(points: ArrayLike, closed: bool = True) -> Floats:
 
 def axes() -> str:
     ticks = (
-        drawing.text(label_at((100, 0), 0, 15), "100", "muted small halo", "middle"),
-        drawing.text(label_at((0, 100), -7, 4), "100", "muted small halo", "end"),
+        drawing.text(label_at((100, 0), 0, 15), "100", "muted small ground", "middle"),
+        drawing.text(label_at((0, 100), -7, 4), "100", "muted small ground", "end"),
     )
     rules = [[(x, -60), (x, 148)] for x in (-50, 50, 100, 150)]
     rules += [[(-63, y), (184, y)] for y in (-50, 50, 100)]
@@ -141,5 +141,5 @@ def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
         anchor = "end" if at_start else "start"
     place = (x + (8.0 if anchor == "start" else -8.0), y)
     return drawing.line(left, right, f"{role} dashed") + drawing.text(
-        place, label, f"{role} small halo", anchor
+        place, label, f"{role} small ground", anchor
     )

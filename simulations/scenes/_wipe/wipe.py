@@ -12,7 +12,7 @@ from simulations.engine.controls import Value
 from simulations.engine.drawing import line, text
 from simulations.engine.frame import Raster
 from simulations.engine.handles import Handle, Point
-from simulations.engine.plotting.letters import width_of
+from simulations.engine.letters import width_of
 from simulations.engine.stages import Outputs
 
 HEIGHT_OF_HANDLE = 0.8
@@ -41,7 +41,7 @@ def _names(x: float, width: float, height: float, names: tuple[str, str]) -> Ite
         (names[1], width - x, width - MARGIN, "end"),
     ):
         if room > width_of(name, "small") + 2 * MARGIN:
-            yield text((place, row), name, "small halo", anchor)
+            yield text((place, row), name, "small ground", anchor)
 
 
 def wipe_handle(panel: str, setting: str, width: float, height: float) -> Handle[Any]:

@@ -53,7 +53,7 @@ def nyquist_ring(pattern: Pattern) -> str:
         return ""
     middle, radius = (WIDTH / 2, HEIGHT / 2), WIDTH / 2 - place[0]
     circles = (circle(middle, radius, f"{style} dashed") for style in ("casing", "camera"))
-    label = text((place[0] + 12, place[1] + 4), "Nyquist", "camera halo small")
+    label = text((place[0] + 12, place[1] + 4), "Nyquist", "camera ground small")
     return "".join((*circles, dot(place, "camera", 5), label))
 
 

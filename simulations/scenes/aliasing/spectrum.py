@@ -64,7 +64,7 @@ def _axes(nyquist: float) -> Iterator[str]:
     x, foot = fold_at(nyquist)
     yield line((x, foot), (x, LABELS - 20), "camera dashed")
     yield dot((x, foot), "camera", 5)
-    yield text((x, LABELS - 26), "Nyquist", "camera halo", "middle")
+    yield text((x, LABELS - 26), "Nyquist", "camera ground", "middle")
 
 
 def _response(kernel: Prefilter, rate: float) -> str:
@@ -123,11 +123,11 @@ def _labels(frequency: float, alias: float, folded: bool) -> Iterator[str]:
     x, seen = PLOT.at(frequency, 0)[0], PLOT.at(alias, 0)[0]
     push = max(0.0, 0.5 * (APART - (x - seen))) if folded else 0.0
     place = (min(max(x + push, PLOT.x.start + 24), PLOT.x.end - 22), LABELS)
-    yield text(place, f"f = {format_number(frequency)}", "world halo strong", "middle")
+    yield text(place, f"f = {format_number(frequency)}", "world ground strong", "middle")
     if folded:
         yield text(
             (max(seen - push, PLOT.x.start + 16), LABELS),
             format_number(alias),
-            "error halo strong",
+            "error ground strong",
             "middle",
         )

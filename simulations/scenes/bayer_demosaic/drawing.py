@@ -25,7 +25,7 @@ def quad(pattern: str) -> str:
     (x, y), side = QUAD_CORNER, 2 * CELL
     frame = [rectangle(QUAD_CORNER, side, side, style) for style in ("casing", "camera bold")]
     letters = [
-        text((x + (k % 2 + 0.5) * CELL, y + (k // 2 + 0.5) * CELL + 4), letter, "halo", "middle")
+        text((x + (k % 2 + 0.5) * CELL, y + (k // 2 + 0.5) * CELL + 4), letter, "ground", "middle")
         for k, letter in enumerate(pattern)
     ]
     return "".join((*frame, *letters))

@@ -47,7 +47,7 @@ def _facet(head_on: float, share: float) -> str:
     fine = np.linspace(0.0, 90.0, 46)
     x, y = at(0.0, head_on)
     return PLOT.curve(fine, schlick(np.cos(np.radians(fine)), head_on), "image thin dashed") + text(
-        (x + 8, y + (15 if below else -6)), "F(θ) of one facet", "image small halo"
+        (x + 8, y + (15 if below else -6)), "F(θ) of one facet", "image small ground"
     )
 
 
@@ -59,6 +59,6 @@ def _ground() -> str:
             PLOT.region(y=(1.0, 1.5), style="error fill faint"),
             PLOT.level(1.0, "error thin dashed"),
             PLOT.frame(ANGLES, SHARES),
-            text((x + 8, y - 7), "more than came", "error small halo"),
+            text((x + 8, y - 7), "more than came", "error small ground"),
         )
     )

@@ -45,7 +45,7 @@ def lobe_plot(light_deg: float, view_deg: float, lobe: Floats, seen: float) -> s
             *_ground(unit),
             polygon([FOOT, *outline], "ray fill"),
             arrow(FOOT, towards(0, 150), "world"),
-            text(towards(2.2, 157), "n", "world strong halo", "middle"),
+            text(towards(2.2, 157), "n", "world strong ground", "middle"),
             line(FOOT, towards(-light_deg, 160), "muted thin dashed"),
             _mirror(light_deg, view_deg),
             arrow(light, towards(light_deg, 5), "light bold"),
@@ -62,7 +62,7 @@ def _mirror(light_deg: float, view_deg: float) -> str:
     """The label of the mirror direction, unless the camera is too near."""
     if abs(light_deg + view_deg) < APART_DEG:
         return ""
-    return text(towards(-light_deg, 170), "mirror", "muted small halo", "middle")
+    return text(towards(-light_deg, 170), "mirror", "muted small ground", "middle")
 
 
 def angle_at(place: Point) -> float:

@@ -90,8 +90,8 @@ def marks(view_angle: float, roughness: float, specular: float) -> str:
         (
             *(circle(probed, 5.5, "casing"), dot(probed, "world", 5.5)),
             *(circle(chosen, 5.5, "casing"), dot(chosen, "ray", 5.5)),
-            text((across, TOP - SMALL - 14), "more mirror ↑", "small halo", "middle"),
-            text((across, below), "rougher →", "small halo", "middle"),
+            text((across, TOP - SMALL - 14), "more mirror ↑", "small ground", "middle"),
+            text((across, below), "rougher →", "small ground", "middle"),
         )
     )
 

@@ -147,7 +147,7 @@ def _in_focus(plan: PlanView, half_tan: float) -> str:
         parts.append(drawing.line((4, row), (PLAN_WIDTH - 4, row), "ray thin dashed faint"))
     else:
         label, baseline = f"{label}, behind the wall", wall - 7
-    parts.append(drawing.text((FOCUS_COLUMN - 16, baseline), label, "ray halo", "end"))
+    parts.append(drawing.text((FOCUS_COLUMN - 16, baseline), label, "ray ground", "end"))
     parts.append(drawing.dot(mark, "ray"))
     return "".join(parts)
 

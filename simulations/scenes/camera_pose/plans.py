@@ -152,7 +152,7 @@ def _lamp(place: Place, side: float) -> str:
     right = spot[0] < 50.0 or (side >= 0.0 and spot[0] < WIDTH - 50.0)
     at = (spot[0] + (BESIDE if right else -BESIDE), spot[1] + 4.0)
     return drawing.dot(spot, "light", 5.5) + drawing.text(
-        at, "lamp", "light small halo", "start" if right else "end"
+        at, "lamp", "light small ground", "start" if right else "end"
     )
 
 
@@ -164,7 +164,7 @@ def triple(values: Floats) -> str:
 def _name(at: Floats, words: str, style: str) -> str:
     """A label centred at a place, if that is well inside the panel."""
     inside = 12.0 < at[0] < WIDTH - 12.0 and 12.0 < at[1] < HEIGHT - 4.0
-    return drawing.text((at[0], at[1] + 4.0), words, f"{style} halo", "middle") if inside else ""
+    return drawing.text((at[0], at[1] + 4.0), words, f"{style} ground", "middle") if inside else ""
 
 
 def _segment(ends: Floats, style: str) -> str:

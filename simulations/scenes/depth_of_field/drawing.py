@@ -156,7 +156,7 @@ def _scale_bar(scale: float) -> Iterator[str]:
     yield line((x, top), (x, bottom), "bold")
     for y in (top, bottom):
         yield line((x - 4, y), (x + 4, y))
-    yield text((x - 8, AXIS_Y + 62), f"{mm:g} mm", "small halo", "end")
+    yield text((x - 8, AXIS_Y + 62), f"{mm:g} mm", "small ground", "end")
 
 
 def _labels(lens: Lens) -> Iterator[str]:
@@ -165,11 +165,11 @@ def _labels(lens: Lens) -> Iterator[str]:
         at = column(point.distance_m)
         yield line((at, AXIS_Y + 8), (at, AXIS_Y + row - 13), f"{role} thin faint")
         name = f"{point.name}, {format_number(point.distance_m, 1)} m"
-        yield text((max(at, 46), AXIS_Y + row), name, f"{role} halo", "middle")
+        yield text((max(at, 46), AXIS_Y + row), name, f"{role} ground", "middle")
     at = min(max(column(lens.focus_m), 56), LENS_X - 56)
     yield line((column(lens.focus_m), AXIS_Y - 8), (at, AXIS_Y - 72), "ray thin faint")
     name = f"focus {format_number(lens.focus_m, 2)} m"
-    yield text((at, AXIS_Y - 78), name, "ray strong halo", "middle")
+    yield text((at, AXIS_Y - 78), name, "ray strong ground", "middle")
 
 
 def virtual_diagram(distance_m: float, focal_m: float) -> str:
@@ -188,7 +188,7 @@ def virtual_diagram(distance_m: float, focal_m: float) -> str:
         _glass(half),
         dot(source, "ray", 4),
         dot(focus, "camera", 3),
-        text((focus[0] - 6, AXIS_Y - 10), "focal point", "camera halo", "end"),
+        text((focus[0] - 6, AXIS_Y - 10), "focal point", "camera ground", "end"),
         text((LENS_X, AXIS_Y - 99), "lens", "camera", "middle"),
         text((12, AXIS_Y + 118), "The light does not meet behind the lens.", "strong"),
     ]

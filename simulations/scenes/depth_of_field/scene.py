@@ -103,7 +103,7 @@ def _note(settings: Settings) -> str:
     if drawn <= settings.aperture:
         return ""
     capped = f"drawn at f/{drawn:.3g}: no disc over {LARGEST_DRAWN_PX:.0f} px"
-    return text((drawing.WIDTH / 2, drawing.HEIGHT - 12), capped, "halo", "middle")
+    return text((drawing.WIDTH / 2, drawing.HEIGHT - 12), capped, "ground", "middle")
 
 
 def _panels(diagram: str, picture: NDArray[np.uint8], marks: str) -> tuple[Panel, Panel]:
@@ -135,7 +135,7 @@ def _refuse(settings: Settings, hyperfocal_m: float) -> Frame:
     """The frame for a focus at the focal length or nearer."""
     focal, focus = settings.focal_length, settings.focus
     place, way = ("at", "parallel") if 1000 * focus == focal else ("inside", "spreading")
-    note = text((drawing.WIDTH / 2, drawing.HEIGHT / 2), "no real image", "strong halo", "middle")
+    note = text((drawing.WIDTH / 2, drawing.HEIGHT / 2), "no real image", "strong ground", "middle")
     texts = (*("none",) * 7, format_number(hyperfocal_m, 2))
     panels = _panels(drawing.virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
     description = (

@@ -96,7 +96,7 @@ def _scene() -> str:
             drawing.line((point[0], point[1] - 22), (point[0], AXIS_ROW + 28), "world bold faint"),
             drawing.arrow(lamp, tip, "light bold"),
             drawing.circle(lamp, 6, "light solid"),
-            drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small halo", "end"),
+            drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small ground", "end"),
             drawing.arrow((54, 146), (24, 146), "world", 6),
             drawing.arrow((54, 146), (54, 176), "world", 6),
             drawing.text((46, 164), "world", "world small", "end"),

@@ -122,7 +122,7 @@ def _legend(three: tuple[Ring, Ring, Ring]) -> Iterator[str]:
         degrees = format_number(math.degrees(ring.angle_rad), 0)
         at: Point = (14.0, 22.0 + 18.0 * row)
         yield line((at[0], at[1] - 4.5), (at[0] + 18, at[1] - 4.5), f"{ring.role} bold")
-        yield text((at[0] + 26, at[1]), f"{ring.name} {degrees}°", f"{ring.role} halo")
+        yield text((at[0] + 26, at[1]), f"{ring.name} {degrees}°", f"{ring.role} ground")
 
 
 def on_screen(points: Floats, view: Floats) -> Floats:

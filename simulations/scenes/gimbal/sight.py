@@ -118,7 +118,7 @@ def _names(C: Floats) -> Iterator[str]:
     for name, direction in (*spots, ("straight up", towards(0.0, 90.0))):
         spot = place(C, direction).tolist()
         if _shown(spot, 45.0):
-            yield drawing.text((spot[0], spot[1] + 18.0), name, "world small halo", "middle")
+            yield drawing.text((spot[0], spot[1] + 18.0), name, "world small ground", "middle")
 
 
 def _shown(spot: Sequence[float], margin: float) -> bool:

@@ -68,7 +68,7 @@ def _numbers(codes: NDArray[np.integer], first: int) -> Iterator[str]:
         if code and RANK[row, column] < first:
             x, y = _corner(row, column)
             place = (x + CELL_WIDTH / 2, y + CELL_HEIGHT / 2 + 5)
-            yield text(place, format_number(float(code), 0), "image strong halo", "middle")
+            yield text(place, format_number(float(code), 0), "image strong ground", "middle")
 
 
 def _last(first: int) -> Iterator[str]:

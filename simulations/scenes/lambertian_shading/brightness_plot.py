@@ -27,7 +27,7 @@ def brightness_plot(albedo: float, theta_rad: float, brightness: float) -> str:
     parts = [
         PLOT.frame(ANGLES, BRIGHTNESS),
         PLOT.curve(DEGREES[:46], LIT[:46], "muted thin dashed"),
-        text(on_plot(66, 0.5), "white paint", "muted small halo"),
+        text(on_plot(66, 0.5), "white paint", "muted small ground"),
         text(on_plot(135, 0.2), "faces away", "muted small", "middle"),
         PLOT.curve(DEGREES, albedo * LIT, "image bold"),
         PLOT.drop(theta_deg, brightness, "ray thin dashed", to="xy"),

@@ -102,8 +102,8 @@ def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normal
         arrow(probed, l_tip, "light bold"),
         arrow(probed, n_tip, "world bold"),
         dot(probed, "ray", 5.5),
-        text(n_label, "n", "world strong halo", "middle"),
-        text(l_label, "l", "light strong halo", "middle"),
+        text(n_label, "n", "world strong ground", "middle"),
+        text(l_label, "l", "light strong ground", "middle"),
     ]
     return "".join(parts)
 
@@ -137,7 +137,7 @@ def _angle(probed: Point, probe_rad: float, light_rad: float, theta_rad: float) 
     middle = probe_rad + turn / 2
     # Just outside the arc, or opposite if there is no space between the arms.
     label = _from(probed, middle, 46 if theta_rad > 0.7 else -20)
-    return polyline(arc, "ray") + text((label[0], label[1] + 4), "θ", "ray strong halo", "middle")
+    return polyline(arc, "ray") + text((label[0], label[1] + 4), "θ", "ray strong ground", "middle")
 
 
 def _label_places(probed: Point, probe_rad: float, light_rad: float) -> tuple[Point, Point]:

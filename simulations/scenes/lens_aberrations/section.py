@@ -138,7 +138,7 @@ def _stop(stop: float, f_number: float) -> Iterator[str]:
         yield line(at(-stop, side * opening), at(-stop, side * BLADE_MM), style)
     yield dot(stop_mark(stop))
     yield dot(opening_mark(stop, f_number))
-    yield text((stop_mark(stop)[0], AXIS_Y - 116), "aperture stop", "halo", "middle")
+    yield text((stop_mark(stop)[0], AXIS_Y - 116), "aperture stop", "ground", "middle")
 
 
 def _rim(stop: float, rim: float) -> Iterator[str]:
@@ -147,11 +147,11 @@ def _rim(stop: float, rim: float) -> Iterator[str]:
         yield line(at(-stop - rim, side * RIM_MM), at(-stop - rim, side * TUBE_MM), style)
     x, y = rim_mark(stop, rim)
     yield dot((x, y), "camera")
-    yield text((x, y + 26), "rim", "camera halo", "middle")
+    yield text((x, y + 26), "rim", "camera ground", "middle")
 
 
 def _notes(stop: float, dispersive: bool) -> Iterator[str]:
     if dispersive:
-        yield text((8, AXIS_Y + 156), f"dispersion × {SPREAD:.0f}", "muted small halo")
+        yield text((8, AXIS_Y + 156), f"dispersion × {SPREAD:.0f}", "muted small ground")
     if stop < 0:
-        yield text((8, 14), "aperture stop as seen from the front", "muted small halo")
+        yield text((8, 14), "aperture stop as seen from the front", "muted small ground")

@@ -132,7 +132,7 @@ def _limits(lens: Distortion, *, with_fold: bool, with_image: bool = True) -> st
         units = radius * UNITS_PER_RADIUS
         if wanted and units < VISIBLE_RADIUS_UNITS:
             parts.append(circle(CENTRE, units, style))
-            parts.append(text(place(units), label, "error small halo", "middle"))
+            parts.append(text(place(units), label, "error small ground", "middle"))
     return "".join(parts)
 
 

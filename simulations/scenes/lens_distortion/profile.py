@@ -29,7 +29,7 @@ def profile_overlay(lens: Distortion) -> str:
     parts = [
         _axes(),
         line(at_radii(0, 0), at_radii(LARGEST, LARGEST), "muted thin dashed"),
-        text(_identity_label(lens), "no distortion", "muted small halo", "end"),
+        text(_identity_label(lens), "no distortion", "muted small ground", "end"),
         PLOT.curve(before, evaluate(lens.radial, before), "image bold"),
     ]
     if fold < LARGEST:
@@ -39,7 +39,7 @@ def profile_overlay(lens: Distortion) -> str:
             PLOT.curve(after, evaluate(lens.radial, after), "error dashed"),
             line(peak, (peak[0], PLOT.y.start), "error thin dashed"),
             dot(peak, "error"),
-            text((peak[0], peak[1] - 10.0), "fold", "error small halo", "middle"),
+            text((peak[0], peak[1] - 10.0), "fold", "error small ground", "middle"),
         ]
     ideal = math.hypot(*SAMPLE)
     here = at_radii(ideal, float(evaluate(lens.radial, ideal)))
@@ -67,8 +67,8 @@ def _axes() -> str:
     return "".join(
         (
             PLOT.frame(IDEAL, SEEN),
-            text((x - 5, foot - 14), "corner", "muted small halo", "end"),
+            text((x - 5, foot - 14), "corner", "muted small ground", "end"),
             text((0.5 * (PLOT.x.start + PLOT.x.end), foot + 41), "ideal radius", "world", "middle"),
-            text((PLOT.x.start + 8, PLOT.y.end + 8), "radius in the image", "image halo"),
+            text((PLOT.x.start + 8, PLOT.y.end + 8), "radius in the image", "image ground"),
         )
     )

@@ -28,7 +28,7 @@ def light_and_surface(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -
         text((178, LEGEND), "= what it sends back", "ray strong"),
     ]
     if twin:
-        parts.append(text((386, LEGEND + 17), "twin, dashed", "world small halo", "end"))
+        parts.append(text((386, LEGEND + 17), "twin, dashed", "world small ground", "end"))
     if cloth:
         nm = float(WAVELENGTHS_NM[pair[0].argmax()])
         parts.append(dot(band_mark(nm), "world", 4.5))

@@ -100,11 +100,11 @@ def _letters(view: View) -> str:
     if IMAGE_SCALE * abs(view.x) >= LETTER_LEAST:
         above = -7.0 if view.y >= 0.0 else 15.0
         middle = place(view.x / 2.0, 0) + np.array([0.0, above])
-        parts.append(drawing.text(middle, "x", "image italic halo", "middle"))
+        parts.append(drawing.text(middle, "x", "image italic ground", "middle"))
     if IMAGE_SCALE * abs(view.y) >= LETTER_LEAST:
         aside, anchor = (-6.0, "end") if view.x >= 0.0 else (6.0, "start")
         middle = place(0, view.y / 2.0) + np.array([aside, 4.0])
-        parts.append(drawing.text(middle, "y", "image italic halo", anchor))
+        parts.append(drawing.text(middle, "y", "image italic ground", anchor))
     return "".join(parts)
 
 
@@ -115,7 +115,7 @@ def in_perspective(view: View) -> str:
     if view.Z > 0.0 and view.off_px >= SAME_PX and in_picture(*view.formula_only):
         parts.append(drawing.circle(place(*view.formula_only), 5.0, "error"))
     words = "dashed: in perspective" if view.Z > 0.0 else "in perspective: no image of the point"
-    parts.append(drawing.text((WIDTH - 8.0, HEIGHT - 34.0), words, "error small halo", "end"))
+    parts.append(drawing.text((WIDTH - 8.0, HEIGHT - 34.0), words, "error small ground", "end"))
     return "".join(parts)
 
 
@@ -130,7 +130,7 @@ def no_image(view: View) -> str:
         claim = drawing.text(
             (WIDTH / 2.0, CLAIM_Y),
             f"the formula alone would say {numbers}",
-            "error small halo",
+            "error small ground",
             "middle",
         )
         if in_picture(x, y):
@@ -140,4 +140,4 @@ def no_image(view: View) -> str:
 
 
 def message(words: str, role: str) -> str:
-    return drawing.text((WIDTH / 2.0, MESSAGE_Y), words, f"{role} strong halo", "middle")
+    return drawing.text((WIDTH / 2.0, MESSAGE_Y), words, f"{role} strong ground", "middle")

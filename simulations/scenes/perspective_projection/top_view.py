@@ -69,7 +69,7 @@ def depth_axis(view: View) -> str:
     row = -8.0 if view.X >= 0.0 else 17.0
     ticks = "".join(
         drawing.line(above(Z, -0.08), above(Z, 0.08), "muted thin")
-        + drawing.text(_beside(above(Z, 0.0), 0.0, row), words, "muted small halo", "middle")
+        + drawing.text(_beside(above(Z, 0.0), 0.0, row), words, "muted small ground", "middle")
         for Z, words in ((5, "5 m"), (10, "10 m"), (20, "20 m"))
         if view.full or Z != REFERENCE_DEPTH_M
     )
@@ -80,7 +80,7 @@ def reference_plane() -> str:
     """The plane whose image is the same in perspective and in orthography."""
     high, low = above(REFERENCE_DEPTH_M, -4.0), above(REFERENCE_DEPTH_M, 3.5)
     return drawing.line(high, low, "image dashed") + drawing.text(
-        _beside(high, 6.0, 8.0), f"Z₀ = {REFERENCE_DEPTH_M:.0f} m", "image small halo"
+        _beside(high, 6.0, 8.0), f"Z₀ = {REFERENCE_DEPTH_M:.0f} m", "image small ground"
     )
 
 
@@ -94,7 +94,7 @@ def image_plane(view: View) -> str:
     parts = [
         drawing.line(left, right, "image bold"),
         drawing.rectangle(right - 4.0, 8.0, 8.0, "image solid"),
-        drawing.text(spot, "image plane", "image small halo"),
+        drawing.text(spot, "image plane", "image small ground"),
     ]
     if view.full:
         level = left[1] - 8.0
@@ -129,14 +129,14 @@ def triangles(view: View) -> str:
     parts = [drawing.polygon([AXIS, above(view.Z, 0.0), above(view.Z, view.X)], "ray thin fill")]
     if SIDE_SCALE * abs(view.X) >= LEAST_LEG and DEPTH_SCALE * view.Z >= LEAST_LEG:
         middle = _beside(above(view.Z, view.X / 2.0), -7.0, 4.0)
-        parts.append(drawing.text(middle, "X", "world italic halo", "end"))
+        parts.append(drawing.text(middle, "X", "world italic ground", "end"))
     if abs(view.x) <= HALF_WIDTH_PX:
         distance, across = view.camera.plane_m, view.x * METRES_PER_PX
         hit = above(distance, across)
         parts += [
             drawing.line(above(distance, 0.0), hit, "image bold"),
             drawing.dot(hit, "image", 4.0),
-            drawing.text(_beside(hit, -7.0, 4.0 + 6.0 * side), "x", "image italic halo", "end"),
+            drawing.text(_beside(hit, -7.0, 4.0 + 6.0 * side), "x", "image italic ground", "end"),
         ]
     return "".join(parts)
 
@@ -207,9 +207,9 @@ def centre(view: View) -> str:
         spot = above(view.camera.centre_m, 0.0)
         name = max(spot[0], 26.0), spot[1] + (20.0 if view.X < 0.0 else -11.0)
         return drawing.dot(spot, "camera", 5.0) + drawing.text(
-            name, "centre", "camera small halo", "middle"
+            name, "centre", "camera small ground", "middle"
         )
-    return drawing.text((8.0, HEIGHT - 30.0), words, "camera small halo")
+    return drawing.text((8.0, HEIGHT - 30.0), words, "camera small ground")
 
 
 def equation(view: View) -> str:
@@ -228,4 +228,4 @@ def equation(view: View) -> str:
         words = f"x = f X / Z = {f} · {X} / 0: undefined"
     else:
         words = "behind the camera: no image"
-    return drawing.text((WIDTH - 4.0, HEIGHT - 6.0), words, f"{role} halo", "end")
+    return drawing.text((WIDTH - 4.0, HEIGHT - 6.0), words, f"{role} ground", "end")

@@ -173,7 +173,7 @@ def _labels(vectors: list[Direction], seen: float, near: float) -> Iterator[str]
         names = " = " if _coincide(group) else ", "
         label = names.join(name for name, _, _ in group)
         level = -9.0 if abs(math.cos(middle)) < 0.12 else 4.5  # clear of the surface's own line
-        yield text((place[0], place[1] + level), label, f"{group[0][2]} strong halo", "middle")
+        yield text((place[0], place[1] + level), label, f"{group[0][2]} strong ground", "middle")
 
 
 def _coincide(group: list[Direction]) -> bool:

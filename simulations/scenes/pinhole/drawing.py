@@ -75,8 +75,8 @@ def _box(half: float) -> str:
 def _words() -> list[str]:
     above = MIDDLE - HALF_BOX - 8.0
     return [
-        drawing.text((FRONT, above), "hole", "camera small halo", "middle"),
-        drawing.text((WALL, above), "wall", "camera small halo", "middle"),
+        drawing.text((FRONT, above), "hole", "camera small ground", "middle"),
+        drawing.text((WALL, above), "wall", "camera small ground", "middle"),
         drawing.text((START, HEIGHT - 10.0), "from a far scene", "muted small"),
         drawing.text((WIDTH - 8.0, HEIGHT - 10.0), "dashed: diffraction", "muted small", "end"),
     ]

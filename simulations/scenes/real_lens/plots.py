@@ -62,7 +62,7 @@ def aberration(glass: Glass, curve: Floats, height: float, marked: Rays, opening
     parts = [
         *_frame(glass, plot, "height h, mm", (0, 10, 20)),
         plot.level(opening, "thin dashed"),
-        text((RIGHT - 28, HEIGHTS.place(opening) - 5), "opening", "small halo", "end"),
+        text((RIGHT - 28, HEIGHTS.place(opening) - 5), "opening", "small ground", "end"),
         dot(opening_mark(opening)),
     ]
     if glass.real:
@@ -95,7 +95,7 @@ def _frame(glass: Glass, plot: Plot, name: str, ticks: Sequence[float]) -> Itera
     yield plot.x_axis(ALONG if glass.real else replace(ALONG, name="", ticks=()))
     if not glass.real:
         middle = (0.5 * (LEFT + RIGHT), 0.5 * (TOP + FLOOR) - 16)
-        yield text(middle, "no image behind this lens", "error halo", "middle")
+        yield text(middle, "no image behind this lens", "error ground", "middle")
 
 
 def _models(glass: Glass, plot: Plot) -> Iterator[str]:
@@ -108,7 +108,7 @@ def _models(glass: Glass, plot: Plot) -> Iterator[str]:
             anchor = side if name == "thin" else {"end": "start", "start": "end"}[side]
             shift = 4 if anchor == "start" else -4
             place = (plot.x.place(along) + shift, FLOOR - 6)
-            yield text(place, name, f"{role} small halo", anchor)
+            yield text(place, name, f"{role} small ground", anchor)
 
 
 def _crosses_within(plot: Plot, marked: Rays) -> float | None:

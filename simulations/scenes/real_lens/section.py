@@ -117,7 +117,7 @@ def _marked(
 def _reason(view: View, glass: Glass, height: float, words: str) -> str:
     """Why the marked ray ends, above the lens."""
     above = view.at(0.0, min(max(glass.rim_mm, height, BLADE_MM) + 4.0, view.up_mm - 4.0))
-    return text(above, words, "error halo", "middle")
+    return text(above, words, "error ground", "middle")
 
 
 def entry_mark(view: View, height: float, distance_mm: float) -> tuple[float, float]:
@@ -240,11 +240,11 @@ def _marks(view: View, settings: Settings, glass: Glass) -> Iterator[str]:
     yield dot(entry, "ray", 5)
     foot = (entry[0], AXIS_Y)
     yield line(entry, foot, "ray thin")
-    yield text((entry[0] - 6, 0.5 * (entry[1] + AXIS_Y) + 4), "h", "ray italic halo", "end")
+    yield text((entry[0] - 6, 0.5 * (entry[1] + AXIS_Y) + 4), "h", "ray italic ground", "end")
     thing = object_mark(glass.distance_mm)
     if thing:
         yield dot(thing, "world", 5)
-    yield text(view.at(0.0, -BLADE_MM - 5.0), "opening", "halo", "middle")
+    yield text(view.at(0.0, -BLADE_MM - 5.0), "opening", "ground", "middle")
 
 
 def _beyond_rim(view: View, glass: Glass, *, front: bool) -> list[tuple[float, float]]:
@@ -267,4 +267,4 @@ def _image(view: View, glass: Glass) -> Iterator[str]:
             x = view.at(place, 0.0)[0]
             yield line((x, AXIS_Y + 7), (x, AXIS_Y - row), f"{style} thin")
             yield line((x, AXIS_Y - 7), (x, AXIS_Y + 7), f"{style} bold")
-            yield text((x - 5.0, AXIS_Y - row + 9.0), name, f"{style} small halo", "end")
+            yield text((x - 5.0, AXIS_Y - row + 9.0), name, f"{style} small ground", "end")

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.drawing import Point, dot, line, text
+from simulations.engine.letters import width_of
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
-from simulations.engine.plotting.letters import width_of
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats

@@ -53,7 +53,7 @@ def star_overlay(settings: Settings) -> str:
         parts += [circle(MIDDLE, radius, "casing"), circle(MIDDLE, radius, f"{role} dashed")]
         if 16.0 < radius < HEIGHT / 2 - 18:
             row = MIDDLE[1] - radius - 7 if name == "Nyquist" else MIDDLE[1] + radius + 16
-            parts.append(text((MIDDLE[0], row), name, f"{role} small halo", "middle"))
+            parts.append(text((MIDDLE[0], row), name, f"{role} small ground", "middle"))
     parts += [dot(nyquist_mark(settings), "camera", 5), dot(cutoff_mark(settings), "ray", 5)]
     return "".join((*parts, *_scale(100 * per_um, "0.1 mm")))
 
@@ -108,4 +108,4 @@ def _scale(units: float, label: str) -> Iterator[str]:
     left, row = 12.0, HEIGHT - 12
     yield line((left, row), (left + units, row), "casing")
     yield line((left, row), (left + units, row), "bold")
-    yield text((left, row - 8), label, "small halo")
+    yield text((left, row - 8), label, "small ground")

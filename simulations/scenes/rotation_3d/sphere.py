@@ -116,7 +116,7 @@ def _marks(trace: Floats) -> Iterator[str]:
 def _ends(trace: Floats) -> Iterator[str]:
     for point, label in ((trace[0], "start"), (trace[-1], "end")):
         yield circle(point, 5.5, "camera")
-        yield text((point[0], point[1] - 11), label, "camera small halo", "middle")
+        yield text((point[0], point[1] - 11), label, "camera small ground", "middle")
 
 
 def _legend(chosen: str) -> Iterator[str]:
@@ -124,7 +124,7 @@ def _legend(chosen: str) -> Iterator[str]:
         y = 22.0 + 18.0 * row
         yield line((14, y - 4.5), (40, y - 4.5), f"{ROLES[name]} {MANNERS[name]}")
         weight = " strong" if name == chosen else ""
-        yield text((48, y), label, f"{ROLES[name]} halo{weight}")
+        yield text((48, y), label, f"{ROLES[name]} ground{weight}")
 
 
 def on_screen(points: Floats, view: Floats) -> Floats:

@@ -50,7 +50,7 @@ def section(settings: Settings) -> str:
         *lamp(source),
         dot(EDGE, "world", 3.5),
         *(circle(here, 5.5, "casing"), dot(here, "image", 5)),
-        text((floor[0], floor[1] - 8), "floor", "world halo", "end"),
+        text((floor[0], floor[1] - 8), "floor", "world ground", "end"),
         text(
             (EDGE[0], EDGE[1] + 48),
             "tinted: what the point sees of the wall",
@@ -59,7 +59,7 @@ def section(settings: Settings) -> str:
         ),
     ]
     name = towards(settings.opening, 0.3 * LENGTH)
-    parts.append(text((name[0] - 9, name[1]), "wall", "world halo", "end"))
+    parts.append(text((name[0] - 9, name[1]), "wall", "world ground", "end"))
     return "".join(parts)
 
 
@@ -77,5 +77,5 @@ def _shadow(settings: Settings) -> list[str]:
     if end <= 1.0:
         parts.append(line(start, reach, "light dashed"))
     parts.append(line(EDGE, reach, "error bold"))
-    parts.append(text((EDGE[0] + 6, EDGE[1] + 26), "in the lamp’s shadow", "error small halo"))
+    parts.append(text((EDGE[0] + 6, EDGE[1] + 26), "in the lamp’s shadow", "error small ground"))
     return parts

@@ -46,7 +46,7 @@ def over_wedge(patch: int) -> str:
 
 def over_patch(label: str) -> str:
     """Signal and noise of the enlarged patch."""
-    return text((12, HEIGHT - 14), label, "image strong halo")
+    return text((12, HEIGHT - 14), label, "image strong ground")
 
 
 def format_electrons(mean_e: float) -> str:
@@ -144,18 +144,18 @@ def _names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) ->
     shot = np.maximum(means / gain, LOWEST_DN2)
     middle = math.sqrt(full * max(low, LOWEST_DN2 * gain))
     labels = [
-        Label(plot.clamped(low, floor), "floor", "error small halo", distance=8.0),
-        Label(plot.clamped(full, plot.y.high), "full", "muted small halo", "below left", 5.0),
+        Label(plot.clamped(low, floor), "floor", "error small ground", distance=8.0),
+        Label(plot.clamped(full, plot.y.high), "full", "muted small ground", "below left", 5.0),
         Label(
             plot.clamped(middle, middle / gain),
             "shot noise: mean / g",
-            "light small halo",
+            "light small ground",
             "below right",
         ),
     ]
     if crosses:
         highest = min(crosses, key=lambda place: place[1])
-        labels.append(Label(highest, "one frame", "error small halo", "left", distance=8.0))
+        labels.append(Label(highest, "one frame", "error small ground", "left", distance=8.0))
     seen: list[Sequence[Point]] = [
         *plot.pieces(means, np.maximum(shot + floor, LOWEST_DN2)),
         *plot.pieces(means, shot),

@@ -94,7 +94,7 @@ def waves_left(measured: Floats, true: Floats) -> str:
             WAVES.region(x=(NYQUIST, 1.0)),
             WAVES.frame(Scale("frequency", "cycles per px", (0, 0.5, 1), style="small"), LEVELS),
             WAVES.upright(NYQUIST, "camera thin dashed"),
-            text((WAVES.x.place(NYQUIST), 28), "Nyquist", "camera small halo", "middle"),
+            text((WAVES.x.place(NYQUIST), 28), "Nyquist", "camera small ground", "middle"),
             WAVES.curve(FREQUENCIES, true, "ray bold"),
             *_dots(measured),
             legend(
@@ -108,7 +108,7 @@ def waves_left(measured: Floats, true: Floats) -> str:
 
 def _dots(measured: Floats) -> Iterator[str]:
     if np.isnan(measured).any():
-        yield text(WAVES.at(0.98, 0.75), "too few different distances", "error halo", "end")
+        yield text(WAVES.at(0.98, 0.75), "too few different distances", "error ground", "end")
         return
     for f, left in zip(FREQUENCIES[::2].tolist(), measured[::2].tolist(), strict=True):
         yield WAVES.mark(f, left, "image", 2.5)

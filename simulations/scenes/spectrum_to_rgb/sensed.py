@@ -37,4 +37,4 @@ def _letters(curves: Floats, letters: tuple[str, ...]) -> Iterator[str]:
     for each, letter in zip(curves.T, letters, strict=True):
         peak = int(each.argmax())
         x, y = PLOT.at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
-        yield text((x, y - 6), letter, "camera halo", "middle")
+        yield text((x, y - 6), letter, "camera ground", "middle")

@@ -98,7 +98,7 @@ def plane_overlay(view: Camera, box: Box, lines: bool) -> str:
         (
             drawing.rectangle(corner, *size, "image"),
             drawing.text(
-                (corner[0] + 3.0, corner[1] + size[1] - 5.0), "picture", "image small halo"
+                (corner[0] + 3.0, corner[1] + size[1] - 5.0), "picture", "image small ground"
             ),
             towards_vanishing(view, box, (0, 1, 2), in_plane) if lines else "",
             horizon(view, in_plane, from_plane),
@@ -149,7 +149,7 @@ def horizon(view: Camera, place: Place, back: Callable[[Point], Point]) -> str:
         return drawing.text(
             (WIDTH / 2.0, 22.0 if above else HEIGHT - 12.0),
             f"the horizon is {'above' if above else 'below'} the picture",
-            "camera halo",
+            "camera ground",
             "middle",
         )
     ends = place(found[0]), place(found[1])
@@ -165,7 +165,7 @@ def _horizon_name(view: Camera, place: Place, ends: tuple[Point, Point]) -> str:
     baseline = (min(max(x, 6.0), WIDTH - 6.0), max(y - 7.0, 13.0))
     if not inside(baseline, 6.0):
         return ""
-    return drawing.text(baseline, "horizon", "camera small halo", anchor)
+    return drawing.text(baseline, "horizon", "camera small ground", anchor)
 
 
 def upright(view: Camera, box: Box) -> str:
@@ -187,7 +187,7 @@ def upright(view: Camera, box: Box) -> str:
     label = (crossing[0] + side, crossing[1] + 16.0)
     if inside(label, 3.0 * ROOM):
         words = f"{format_number(view.height, 1)} m"
-        parts.append(drawing.text(label, words, "camera small halo", anchor))
+        parts.append(drawing.text(label, words, "camera small ground", anchor))
     return "".join(parts)
 
 
@@ -200,5 +200,5 @@ def vanishing_points(view: Camera, place: Place) -> str:
         x, y = place(pixel)
         parts.append(drawing.dot((x, y), "image", 4.0))
         baseline = (min(max(x, 10.0), WIDTH - 10.0), y - 15.0 if y > 2.0 * ROOM else y + 25.0)
-        parts.append(drawing.text(baseline, name, "image strong halo", "middle"))
+        parts.append(drawing.text(baseline, name, "image strong ground", "middle"))
     return "".join(parts)

@@ -85,7 +85,7 @@ def _image(pixel: Floats) -> str:
     """The lamp, or its direction if it is outside the picture."""
     if not in_picture(pixel):
         text = f"outside, to the {'left' if pixel[0] < 0 else 'right'}"
-        return drawing.text((WIDTH / 2.0, 22.0), text, "image halo", "middle")
+        return drawing.text((WIDTH / 2.0, 22.0), text, "image ground", "middle")
     return drawing.dot(place(pixel), "image", 5.0)
 
 
@@ -117,7 +117,7 @@ def _depths(view: View) -> str:
         if all(abs(x - other) >= LABEL_WIDTH for other in taken) and 20.0 < x < WIDTH - 20.0:
             taken.append(float(x))
             words = "∞" if endless else f"{depth:.0f} m"
-            parts.append(drawing.text(label, words, "ray small halo", "middle"))
+            parts.append(drawing.text(label, words, "ray small ground", "middle"))
     return "".join(parts)
 
 
@@ -140,5 +140,5 @@ def _disparity(view: View) -> str:
         left, right = sorted((float(start[0]), float(end[0])))
         fits = right < WIDTH - 90.0
         beside = (right + 10.0 if fits else left - 10.0, ends[0][1] + 4.0)
-        parts.append(drawing.text(beside, words, "image small halo", "start" if fits else "end"))
+        parts.append(drawing.text(beside, words, "image small ground", "start" if fits else "end"))
     return "".join(parts)

@@ -74,7 +74,7 @@ def _depth_axis() -> str:
     row = HEIGHT - 14.0
     ticks = "".join(
         drawing.line((above(Z, 0.0)[0], row - 3), (above(Z, 0.0)[0], row + 3), "muted thin")
-        + drawing.text((above(Z, 0.0)[0], row - 6.0), f"{Z}", "muted small halo", "middle")
+        + drawing.text((above(Z, 0.0)[0], row - 6.0), f"{Z}", "muted small ground", "middle")
         for Z in (5, 10, 15, 20)
     )
     start, end = (CENTRE[0], row), (WIDTH - 4.0, row)

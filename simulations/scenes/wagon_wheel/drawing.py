@@ -164,7 +164,7 @@ def _axes(now: float) -> Iterator[str]:
     yield PLOT.frame(Scale("time", "frames", ticks), Scale(ticks=(0, 1)))
     x, foot = PLOT.at(0, 0)
     yield line((x, foot + 4), (x, PLOT.y.end), "muted dashed")
-    yield text((x, PLOT.y.end - 7), "now", "muted small halo", "middle")
+    yield text((x, PLOT.y.end - 7), "now", "muted small ground", "middle")
     yield text((PLOT.x.start - 34, foot + 41), "↑ turn, in spoke spacings")
 
 

@@ -58,7 +58,7 @@ def test_every_class_that_a_drawing_may_have_is_on_the_page_of_drawings() -> Non
     css = "".join((ENGINE / "static" / "css" / f"{name}.css").read_text("utf-8") for name in sheets)
     rules = re.findall(r"^\.overlay (?!>)([^{]+) \{", css, re.MULTILINE)
     styled = {name for rule in rules for name in re.findall(r"\.([a-z-]+)", rule)}
-    assert {"world", "dashed", "halo", "on-swatch", "sub"} <= styled
+    assert {"world", "dashed", "ground", "on-swatch", "sub"} <= styled
     page = guide_files()["content/05-drawings.md"].decode()
     assert {name for name in styled if f"`{name}`" not in page} == set()
 
