@@ -5,7 +5,7 @@
         depth: float = slider("Depth (Z)", 5.0, -2, 20, 0.1, unit="m")
         view: str = choice("View", {"top": "From above", "side": "From the side"})
         grid: bool = toggle("Show the grid")
-        take: int = action("Take it again", "Take it again")
+        take: int = action("Take another photo", "Take another photo")
 
 Controls, defaults, validation, documentation and types of a setting all come from its field.
 """

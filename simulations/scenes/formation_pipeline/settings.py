@@ -16,4 +16,4 @@ class Settings:
     step: int = action("Next step", drives="station", effect="step")
     distance: float = slider("Camera distance", 4.0, 2.0, 8.0, 0.1, unit="m")
     albedo: float = slider("Albedo ρ", 0.6, 0.0, 1.0, 0.01)
-    again: int = action(*("Take it again",) * 8)
+    again: int = action(*("Take another photo",) * 8)

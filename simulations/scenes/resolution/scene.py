@@ -103,7 +103,7 @@ def describe(settings: Settings, here: Links) -> str:
         else "the lens passes waves that are too fine for the pixels, and false patterns appear "
         "around the middle of the star"
     )
-    return f"{wave}; {grid}."
+    return f"A star of dark and light rays that fade towards its middle. {wave}; {grid}."
 
 
 SCENE = Scene(

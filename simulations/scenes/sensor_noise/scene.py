@@ -148,7 +148,7 @@ def describe(settings: Settings, outputs: Outputs, camera: Sensor) -> str:
     full = int(np.count_nonzero(brightest_e > saturation_e(camera)))
     are = "hold cells that are" if own else "are"
     burnt = f"{full} of 24 patches {are} burnt out" if full else "no patch is burnt out"
-    what = "Your own picture" if own else "A step wedge"
+    what = "Your own picture" if own else "A photo of 24 grey patches from light to dark"
     words = {"one code only": "shows one code only", "clipped": "is clipped"}
     measured = measured_ratio(transfer, settings.patch - 1)
     shown = words.get(measured, f"has an SNR of {measured}")

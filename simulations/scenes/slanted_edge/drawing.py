@@ -23,7 +23,8 @@ REACH = 4.0
 ACROSS = Plot(Axis(-REACH, REACH, 34.0, 388.0), Axis(0.0, 1.05, 214.0, 40.0))
 WAVES = Plot(Axis(0.0, 1.0, 34.0, 388.0), Axis(0.0, 1.05, 214.0, 40.0))
 NYQUIST = 0.5
-LEVELS = Scale(ticks=(0, 0.5, 1), grid=(0.5, 1), tick_style="muted small")
+LIGHT = Scale(ticks=(0, 1), grid=(0.5, 1), tick_style="muted small")
+CONTRAST = Scale(ticks=(0, 0.5, 1), grid=(0.5, 1), tick_style="muted small")
 HANDLE_ROW = 40.0
 """Height of the edge's handle."""
 SPECK = 1.4
@@ -61,7 +62,7 @@ def light_across(reading: EdgeReading, row: Floats, angle_deg: float) -> str:
     near = np.abs(own) < REACH
     return "".join(
         (
-            ACROSS.frame(Scale("distance from the edge", "px", (-4, 0, 4), style="small"), LEVELS),
+            ACROSS.frame(Scale("distance from the edge", "px", (-4, 0, 4), style="small"), LIGHT),
             ACROSS.curve(reading.between, reading.slope, "light"),
             _specks(reading),
             *(ACROSS.mark(x, y, "camera", 3.5) for x, y in zip(own[near], row[near], strict=True)),
@@ -92,7 +93,7 @@ def waves_left(measured: Floats, true: Floats) -> str:
     return "".join(
         (
             WAVES.region(x=(NYQUIST, 1.0)),
-            WAVES.frame(Scale("frequency", "cycles per px", (0, 0.5, 1), style="small"), LEVELS),
+            WAVES.frame(Scale("frequency", "cycles per px", (0.5, 1), style="small"), CONTRAST),
             WAVES.upright(NYQUIST, "camera thin dashed"),
             text((WAVES.x.place(NYQUIST), 28), "Nyquist", "camera small ground", "middle"),
             WAVES.curve(FREQUENCIES, true, "ray bold"),

@@ -69,7 +69,7 @@ def _mtf50(name: str, label: str, left: Floats, pitch: float, role: str) -> Read
 
 def describe(settings: Settings, measured: Floats, true: Floats) -> str:
     """The measurement of the edge, or why there is none."""
-    slant = f"An edge slanted by {format_number(settings.angle, 1)}°"
+    slant = f"A soft edge between dark and light, slanted by {format_number(settings.angle, 1)}°"
     if np.isnan(measured).any():
         return f"{slant}: too many rows meet it at the same place, so the picture gives no MTF."
     found, formula = (
