@@ -41,11 +41,11 @@ class InitialFrame:
 
     @property
     def main_panel(self) -> Panel:
-        """What stands for the figure where there is room for one panel: its lead, else the first
-        that is a picture, else the first."""
-        panels = self.frame.panels
-        pictures = (panel for panel in panels if panel.name in self.pictures)
-        return next((panel for panel in panels if panel.lead), next(pictures, panels[0]))
+        """What stands for the figure where there is room for one panel: a picture rather than a
+        drawing, and the lead rather than another."""
+        return min(
+            self.frame.panels, key=lambda panel: (panel.name not in self.pictures, not panel.lead)
+        )
 
 
 type InitialFrames = dict[tuple[str, int], InitialFrame]

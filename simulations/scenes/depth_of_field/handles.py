@@ -73,6 +73,7 @@ def _aimed(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("aim", "picture", "Object to focus on", ("focus",), _middle, _aimed, "aim"),
     Handle("floor", "picture", "Plane of focus", ("focus",), _floor, _floor_pulled, role="ray"),
     Handle(
         "focus",
@@ -94,5 +95,4 @@ HANDLES: tuple[Handle[Settings], ...] = (
         role="camera",
         reversed=("aperture",),
     ),
-    Handle("aim", "picture", "Object to focus on", ("focus",), _middle, _aimed, "aim"),
 )

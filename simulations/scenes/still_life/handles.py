@@ -35,6 +35,6 @@ def _aimed(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("focus", "picture", "Focus", ("focus",), _focus, _focus_pulled, role="ray"),
     Handle("aim", "picture", "Object to focus on", ("focus",), _middle, _aimed, "aim"),
+    Handle("focus", "picture", "Focus", ("focus",), _focus, _focus_pulled, role="ray"),
 )
