@@ -34,6 +34,9 @@ SCROLLED = """() => [...document.querySelectorAll("main *:not(pre, .other-panels
   .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
   .filter((one) => one.scrollWidth > one.clientWidth + 1)
   .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`)"""
+SMALL_LEADS = """() => [...document.querySelectorAll(".panels.led > .panel")]
+  .filter((one) => one.querySelector("img, canvas") && one.clientWidth < 480)
+  .map((one) => one.dataset.panel)"""
 OUT_OF_REACH = """async () => {
   const found = () => [...document.querySelectorAll("main *")]
     .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
@@ -126,7 +129,7 @@ REACH = Look("scrolls, but not by keyboard", OUT_OF_REACH)
 LABELS = Look("a label is too small", SMALL_LABELS, 12.5)
 LONGEST = Look("a value at its longest is cut, or moves what is around it", MOVED)
 AT_A_DESK = {
-    1440: [*fits(1440), REACH, LABELS],
+    1440: [*fits(1440), REACH, LABELS, Look("a leading picture is small", SMALL_LEADS)],
     1280: [
         Look("lies under the contents", COVERED),
         Look("shows more than three controls or readouts at first", CROWDED),

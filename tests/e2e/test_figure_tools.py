@@ -104,11 +104,27 @@ def test_full_screen_shows_the_figure_alone_until_it_is_left(
     guest: Reader, figure: Locator
 ) -> None:
     button = figure.locator("[data-full-screen]")
+    said = button.inner_text()
+    width = figure.locator(".panel-view").first.evaluate("view => view.clientWidth")
     button.click()
     guest.page.wait_for_function(f"document.fullscreenElement?.id === '{ID}'")
-    expect(button).to_have_attribute("aria-pressed", "true")
+    expect(button).not_to_have_text(said)
+    lead = figure.locator(".panel-view").first
+    assert lead.evaluate("view => view.clientWidth") > width
     guest.page.evaluate("document.exitFullscreen()")  # as a browser's Escape does
-    expect(button).to_have_attribute("aria-pressed", "false")
+    expect(button).to_have_text(said)
+
+
+def test_the_line_of_tools_stays_as_it_is_when_a_fold_opens(figure: Locator) -> None:
+    places = """figure => [...figure.querySelectorAll("summary, .tools > button, .open-python")]
+      .map(one => [one.offsetLeft, one.offsetTop - figure.offsetTop])"""
+    fold = "(figure, open) => figure.querySelectorAll('details').forEach(d => { d.open = open; })"
+    figure.evaluate(fold, False)
+    before = figure.evaluate(places)
+    figure.evaluate(fold, True)
+    assert figure.evaluate(places) == before
+    height = "report => report.lastElementChild.getBoundingClientRect().height"
+    assert figure.locator(".stage-report").evaluate(height) > 0
 
 
 def test_the_tools_are_reached_by_keyboard(guest: Reader, figure: Locator) -> None:
@@ -121,7 +137,7 @@ def test_the_tools_are_reached_by_keyboard(guest: Reader, figure: Locator) -> No
 
 
 def test_words_and_readouts_light_up_what_has_their_colour(guest: Reader, figure: Locator) -> None:
-    caption = guest.page.locator(f"#{ID} figcaption")
+    caption = guest.page.locator(f"#{ID} .figure-caption")
     lit = "([element, role]) => (element.dataset.lit ?? '') === role"
     for pointed, role in [
         (caption.locator(".role-world"), "world"),

@@ -23,7 +23,7 @@ def test_coloured_words_and_symbols_light_up_and_are_no_stops_of_the_keyboard(
 def test_a_word_lights_the_control_that_moves_what_it_names(plain_reader: Reader) -> None:
     plain_reader.open("lighting-and-reflectance/", live=False)
     figure = plain_reader.figure("phong")
-    word = plain_reader.page.locator("figcaption .role-light").first
+    word = plain_reader.page.locator(":is(figcaption, .figure-caption) .role-light").first
     word.hover()
     expect(figure.locator(".control.driven [name=light_angle]")).to_have_count(1)
     plain_reader.page.mouse.move(0, 0)

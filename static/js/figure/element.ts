@@ -1,7 +1,7 @@
 /** `<simulation-figure>`: a still that comes alive in place, where the browser can run Python. */
 
 import { isSparing } from "../page/data_saver.ts";
-import { one } from "../page/dom.ts";
+import { all } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { EDITED, TIMEOUTS } from "../runtime/messages.ts";
 import { Runtime, sharedRuntime } from "../runtime/runtime.ts";
@@ -87,7 +87,9 @@ export class SimulationFigure extends HTMLElement {
 
   /** This browser cannot run the figure: say so once, and offer no dead controls. */
   #refuse() {
-    one(this, "form.controls", HTMLFormElement).hidden = true;
+    for (const controls of all(this, ".control-grid, .more-controls", HTMLElement)) {
+      controls.hidden = true;
+    }
     this.dataset.state = "failed";
     say(this, words("figure.no_assembly"));
   }

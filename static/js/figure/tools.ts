@@ -11,6 +11,9 @@ import { numbersOf } from "./numbers.ts";
 import { permalink, settingsOf } from "./permalink.ts";
 import { pictureOf } from "./picture.ts";
 
+/** How long it is said that something was copied or saved. */
+const SAID_MS = 6000;
+
 type Tool = (figure: HTMLElement, button: HTMLButtonElement) => unknown;
 
 /** By the attribute of their button, as in `dataset`. */
@@ -51,11 +54,12 @@ async function fullScreen(figure: HTMLElement, button: HTMLButtonElement) {
   }
   const whole = figure.closest("figure");
   await whole?.requestFullscreen();
-  button.ariaPressed = "true";
+  const enter = button.textContent;
+  button.textContent = button.dataset.exit ?? enter;
   const changed = () => {
     if (document.fullscreenElement) return;
     document.removeEventListener("fullscreenchange", changed);
-    button.ariaPressed = "false";
+    button.textContent = enter;
   };
   document.addEventListener("fullscreenchange", changed);
 }
@@ -116,7 +120,11 @@ function save(figure: HTMLElement, name: string, content: BlobPart, type?: strin
   report(figure, words("tools.saved", { file }));
 }
 
+/** Say what was done, for some seconds. */
 function report(figure: HTMLElement, text: string) {
   const line = maybe(figure, ".tools-said", HTMLElement);
-  if (line) line.textContent = text;
+  if (!line) return;
+  clearTimeout(Number(line.dataset.timer));
+  line.textContent = text;
+  line.dataset.timer = String(setTimeout(() => (line.textContent = ""), SAID_MS));
 }
