@@ -13,7 +13,7 @@ class Scale:
 
     name: str = ""
     unit: str = ""
-    ticks: int | Sequence[float] | Sequence[Tick] = 6
+    ticks: int | Sequence[float] | Sequence[Tick] = 5
     """The largest count of round ticks; or the ticks; or the ticks, each with its text, which may
     be empty."""
     grid: Sequence[float] = ()

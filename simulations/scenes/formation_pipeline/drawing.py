@@ -135,9 +135,9 @@ def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
         bullet = f"{style} solid" if index <= reached else style
         parts.append(drawing.circle((18, top + ROW_HEIGHT / 2), 5.0, bullet))
         if index > reached:
-            parts.append(drawing.text((34, top + 28), entry.title, f"{style} strong"))
+            parts.append(drawing.text((40, top + 28), entry.title, f"{style} strong"))
         else:
-            parts.append(drawing.text((34, top + 17), entry.title, f"{style} strong"))
+            parts.append(drawing.text((40, top + 17), entry.title, f"{style} strong"))
             weight = "strong" if index == reached else ""
-            parts.append(drawing.text((34, top + 38.5), entry.numbers, weight))
+            parts.append(drawing.text((40, top + 38.5), entry.numbers, weight))
     return "".join(parts)

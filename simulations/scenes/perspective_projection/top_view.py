@@ -128,7 +128,7 @@ def triangles(view: View) -> str:
     side = 1.0 if view.X >= 0.0 else -1.0
     parts = [drawing.polygon([AXIS, above(view.Z, 0.0), above(view.Z, view.X)], "ray thin fill")]
     if SIDE_SCALE * abs(view.X) >= LEAST_LEG and DEPTH_SCALE * view.Z >= LEAST_LEG:
-        middle = _beside(above(view.Z, view.X / 2.0), -7.0, 4.0)
+        middle = _beside(above(view.Z, 0.35 * view.X), -7.0, 4.0)
         parts.append(drawing.text(middle, "X", "world italic ground", "end"))
     if abs(view.x) <= HALF_WIDTH_PX:
         distance, across = view.camera.plane_m, view.x * METRES_PER_PX
