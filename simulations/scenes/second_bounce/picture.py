@@ -17,8 +17,11 @@ from simulations.scenes.second_bounce import ball, room
 from simulations.scenes.second_bounce.room import Surface
 from simulations.scenes.second_bounce.settings import Settings
 
-GRID = 25
-"""Points along the sides of each plane at which the ball's share of the light is computed."""
+ASIDE = 0.7
+"""Distance along the edge from the ball's centre to the ends of the grid."""
+GRID, FINER = 25, 97
+"""Points along the sides of each plane at which the ball's share of the light is computed, and
+those between which it is interpolated."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +37,9 @@ class View:
     across: Floats
     """(N, 1) share of the pixel that shows the other plane, beyond the edge."""
     share: Floats
-    """(N,) form factor of the ball, from each of these."""
+    """(N, 1) form factor of the ball, from each of these."""
     cell: NDArray[np.intp]
-    """(N,) index of the grid's nearest point."""
+    """(N,) index of the nearest point of the finer grid."""
     weights: Floats
     """(2 · GRID², NORMALS) of the ball's points, seen from those of the grid."""
     beyond: Surface
@@ -90,9 +93,9 @@ def view_of(opening: float) -> View:
         ball.form_factor(places, np.array([0.0, 1.0, 0.0])),
         ball.form_factor(places, off),
     )
-    out = np.rint((GRID - 1) * np.clip(from_edge.ravel()[pixels], 0, 1)).astype(np.intp)
-    aside = np.clip((places[:, 2] - room.BACK) / (room.FRONT - room.BACK), 0, 1)
-    cell = np.rint((GRID - 1) * aside).astype(np.intp) + GRID * out
+    row = _step(from_edge.ravel()[pixels])
+    column = _step(0.5 + 0.5 * (places[:, 2] - room.CENTRE[2]) / ASIDE)
+    cell = column + FINER * row + np.where(on_floor, 0, FINER * FINER)
     grid = _grid(along)
     nearer = np.rint(room.PARTS * np.clip(from_edge, 0.0, 1.0)).astype(np.intp)
     index = (nearer + np.where(floor, 0, room.PARTS + 1)).ravel()[pixels]
@@ -102,11 +105,31 @@ def view_of(opening: float) -> View:
         cover=cover.ravel()[pixels],
         shown=Surface(index, on_floor, places),
         across=np.maximum(0.5 - _from_edge()[pixels, None], 0.0),
-        share=share,
-        cell=cell + np.where(on_floor, 0, GRID * GRID),
+        share=share[:, None],
+        cell=cell,
         weights=ball.seen_side(grid),
         beyond=room.struck(starts, ball.through(grid), angle),
     )
+
+
+def _step(share: Floats) -> NDArray[np.intp]:
+    """(N,) nearest step of the finer grid's sides."""
+    return np.rint((FINER - 1) * np.clip(share, 0.0, 1.0)).astype(np.intp)
+
+
+def finer(grid: Floats) -> Floats:
+    """(2 · FINER², 2) from values (2 · GRID², 2) at the grid's points, interpolated linearly."""
+    spread = _spread()
+    values = grid.reshape(2, GRID, GRID, 2).astype(np.float32)
+    rows = np.tensordot(spread, values, (1, 1))  # FINER, 2, GRID, 2
+    return np.tensordot(rows, spread, (2, 1)).transpose(1, 0, 3, 2).reshape(-1, 2)
+
+
+@cache
+def _spread() -> Floats:
+    """(FINER, GRID) weights of linear interpolation."""
+    places = np.linspace(0.0, GRID - 1.0, FINER)[:, None]
+    return np.maximum(1.0 - np.abs(places - np.arange(GRID)), 0.0).astype(np.float32)
 
 
 @cache
@@ -128,7 +151,7 @@ def _within(inside: Floats) -> Floats:
 
 def _grid(along: Floats) -> Floats:
     """(2 · GRID², 3) points of the floor, then of the wall."""
-    out, aside = np.linspace(0, 1, GRID), np.linspace(room.BACK, room.FRONT, GRID)
+    out, aside = np.linspace(0, 1, GRID), np.linspace(-ASIDE, ASIDE, GRID) + room.CENTRE[2]
     planes = []
     for axis in (np.array([1.0, 0.0, 0.0]), along):
         points = out[:, None, None] * axis + np.zeros((GRID, GRID, 3))

@@ -19,7 +19,7 @@ from simulations.models.light.interreflection import (
     seen_of,
 )
 from simulations.scenes.second_bounce import ball, room
-from simulations.scenes.second_bounce.picture import View, ball_view, paint, view_of
+from simulations.scenes.second_bounce.picture import View, ball_view, finer, paint, view_of
 from simulations.scenes.second_bounce.room import Surface, shaded
 
 RED_WALL = 0.1
@@ -161,7 +161,8 @@ def _picture(
     """The room, its ball and the ball's shadow."""
     light, angle = math.radians(light_angle), math.radians(opening)
     index = view.shown.index
-    planes = lit.shown[index] - shaded(view.shown.places, light)[:, None] * lit.lamp[index]
+    dark = shaded(view.shown.places, light)[:, None]
+    planes = lit.shown[index] - dark * lit.lamp[index]
     if bounces != "0":
         hidden = lit.before[view.beyond.index]
         hidden -= shaded(view.beyond.places, light)[..., None] * lit.lamp[view.beyond.index]
@@ -169,9 +170,10 @@ def _picture(
         floor, other = _albedos(albedo, wall).T
         more[: len(more) // 2] *= floor
         more[len(more) // 2 :] *= other
-        planes += view.share[:, None] * more.astype(np.float32)[view.cell]
+        planes += view.share * finer(more)[view.cell]
     mixed = np.flatnonzero(view.across)
-    beyond_edge = lit.shown[np.where(view.shown.floor[mixed], room.PARTS + 1, 0)]
+    other = np.where(view.shown.floor[mixed], room.PARTS + 1, 0)
+    beyond_edge = lit.shown[other] - dark[mixed] * lit.lamp[other]
     planes[mixed] += view.across[mixed] * (beyond_edge - planes[mixed])
     of_ball = ball_view()
     by_lamp = ball.lamp_on(of_ball.normals, light, angle)[:, None]
