@@ -71,8 +71,8 @@ def _time_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("spoke", "wheel", "Marked spoke", ("time",), _spoke, _spoke_pulled, role="ray"),
     Handle("speed", "wheel", "Speed", ("speed",), _speed, _speed_pulled, role="world"),
+    Handle("spoke", "wheel", "Marked spoke", ("time",), _spoke, _spoke_pulled, role="ray"),
     Handle(
         "time", "track", "Row of frames", ("time",), _time, _time_pulled, "drag", reversed=("time",)
     ),
