@@ -108,4 +108,4 @@ def _scale(units: float, label: str) -> Iterator[str]:
     left, row = 12.0, HEIGHT - 12
     yield line((left, row), (left + units, row), "casing")
     yield line((left, row), (left + units, row), "bold")
-    yield text((left, row - 8), label, "small ground")
+    yield text((left, row - 13), label, "small ground")
