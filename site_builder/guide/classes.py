@@ -6,7 +6,7 @@ from pathlib import Path
 
 from simulations.engine.frame import ROLES
 
-RULE = re.compile(r"^\.overlay (text)?\.([a-z]+) \{\n((?:  .*\n)+)\}", re.MULTILINE)
+RULE = re.compile(r"^\.overlay (text|rect)?\.([a-z]+) \{\n((?:  .*\n)+)\}", re.MULTILINE)
 UNSEEN = ("swatch",)
 """Classes of what has a colour of its own."""
 
