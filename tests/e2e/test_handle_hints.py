@@ -36,6 +36,26 @@ def test_a_handle_that_is_pointed_at_says_what_to_do_and_is_quiet_while_dragged(
     page.mouse.up()
 
 
+def test_a_handle_that_has_the_focus_of_the_keyboard_shows_its_keys(guest: Reader) -> None:
+    guest.open(CHAPTER)
+    handle = guest.page.locator(FIRST).first
+    guest.page.keyboard.press("Tab")
+    handle.focus()
+    shown = handle.evaluate("handle => getComputedStyle(handle, '::after').content")
+    assert "← →" in shown
+
+
+def test_pictures_are_named_by_the_titles_of_their_panels(guest: Reader) -> None:
+    guest.open(CHAPTER)
+    pictures = guest.page.get_by_role("img")
+    canvases = guest.page.locator("canvas.live")
+    assert canvases.count() > 0
+    for canvas in canvases.all():
+        panel = guest.page.locator(".panel", has=canvas)
+        title = panel.locator(".panel-title").inner_text()
+        expect(pictures.and_(canvas)).to_have_accessible_name(title)
+
+
 @pytest.mark.parametrize("motion", ["no-preference", "reduce"])
 def test_the_first_handle_of_a_page_moves_once_where_motion_is_welcome(
     chromium: Browser, server: StaticServer, motion: str

@@ -66,7 +66,7 @@ def axes() -> str:
         + drawing.arrow((CENTRE[0], 8.0), (CENTRE[0], bottom), "muted thin")
         + drawing.path(ticks, "muted thin")
         + "".join(words)
-        + drawing.text((right, CENTRE[1] - 8.0), "x, px", "muted small", "end")
+        + drawing.text((right, CENTRE[1] - 8.0), "x, px", "muted small ground", "end")
         + drawing.text((CENTRE[0] + 8.0, bottom), "y, px", "muted small")
     )
 

@@ -12,8 +12,6 @@ export type Point = [number, number];
 
 /** Handles that are nearer to the pointer than this, in CSS pixels, compete for it. */
 const REACH = 22;
-/** Share of a panel's height above which a handle has no room for its hint. */
-const HIGH = 0.2;
 
 /** The handle that a press means: the nearest mark within reach, else what lies under it. */
 export function grabbed(layer: HTMLElement, event: PointerEvent): HTMLElement | null {
@@ -71,7 +69,6 @@ export function put(element: HTMLElement, place: { x: number; y: number }) {
   const { width, height } = viewBox(element);
   setProperty(element, "--x", `${((100 * place.x) / width).toFixed(3)}%`);
   setProperty(element, "--y", `${((100 * place.y) / height).toFixed(3)}%`);
-  element.classList.toggle("high", place.y < HIGH * height);
 }
 
 function setProperty({ style }: HTMLElement, property: string, value: string) {
