@@ -60,6 +60,9 @@ class Scene[S]:
     estimate: Callable[[S, Outputs, str], Iterator[Readout]] | None = None
     """Yields better and better estimates of the error of a frame in a tier, with a unit. Called
     while nothing moves; each step must be short."""
+    formula: Callable[..., object] | None = None
+    """The function of a model that the figure is about, among those that compute or draw it; the
+    editor of its Python opens there."""
 
     def __post_init__(self) -> None:
         if not self.draft_tier:

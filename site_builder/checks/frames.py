@@ -11,6 +11,7 @@ from site_builder.book import Book
 from site_builder.cache import cached
 from site_builder.checks.svg import read_overlay
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.page_model.blocks import Block
@@ -36,6 +37,8 @@ def check_frames(
     known = known_classes(static)
     for (path, line), still in initial_frames.items():
         scene = still.figure.scene
+        if fault := formula_fault(scene):
+            problems.add(path, line, f"{scene.id}: {fault}")
         names = [control.name for control in scene.controls] + ["tier"] * bool(scene.tiers)
         names += [readout.name for readout in still.frame.readouts]
         for name in still.figure.in_sight:

@@ -41,15 +41,28 @@ class Module:
 def scene_sources(scene: Scene[Any]) -> bytes:
     """What makes the frames of ``scene``, as JSON.
 
-    ``draw`` and ``stages`` name definitions, ``MODULE:NAME``; ``definitions`` holds these and all
-    that they use, however indirectly: each with its file, first line, text, a hash of the text,
-    and what it uses itself. What lies outside the editable modules is left out.
+    ``draw`` and ``stages`` name definitions, ``MODULE:NAME``, and so does ``formula``, empty where
+    the scene has none; ``definitions`` holds these and all that they use, however indirectly: each
+    with its file, first line, text, a hash of the text, and what it uses itself. What lies outside
+    the editable modules is left out.
     """
+    formula = _home(scene.formula) if scene.formula else ""
     stages = [{"name": stage.name, "definition": _home(stage.compute)} for stage in scene.stages]
     drawn = _home(scene.draw)
     found = _closure([drawn, *(stage["definition"] for stage in stages)])
-    data = {"draw": drawn, "stages": stages, "definitions": found}
+    data = {"draw": drawn, "stages": stages, "formula": formula, "definitions": found}
     return json.dumps(data, ensure_ascii=False, separators=(",", ":")).encode()
+
+
+def formula_fault(scene: Scene[Any]) -> str:
+    """What is wrong with the formula of ``scene``; nothing where its frames are made with it."""
+    if scene.formula is None:
+        return ""
+    sources = json.loads(scene_sources(scene))
+    if sources["formula"] in sources["definitions"]:
+        return ""
+    name = getattr(scene.formula, "__qualname__", repr(scene.formula))
+    return f"formula {name}; legal: a function that its stages or its drawing use"
 
 
 def _home(function: Any) -> str:

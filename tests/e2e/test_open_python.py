@@ -104,6 +104,22 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     assert len(visitor.page.workers) == 1
 
 
+def test_the_editor_opens_on_the_formula_whose_change_changes_the_figure(visitor: Reader) -> None:
+    visitor.turn_to(CHAPTER)
+    figure = figures(visitor)[0]
+    book = visitor.shown(figure)
+    figure.locator(".open-python").click()
+    first = figure.locator(".workshop-part").first
+    assert first.inner_text() == "The formula"
+    assert first.get_attribute("aria-current") == "true"
+    assert "def distort(" in figure.locator(".cm-content").inner_text()
+    write(visitor, figure, "def distort(xy, d):\n    return 0.5 * xy\n")
+    assert "Running your code" in run(visitor, figure)
+    visitor.settle(figure)
+    assert visitor.shown(figure) != book
+    figure.locator(".put-all-back").click()
+
+
 def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(visitor: Reader) -> None:
     visitor.turn_to(CHAPTER)
     figure = figures(visitor)[0]

@@ -24,6 +24,7 @@ from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats, Mask
 from simulations.models.error_measures import root_mean_square
 from simulations.models.pixel_grid import centred
+from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, prefilter, transfer
 from simulations.scenes.aliasing import row, spectrum
 from simulations.scenes.aliasing.handles import HANDLES
@@ -195,6 +196,7 @@ SCENE = Scene(
     title="Sampling and Aliasing",
     settings=Settings,
     draw=draw,
+    formula=alias_frequency,
     stages=STAGES,
     handles=HANDLES,
     photograph=PHOTOGRAPH_PX,

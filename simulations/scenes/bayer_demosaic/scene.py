@@ -11,6 +11,7 @@ import numpy as np
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
+from simulations.models.sensor.demosaicing import bilinear
 from simulations.pictures.mosaic_subjects import SUBJECTS
 from simulations.scenes._wipe.wipe import over_wipe
 from simulations.scenes.bayer_demosaic import drawing
@@ -103,6 +104,7 @@ SCENE = Scene(
     title="Bayer Pattern",
     settings=Settings,
     draw=draw,
+    formula=bilinear,
     stages=STAGES,
     handles=HANDLES,
     photograph=PHOTOGRAPH_PX,

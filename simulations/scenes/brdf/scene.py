@@ -9,6 +9,7 @@ import math
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
+from simulations.models.light.brdf import reflected
 from simulations.scenes._ball.marks import HEIGHT, WIDTH
 from simulations.scenes.brdf.energy import energy_plot
 from simulations.scenes.brdf.handles import HANDLES
@@ -89,6 +90,7 @@ SCENE = Scene(
     title="Reflectance Distribution (BRDF)",
     settings=Settings,
     draw=draw,
+    formula=reflected,
     stages=STAGES,
     handles=HANDLES,
 )

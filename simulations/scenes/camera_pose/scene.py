@@ -6,6 +6,7 @@ A level camera, dragged and panned in the room; world axes are right, down and a
 from simulations.engine.frame import Frame, Readout, format_number, matrix_readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
+from simulations.models.projection.pinhole import world_to_camera
 from simulations.scenes.camera_pose.handles import HANDLES
 from simulations.scenes.camera_pose.plans import camera_panel, triple, world_panel
 from simulations.scenes.camera_pose.room import LAMP, Standpoint, standpoint
@@ -42,6 +43,7 @@ SCENE = Scene(
     title="Camera Pose",
     settings=Settings,
     draw=draw,
+    formula=world_to_camera,
     stages=(Stage("standpoint", standpoint),),
     handles=HANDLES,
 )

@@ -182,6 +182,7 @@ SCENE = Scene(
     title="Depth of Field",
     settings=Settings,
     draw=draw,
+    formula=thin_lens.circle_of_confusion_mm,
     stages=STAGES,
     handles=HANDLES,
     parameters=parameters,

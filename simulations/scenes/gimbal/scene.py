@@ -90,6 +90,7 @@ SCENE = Scene(
     title="Camera on a Gimbal",
     settings=Settings,
     draw=draw,
+    formula=euler.to_matrix,
     stages=STAGES,
     handles=HANDLES,
 )

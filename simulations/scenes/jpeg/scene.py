@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.compression.blocks import BLOCK
+from simulations.models.compression.blocks import BLOCK, quantise_plane
 from simulations.models.compression.chroma_subsampling import subsampling_factor
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.entropy import Size
@@ -148,6 +148,7 @@ SCENE = Scene(
     title="JPEG Compression",
     settings=Settings,
     draw=draw,
+    formula=quantise_plane,
     stages=STAGES,
     handles=HANDLES,
     photograph=PHOTOGRAPH_PX,

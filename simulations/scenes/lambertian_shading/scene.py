@@ -127,6 +127,7 @@ SCENE = Scene(
     title="Lambertian Shading",
     settings=Settings,
     draw=draw,
+    formula=lambert,
     stages=STAGES,
     handles=HANDLES,
     tiers=tuple(LIT),

@@ -13,6 +13,7 @@ import numpy as np
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
+from simulations.models.lens.chromatic_aberration import lateral_chromatic_scale
 from simulations.scenes.lens_aberrations import drawing
 from simulations.scenes.lens_aberrations.colours import CORNER_PX, Colours, colours, shifts_px
 from simulations.scenes.lens_aberrations.error import (
@@ -109,6 +110,7 @@ SCENE = Scene(
     title="Lens Aberrations",
     settings=Settings,
     draw=draw,
+    formula=lateral_chromatic_scale,
     stages=STAGES,
     handles=HANDLES,
     tiers=tuple(BANDS),

@@ -143,6 +143,7 @@ SCENE = Scene(
     title="Lens Distortion Simulator",
     settings=Settings,
     draw=draw,
+    formula=distort,
     stages=STAGES,
     handles=HANDLES,
     photograph=PHOTOGRAPH_PX,

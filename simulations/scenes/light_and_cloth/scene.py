@@ -7,6 +7,7 @@ from simulations.engine.frame import Frame, Panel, Readout, format_number, reado
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.color.chromaticity import xyz_to_xyy
+from simulations.models.color.observer import tristimulus
 from simulations.scenes._spectra import axes, patches
 from simulations.scenes._spectra.choices import NAMES
 from simulations.scenes._spectra.words import lit_surface
@@ -80,6 +81,7 @@ SCENE = Scene(
     title="Light on a Cloth",
     settings=Settings,
     draw=draw,
+    formula=tristimulus,
     stages=STAGES,
     handles=HANDLES,
 )

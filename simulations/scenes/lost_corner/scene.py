@@ -8,6 +8,7 @@ from simulations.engine.frame import Frame, Panel, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes._mapped_square import family, marks, plane
 from simulations.scenes._mapped_square.measures import area_ratio, describe_point
 from simulations.scenes.lost_corner import divisor
@@ -67,4 +68,6 @@ def describe(H: Floats, point: Floats, w: float, area: float) -> str:
     )
 
 
-SCENE = Scene("lost-corner", "A Corner at Infinity", Settings, draw, handles=HANDLES)
+SCENE = Scene(
+    "lost-corner", "A Corner at Infinity", Settings, draw, handles=HANDLES, formula=apply_homography
+)

@@ -3,6 +3,7 @@
 from simulations.engine.frame import Frame, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
+from simulations.models.projection.pinhole import project
 from simulations.scenes.perspective_projection.handles import HANDLES, view_of
 from simulations.scenes.perspective_projection.picture import image_panel
 from simulations.scenes.perspective_projection.settings import Settings
@@ -81,5 +82,6 @@ SCENE = Scene(
     title="Perspective Projection",
     settings=Settings,
     draw=draw,
+    formula=project,
     handles=HANDLES,
 )

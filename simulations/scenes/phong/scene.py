@@ -13,7 +13,7 @@ from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.light.reflectance import lambert
+from simulations.models.light.reflectance import lambert, phong
 from simulations.scenes._ball.ball import (
     DEFAULT_TIER,
     LIT,
@@ -166,6 +166,7 @@ SCENE = Scene(
     title="Phong Reflection",
     settings=Settings,
     draw=draw,
+    formula=phong,
     stages=STAGES,
     handles=HANDLES,
     tiers=tuple(LIT),

@@ -4,7 +4,7 @@ diffraction."""
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.lens.pinhole import spread_mm
+from simulations.models.lens.pinhole import pinhole_transfer, spread_mm
 from simulations.scenes.pinhole.drawing import HEIGHT, WIDTH, section
 from simulations.scenes.pinhole.handles import HANDLES
 from simulations.scenes.pinhole.settings import WIDEST_MM, Settings
@@ -64,6 +64,7 @@ SCENE = Scene(
     title="A Box with a Hole",
     settings=Settings,
     draw=draw,
+    formula=pinhole_transfer,
     stages=STAGES,
     handles=HANDLES,
 )

@@ -20,6 +20,7 @@ from simulations.models.lens.singlet import (
     Rays,
     focal_mm,
     power_per_mm,
+    refract,
     thin_power_per_mm,
 )
 from simulations.scenes.real_lens import plots, section
@@ -173,6 +174,7 @@ SCENE = Scene(
     title="From Snell to the Thin Lens",
     settings=Settings,
     draw=draw,
+    formula=refract,
     stages=STAGES,
     handles=HANDLES,
     tiers=tuple(TIERS),

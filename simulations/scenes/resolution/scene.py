@@ -5,7 +5,7 @@ import numpy as np
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.lens.diffraction import spot_diameter_um
+from simulations.models.lens.diffraction import lens_transfer, spot_diameter_um
 from simulations.models.sensor.resolution import nyquist_per_mm
 from simulations.scenes.resolution import curves
 from simulations.scenes.resolution.curves import Links, links
@@ -111,6 +111,7 @@ SCENE = Scene(
     title="What Resolution Is",
     settings=Settings,
     draw=draw,
+    formula=lens_transfer,
     stages=STAGES,
     handles=HANDLES,
 )

@@ -16,6 +16,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.models.geometry.rotation_paths import off_great_circle
+from simulations.models.geometry.rotations import slerp
 from simulations.scenes.rotation_3d import progress, sphere
 from simulations.scenes.rotation_3d.handles import HANDLES
 from simulations.scenes.rotation_3d.settings import Settings
@@ -90,6 +91,7 @@ SCENE = Scene(
     title="3D Rotation",
     settings=Settings,
     draw=draw,
+    formula=slerp,
     stages=STAGES,
     handles=HANDLES,
     tiers=tuple(BLENDS),

@@ -8,7 +8,7 @@ import math
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.light.interreflection import edge_factor, shadow_end
+from simulations.models.light.interreflection import bounced, edge_factor, shadow_end
 from simulations.scenes.second_bounce import section
 from simulations.scenes.second_bounce.handles import HANDLES
 from simulations.scenes.second_bounce.picture import marks
@@ -81,6 +81,7 @@ SCENE = Scene(
     title="A Shadow and a Second Bounce",
     settings=Settings,
     draw=draw,
+    formula=bounced,
     stages=STAGES,
     handles=HANDLES,
 )

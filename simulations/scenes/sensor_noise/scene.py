@@ -14,7 +14,12 @@ import numpy as np
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.sensor.photon_counting import SHOT_MODELS, Sensor, ShotModel
+from simulations.models.sensor.photon_counting import (
+    SHOT_MODELS,
+    Sensor,
+    ShotModel,
+    shot_noise_from_normal,
+)
 from simulations.models.sensor.photon_transfer import Gain
 from simulations.scenes.sensor_noise import drawing
 from simulations.scenes.sensor_noise.drawing import format_electrons
@@ -181,6 +186,7 @@ SCENE = Scene(
     title="Sensor Noise",
     settings=Settings,
     draw=draw,
+    formula=shot_noise_from_normal,
     stages=STAGES,
     handles=HANDLES,
     photograph=PHOTOGRAPH_PX,

@@ -10,6 +10,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.sampling.slanted_edge import read_edge
 from simulations.models.sensor.resolution import first_fall
 from simulations.scenes.slanted_edge import drawing
 from simulations.scenes.slanted_edge.settings import Settings
@@ -95,6 +96,7 @@ SCENE = Scene(
     title="Slanted Edge",
     settings=Settings,
     draw=draw,
+    formula=read_edge,
     stages=STAGES,
     handles=(Handle("end", "picture", "Edge", ("angle",), _end, _end_pulled, role="world"),),
 )

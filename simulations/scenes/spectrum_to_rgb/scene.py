@@ -11,6 +11,7 @@ from simulations.engine.frame import Frame, Panel, Readout, format_number, reado
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.sensor.camera_colour import exposed
 from simulations.scenes._spectra import axes, patches
 from simulations.scenes._spectra.choices import NAMES
 from simulations.scenes._spectra.words import lit_surface
@@ -96,6 +97,7 @@ SCENE = Scene(
     title="From Spectrum to RGB",
     settings=Settings,
     draw=draw,
+    formula=exposed,
     stages=STAGES,
     handles=HANDLES,
 )

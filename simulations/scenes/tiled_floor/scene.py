@@ -8,7 +8,7 @@ import numpy as np
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.projection.vanishing import angle_between
+from simulations.models.projection.vanishing import angle_between, vanishing_point
 from simulations.scenes.tiled_floor.drawing import HEIGHT, WIDTH, picture_overlay, plane_overlay
 from simulations.scenes.tiled_floor.handles import HANDLES
 from simulations.scenes.tiled_floor.settings import Settings
@@ -140,6 +140,7 @@ SCENE = Scene(
     title="A Tiled Floor in Perspective",
     settings=Settings,
     draw=draw,
+    formula=vanishing_point,
     stages=STAGES,
     handles=HANDLES,
     parameters=parameters,

@@ -9,6 +9,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.geometry.preserved_properties import Preservation, measure_preservation
+from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes._mapped_square import family, marks, plane
 from simulations.scenes._mapped_square.measures import area_ratio, describe_point, point_readouts
 from simulations.scenes._mapped_square.square import grid_segments
@@ -108,4 +109,11 @@ def describe(kind: str, H: Floats, measured: Preservation) -> str:
     return f"The square under {RUNGS[kind].phrase} {size}; kept: {', '.join(preserved)}."
 
 
-SCENE = Scene("transform-2d", "2D Transform Explorer", Settings, draw, handles=HANDLES)
+SCENE = Scene(
+    "transform-2d",
+    "2D Transform Explorer",
+    Settings,
+    draw,
+    handles=HANDLES,
+    formula=apply_homography,
+)

@@ -97,6 +97,7 @@ SCENE = Scene(
     title="Two Views",
     settings=Settings,
     draw=draw,
+    formula=depth_from_disparity,
     stages=STAGES,
     handles=HANDLES,
     parameters=parameters,

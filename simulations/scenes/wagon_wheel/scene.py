@@ -132,6 +132,7 @@ SCENE = Scene(
     title="Wagon Wheel",
     settings=Settings,
     draw=draw,
+    formula=apparent_wheel_speed,
     stages=STAGES,
     handles=HANDLES,
     parameters=parameters,

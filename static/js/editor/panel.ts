@@ -113,7 +113,8 @@ export class Panel {
   showStages(stages: Stage[]) {
     for (const part of this.#parts) {
       const stage = stages.find(({ name }) => name === part.dataset.stage);
-      const status = part.dataset.stage ? (stage?.status ?? "") : "computed";
+      const draws = part.dataset.definition === this.sources.draw;
+      const status = stage?.status ?? (draws ? "computed" : "");
       part.dataset.status = status;
       part.title = reasonText(stage?.reason ?? "");
       setText(part.querySelector(".part-status"), status && words(`stage_report.${status}`));
@@ -157,8 +158,12 @@ export class Panel {
 
   #listParts() {
     const [model] = this.#parts;
-    const parts = this.sources.stages.map((stage) => ({ ...stage, stage: stage.name }));
-    parts.push({ name: words("workshop.drawing"), definition: this.sources.draw, stage: "" });
+    const { formula, stages, draw } = this.sources;
+    const parts = [
+      { name: words("workshop.formula"), definition: formula, stage: "" },
+      ...stages.map((stage) => ({ ...stage, stage: stage.name })),
+      { name: words("workshop.drawing"), definition: draw, stage: "" },
+    ];
     const items = parts
       .filter(({ definition }) => definition)
       .map(({ name, definition, stage }) => {

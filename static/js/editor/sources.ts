@@ -18,6 +18,8 @@ export interface Sources {
   /** Key of the function that draws. */
   draw: string;
   stages: { name: string; definition: string }[];
+  /** Key of the function that the figure is about, or empty. */
+  formula: string;
   /** By key, `MODULE:NAME`. */
   definitions: Record<string, Definition>;
 }
@@ -34,10 +36,11 @@ export function nameOf(key: string) {
 }
 
 /**
- * The part to open first: the first stage that was computed for the frame that is shown; else what
- * draws.
+ * The part to open first: the formula; else the first stage that was computed for the frame that is
+ * shown; else what draws.
  */
-export function firstPart({ stages, draw }: Sources, shown: Stage[]) {
+export function firstPart({ stages, draw, formula }: Sources, shown: Stage[]) {
+  if (formula) return formula;
   const done = new Set(shown.filter(({ status }) => status === "computed").map(({ name }) => name));
   return stages.find(({ name, definition }) => definition && done.has(name))?.definition ?? draw;
 }

@@ -105,3 +105,8 @@ def test_a_handle_that_would_fail_when_it_is_pulled_is_reported(
     (found,) = told(handles=(replace(sound, **fields),))
     assert found.startswith("content/00-first.md:5: simulation 'demo' cannot be drawn: ")
     assert found.endswith(f"handle 'h': {says}")
+
+
+def test_a_formula_that_the_figure_does_not_use_is_reported(told: Told) -> None:
+    (found,) = told(formula=raising)
+    assert found.startswith("content/00-first.md:5: demo: formula raising; legal: ")
