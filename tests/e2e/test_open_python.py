@@ -177,6 +177,36 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     visitor.page.evaluate(LIMIT, usual)
 
 
+def test_stop_ends_the_code_at_once_and_run_starts_it_again(visitor: Reader) -> None:
+    visitor.turn_to(CHAPTER)
+    figure = figures(visitor)[0]
+    book = visitor.shown(figure)
+    open_python(figure)
+    stop = figure.locator(".workshop .stop")
+    assert stop.get_attribute("aria-disabled") == "true"
+    usual = visitor.page.evaluate(LIMIT, {"ms": 10 * START_MS, "times": 0})
+    write(visitor, figure, "def _encoded(photo):\n    while True:\n        pass\n")
+    figure.locator(".workshop .run").click()
+    stop.click()
+    assert result(visitor, figure).startswith("Stopped.")
+    assert "failed" not in (figure.locator(".workshop-result").get_attribute("class") or "")
+    assert stop.get_attribute("aria-disabled") == "true"
+    assert visitor.shown(figure) == book
+    assert move(visitor, figure, "ArrowRight") != book, "the book's code draws on"
+    assert move(visitor, figure, "ArrowLeft") == book
+    write(visitor, figure, NEGATIVE)
+    assert "Running your code" in run(visitor, figure)
+    visitor.settle(figure)
+    assert visitor.shown(figure)["pixels"] != book["pixels"]
+    stop.click()
+    assert result(visitor, figure).startswith("Stopped.")
+    visitor.settle(figure)
+    assert visitor.shown(figure) == book, "what ran well can be stopped, too"
+    assert figure.locator(".cm-content").inner_text().strip() == NEGATIVE.strip()
+    assert len(visitor.page.workers) == 1
+    visitor.page.evaluate(LIMIT, usual)
+
+
 def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(
     visitor: Reader,
 ) -> None:

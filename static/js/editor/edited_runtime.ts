@@ -71,7 +71,7 @@ export class EditedRuntime {
     } catch (error) {
       if (error instanceof EditFailure) this.on.failed(error);
       if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
-      this.on.stopped(error.message);
+      if (this.#own) this.on.stopped(error.message); // else it was ended on purpose
       return await this.book.call(name, request, urgency);
     }
   }

@@ -11,7 +11,7 @@ import { nameOf, type Sources } from "./sources.ts";
 
 /** What the reader's actions lead to; `changed` where the text was. */
 type Actions = Record<
-  "changed" | "run" | "putBack" | "putAllBack" | "download" | "close",
+  "changed" | "run" | "stop" | "putBack" | "putAllBack" | "download" | "close",
   () => void
 >;
 
@@ -141,11 +141,15 @@ export class Panel {
     setText(box, printed);
   }
 
-  /** @param busy Whether the code runs: it cannot be run or put back meanwhile. */
-  set busy(busy: boolean) {
+  /**
+   * @param busy Whether a run has not ended: nothing can be run or put back meanwhile.
+   * @param drawn Whether the reader's code draws the figure: it can be stopped then, too.
+   */
+  showRunning(busy: boolean, drawn: boolean) {
     for (const button of all(this.element, ".run, .put-back, .put-all-back", HTMLButtonElement)) {
       button.ariaDisabled = String(busy);
     }
+    this.#part(".stop").ariaDisabled = String(!busy && !drawn);
   }
 
   get #parts() {
@@ -193,6 +197,7 @@ export class Panel {
     const button = event.target instanceof Element ? event.target.closest("button") : null;
     const actions: Record<string, () => void> = {
       ".run": this.actions.run,
+      ".stop": this.actions.stop,
       ".put-back": this.actions.putBack,
       ".put-all-back": this.actions.putAllBack,
       ".download": this.actions.download,

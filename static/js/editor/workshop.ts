@@ -106,6 +106,7 @@ export class Workshop {
     const panel = new Panel(element, this.button.id, edits.sources, edits, {
       changed: () => this.#changed(edits),
       run: () => this.#run(),
+      stop: () => this.#stop(edits),
       putBack: () => this.#putBack(edits),
       putAllBack: () => this.#putAllBack(edits),
       download: () => this.#download(edits),
@@ -118,6 +119,7 @@ export class Workshop {
     this.#panel = panel;
     panel.open(firstPart(edits.sources, this.live?.stages ?? []));
     this.#showStages();
+    this.#mark(edits);
     this.figure.addEventListener("painted", this.#showStages);
     this.button.setAttribute("aria-expanded", "true");
     panel.focus();
@@ -147,7 +149,8 @@ export class Workshop {
       this.#toBook(edits);
       return;
     }
-    this.#setRunning(true);
+    this.#running = true;
+    this.#mark(edits);
     this.#report(words("workshop.running"));
     edits.setRuns(false); // until it is known to end
     try {
@@ -156,11 +159,18 @@ export class Workshop {
       edits.setRuns(edits.json === json);
       this.live.drawnBy(this.edited);
     } catch (error) {
-      this.#failed(error);
+      if (this.#running) this.#failed(error); // else the reader stopped it
     } finally {
+      this.#running = false;
       this.#mark(edits);
-      this.#setRunning(false);
     }
+  }
+
+  /** End the reader's code, which can be run again; the book's draws the figure. */
+  #stop(edits: Edits) {
+    if (!this.#running && !this.#drawn) return;
+    this.#running = false;
+    this.#toBook(edits, words("workshop.ended"));
   }
 
   #putBack(edits: Edits) {
@@ -178,13 +188,13 @@ export class Workshop {
     this.#toBook(edits);
   }
 
-  #toBook(edits: Edits) {
+  #toBook(edits: Edits, said = words("workshop.book")) {
     edits.setRuns(false);
     this.edited.close();
     this.live?.drawnBy(this.book);
     this.#panel?.print("");
     this.#panel?.refresh();
-    this.#report(words("workshop.book"));
+    this.#report(said);
     this.#mark(edits);
   }
 
@@ -233,16 +243,12 @@ export class Workshop {
     if (!this.#panel && problem) setText(this.state, text);
   }
 
-  #setRunning(running: boolean) {
-    this.#running = running;
-    if (this.#panel) this.#panel.busy = running;
-  }
-
-  /** What the figure says of itself, also where the panel is closed. */
+  /** What the figure says of itself, also where the panel is closed, and what can be pressed. */
   #mark(edits: Edits) {
     this.figure.toggleAttribute("data-edited", this.#drawn);
     const changed = edits.all.size > 0 ? words("workshop.changed") : "";
     setText(this.state, this.#drawn ? words("workshop.mark") : changed);
+    this.#panel?.showRunning(this.#running, this.#drawn);
   }
 }
 
