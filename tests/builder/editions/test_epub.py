@@ -14,9 +14,11 @@ import pytest
 from site_builder.build import Options
 from site_builder.editions.compose import compose
 from site_builder.editions.epub import FOLDER, make_epub
+from site_builder.editions.epub_style import book_style
 from site_builder.output.light_theme import resolve
 
-TOKENS = (Path(__file__).parents[3] / "static" / "css" / "tokens.css").read_text(encoding="utf-8")
+STYLES = Path(__file__).parents[3] / "static" / "css"
+TOKENS = (STYLES / "tokens.css").read_text(encoding="utf-8")
 OPF = "{http://www.idpf.org/2007/opf}"
 
 
@@ -63,3 +65,7 @@ def test_every_file_is_listed_once_and_marked_for_what_is_in_it(book: zipfile.Zi
 
 def test_variables_are_resolved_to_the_light_theme() -> None:
     assert resolve("a { color: var(--ink); }", {"--ink": "#123"}) == "a { color: #123; }"
+
+
+def test_the_style_of_an_e_book_has_no_variables() -> None:
+    assert "var(" not in book_style(STYLES)
