@@ -17,6 +17,11 @@ LIMIT = """async (limits) => {
   Object.assign(EDITED, limits);
   return before;
 }"""
+IN_VIEW = """(element) => {
+  const {left, width, top, bottom} = element.getBoundingClientRect();
+  const met = (y) => document.elementFromPoint(left + Math.min(20, width / 2), y);
+  return [top + 4, bottom - 4].every((y) => element.contains(met(y)));
+}"""
 THE_BOOK_CHANGES = """() => {
   const key = Object.keys(localStorage).find((key) => key.includes('python:'));
   const kept = JSON.parse(localStorage.getItem(key));
@@ -205,6 +210,22 @@ def test_stop_ends_the_code_at_once_and_run_starts_it_again(visitor: Reader) -> 
     assert figure.locator(".cm-content").inner_text().strip() == NEGATIVE.strip()
     assert len(visitor.page.workers) == 1
     visitor.page.evaluate(LIMIT, usual)
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (390, 844)])
+def test_picture_and_message_are_in_view_while_the_code_is_edited(
+    visitor: Reader, width: int, height: int
+) -> None:
+    visitor.page.set_viewport_size({"width": width, "height": height})
+    visitor.turn_to(CHAPTER)
+    figure = figures(visitor)[0]
+    open_python(figure, "The formula")
+    write(visitor, figure, "\n" * 40 + "def distort(xy, d)")
+    assert "SyntaxError" in run(visitor, figure)
+    figure.locator(".cm-content").click()
+    visitor.page.keyboard.press("ControlOrMeta+End")
+    for part in (".panel .panel-view", ".result-words", ".cm-problem"):
+        assert figure.locator(part).first.evaluate(IN_VIEW), part
 
 
 def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(

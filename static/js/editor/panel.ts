@@ -57,9 +57,10 @@ export class Panel {
     this.element.classList.add("read-only");
   }
 
-  /** Focus goes to the parts. */
+  /** Focus goes to the parts, which come to stand right below the picture. */
   focus() {
-    this.element.querySelector("button")?.focus();
+    this.element.querySelector("button")?.focus({ preventScroll: true });
+    this.element.scrollIntoView();
   }
 
   leave() {
