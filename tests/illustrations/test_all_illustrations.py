@@ -36,7 +36,7 @@ def corners(overlay: str) -> Iterator[tuple[float, float]]:
             case "circle":
                 for sign in (-1, 1):
                     yield number["cx"] + sign * number["r"], number["cy"] + sign * number["r"]
-            case "rect":
+            case "rect" if "ground" not in (element.get("class") or ""):  # of a label
                 yield number["x"], number["y"]
                 yield number["x"] + number["width"], number["y"] + number["height"]
             case "polyline" | "polygon" | "path":
