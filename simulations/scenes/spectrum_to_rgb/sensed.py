@@ -12,7 +12,7 @@ HEIGHT = 470
 """Taller than the other panel, beside which it is narrower."""
 PLOT = replace(axes.PLOT, y=replace(axes.PLOT.y, start=float(HEIGHT - axes.BELOW)))
 LEGEND = 24.0
-"""Row of the names of the curves."""
+"""Row of the areas."""
 LETTERS = {"camera": ("R", "G", "B"), "eye": ("x̄", "ȳ", "z̄")}
 
 
@@ -27,8 +27,7 @@ def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw:
     sums = ", ".join(
         f"{letter} {value:.2f}" for letter, value in zip(LETTERS[sensor], raw, strict=True)
     )
-    parts.append(text((40, LEGEND), "curves", "camera strong"))
-    parts.append(text((96, LEGEND), f"areas → {sums}", "image strong"))
+    parts.append(text((40, LEGEND), f"areas: {sums}", "image strong"))
     return "".join(parts)
 
 

@@ -86,7 +86,7 @@ export class Handles {
     const ground = free || element.matches(".drag");
     const down = event.pointerType === "touch" && ground ? event : null;
     this.#held = { element, offset, last: null, down };
-    element.classList.add("held");
+    element.classList.add("held", "by-hand");
     layer.setPointerCapture(event.pointerId);
     element.focus({ preventScroll: true });
     if (down && free) return;
@@ -143,6 +143,7 @@ export class Handles {
     const values = element && keyed(event, element, this.form, controls);
     if (!values) return;
     event.preventDefault();
+    element.classList.remove("by-hand");
     moveControls(this.form, controls, values, "input");
     moveControls(this.form, controls, values, "change");
   }
@@ -185,6 +186,8 @@ export class Handles {
       const box = this.form.querySelector(named(setting))?.closest(".control");
       box?.classList.toggle("driven", begun);
     }
+    // A browser may show the focus that a hand has left, as if by keyboard.
+    if (event.type === "focusout") element?.classList.remove("by-hand");
     if (event.type.startsWith("focus")) this.#describe();
   }
 }
