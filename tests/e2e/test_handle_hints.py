@@ -51,7 +51,7 @@ def test_pictures_are_named_by_the_titles_of_their_panels(guest: Reader) -> None
     canvases = guest.page.locator("canvas.live")
     assert canvases.count() > 0
     for canvas in canvases.all():
-        panel = guest.page.locator(".panel", has=canvas)
+        panel = canvas.locator("xpath=ancestor::*[@data-panel][1]")
         title = panel.locator(".panel-title").inner_text()
         expect(pictures.and_(canvas)).to_have_accessible_name(title)
 

@@ -12,7 +12,9 @@ let used = false;
 export function watchHands() {
   for (const kind of ["pointerdown", "keydown"]) {
     document.addEventListener(kind, (event) => {
-      used ||= !!within(event, "simulation-figure", HTMLElement);
+      if (!within(event, "simulation-figure", HTMLElement)) return;
+      used = true;
+      maybe(document, ".nudged", HTMLElement)?.classList.remove("nudged");
     });
   }
 }
