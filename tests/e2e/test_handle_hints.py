@@ -73,16 +73,19 @@ def test_the_first_handle_of_a_page_moves_once_where_motion_is_welcome(
         assert reader.page.evaluate("location.search") == values
 
 
-def test_a_handle_that_was_dragged_keeps_the_focus_without_its_hint(guest: Reader) -> None:
-    page = guest.page
-    guest.open(CHAPTER)
-    handle = page.locator(FIRST).first
-    handle.scroll_into_view_if_needed()
-    handle.hover()
-    page.mouse.down()
-    page.mouse.up()
-    page.mouse.move(0, 0)
-    assert handle.evaluate("handle => handle === document.activeElement")
-    assert not hint_is_seen(handle)
-    page.keyboard.press("ArrowRight")
-    assert hint_is_seen(handle)
+def test_a_handle_that_was_dragged_keeps_the_focus_without_its_hint(
+    chromium: Browser, server: StaticServer
+) -> None:
+    with visit(chromium, server) as reader:
+        page = reader.page
+        reader.open(CHAPTER)
+        handle = page.locator(FIRST).first
+        handle.scroll_into_view_if_needed()
+        handle.hover()
+        page.mouse.down()
+        page.mouse.up()
+        page.mouse.move(0, 0)
+        assert handle.evaluate("handle => handle === document.activeElement")
+        assert not hint_is_seen(handle)
+        page.keyboard.press("ArrowRight")
+        assert hint_is_seen(handle)
