@@ -70,6 +70,10 @@ def _picture_normals() -> Iterator[str]:
             yield from _cased_arrow(foot, tip, "world thin", head=6)
 
 
+BEYOND_TIP = 4.2
+"""Distance from the tip of a head to that of an outline which is 1.5 units wide."""
+
+
 def _cased_arrow(start: Point, end: Point, style: str, head: float = 8) -> Iterator[str]:
     """An arrow with an outline in the paper's colour, visible on any picture."""
     length = math.hypot(end[0] - start[0], end[1] - start[1])
@@ -77,9 +81,9 @@ def _cased_arrow(start: Point, end: Point, style: str, head: float = 8) -> Itera
         yield circle(end, 2.5, "casing")
         yield dot(end, style, 2)
         return
-    past = 1 + 2 / length
+    past = 1 + BEYOND_TIP / length
     wide_end = (start[0] + (end[0] - start[0]) * past, start[1] + (end[1] - start[1]) * past)
-    yield arrow(start, wide_end, "casing", head + 5)
+    yield arrow(start, wide_end, "casing", head + BEYOND_TIP + 1.5)
     yield arrow(start, end, style, head)
 
 

@@ -24,7 +24,7 @@ DEPTH_SCALE = 16.0
 """View box units per metre of depth."""
 SIDE_SCALE = 32.0
 """View box units per metre of X: stretched, so that the triangles open up."""
-LIMITS = ((1, 0, -4), (-1, 0, WIDTH - 4), (0, 1, -4), (0, -1, 276))
+LIMITS = ((1, 0, -4), (-1, 0, WIDTH - 4), (0, 1, -4), (0, -1, HEIGHT + 4))
 """Where things may be drawn, as half planes a x + b y + c ≥ 0."""
 LEFT_M = (8.0 - AXIS[0]) / DEPTH_SCALE
 """Depth of the panel's left edge."""

@@ -106,6 +106,6 @@ def _ring(settings: Settings) -> Iterator[str]:
 
 def _scale(units: float, label: str) -> Iterator[str]:
     left, row = 12.0, HEIGHT - 12
-    yield line((left, row), (left + units, row), "casing")
+    yield rectangle((left - 6, row - 27), units + 12, 34, "casing solid")
     yield line((left, row), (left + units, row), "bold")
-    yield text((left, row - 13), label, "small ground")
+    yield text((left, row - 10), label, "small")

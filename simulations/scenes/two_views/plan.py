@@ -97,7 +97,8 @@ def _cameras(view: View) -> str:
     parts.append(drawing.line(left, right, "camera bold"))
     parts += [drawing.dot(left, "camera", 4.5), drawing.dot(right, "camera", 4.5)]
     parts.append(drawing.text((4.0, left[1] - 12.0), "left", "camera small ground"))
-    parts.append(drawing.text((4.0, right[1] + 24.0), "right", "camera small ground"))
+    low = min(right[1] + 24.0, HEIGHT - 40.0)
+    parts.append(drawing.text((4.0, low), "right", "camera small ground"))
     return "".join(parts)
 
 
@@ -123,5 +124,6 @@ def _point(view: View) -> str:
     spot = above(view.depth, float(view.point[0]))
     if not (0.0 <= spot[0] <= WIDTH and 0.0 <= spot[1] <= HEIGHT):
         return ""
-    name = drawing.text((spot[0], spot[1] + 28.0), "lamp", "world small ground", "middle")
+    at = (min(max(spot[0], 16.0), WIDTH - 16.0), spot[1] + (28.0 if spot[1] < 230.0 else -18.0))
+    name = drawing.text(at, "lamp", "world small ground", "middle")
     return drawing.dot(spot, "world", 5.0) + name
