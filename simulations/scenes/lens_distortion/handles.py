@@ -14,7 +14,6 @@ from simulations.scenes.lens_distortion.drawing import (
     SAMPLE,
     UNITS_PER_RADIUS,
     image_of,
-    in_view,
 )
 from simulations.scenes.lens_distortion.settings import Settings
 
@@ -52,9 +51,11 @@ def _outer_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _in_photograph(ideal: tuple[float, float], settings: Settings) -> Point | None:
-    """A handle in the photograph, if it is in view and the photograph is not corrected."""
+    """A handle in the photograph, at its border where the point is farther out; none past the
+    fold and in a corrected photograph."""
     lens = _lens(settings)
-    return image_of(ideal, lens) if in_view(ideal, lens) and not settings.correct else None
+    folded = math.hypot(*ideal) >= fold_radius(lens)
+    return None if folded or settings.correct else image_of(ideal, lens)
 
 
 def _lens(settings: Settings) -> Distortion:
