@@ -13,6 +13,8 @@ from typing import Any
 from simulations.engine.frame import Frame, Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.photograph import Photograph
+from simulations.engine.raster import opaque
+from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
@@ -21,7 +23,9 @@ from simulations.script import script
 
 __all__ = [
     "Reply",
+    "develop",
     "error",
+    "export",
     "fetch_missing",
     "forget",
     "judge",
@@ -29,14 +33,19 @@ __all__ = [
     "photograph",
     "prepare",
     "pull",
+    "read",
+    "readings",
     "render",
     "render_edited",
     "script",
+    "sheet",
 ]
 
 _caches: dict[str, StageCache] = {}
 _photographs: dict[str, Photograph] = {}
 """The reader's own picture, by figure."""
+_readings: dict[str, Readings] = {}
+"""What was read of the reader's pictures, by figure."""
 _estimates: dict[str, tuple[object, Iterator[Readout]]] = {}
 """By figure: what is being estimated, and the estimates to come."""
 
@@ -120,7 +129,8 @@ def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -
     JSON of a `Readout`, or ``null`` if there is no better one. A call with other values starts
     anew. Raises `UnknownIdError` and `ControlError`.
     """
-    call = (scene_id, values, tier, edits, _photographs.get(figure))
+    own = (_photographs.get(figure), _readings.get(figure, ()))
+    call = (scene_id, values, tier, edits, own)
     begun, estimates = _estimates.get(figure, (None, iter(())))
     if begun != call:
         scene, request = _request(figure, scene_id, values, tier, edits)
@@ -151,22 +161,92 @@ def pull(scene_id: str, values: str, tier: str, handle: str, x: float, y: float)
     return json.dumps(scene.pull(scene.clamp(json.loads(values)), handle, (x, y), tier))
 
 
-def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -> None:
+def photograph(
+    figure: str, number: int, pixels: Any, width: int, height: int, told: str = "{}"
+) -> None:
     """Use the reader's picture, the bytes of a canvas, for the frames of ``figure`` from now on.
 
-    ``None`` for ``pixels`` removes it. Raises `ValueError` for a wrong count of bytes.
+    ``told`` is a JSON object of the picture's ``name`` and ``facts``. ``None`` for ``pixels``
+    removes it. Raises `ValueError` for a wrong count of bytes.
     """
     if pixels is None:
         _photographs.pop(figure, None)
     else:
-        rgba = pixels.to_bytes()
-        _photographs[figure] = Photograph.from_canvas(number, rgba, width, height)
+        _photographs[figure] = _photograph(number, pixels, width, height, told)
+
+
+def _photograph(number: int, pixels: Any, width: int, height: int, told: str) -> Photograph:
+    return Photograph.from_canvas(number, pixels.to_bytes(), width, height, **json.loads(told))
+
+
+def read(scene_id: str, number: int, pixels: Any, width: int, height: int, told: str) -> str:
+    """What a scene finds in a photograph, at full resolution: JSON of ``data`` or ``unfit``.
+
+    ``unfit`` is the sentence of an `UnfitError`. Raises `UnknownIdError`, `TypeError` for a scene
+    that reads none or data that are not JSON, and `ValueError` for a wrong count of bytes.
+    """
+    scene = load_scene(scene_id)
+    if scene.read is None:
+        raise TypeError(f"scene {scene_id!r} reads no photographs; legal: one with `read`")
+    try:
+        data = dict(scene.read(_photograph(number, pixels, width, height, told)))
+    except UnfitError as error:
+        return json.dumps({"unfit": str(error)}, ensure_ascii=False)
+    return json.dumps({"data": data}, ensure_ascii=False, allow_nan=False)
+
+
+def readings(figure: str, kept: str) -> None:
+    """Use what was read of the reader's pictures for ``figure`` from now on.
+
+    ``kept`` is a JSON list of objects with ``number``, ``name`` and ``data``; an empty one brings
+    the book's pictures back.
+    """
+    _readings[figure] = tuple(Reading(**entry) for entry in json.loads(kept))
+
+
+def export(figure: str, scene_id: str, values: str, tier: str, name: str) -> str:
+    """The text of one of the scene's files. Raises `KeyError` for an unknown name."""
+    scene, request = _request(figure, scene_id, values, tier)
+    makers = {entry.name: entry.make for entry in scene.exports}
+    if name not in makers:
+        raise KeyError(f"export {name!r}; legal: {', '.join(makers) or 'none'}")
+    return makers[name](request[0], scene.run(*request).outputs)
+
+
+def sheet(figure: str, scene_id: str, values: str, tier: str) -> str:
+    """The lines of the data sheet: a JSON list of `Readout`; empty if the scene has none."""
+    scene, request = _request(figure, scene_id, values, tier)
+    lines = scene.sheet(request[0], scene.run(*request).outputs) if scene.sheet else ()
+    return json.dumps([asdict(line) for line in lines], ensure_ascii=False)
+
+
+def develop(
+    figure: str,
+    scene_id: str,
+    values: str,
+    tier: str,
+    number: int,
+    pixels: Any,
+    width: int,
+    height: int,
+    told: str,
+) -> Raster:
+    """A photograph made anew at the settings of a figure. Raises `TypeError` if the scene cannot.
+
+    It takes the place of no other: the figure's own picture stays as it is.
+    """
+    scene, request = _request(figure, scene_id, values, tier)
+    if scene.develop is None:
+        raise TypeError(f"scene {scene_id!r} develops no photographs; legal: one with `develop`")
+    outputs = scene.run(*request).outputs
+    whole = _photograph(number, pixels, width, height, told)
+    return opaque(scene.develop(whole, request[0], outputs))
 
 
 def _request(
     figure: str, scene_id: str, values: str, tier: str, edits: str = ""
-) -> tuple[Scene[Any], tuple[Any, str, StageCache, Photograph | None]]:
-    """The scene that draws a figure, the book's or the reader's, and its settings and cache."""
+) -> tuple[Scene[Any], tuple[Any, str, StageCache, Photograph | None, Readings]]:
+    """The scene that draws a figure, the book's or the reader's, and what `Scene.run` takes."""
     if edits:
         from simulations.editing.copies import copy_of
 
@@ -174,13 +254,15 @@ def _request(
     else:
         scene = load_scene(scene_id)
         cache = _cache_of(figure, scene)
-    return scene, (scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure))
+    settings = scene.clamp(json.loads(values))
+    return scene, (settings, tier, cache, _photographs.get(figure), _readings.get(figure, ()))
 
 
 def forget(figure: str) -> None:
     """Free the memory of a figure that left the page."""
     _caches.pop(figure, None)
     _photographs.pop(figure, None)
+    _readings.pop(figure, None)
     _estimates.pop(figure, None)
 
 

@@ -31,6 +31,13 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
     return rgba
 
 
+def opaque(codes: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """(H, W, 4) canvas bytes of (H, W, 3) codes."""
+    rgba = np.full((*codes.shape[:2], 4), 255, np.uint8)
+    rgba[..., :3] = codes
+    return rgba
+
+
 def _to_uint8(picture: NDArray[np.floating]) -> NDArray[np.uint8]:
     clipped = np.asarray(np.fmax(picture, 0.0))  # unlike maximum, ignores NaN
     np.minimum(clipped, 1.0, out=clipped)

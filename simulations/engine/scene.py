@@ -3,13 +3,19 @@
 import itertools
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from simulations.engine.controls import Control, Slider, Value
+from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.handles import Handle, Point, mistakes, places, pulled
-from simulations.engine.photograph import Photograph
+from simulations.engine.photograph import Codes, Photograph, Whole
+from simulations.engine.reading import Readings
 from simulations.engine.settings import check_settings, clamp_settings, controls_of, values_of
 from simulations.engine.stages import Outputs, Parameter, Run, Stage, StageCache, run
+
+OWN = ("photograph", "readings")
+"""Names of the reader's own pictures among the parameters of stages."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,13 +33,24 @@ class Scene[S]:
     draw: Callable[[S, Outputs], Frame]
     """Makes the frame from the settings and the outputs of the stages."""
     stages: tuple[Stage, ...] = ()
-    """The stages in the order in which they run. They read settings, ``tier``, ``photograph`` and
-    `parameters` by name."""
+    """The stages in the order in which they run. They read settings, ``tier``, ``photograph``,
+    ``readings`` and `parameters` by name."""
     handles: tuple[Handle[S], ...] = ()
     """The handles of the picture; of overlapping marks, the nearest is grabbed."""
-    photograph: tuple[int, int] | None = None
-    """Width and height in px of the reader's own picture, the parameter ``photograph``, which
-    stages use in place of the book's; ``None`` if the scene takes none."""
+    photograph: tuple[int, int] | Whole | None = None
+    """Size of the reader's own picture, the parameter ``photograph``, which stages use in place of
+    the book's: width and height in px to which it is cut, or whole; ``None`` if the scene takes
+    none. In a scene with `read` it is the one of the reader's pictures that is looked at."""
+    read: Callable[[Photograph], Mapping[str, Any]] | None = None
+    """Finds in one photograph of up to 24 megapixels what is kept of it: JSON values, which stages
+    get as ``readings``. Raises `simulations.engine.reading.UnfitError` for one that cannot be used.
+    It runs in an interpreter of its own and may take seconds."""
+    develop: Callable[[Photograph, S, Outputs], Codes] | None = None
+    """Makes the reader's photograph anew, at full resolution, to be saved: (H, W, 3) sRGB."""
+    exports: tuple[Export[S], ...] = ()
+    """Files to save, a button each."""
+    sheet: Callable[[S, Outputs], tuple[Readout, ...]] | None = None
+    """The lines of the data sheet: what was measured of the reader's camera, with errors."""
     parameters: Callable[[S, str], Mapping[str, Value] | None] | None = None
     """Computes further parameters of the stages from the settings and the tier; they may replace a
     setting. If it returns ``None``, no stage runs and none is reported."""
@@ -70,6 +87,7 @@ class Scene[S]:
         for mistake in (
             *self._wrong_stages(),
             *self._wrong_buttons(),
+            *self._wrong_own_pictures(),
             *self._wrong_tiers(),
             *self._wrong_drafts(),
             *mistakes(self.handles, self.controls),
@@ -90,12 +108,17 @@ class Scene[S]:
         return clamp_settings(self.settings, given)
 
     def run(
-        self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
+        self,
+        settings: S,
+        tier: str,
+        cache: StageCache,
+        photograph: Photograph | None = None,
+        readings: Readings = (),
     ) -> Run:
         """Run the stages; an unknown tier means the default.
 
-        The outputs include the reader's own picture as ``photograph``, for descriptions of the
-        frame.
+        The outputs include the reader's own pictures as ``photograph`` and ``readings``, for
+        descriptions of the frame.
         """
         tier = self._settled(tier)
         extra = self.parameters(settings, tier) if self.parameters else {}
@@ -105,16 +128,23 @@ class Scene[S]:
             **values_of(settings),
             "tier": tier,
             "photograph": photograph,
+            "readings": readings,
             **extra,
         }
         done = run(self.stages, read, cache)
-        return replace(done, outputs={**done.outputs, "photograph": photograph})
+        own = {"photograph": photograph, "readings": readings}
+        return replace(done, outputs={**done.outputs, **own})
 
     def render(
-        self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
+        self,
+        settings: S,
+        tier: str,
+        cache: StageCache,
+        photograph: Photograph | None = None,
+        readings: Readings = (),
     ) -> Frame:
         """The frame at these settings. The cache changes only how long it takes."""
-        done = self.run(settings, tier, cache, photograph)
+        done = self.run(settings, tier, cache, photograph, readings)
         frame = self.draw(settings, done.outputs)
         if not isinstance(frame, Frame):
             kind = type(frame).__name__
@@ -134,12 +164,17 @@ class Scene[S]:
         return pulled(by_name[handle], settings, place, self.controls, self._settled(tier))
 
     def estimates(
-        self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
+        self,
+        settings: S,
+        tier: str,
+        cache: StageCache,
+        photograph: Photograph | None = None,
+        readings: Readings = (),
     ) -> Iterator[Readout]:
         """Better and better estimates of the error of the frame; none if the scene has no
         `estimate`."""
         if self.estimate is not None:
-            outputs = self.run(settings, tier, cache, photograph).outputs
+            outputs = self.run(settings, tier, cache, photograph, readings).outputs
             yield from self.estimate(settings, outputs, self._settled(tier))
 
     def _settled(self, tier: str) -> str:
@@ -166,6 +201,18 @@ class Scene[S]:
             if driven and driven not in sliders:
                 legal = ", ".join(sliders) or "none"
                 yield f"{control.name!r} drives no slider {driven!r}; legal: {legal}"
+
+    def _wrong_own_pictures(self) -> Iterator[str]:
+        for control in self.controls:
+            if control.name in OWN:
+                yield f"setting {control.name!r} has the name of the reader's; legal: another name"
+        if self.read and not any("readings" in stage.reads for stage in self.stages):
+            yield "no stage reads what `read` finds; legal: one that takes 'readings'"
+        if self.develop and not (self.photograph or self.read):
+            yield "it develops no photograph; legal: with 'photograph' or 'read'"
+        names = [export.name for export in self.exports]
+        if len(set(names)) != len(names):
+            yield f"exports {names}; legal: a name for each"
 
     def _wrong_tiers(self) -> Iterator[str]:
         for tier in (self.default_tier, self.draft_tier):

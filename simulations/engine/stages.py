@@ -16,9 +16,10 @@ from simulations.engine.controls import Value
 from simulations.engine.frame import StageReport
 from simulations.engine.message import Message
 from simulations.engine.photograph import Photograph
+from simulations.engine.reading import Readings
 
-type Parameter = Value | Photograph | None
-"""A value that a stage may read: a setting, the tier, or the reader's own picture."""
+type Parameter = Value | Photograph | Readings | None
+"""A value that a stage may read: a setting, the tier, or the reader's own pictures."""
 type Key = tuple[str, tuple[tuple[str, Parameter], ...], tuple[Key, ...]]
 """A stage's name, the parameters that it read, and the keys of its inputs."""
 type Outputs = Mapping[str, Any]

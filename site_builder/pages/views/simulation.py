@@ -8,6 +8,7 @@ from simulations.engine.controls import Control, describe
 from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.message import Message
+from simulations.engine.photograph import Whole
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.figures.initial_frames import InitialFrame
@@ -159,10 +160,15 @@ def schema(still: InitialFrame) -> dict[str, object]:
         "default_tier": still.figure.tier,
         "draft_tier": scene.draft_tier,
         "drafted": list(scene.drafted),
-        "photograph": scene.photograph,
+        "photograph": _size(scene.photograph),
         "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
         "own_drafts": {tier: scene.drafts_of(tier) for tier in scene.tiers or ("",)},
     }
+
+
+def _size(photograph: tuple[int, int] | Whole | None) -> tuple[int, int] | float | None:
+    """Width and height in px, or most megapixels."""
+    return photograph.most_megapixels if isinstance(photograph, Whole) else photograph
 
 
 def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
