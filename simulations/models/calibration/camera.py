@@ -1,0 +1,102 @@
+"""A camera as calibration describes it: four intrinsic numbers, five of the lens, and poses.
+
+The conventions are OpenCV's: x right, y down, z forward; a pose maps board to camera.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.arrays import Floats
+from simulations.models.distortion.lens_model import Distortion, distort
+from simulations.models.geometry import rotations
+from simulations.models.projection.pinhole import intrinsics
+
+PINHOLE = ("fx", "fy", "cx", "cy")
+
+LENSES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "none": (),
+        "k1": ("k1",),
+        "k1k2": ("k1", "k2"),
+        "p1p2": ("k1", "k2", "p1", "p2"),
+        "k3": ("k1", "k2", "p1", "p2", "k3"),
+    }
+)
+"""The models of the lens, from simple to rich, each with its free coefficients."""
+
+IDEAL = Distortion()
+"""A lens that moves no point."""
+
+
+@dataclass(frozen=True, slots=True)
+class Camera:
+    """The intrinsic parameters and the lens."""
+
+    fx: float
+    fy: float
+    """Focal lengths in px."""
+    cx: float
+    cy: float
+    """Principal point in px."""
+    lens: Distortion = IDEAL
+
+    @property
+    def matrix(self) -> Floats:
+        """The intrinsic matrix K (3, 3)."""
+        return intrinsics((self.fx, self.fy), (self.cx, self.cy))
+
+    def values(self, names: tuple[str, ...]) -> Floats:
+        """Parameters by name."""
+        return np.array([getattr(self if n in PINHOLE else self.lens, n) for n in names], float)
+
+    def changed(self, names: tuple[str, ...], values: ArrayLike) -> "Camera":
+        """This camera with other values of the parameters ``names``."""
+        given = dict(zip(names, np.asarray(values, float).tolist(), strict=True))
+        lens = replace(self.lens, **{n: v for n, v in given.items() if n not in PINHOLE})
+        pinhole = {name: given.get(name, getattr(self, name)) for name in PINHOLE}
+        return Camera(**pinhole, lens=lens)
+
+    def pixels(self, points: Floats) -> Floats:
+        """Pixels (..., 2) of points (..., 3) in the camera frame, all in front of it."""
+        image = distort(points[..., :2] / points[..., 2:], self.lens)
+        return image * (self.fx, self.fy) + (self.cx, self.cy)
+
+
+@dataclass(frozen=True, slots=True)
+class Poses:
+    """Poses of P boards: X_camera = R X_board + t."""
+
+    R: Floats
+    """(P, 3, 3) rotations."""
+    t: Floats
+    """(P, 3) in squares."""
+
+    @property
+    def rotation_vectors(self) -> Floats:
+        """(P, 3): axis times angle, as OpenCV has them."""
+        return rotations.logarithm(self.R)
+
+    def place(self, board: Floats) -> Floats:
+        """Points (P, N, 2) of the boards, in the camera frame (P, N, 3)."""
+        placed: Floats = board @ np.swapaxes(self.R[..., :2], -1, -2) + self.t[:, None]
+        return placed
+
+    def moved(self, step: Floats) -> "Poses":
+        """After steps (P, 6): a small turn in the camera frame, and a shift."""
+        return Poses(rotations.exponential(step[:, :3]) @ self.R, self.t + step[:, 3:])
+
+    def take(self, chosen: slice) -> "Poses":
+        """Some of the poses."""
+        return Poses(self.R[chosen], self.t[chosen])
+
+
+def predicted(camera: Camera, poses: Poses, board: Floats) -> Floats:
+    """Pixels (P, N, 2) of corners (P, N, 2) of the boards; infinite at and behind the camera."""
+    points = poses.place(board)
+    ahead = points[..., 2:] > 0.0
+    safe = np.where(ahead, points, 1.0)
+    return np.where(ahead, camera.pixels(safe), np.inf)

@@ -1,0 +1,164 @@
+"""A calibration as files for other programs: OpenCV's YAML, JSON, and a lens for Lensfun.
+
+Lensfun's model ``poly5`` is r_d = r (1 + k₁ r² + k₂ r⁴), from undistorted to distorted radii as
+ours, but its unit of length is half the shorter side of the picture, from the centre of the
+outermost pixel to that of the opposite one, and not the focal length. It has no tangential terms.
+Source: Lensfun, ``lensfun.h`` and ``modifier.cpp``.
+"""
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
+
+from simulations.models.arrays import Floats
+from simulations.models.calibration.camera import Camera, Poses
+from simulations.models.distortion import radial_profile
+
+FULL_FRAME_MM = (36.0, 24.0)
+"""Crop factors compare the diagonals of sensors with this one's."""
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What is written into a file."""
+
+    camera: Camera
+    size: tuple[int, int]
+    """Width and height of the pictures in px."""
+    errors: Mapping[str, float]
+    """Standard error of each free parameter."""
+    rms_px: float
+    poses: Poses
+    names: Sequence[str] = ()
+    """Names of the photographs, in the order of the poses."""
+
+
+def opencv_yaml(report: Report) -> str:
+    """For ``cv::FileStorage``; the names are those of OpenCV's own sample."""
+    width, height = report.size
+    lens = np.array([report.camera.lens.opencv[:5]])
+    poses = np.hstack((report.poses.rotation_vectors, report.poses.t))
+    return "\n".join(
+        (
+            "%YAML:1.0",
+            "---",
+            f"image_width: {width}",
+            f"image_height: {height}",
+            f"nframes: {len(poses)}",
+            *_matrix("camera_matrix", report.camera.matrix),
+            *_matrix("distortion_coefficients", lens),
+            f"avg_reprojection_error: {report.rms_px:.17g}",
+            *_matrix("extrinsic_parameters", poses),
+            "",
+        )
+    )
+
+
+def _matrix(name: str, values: Floats) -> tuple[str, ...]:
+    rows, columns = values.shape
+    data = ", ".join(f"{value:.17g}" for value in values.ravel())
+    return (
+        f"{name}: !!opencv-matrix",
+        f"   rows: {rows}",
+        f"   cols: {columns}",
+        "   dt: d",
+        f"   data: [ {data} ]",
+    )
+
+
+def as_json(report: Report) -> str:
+    """All of it, with standard errors; lengths in squares of the board, angles in radians."""
+    camera = report.camera
+    names = report.names or [str(index + 1) for index in range(len(report.poses.t))]
+    turns, shifts = report.poses.rotation_vectors.tolist(), report.poses.t.tolist()
+    values = {n: getattr(camera, n) for n in ("fx", "fy", "cx", "cy")}
+    values |= {n: getattr(camera.lens, n) for n in ("k1", "k2", "p1", "p2", "k3")}
+    return json.dumps(
+        {
+            "width": report.size[0],
+            "height": report.size[1],
+            "camera": values,
+            "standard_errors": dict(report.errors),
+            "rms_px": report.rms_px,
+            "photographs": [
+                {"name": name, "rotation_vector": turn, "translation": shift}
+                for name, turn, shift in zip(names, turns, shifts, strict=True)
+            ],
+        },
+        indent=2,
+        ensure_ascii=False,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Maker:
+    """What a lens database has to know of camera and lens; from EXIF where it is given."""
+
+    make: str = "Unknown"
+    model: str = "Unknown"
+    lens: str = "Calibrated lens"
+    focal_mm: float | None = None
+    crop: float = 1.0
+    """Diagonal of a full frame by that of this sensor."""
+
+
+def lensfun_xml(report: Report, maker: Maker = Maker()) -> str:
+    """An entry of Lensfun's database; put it into ``~/.local/share/lensfun/``.
+
+    ``real-focal`` is the calibrated focal length in mm if the crop factor is right.
+    """
+    k1, k2 = lensfun_poly5(report.camera, report.size)
+    x, y = lensfun_centre(report.camera, report.size)
+    real = lensfun_real_focal_mm(report.camera, report.size, maker.crop)
+    focal = real if maker.focal_mm is None else maker.focal_mm
+    sides = sorted(report.size, reverse=True)
+    common = math.gcd(*sides)
+    return f"""<lensdatabase version="1">
+  <lens>
+    <maker>{escape(maker.make)}</maker>
+    <model>{escape(maker.lens)}</model>
+    <mount>{escape(maker.model)}</mount>
+    <cropfactor>{maker.crop:.4g}</cropfactor>
+    <aspect-ratio>{sides[0] // common}:{sides[1] // common}</aspect-ratio>
+    <center x={quoteattr(f"{x:.6g}")} y={quoteattr(f"{y:.6g}")} />
+    <calibration>
+      <distortion model="poly5" focal="{focal:.6g}" real-focal="{real:.6g}" \
+k1="{k1:.8g}" k2="{k2:.8g}" />
+    </calibration>
+  </lens>
+</lensdatabase>
+"""
+
+
+def half_side_px(size: tuple[int, int]) -> float:
+    """Lensfun's unit of length in px."""
+    return 0.5 * (min(size) - 1)
+
+
+def lensfun_poly5(camera: Camera, size: tuple[int, int]) -> tuple[float, float]:
+    """k₁ and k₂ of ``poly5``: ours in its unit, or with k₃ those closest within the picture."""
+    unit = half_side_px(size) / math.sqrt(camera.fx * camera.fy)
+    corner = math.hypot(*size) / (min(size) - 1)
+    s = np.linspace(0.0, corner, 101)[1:] ** 2
+    wanted = radial_profile.scale(camera.lens.radial, s * unit * unit) - 1.0
+    r = np.sqrt(s)[:, None]  # least squares of shifts and not of factors
+    system = np.stack((s, s * s), axis=-1)
+    (k1, k2), *_ = np.linalg.lstsq(system * r, wanted * r[:, 0], rcond=None)
+    return float(k1), float(k2)
+
+
+def lensfun_centre(camera: Camera, size: tuple[int, int]) -> tuple[float, float]:
+    """The principal point from the middle of the picture, in Lensfun's unit."""
+    unit = half_side_px(size)
+    middle = (0.5 * (size[0] - 1), 0.5 * (size[1] - 1))
+    return (camera.cx - middle[0]) / unit, (camera.cy - middle[1]) / unit
+
+
+def lensfun_real_focal_mm(camera: Camera, size: tuple[int, int], crop: float) -> float:
+    """The calibrated focal length in mm on a sensor with this crop factor."""
+    half_side_mm = 0.5 * math.hypot(*FULL_FRAME_MM) / crop * min(size) / math.hypot(*size)
+    return math.sqrt(camera.fx * camera.fy) * half_side_mm / (0.5 * min(size))

@@ -1,0 +1,68 @@
+"""What would change without some of the photographs, without calibrating anew.
+
+At the minimum each picture contributes Sᵢ and gᵢ to the camera's equations (`normal_equations`),
+and Σ gᵢ = 0. Without some of them, one Gauss–Newton step from the common minimum leads to the
+minimum of the rest: what is left out is less than a standard error, and the equations are nearly
+linear over that. It is the leave-one-out formula of linear regression. R. D. Cook, *Detection of
+influential observation in linear regression*, 1977.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.models.arrays import Floats
+from simulations.models.calibration.bundle_adjustment import Adjusted
+from simulations.models.calibration.jacobian import linearise
+from simulations.models.calibration.normal_equations import blocks_of, reduced, solve_scaled
+from simulations.models.calibration.views import Views
+
+
+def left_out_px(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Floats:
+    """(P,) RMS distance of each photograph's corners from their prediction by all the others.
+
+    The camera is that of the others, the pose that which fits best with this camera.
+    Raises `LinAlgError` if the others do not determine the camera.
+    """
+    at = linearise(views, fit.camera, fit.poses, free)
+    blocks = blocks_of(at)
+    S, g = reduced(blocks)
+    residual, counts = at.residual, views.found.sum(axis=-1)
+    if free:
+        step = solve_scaled(S.sum(axis=0) - S, g - g.sum(axis=0))
+        residual = residual + (at.by_camera @ step[..., None])[..., 0]
+    along = np.swapaxes(at.by_pose, -1, -2) @ residual[..., None]
+    regained = (along * np.linalg.solve(blocks.V, along)).sum(axis=(-2, -1))
+    squares = (residual * residual).sum(axis=-1) - regained
+    return np.sqrt(np.maximum(squares, 0.0) / counts)
+
+
+@dataclass(frozen=True, slots=True)
+class Growth:
+    """A parameter and its standard error by the count of photographs; NaN while open."""
+
+    counts: tuple[int, ...]
+    value: Floats
+    error: Floats
+
+
+def growth(
+    views: Views, fit: Adjusted, free: tuple[str, ...], sigma_px: float, name: str, least: int
+) -> Growth:
+    """The parameter ``name`` from the first ``least``, ``least`` + 1, … photographs."""
+    S, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, free)))
+    index = free.index(name)
+    first = getattr(fit.camera, name)
+    counts = tuple(range(least, len(views) + 1))
+    value, error = np.full((2, len(counts)), np.nan)
+    sums = np.cumsum(S, axis=0)[least - 1 :], np.cumsum(g, axis=0)[least - 1 :]
+    unit = np.zeros(len(free))
+    unit[index] = 1.0
+    for place, (S_n, g_n) in enumerate(zip(*sums, strict=True)):
+        try:
+            value[place] = first - solve_scaled(S_n, g_n)[index]
+            variance = solve_scaled(S_n, unit)[index]
+        except np.linalg.LinAlgError:
+            continue
+        error[place] = sigma_px * np.sqrt(variance) if variance > 0.0 else np.nan
+    return Growth(counts, value, error)

@@ -1,0 +1,94 @@
+"""Standard errors of a calibration, from the Jacobian at the minimum.
+
+If the corners err independently by σ in x and in y, the parameters have the covariance
+σ² (JᵀJ)⁻¹, to first order. Its block of the camera is σ² S⁻¹ with the Schur complement S. σ is
+estimated from the residuals, divided by the count of coordinates less the count of parameters.
+W. H. Press et al., *Numerical Recipes*, 2007, §15.6.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.models.arrays import Floats
+from simulations.models.calibration.bundle_adjustment import Adjusted, residuals
+from simulations.models.calibration.camera import PINHOLE
+from simulations.models.calibration.jacobian import linearise
+from simulations.models.calibration.normal_equations import blocks_of, reduced
+from simulations.models.calibration.views import Views
+from simulations.models.calibration.zhang import TILT, UndeterminedError
+
+UNSURE = 0.1
+"""Relative standard error of a focal length from which it counts as undetermined."""
+PARALLEL = math.cos(math.radians(1.0))
+"""Cosine of the angle within which all boards are parallel. Parallel boards tell no focal length;
+only noise, or a lens that bends them, pretends that they do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Uncertainty:
+    """How far a calibration can be trusted."""
+
+    names: tuple[str, ...]
+    covariance: Floats
+    """(m, m) of the camera's free parameters."""
+    sigma_px: float
+    """Estimated standard deviation of a corner's x and of its y."""
+
+    @property
+    def errors(self) -> dict[str, float]:
+        """Standard error of each free parameter."""
+        diagonal = np.sqrt(np.diagonal(self.covariance))
+        return dict(zip(self.names, diagonal.tolist(), strict=True))
+
+
+def uncertainty(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Uncertainty:
+    """Standard errors at the minimum.
+
+    Raises `UndeterminedError` if all boards are parallel, or a parameter is left open otherwise.
+    """
+    if _parallel(fit.poses.R[..., 2]):
+        raise UndeterminedError(TILT)
+    S = information(views, fit, free).sum(axis=0)
+    sigma = noise_px(views, fit, len(free))
+    scale = 1.0 / np.sqrt(np.maximum(np.diagonal(S), np.finfo(float).tiny))
+    try:
+        inverse = np.linalg.inv(S * scale[:, None] * scale)
+    except np.linalg.LinAlgError:
+        raise UndeterminedError(TILT) from None
+    covariance = sigma * sigma * inverse * scale[:, None] * scale
+    known = np.diagonal(inverse) > 0.0
+    focal = [i for i, name in enumerate(free) if name in PINHOLE[:2]]
+    unsure = np.sqrt(np.abs(np.diagonal(covariance))[focal]) > UNSURE * fit.camera.fx
+    if not known.all() or np.any(unsure):
+        raise UndeterminedError(TILT)
+    return Uncertainty(free, covariance, sigma)
+
+
+def _parallel(normals: Floats) -> bool:
+    """Whether all normals (P, 3) are within `PARALLEL` of their mean."""
+    mean = normals.mean(axis=0)
+    return bool(np.all(normals @ mean >= PARALLEL * np.linalg.norm(mean)))
+
+
+def information(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Floats:
+    """(P, m, m): what each picture says about the camera, in units of 1/σ²; they add up."""
+    return reduced(blocks_of(linearise(views, fit.camera, fit.poses, free)))[0]
+
+
+def noise_px(views: Views, fit: Adjusted, free: int) -> float:
+    """σ from the residuals; 0 if there are no more coordinates than parameters."""
+    spare = 2 * views.corners - free - 6 * len(views)
+    return float(np.sqrt(fit.cost / spare)) if spare > 0 else 0.0
+
+
+def rms_px(views: Views, fit: Adjusted) -> float:
+    """Root of the mean squared distance between predicted and found corners, as OpenCV has it."""
+    return float(np.sqrt(fit.cost / views.corners))
+
+
+def rms_of_each(views: Views, fit: Adjusted) -> Floats:
+    """(P,) the same for each photograph."""
+    off = residuals(views, fit.camera, fit.poses)
+    return np.sqrt((off * off).sum(axis=(-2, -1)) / views.found.sum(axis=-1))

@@ -1,0 +1,97 @@
+"""Files of a calibration, read back by other programs or by their formulae."""
+
+import json
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from support.sittings import SIZE, TRUTH, photographs
+
+from simulations.models.calibration.camera import Camera
+from simulations.models.calibration.exports import (
+    Maker,
+    Report,
+    as_json,
+    lensfun_xml,
+    opencv_yaml,
+)
+from simulations.models.distortion.lens_model import Distortion
+
+POSES = photographs(3).poses
+RADIAL = Camera(600.0, 600.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08))
+
+
+def report(camera: Camera = TRUTH) -> Report:
+    return Report(camera, SIZE, {"fx": 0.2}, 0.1, POSES, ("a.jpg", "b.jpg", "c & d.jpg"))
+
+
+def test_opencv_reads_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "camera.yaml"
+    path.write_text(opencv_yaml(report()), "utf-8")
+    file = cv2.FileStorage(str(path), cv2.FILE_STORAGE_READ)
+    assert (file.getNode("image_width").real(), file.getNode("image_height").real()) == SIZE
+    assert np.array_equal(file.getNode("camera_matrix").mat(), TRUTH.matrix)
+    lens = file.getNode("distortion_coefficients").mat()
+    assert lens.tolist() == [[-0.25, 0.08, 6e-4, -4e-4, 0.0]]
+    poses = file.getNode("extrinsic_parameters").mat()
+    assert poses[:, 3:] == pytest.approx(POSES.t)
+    corner = np.array([[8.0, 5.0, 0.0]])
+    seen, _ = cv2.projectPoints(corner, poses[0, :3], poses[0, 3:], TRUTH.matrix, lens)
+    assert seen.ravel() == pytest.approx(photographs(1).pixels[0, -1])
+
+
+def test_json_has_camera_errors_and_poses() -> None:
+    read = json.loads(as_json(report()))
+    assert read["camera"] | {"k3": 0.0} == read["camera"]
+    assert read["camera"]["fx"] == 600.0
+    assert read["standard_errors"] == {"fx": 0.2}
+    assert [entry["name"] for entry in read["photographs"]] == ["a.jpg", "b.jpg", "c & d.jpg"]
+
+
+def lensfun_pixels(xml: str, ideal: np.ndarray) -> np.ndarray:
+    """Places in the photograph of pixels (N, 2) of a corrected picture, as `modifier.cpp` and
+    ``ModifyCoord_Dist_Poly5`` of Lensfun compute them."""
+    root = ET.fromstring(xml)
+    centre, model = root.find(".//center"), root.find(".//distortion")
+    assert centre is not None
+    assert model is not None
+    assert model.get("model") == "poly5"
+    k1, k2 = (float(model.get(name, "")) for name in ("k1", "k2"))
+    width, height = SIZE[0] - 1, SIZE[1] - 1
+    size = min(width, height)
+    scale = 2.0 / size
+    middle = (
+        width / size + float(centre.get("x", "")),
+        height / size + float(centre.get("y", "")),
+    )
+    x, y = (ideal * scale - middle).T
+    r2 = x * x + y * y
+    factor = 1.0 + k1 * r2 + k2 * r2 * r2
+    return (np.stack((x * factor, y * factor), -1) + middle) / scale
+
+
+def test_lensfun_distorts_as_the_calibrated_lens() -> None:
+    ideal = np.random.default_rng(1).uniform((0, 0), SIZE, (50, 2))
+    direction = (ideal - (RADIAL.cx, RADIAL.cy)) / RADIAL.fx
+    expected = RADIAL.pixels(np.c_[direction, np.ones(50)])
+    assert lensfun_pixels(lensfun_xml(report(RADIAL)), ideal) == pytest.approx(expected, abs=1e-3)
+
+
+def test_a_third_coefficient_is_fitted_by_lensfuns_two() -> None:
+    rich = Camera(600.0, 600.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08, k3=0.02))
+    ideal = np.random.default_rng(1).uniform((0, 0), SIZE, (50, 2))
+    direction = (ideal - (rich.cx, rich.cy)) / rich.fx
+    expected = rich.pixels(np.c_[direction, np.ones(50)])
+    assert lensfun_pixels(lensfun_xml(report(rich)), ideal) == pytest.approx(expected, abs=0.05)
+
+
+def test_lensfun_gets_the_focal_length_in_millimetres() -> None:
+    full_frame = Camera(600.0, 600.0, 319.5, 239.5)
+    xml = lensfun_xml(report(full_frame), Maker("Acme & Co", "One", "Zoom <1>", 35.0, 1.0))
+    model = ET.fromstring(xml).find(".//distortion")
+    assert model is not None
+    assert float(model.get("focal", "")) == 35.0
+    # 4:3 of the diagonal of 36 × 24 mm: 34.61 mm wide, so that 640 px are 34.61 mm
+    assert float(model.get("real-focal", "")) == pytest.approx(600 * 34.613 / 640, rel=1e-4)
