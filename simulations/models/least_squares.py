@@ -1,0 +1,51 @@
+"""Least squares by damped steps, for few unknowns.
+
+Reference: the hard cases run it; no figure and no ladder does yet.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from simulations.models.arrays import Floats
+
+WEAKEST = 1e-9
+"""Share of the best determined unknown's information that every unknown is damped by at least."""
+
+
+def levenberg_marquardt[S](
+    residuals: Callable[[S], tuple[Floats, Floats]],
+    moved: Callable[[S, Floats], S],
+    start: S,
+    rounds: int = 60,
+) -> S:
+    """The state near ``start`` whose residuals have the least sum of squares.
+
+    A step solves (JᵀJ + μ D) δ = −Jᵀ r with D = diag JᵀJ. The damping μ falls tenfold after a step
+    that lowers the sum, and grows tenfold after one that does not, which is not taken.
+
+    Parameters
+    ----------
+    residuals : gives r (N,) and its derivatives J (N, M) by a step from a state.
+    moved : the state a step (M,) away.
+    rounds : most steps tried.
+
+    Source: Marquardt, SIAM J. Appl. Math. 11, 1963; Hartley and Zisserman, 2nd ed., A6.2.
+    """
+    state, (r, J) = start, residuals(start)
+    damping = 1e-3
+    for _ in range(rounds):
+        information, slope = J.T @ J, J.T @ r
+        weights = np.diag(information)
+        weights = np.maximum(weights, WEAKEST * max(float(weights.max()), WEAKEST))
+        trial = moved(state, np.linalg.solve(information + damping * np.diag(weights), -slope))
+        r_trial, J_trial = residuals(trial)
+        gain = float(r @ r - r_trial @ r_trial)
+        if gain >= 0.0:
+            ended = gain <= 1e-12 * float(r @ r)
+            state, r, J, damping = trial, r_trial, J_trial, damping / 10.0
+            if ended:
+                break
+        elif (damping := damping * 10.0) > 1e9:
+            break
+    return state

@@ -1,0 +1,262 @@
+"""A camera from one picture: its focal length and its turn from lines along three axes.
+
+The axes are at right angles to each other: 0 to the right and 1 away, in the floor, and 2 upwards.
+The camera has square pixels. Its principal point is the middle of the picture, or is found too.
+
+All lines are fitted together: the axes' vanishing points are the columns of K R, so right angles
+hold by construction. Two directions and a fixed principal point leave nothing over, and the result
+is f² = −(v₁ − c)·(v₂ − c) with the vanishing points of `vanishing_lines.fit_vanishing_point`.
+
+Camera frame and pixels as in `simulations.models.projection.pinhole`, axes of the world as in
+`simulations.models.projection.level_ground`.
+
+Source: Hartley and Zisserman, Multiple View Geometry, 2nd ed., §8.6, §8.8; Criminisi, Reid and
+Zisserman, Single view metrology, IJCV 40, 2000.
+
+Reference: the hard cases run it; no figure and no ladder does yet.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.arrays import Floats, as_array, as_matrices
+from simulations.models.geometry.rotations import exponential, nearest_rotation
+from simulations.models.least_squares import levenberg_marquardt
+from simulations.models.projection.pinhole import intrinsics
+from simulations.models.projection.vanishing_lines import (
+    check_segments,
+    fit_vanishing_point,
+    line_residuals,
+)
+from simulations.models.require import require, require_positive
+
+SHORTEST, LONGEST = 0.1, 20.0
+"""Focal lengths that there are, in diagonals of the picture."""
+STARTS = (0.3, 0.6, 1.2, 2.4, 5.0)
+"""Those that the search starts from, beside the one of two vanishing points."""
+FOREKNOWN = 2.0
+"""Standard error of ln f without any line: cameras differ by a factor of seven or so. It keeps
+apart what needs f from what does not, where the lines leave f open."""
+UNKNOWN = 1e-6
+"""Information on other unknowns that counts as none."""
+
+
+@dataclass(frozen=True, slots=True)
+class SingleView:
+    """A camera, as one picture tells it."""
+
+    focal_px: float
+    centre: tuple[float, float]
+    """The principal point, in pixels."""
+    R: Floats
+    """(3, 3) turn from the axes to the camera frame: in its columns, the axes."""
+    diagonal: float
+    """Of the picture, in pixels."""
+    covariance: Floats
+    """(6, 6) of a step, see `moved`; zero for a principal point that is fixed."""
+    misfit: float = 0.0
+    """Sum of the squared residuals in units of σ²: about `spare` if the lines fit."""
+    spare: int = 0
+    """Lines less unknowns."""
+
+    @property
+    def K(self) -> Floats:  # noqa: N802, as in the formulae
+        return intrinsics(self.focal_px, self.centre)
+
+    @property
+    def vanishing(self) -> Floats:
+        """(3, 3) the vanishing points of the three axes, homogeneous, one a row."""
+        return np.asarray((self.K @ self.R).T)
+
+    @property
+    def pitch(self) -> float:
+        """Angle of the camera's axis below the horizontal, radians."""
+        x, y, z = self.R[:, 2]
+        return math.atan2(-z, math.hypot(x, y))
+
+    @property
+    def roll(self) -> float:
+        """Lean to the right, radians."""
+        x, y, _ = self.R[:, 2]
+        return math.atan2(-x, -y)
+
+    def moved(self, step: Floats) -> "SingleView":
+        """The camera after a step (6,) of ln f, of a turn in radians, and of the principal point in
+        diagonals."""
+        growth = float(np.clip(step[0], -0.5, 0.5))
+        low, high = (share * self.diagonal for share in (SHORTEST, LONGEST))
+        return replace(
+            self,
+            focal_px=min(max(self.focal_px * math.exp(growth), low), high),
+            R=exponential(step[1:4]) @ self.R,
+            centre=(
+                self.centre[0] + float(step[4]) * self.diagonal,
+                self.centre[1] + float(step[5]) * self.diagonal,
+            ),
+        )
+
+    def spread(self, quantity: Callable[["SingleView"], Floats | float]) -> Floats:
+        """Standard errors (...) of numbers that the camera determines, to first order."""
+        return propagated(
+            lambda step: np.asarray(quantity(self.moved(step))), np.zeros(6), self.covariance
+        )[1]
+
+
+def fit_view(
+    segments: ArrayLike,
+    axes: ArrayLike,
+    size: tuple[float, float],
+    sigma_px: float = 1.0,
+    *,
+    find_centre: bool = False,
+) -> SingleView:
+    """The likeliest camera for lines along the axes.
+
+    Parameters
+    ----------
+    segments : (N, 2, 2) the ends of the lines, in pixels.
+    axes : (N,) 0, 1 or 2: the axis along which each runs. Two of them need two or more lines each.
+    size : width and height of the picture, in pixels.
+    sigma_px : standard deviation of an end in x and in y.
+    find_centre : whether to find the principal point as well; else it is the picture's middle.
+
+    Returns
+    -------
+    The camera, with large variances of what the lines do not determine.
+
+    Raises
+    ------
+    ValueError
+        For an axis that is none, fewer than two axes with two lines or more, axes that vanish in
+        one point, and what `fit_vanishing_point` refuses.
+    """
+    ends = as_matrices("segments", segments, 2, 2)
+    along = as_array("axes", axes, len(ends)).astype(int)
+    require("axes", along, bool(np.isin(along, (0, 1, 2)).all()), "0, 1, 2")
+    require_positive("sigma_px", sigma_px)
+    check_segments(ends)
+    counts = np.bincount(along, minlength=3)
+    require("lines along the axes", counts, (counts >= 2).sum() >= 2, "two for two axes")
+    diagonal = math.hypot(*size)
+    middle = ((size[0] - 1.0) / 2.0, (size[1] - 1.0) / 2.0)
+    points = {
+        int(axis): fit_vanishing_point(ends[along == axis])[0]
+        for axis in np.flatnonzero(counts >= 2)
+    }
+    free = 6 if find_centre else 4
+
+    def residuals(view: SingleView) -> tuple[Floats, Floats]:
+        r, by_point = line_residuals(ends, view.vanishing[along])
+        return r / sigma_px, _by_step(view, along, by_point)[:, :free] / sigma_px
+
+    def moved(view: SingleView, step: Floats) -> SingleView:
+        return view.moved(np.pad(step, (0, 6 - free)))
+
+    starts = [
+        SingleView(focal, middle, _turn(points, focal, middle), diagonal, np.zeros((6, 6)))
+        for focal in _focal_lengths(points, middle, diagonal)
+    ]
+    start = min(starts, key=lambda view: float((residuals(view)[0] ** 2).sum()))
+    found = levenberg_marquardt(residuals, moved, start)
+    r, J = residuals(found)
+    covariance = np.zeros((6, 6))
+    covariance[:free, :free] = _covariance(J)
+    return replace(
+        _upright(found), covariance=covariance, misfit=float(r @ r), spare=len(ends) - free
+    )
+
+
+def focal_from_pair(first: ArrayLike, second: ArrayLike, centre: ArrayLike) -> float:
+    """f = √(−(v₁ − c)·(v₂ − c)) of two directions at right angles, in pixels.
+
+    Parameters
+    ----------
+    first, second : (3,) homogeneous vanishing points.
+    centre : (2,) the principal point.
+
+    Returns
+    -------
+    f : infinite if a point is at infinity, NaN if no camera sees a right angle between the two.
+    """
+    (x, y, w), (u, v, t) = as_array("first", first, 3), as_array("second", second, 3)
+    cx, cy = as_array("centre", centre, 2)
+    product = -((x - w * cx) * (u - t * cx) + (y - w * cy) * (v - t * cy))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return float(np.sqrt(np.float64(product) / (w * t)))
+
+
+def propagated(
+    function: Callable[[Floats], Floats], at: Floats, covariance: Floats
+) -> tuple[Floats, Floats]:
+    """Values (...) of a function of (N,) numbers and their standard errors, to first order.
+
+    The derivatives are central differences over steps of 10⁻⁵, so the numbers must be scaled such
+    that this is small and the function smooth.
+    """
+    steps = 1e-5 * np.eye(len(at))
+    J = np.stack([(function(at + step) - function(at - step)) / 2e-5 for step in steps], axis=-1)
+    variance = np.einsum("...i,ij,...j->...", J, covariance, J)
+    return function(at), np.sqrt(np.maximum(variance, 0.0))
+
+
+def _by_step(view: SingleView, along: Floats, by_point: Floats) -> Floats:
+    """Derivatives (N, 6) of the residuals by a step of the camera, from those by the points.
+
+    v = K R e, so dv = f (d₁, d₂, 0) d ln f + K (ω × d) + (dc, 0) d₃, with d = R e.
+    """
+    directions = view.R.T[along]
+    by_direction = by_point @ view.K
+    return np.column_stack(
+        [
+            view.focal_px * (by_point[:, :2] * directions[:, :2]).sum(axis=1),
+            np.cross(directions, by_direction),
+            view.diagonal * by_point[:, :2] * directions[:, 2:],
+        ]
+    )
+
+
+def _covariance(J: Floats) -> Floats:
+    """(JᵀJ)⁻¹, with a large variance in place of an infinite one."""
+    known = np.zeros(J.shape[1])
+    known[0] = FOREKNOWN**-2
+    information, axes = np.linalg.eigh(J.T @ J + np.diag(known))
+    return np.asarray((axes / np.maximum(information, UNKNOWN)) @ axes.T)
+
+
+def _focal_lengths(
+    points: dict[int, Floats], centre: tuple[float, float], diagonal: float
+) -> list[float]:
+    """Where the search may start: at the pairs' closed forms, and at some fixed ones."""
+    pairs = [(a, b) for a in points for b in points if a < b]
+    closed = [focal_from_pair(points[a], points[b], centre) for a, b in pairs]
+    low, high = SHORTEST * diagonal, LONGEST * diagonal
+    return [f for f in closed if low < f < high] + [share * diagonal for share in STARTS]
+
+
+def _turn(points: dict[int, Floats], focal: float, centre: tuple[float, float]) -> Floats:
+    """The turn whose axes come nearest to the rays of the vanishing points."""
+    rays = {axis: np.linalg.solve(intrinsics(focal, centre), v) for axis, v in points.items()}
+    units = {axis: ray / np.linalg.norm(ray) for axis, ray in rays.items()}
+    for axis in {0, 1, 2} - units.keys():
+        units[axis] = np.cross(units[(axis + 1) % 3], units[(axis + 2) % 3])
+    columns = np.column_stack([units[axis] for axis in range(3)])
+    if np.linalg.det(columns) < 0.0:
+        columns[:, 0] *= -1.0
+    sizes = np.linalg.svd(columns, compute_uv=False)
+    require("axes", sorted(points), sizes[1] > 1e-6, "with vanishing points that are apart")
+    return nearest_rotation(columns)
+
+
+def _upright(view: SingleView) -> SingleView:
+    """The same with its third axis upwards in the picture and its second away from the camera.
+
+    d and −d vanish in one point, so the lines alone do not tell them apart.
+    """
+    up, away = view.R[:, 2], view.R[:, 1]
+    up = -up if up[1] > 0.0 else up
+    away = -away if away[2] < 0.0 else away
+    return replace(view, R=np.column_stack([np.cross(away, up), away, up]))
