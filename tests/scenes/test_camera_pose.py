@@ -7,7 +7,8 @@ import pytest
 from support.frames import frame_of, texts_of
 
 from simulations.models.projection.pinhole import look_at
-from simulations.scenes.camera_pose.room import standpoint
+from simulations.scenes.camera_pose.plans import HEIGHT, WIDTH, in_world, to_camera
+from simulations.scenes.camera_pose.room import WALLS, standpoint
 from simulations.scenes.camera_pose.scene import SCENE
 
 frame = partial(frame_of, SCENE)
@@ -40,5 +41,13 @@ def test_the_field_of_view_is_ahead_of_the_camera_and_inside_the_room(pan: float
     seen = here.seen(here.field)
     assert len(seen) >= 3
     assert (np.abs(seen[:, 0]) <= np.tan(np.radians(30)) * seen[:, 2] + 1e-9).all()
-    assert (here.field >= [-1 - 1e-9, 0, -1 - 1e-9]).all()
-    assert (here.field <= [11 + 1e-9, 0, 9 + 1e-9]).all()
+    assert (here.field >= WALLS[0] - 1e-9).all()
+    assert (here.field <= WALLS[2] + 1e-9).all()
+
+
+def test_the_whole_room_of_the_worked_example_is_in_both_panels() -> None:
+    here = standpoint(-90, 10, 0)
+    for place in (in_world, to_camera(here)):
+        corners = place(WALLS)
+        assert (corners > 0.0).all()
+        assert (corners < [WIDTH, HEIGHT]).all()

@@ -94,7 +94,7 @@ def test_in_between_the_camera_is_object_centred_projection(
 
 
 def test_the_picture_marks_where_perspective_has_the_point() -> None:
-    mark = 'class="error" cx="216" cy="158"'
+    mark = 'class="error solid" cx="216" cy="158"'
     assert mark in picture(perspective=0, depth=10)
     assert mark not in picture(depth=10)
 

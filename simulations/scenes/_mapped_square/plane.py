@@ -131,7 +131,7 @@ def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
     at_start = anchor == "start"
     x, y = left if at_start else right
     below = (right[1] < left[1]) == at_start
-    y = min(max(y + (18.0 if below else -9.0), 16.0), HEIGHT - 8.0)
+    y = min(max(y + (15.0 if below else -7.0), 16.0), HEIGHT - 8.0)
     if abs(y - TAKEN_Y[anchor]) < LABEL_HEIGHT:
         y = TAKEN_Y[anchor] + (LABEL_HEIGHT if below else -LABEL_HEIGHT)
     beside = clip_half_plane(ends, (0.0, -1.0, y) if below else (0.0, 1.0, -y), closed=False)
@@ -139,7 +139,7 @@ def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
         x = beside[:, 0].min() if at_start else beside[:, 0].max()
     if x > WIDTH - LABEL_WIDTH if at_start else x < LABEL_WIDTH:
         anchor = "end" if at_start else "start"
-    place = (x + (8.0 if anchor == "start" else -8.0), y)
+    place = (x + (5.0 if anchor == "start" else -5.0), y)
     return drawing.line(left, right, f"{role} dashed") + drawing.text(
         place, label, f"{role} small ground", anchor
     )

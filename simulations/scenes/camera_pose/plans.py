@@ -10,11 +10,11 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import clip_half_plane
 from simulations.scenes.camera_pose.room import AXIS_M, DOOR, LAMP, TABLE, WALLS, Standpoint
 
-WIDTH, HEIGHT = 400.0, 340.0
-UNITS_PER_M = 22.0
+WIDTH, HEIGHT = 400.0, 350.0
+UNITS_PER_M = 20.0
 """Scale of both panels, so that equal lengths look equal."""
-WORLD_ORIGIN = np.array([90.0, 258.0])
-CAMERA_ORIGIN = np.array([200.0, 250.0])
+WORLD_ORIGIN = np.array([80.0, 215.0])
+CAMERA_ORIGIN = np.array([200.0, 242.0])
 """The two origins in the view boxes; right is right, ahead or forward is up."""
 EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
 """The view box, as half planes a x + b y + c ≥ 0."""

@@ -10,5 +10,5 @@ class Settings:
     """The settings of the figure."""
 
     pan: float = slider("Pan ψ", -90, -180, 180, 1, unit="°")
-    camera_x: float = slider("Camera, right (X)", 10.0, 0, 10, 0.1, unit="m")
-    camera_z: float = slider("Camera, ahead (Z)", 0.0, 0, 8, 0.1, unit="m")
+    camera_x: float = slider("Camera, right (X)", 10.0, 0, 12, 0.1, unit="m")
+    camera_z: float = slider("Camera, ahead (Z)", 0.0, -2, 6, 0.1, unit="m")

@@ -1,6 +1,7 @@
 """Drawings of the formation pipeline: the path of the point, and the ledger of its numbers."""
 
 import math
+from collections.abc import Iterator
 from itertools import pairwise
 
 from simulations.engine import drawing
@@ -18,10 +19,13 @@ UNITS_PER_METRE = 24.0
 LENS_TO_PLANE = 72.0
 POINT_RISE = 42.0
 """Height of the point above the axis; drawn larger than true, like the camera."""
+FIRST_LEG = 0.2
+"""Share of the way to the lens at which the point is known in camera coordinates."""
 CELL, LIGHT, WELL, CODE = ((column, 244.0) for column in (350.0, 250.0, 150.0, 50.0))
 """Centres of the tiles on the lower row."""
 LEDGER_WIDTH, LEDGER_HEIGHT = 400.0, 384.0
 LEDGER_TOP, ROW_HEIGHT = 4.0, 47.0
+BULLET_COLUMN = 18.0
 
 
 def lens_column(distance_m: float) -> float:
@@ -35,10 +39,10 @@ def route(distance_m: float) -> tuple[tuple[Point, ...], ...]:
     start = (WALL_COLUMN, AXIS_ROW - POINT_RISE)
     slope = POINT_RISE / (lens[0] - start[0])
     hit = (lens[0] + LENS_TO_PLANE, AXIS_ROW + slope * LENS_TO_PLANE)
-    middle = ((start[0] + lens[0]) / 2, (start[1] + lens[1]) / 2)
+    first = (start[0] + FIRST_LEG * (lens[0] - start[0]), start[1] + FIRST_LEG * POINT_RISE)
     return (
-        (start, middle),
-        (middle, lens),
+        (start, first),
+        (first, lens),
         (lens, hit),
         (hit, (CELL[0], hit[1]), CELL),
         (CELL, LIGHT),
@@ -77,6 +81,7 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
             _scene(),
             _camera(lens_column(distance_m)),
             ahead,
+            *_onward(),
             come,
             draw_tiles(journey, corners, int(station)),
             drawing.dot(legs[0][0], "world", 4.5),
@@ -84,6 +89,13 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
             drawing.dot(marker, "ray", 6.5),
         )
     )
+
+
+def _onward() -> Iterator[str]:
+    """Heads of arrows in the gaps between the tiles, which are read from right to left."""
+    for start, end in pairwise((CELL, LIGHT, WELL, CODE)):
+        middle, row = (start[0] + end[0]) / 2, start[1]
+        yield drawing.arrow((middle + 6, row), (middle - 6, row), "muted thin", 9)
 
 
 def _scene() -> str:
@@ -126,14 +138,18 @@ def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
     Later stations have only their names, so that the reader can predict their numbers.
     """
     reached = int(station)
-    parts = []
+    rows = [LEDGER_TOP + (row + 0.5) * ROW_HEIGHT for row in (0.0, station, len(entries) - 1.0)]
+    start, here, end = ((BULLET_COLUMN, row) for row in rows)
+    parts = [drawing.line(here, end, "muted thin dashed")]
+    track = drawing.line(start, here, "ray bold")
     for index, entry in enumerate(entries):
         top = LEDGER_TOP + index * ROW_HEIGHT
         style = entry.role if index <= reached else "muted"
         if index == reached:
             parts.append(drawing.rectangle((2, top), LEDGER_WIDTH - 4, ROW_HEIGHT, f"{style} fill"))
+            parts.append(track)
         bullet = f"{style} solid" if index <= reached else style
-        parts.append(drawing.circle((18, top + ROW_HEIGHT / 2), 5.0, bullet))
+        parts.append(drawing.circle((BULLET_COLUMN, top + ROW_HEIGHT / 2), 5.0, bullet))
         if index > reached:
             parts.append(drawing.text((40, top + 28), entry.title, f"{style} strong"))
         else:

@@ -10,6 +10,7 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.scenes.formation_pipeline.drawing import (
     AXIS_ROW,
+    BULLET_COLUMN,
     LEDGER_TOP,
     ROW_HEIGHT,
     UNITS_PER_METRE,
@@ -20,7 +21,6 @@ from simulations.scenes.formation_pipeline.drawing import (
 )
 from simulations.scenes.formation_pipeline.settings import LAST_STATION, Settings
 
-BULLET_COLUMN = 18.0
 LENS_FOOT = 34.0
 """Distance of the lens's handle below the axis, in view box units."""
 

@@ -49,8 +49,8 @@ def _ring(index: int, name: str, role: str) -> Handle[Settings]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    _ring(0, "pan", "world"),
     _ring(1, "tilt", "light"),
+    _ring(0, "pan", "world"),
     _ring(2, "roll", "ray"),
     background("gimbal"),
 )

@@ -20,6 +20,8 @@ LENS_MM, SENSOR_MM = 25.0, 26.0
 """Half heights as drawn."""
 BLADE_MM, TUBE_MM = 17.5, 14.0
 """Outer ends of the stop and of the rim, with their marks."""
+BESIDE_LENS = 28.0
+"""Least distance of the name of the stop from the lens, in view box units."""
 SPREAD = 5.0
 """Exaggeration of the dispersion, which would be too small to see."""
 
@@ -138,7 +140,9 @@ def _stop(stop: float, f_number: float) -> Iterator[str]:
         yield line(at(-stop, side * opening), at(-stop, side * BLADE_MM), style)
     yield dot(stop_mark(stop))
     yield dot(opening_mark(stop, f_number))
-    yield text((stop_mark(stop)[0], AXIS_Y - 116), "aperture stop", "ground", "middle")
+    aside = max(abs(UNITS_PER_MM * stop), BESIDE_LENS)
+    column = LENS_X - (aside if stop >= 0 else -aside)
+    yield text((column, AXIS_Y - 104), "stop", "ground", "middle")
 
 
 def _rim(stop: float, rim: float) -> Iterator[str]:

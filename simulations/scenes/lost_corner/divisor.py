@@ -29,8 +29,10 @@ def draw(amount: float, H: Floats, point: Floats) -> str:
             PLOT.region(y=(PLOT.y.low, 0.0), style="error fill faint"),
             PLOT.frame(*SCALES),
             PLOT.level(0.0, "error dashed"),
-            label((PLOT.x.start + 10.0, PLOT.y.start - 10.0), "past infinity", "error small"),
             PLOT.drop(amount, w, "muted thin dashed"),
+            label(
+                (PLOT.x.start + 10.0, PLOT.y.start - 10.0), "past infinity", "error small ground"
+            ),
             PLOT.curve(amounts, along, "image bold"),
             PLOT.mark(amount, w, "image"),
         )

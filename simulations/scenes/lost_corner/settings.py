@@ -9,7 +9,7 @@ from simulations.engine.settings import action, slider
 class Settings:
     """The settings of the figure."""
 
-    amount: float = slider("Amount", 34, 0, 100, 1)
+    amount: float = slider("Amount", 24, 0, 100, 1)
     play: int = action("Play", "Pause", drives="amount", effect="play", seconds=8.0)
     point_x: float = slider("P, right (x)", 40, -60, 60, 1)
     point_y: float = slider("P, up (y)", -40, -60, 60, 1)

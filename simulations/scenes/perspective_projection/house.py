@@ -82,15 +82,14 @@ def in_picture(view: View, place: drawing.Point, units_per_px: float) -> str:
 
 
 def outline(view: View, camera: Camera, place: drawing.Point, units_per_px: float) -> str:
-    """SVG markup of both end walls and the edges between them, as another camera sees them."""
+    """SVG markup of the walls and the roof that another camera sees from outside."""
     corner = np.array([view.X, view.Y, view.Z])
-    runs = []
-    for face, _ in FACES:
-        pixels = _image(camera, face + corner)
-        if len(pixels):
-            ring = units_per_px * pixels + np.asarray(place)
-            runs.append(np.concatenate([ring, ring[:1]]))
-    return drawing.path(runs, "error thin dashed") if runs else ""
+    seen = [_image(camera, face + corner) for face, _ in FACES]
+    return "".join(
+        drawing.polygon(units_per_px * pixels + np.asarray(place), "error thin dashed fill")
+        for pixels in seen
+        if len(pixels) > 2 and _area(pixels) > 0.0
+    )
 
 
 def _painted(places: Floats, washes: int) -> Iterator[str]:

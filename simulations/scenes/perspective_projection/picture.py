@@ -113,7 +113,7 @@ def in_perspective(view: View) -> str:
     full = Camera(view.camera.focal_px, 1.0)
     parts = [house.outline(view, full, CENTRE, IMAGE_SCALE)]
     if view.Z > 0.0 and view.off_px >= SAME_PX and in_picture(*view.formula_only):
-        parts.append(drawing.circle(place(*view.formula_only), 5.0, "error"))
+        parts.append(drawing.dot(place(*view.formula_only), "error", 3.0))
     words = "dashed: in perspective" if view.Z > 0.0 else "in perspective: no image of the point"
     parts.append(drawing.text((WIDTH - 8.0, HEIGHT - 34.0), words, "error small ground", "end"))
     return "".join(parts)

@@ -177,7 +177,7 @@ def _seen_at_reference(view: View) -> str:
         if len(drawn) > 1:
             parts.append(drawing.polyline(drawn, "error thin dashed"))
         if abs(X) < 3.5:
-            parts.append(drawing.circle(above(Z, X), 4.0, "error"))
+            parts.append(drawing.dot(above(Z, X), "error", 3.0))
     own = _on_ray(view, REFERENCE_DEPTH_M)
     if abs(own) < 3.5:
         parts.append(drawing.dot(above(REFERENCE_DEPTH_M, own), "image", 4.0))

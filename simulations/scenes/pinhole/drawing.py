@@ -8,12 +8,12 @@ from simulations.engine.handles import Point
 from simulations.models.lens.pinhole import spread_mm
 from simulations.scenes.pinhole.stages import DEPTH_MM, WAVELENGTHS_UM
 
-WIDTH, HEIGHT = 400.0, 320.0
-MIDDLE = 156.0
+WIDTH, HEIGHT = 400.0, 350.0
+MIDDLE = 174.0
 FRONT, WALL = 196.0, 364.0
 """Columns of the side with the hole and of the wall with the picture."""
-HALF_BOX = 130.0
-UNITS_PER_MM = 54.0
+HALF_BOX = 150.0
+UNITS_PER_MM = 72.0
 RISE = 0.44
 """Slope of a beam."""
 BEAMS = (("world", 1.0), ("light", -1.0))

@@ -10,6 +10,9 @@ from simulations.scenes.pinhole.handles import HANDLES
 from simulations.scenes.pinhole.settings import WIDEST_MM, Settings
 from simulations.scenes.pinhole.stages import DEPTH_MM, STAGES, WAVELENGTHS_UM, share_of_light
 
+PICTURE = 400.0, 320.0
+"""View box of the picture."""
+
 
 def spread(settings: Settings) -> float:
     """Width of the spot by diffraction, mm, in green light."""
@@ -20,7 +23,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The wall as seen from within, and the box from the side."""
     return Frame(
         panels=(
-            Panel("wall", "The picture on the wall", WIDTH, HEIGHT, outputs["picture"], lead=True),
+            Panel("wall", "The picture on the wall", *PICTURE, outputs["picture"], lead=True),
             Panel(
                 "section", "The box from the side", WIDTH, HEIGHT, overlay=section(settings.hole)
             ),
