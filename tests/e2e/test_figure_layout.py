@@ -89,6 +89,22 @@ SECOND_IS_SHOWN = """(strip) => {
 }"""
 
 
+def test_controls_stand_beneath_a_low_second_panel_and_beside_the_first(
+    visitor: Reader, book: Any
+) -> None:
+    figure = visitor.turn_to_figure(book, "tiled-floor")
+    slider = figure.locator(".figure-side input[type=range]").first
+    slider.click(trial=True)  # the box of the panels does not cover it
+    place = visitor.bring(slider)
+    first = visitor.bring(figure.locator(".panel").first)
+    assert place["x"] > first["x"] + first["width"]
+    assert slider.evaluate(FOLLOWS, figure.locator(".panel").last.element_handle())
+
+
+FOLLOWS = """(low, high) =>
+  low.getBoundingClientRect().top >= high.getBoundingClientRect().bottom"""
+
+
 def test_menus_keep_their_arrow_in_forced_colours(phone: Reader, book: Any) -> None:
     phone.page.emulate_media(forced_colors="active")
     open_page(phone, next(c["url"] for c in book["chapters"] if "aliasing" in c["simulations"]))

@@ -17,6 +17,11 @@ from site_builder.page_model.blocks import Simulation
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.views.control import Cell, control_cells, readouts_in_sight, value_text
 
+SECOND = 0.53
+"""Width of a panel beside one that leads, as a share of that one's (``static/css/figure.css``)."""
+ROOM = 0.24
+"""Height that controls and readouts need there, as a share of the same width."""
+
 
 @dataclass(frozen=True, slots=True)
 class HandleView:
@@ -70,6 +75,16 @@ class SimulationView:
     """JSON that is safe inside a script element."""
     prerendered: str
     """Address of what can be shown before Python has started; nothing where that is nothing."""
+
+    @property
+    def side(self) -> str:
+        """Where controls and readouts stand on a wide page: ``beside`` the only panel, or
+        ``beneath`` a second one that is low beside the first; else below all panels."""
+        if len(self.panels) == 1:
+            return "beside" if self.readouts or self.cells else ""
+        first, second = (view.panel for view in self.panels[:2])
+        room = first.height / first.width - SECOND * second.height / second.width
+        return "beneath" if len(self.panels) == 2 and first.lead and room > ROOM else ""
 
 
 def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) -> SimulationView:
