@@ -4,7 +4,7 @@ Angles are counter-clockwise as seen, from the right.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -63,6 +63,11 @@ def swatch_polygon(points: Sequence[Point], srgb: Sequence[float]) -> str:
     """A polygon, likewise."""
     corners = " ".join(f"{coordinate(x)},{coordinate(y)}" for x, y in points)
     return f'<polygon class="swatch" points="{corners}" fill="{_hex(srgb)}"/>'
+
+
+def tinted(children: Iterable[str], srgb: Sequence[float]) -> str:
+    """Drawings without a role, all in a computed colour, the same in all themes."""
+    return f'<g color="{_hex(srgb)}">{"".join(children)}</g>'
 
 
 def _hex(srgb: Sequence[float]) -> str:

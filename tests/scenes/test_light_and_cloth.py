@@ -53,3 +53,12 @@ def test_a_narrow_band_moves_along_the_edge_of_all_colours() -> None:
 def test_by_day_a_surface_and_its_twin_have_one_colour() -> None:
     surfaces, twins = seen(light="fluorescent").by_day
     np.testing.assert_allclose(surfaces, twins, atol=1e-9)
+
+
+def test_patches_of_this_light_and_of_daylight_touch_and_twins_have_a_space_between() -> None:
+    def solid_rows(**given: object) -> int:
+        opaque = pixels_of(frame(**given), 1)[..., 3].any(axis=1)
+        return int(np.count_nonzero(np.diff(opaque.astype(int)) == 1))
+
+    assert solid_rows() == 1
+    assert solid_rows(twin=True) == 2

@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 from support.frames import frame_of, pixels_of, texts_of
 
+from simulations.scenes.two_views import plan
 from simulations.scenes.two_views.scene import SCENE
 from simulations.scenes.two_views.view import view_of
 
@@ -77,7 +78,7 @@ def test_the_two_rays_meet_in_the_lamp_however_the_camera_is_turned() -> None:
 
 @pytest.mark.parametrize("toe_in", [0, 12, 30])
 def test_at_any_depth_the_right_image_is_on_the_drawn_line(toe_in: float) -> None:
-    overlay = frame(toe_in=toe_in, left_up=70).panels[2].overlay
+    overlay = frame(toe_in=toe_in, left_up=70).panels[1].overlay
     found = re.search(r'class="ray thin faint" points="([^"]+)"', overlay)
     assert found is not None
     (x0, y0), (x1, y1) = (map(float, spot.split(",")) for spot in found.group(1).split())
@@ -100,7 +101,7 @@ def test_the_essential_matrix_is_the_baseline_crossed_with_the_turn() -> None:
 
 def test_both_cameras_see_the_tile_under_the_post_where_they_see_its_foot() -> None:
     """The raster of the right picture is that of the left one, moved by the foot's disparity."""
-    left, right = (pixels_of(frame(baseline=0.5), panel) for panel in (1, 2))
+    right, left = (pixels_of(frame(baseline=0.5), panel) for panel in (1, 2))
     row = 120 + round(1.6 * 160 * 1.5 / 4.0)  # the floor 4 m away
     shift = round(1.6 * 160 * 0.5 / 4.0)
     near = np.abs(left[row, shift:, :3].astype(int) - right[row, :-shift, :3]).mean()
@@ -111,3 +112,21 @@ def test_both_cameras_see_the_tile_under_the_post_where_they_see_its_foot() -> N
 def test_an_image_outside_the_right_picture_offers_none_to_the_hand() -> None:
     outside = {"depth": 2, "baseline": 1, "left_x": -50}
     assert "right" not in {place.name for place in frame(**outside).handles}
+
+
+def test_the_depths_left_open_by_the_match_are_marked_on_the_axis() -> None:
+    view = view_of(SCENE.check({}))
+    marked = re.findall(
+        r'<line class="error bold" x1="([^"]+)"[^>]*x2="([^"]+)"', overlay_of_plan()
+    )
+    left, right = map(float, marked[-1])
+    assert left == pytest.approx(plan.above(view.nearest, 0.0)[0], abs=0.01)
+    assert right == pytest.approx(plan.above(view.farthest, 0.0)[0], abs=0.01)
+
+
+def test_without_an_error_no_depths_are_left_open() -> None:
+    assert "error" not in overlay_of_plan(matching_error=0)
+
+
+def overlay_of_plan(**given: object) -> str:
+    return frame(**given).panels[0].overlay

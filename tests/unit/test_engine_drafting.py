@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from simulations.engine import drafting
+from simulations.engine.drawing import line
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
 
@@ -78,3 +79,8 @@ def test_an_illustration_is_refused_that_no_page_could_show(
 ) -> None:
     with pytest.raises(ValueError, match=fault):
         Illustration(panels, description)
+
+
+def test_drawings_in_a_computed_colour_inherit_it() -> None:
+    drawn = drafting.tinted([line((0, 0), (1, 1), "thin")], (1.0, 0.5, 0.0))
+    assert drawn == '<g color="#ff8000"><line class="thin" x1="0" y1="0" x2="1" y2="1"/></g>'

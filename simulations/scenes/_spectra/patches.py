@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.drawing import Point, rectangle, text
+from simulations.engine.drawing import Point, dot, line, rectangle, text
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats
@@ -17,6 +17,8 @@ UNIT = 4
 LEFT, TOP = 88, 12
 CELL, GAP = 24, 12
 """Width of a patch, and the gap below it."""
+KNOB = 302.0
+"""Height of the handle, which hangs below the frame of the chosen surface."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +29,8 @@ class Chart:
     """Names of the rows and their colour roles, from the top."""
     row: int
     """Height of a patch in view box units, a multiple of 8."""
+    gap: int = GAP
+    """Space between the rows, a multiple of 4."""
 
     def paint(self, steps: tuple[Floats, ...], *, twin: bool) -> Raster:
         """Bytes (H, W, 4) from linear sRGB (2, 12, 3) for each row; twins in the lower halves."""
@@ -44,16 +48,19 @@ class Chart:
     def overlay(self, surface: str) -> str:
         """The names of the rows, and a frame around the chosen surface."""
         corner = (LEFT + NAMES.index(surface) * CELL, TOP - 4)
-        size = (CELL, self.top(len(self.rows)) - GAP - TOP + 8)
+        size = (CELL, self.top(len(self.rows)) - self.gap - TOP + 8)
+        knob = middle(surface)
         names = [
             text((LEFT - 8, self.top(row) + self.row / 2 + 4.5), name, role, "end")
             for row, (name, role) in enumerate(self.rows)
         ]
-        return "".join((*names, rectangle(corner, *size, "ray bold")))
+        frame = rectangle(corner, *size, "ray bold")
+        stem = line((knob[0], corner[1] + size[1]), knob, "ray bold")
+        return "".join((*names, frame, stem, dot(knob, "ray", 5)))
 
     def top(self, row: int) -> int:
         """Upper edge of a row."""
-        return TOP + row * (self.row + GAP)
+        return TOP + row * (self.row + self.gap)
 
 
 def surface_at(place: Point) -> str:
@@ -64,4 +71,4 @@ def surface_at(place: Point) -> str:
 
 def middle(surface: str) -> tuple[float, float]:
     """The handle of the column."""
-    return LEFT + (NAMES.index(surface) + 0.5) * CELL, HEIGHT / 2
+    return LEFT + (NAMES.index(surface) + 0.5) * CELL, KNOB

@@ -22,6 +22,8 @@ CLOSE_SIDE = BLOCK * WIDTH / CLOSE_COLUMNS
 """Width of a block in the close-up."""
 CELL_WIDTH, CELL_HEIGHT = WIDTH / BLOCK, HEIGHT / BLOCK
 """Sides of a cell of the table of coefficients."""
+KNOB_INSIDE = 14.0
+"""Least distance of the handle from the edges of the table, which would cut its ring."""
 
 
 def block_in_picture(row: int, column: int) -> str:
@@ -51,7 +53,7 @@ def knob(first: int) -> tuple[float, float]:
     """Handle in a corner of the last coefficient's cell, below its number."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
     x, y = _corner(row, column)
-    return (x + 6, y + CELL_HEIGHT - 5)
+    return (max(x + 6, KNOB_INSIDE), min(y + CELL_HEIGHT - 5, HEIGHT - KNOB_INSIDE))
 
 
 def cell_at(place: Point) -> tuple[int, int]:
@@ -74,6 +76,7 @@ def _numbers(codes: NDArray[np.integer], first: int) -> Iterator[str]:
 def _last(first: int) -> Iterator[str]:
     """The border of the last coefficient in use, and its handle."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
+    x, y = _corner(row, column)
     for style in ("casing", "ray bold"):
-        yield rectangle(_corner(row, column), CELL_WIDTH, CELL_HEIGHT, style)
+        yield rectangle((x + 1, y + 1), CELL_WIDTH - 2, CELL_HEIGHT - 2, style)
     yield dot(knob(first), "ray", 5)

@@ -28,8 +28,12 @@ from simulations.scenes._ball.marks import (
     shadow_edge,
 )
 
-PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 136.0), 74.0, 62.0
+PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 136.0), 60.0, 72.0
 """The sphere from above, and the length of a unit vector there."""
+ARC = 34.0
+"""Radius of the arc of θ."""
+RAY_START = 112.0
+"""Distance at which parallel rays begin, from the plane through the sphere's centre."""
 LAMP_DISTANCE = 126.0
 """Drawn distance of the lamp from the sphere's centre; it is far away."""
 
@@ -42,7 +46,14 @@ def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
     if math.cos(light_rad) > 0.05:
         brightest = on_equator(light_rad)
         parts += [circle(brightest, 7, "casing"), circle(brightest, 7, "light")]
-    return "".join((*parts, *probed_point(probe_rad, "ray")))
+        parts.append(_name(brightest, 30, "brightest point", "light"))
+    parts += probed_point(probe_rad, "ray")
+    return "".join((*parts, _name(on_equator(probe_rad), -20, "probed point", "ray")))
+
+
+def _name(place: Point, down: float, words: str, role: str) -> str:
+    """The name of a point of the equator, above or below it."""
+    return text((place[0], place[1] + down), words, f"{role} small ground", "middle")
 
 
 def _picture_rays(light_rad: float) -> Iterator[str]:
@@ -122,7 +133,7 @@ def _plan_rays(light_rad: float) -> Iterator[str]:
             PLAN_CENTRE[0] + aside[0] * share * PLAN_RADIUS,
             PLAN_CENTRE[1] + aside[1] * share * PLAN_RADIUS,
         )
-        start = (foot[0] + towards[0] * 124, foot[1] + towards[1] * 124)
+        start = (foot[0] + towards[0] * RAY_START, foot[1] + towards[1] * RAY_START)
         end = (foot[0] + towards[0] * near, foot[1] + towards[1] * near)
         yield arrow(start, end, "light thin faint", head=7)
 
@@ -137,18 +148,18 @@ def _plan_normals() -> Iterator[str]:
 def _angle(probed: Point, probe_rad: float, light_rad: float, theta_rad: float) -> str:
     """The arc from n to l, the short way round."""
     turn = math.remainder(light_rad - probe_rad, 2 * math.pi)
-    arc = [_from(probed, probe_rad + turn * step / 24, 30) for step in range(25)]
-    middle = probe_rad + turn / 2
-    # Just outside the arc, or opposite if there is no space between the arms.
-    label = _from(probed, middle, 46 if theta_rad > 0.7 else -20)
+    arc = [_from(probed, probe_rad + turn * step / 24, ARC) for step in range(25)]
+    # Between the arms where there is room for it, else beside n.
+    towards = probe_rad + (turn / 2 if theta_rad > 0.4 else -math.copysign(0.34, turn))
+    label = _from(probed, towards, ARC + 16)
     return polyline(arc, "ray") + text((label[0], label[1] + 4), "θ", "ray strong ground", "middle")
 
 
 def _label_places(probed: Point, probe_rad: float, light_rad: float) -> tuple[Point, Point]:
-    """Labels at the tips of n and l, each on the side away from the other."""
-    turn = math.copysign(0.2, math.remainder(light_rad - probe_rad, 2 * math.pi))
-    n = _from(probed, probe_rad - turn, VECTOR + 2)
-    l_ = _from(probed, light_rad + turn, VECTOR + 2)
+    """Labels of n and l, each on the side away from the other; that of l not under the lamp."""
+    side = math.copysign(1.0, math.remainder(light_rad - probe_rad, 2 * math.pi))
+    n = _from(probed, probe_rad - 0.2 * side, VECTOR + 2)
+    l_ = _from(probed, light_rad + 0.3 * side, 0.7 * VECTOR)
     return (n[0], n[1] + 4), (l_[0], l_[1] + 4)
 
 

@@ -52,7 +52,9 @@ def _surface_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("band", "light", "Band of the cloth", ("band",), _band, _band_pulled, role="world"),
     Handle("width", "light", "Width of the band", ("width",), _width, _width_pulled, role="world"),
-    Handle("surface", "patches", "Surface", ("surface",), _surface, _surface_pulled, "aim", "ray"),
+    Handle(
+        "surface", "patches", "Surface", ("surface",), _surface, _surface_pulled, "press", "ray"
+    ),
     Handle(
         "white",
         "diagram",

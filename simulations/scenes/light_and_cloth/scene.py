@@ -14,7 +14,7 @@ from simulations.scenes._spectra.words import lit_surface
 from simulations.scenes.light_and_cloth import diagram, spectra
 from simulations.scenes.light_and_cloth.handles import HANDLES
 from simulations.scenes.light_and_cloth.settings import Settings
-from simulations.scenes.light_and_cloth.stages import CHART, STAGES, Seen, outside
+from simulations.scenes.light_and_cloth.stages import STAGES, Seen, chart, outside
 
 VISIBLE = 2.0
 """Just noticeable ΔE."""
@@ -40,7 +40,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 patches.WIDTH,
                 patches.HEIGHT,
                 outputs["picture"],
-                CHART.overlay(settings.surface),
+                chart(settings.twin).overlay(settings.surface),
                 pixelated=True,
             ),
             Panel("diagram", "Colours without brightness", width, height, overlay=colours),

@@ -14,7 +14,16 @@ from simulations.models.color.observer import tristimulus
 from simulations.scenes._spectra.patches import Chart
 from simulations.scenes._spectra.spectra import DAYLIGHT, light_of, surfaces_of, with_twins
 
-CHART = Chart((("in this light", "world"), ("by day", "world")), 136)
+ROWS = (("in this light", "world"), ("by day", "world"))
+CHART = Chart(ROWS, 128, gap=0)
+"""The rows touch, so that the edge between two patches is their difference."""
+TWINS_CHART = Chart(ROWS, 120)
+"""With a twin below each surface, whose difference is then that edge."""
+
+
+def chart(twin: bool) -> Chart:
+    """The layout with or without the twins."""
+    return TWINS_CHART if twin else CHART
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +57,7 @@ def _seen(light: Floats, pairs: Floats) -> Seen:
 
 def _picture(seen: Seen, twin: bool) -> Raster:
     """The patches; twins in the lower halves."""
-    return CHART.paint((seen.here, seen.by_day), twin=twin)
+    return chart(twin).paint((seen.here, seen.by_day), twin=twin)
 
 
 def outside(linear: np.ndarray) -> bool:

@@ -90,7 +90,7 @@ def image_plane(view: View) -> str:
     if view.camera.plane_m < LEFT_M:
         return ""
     left, right = above(view.camera.plane_m, -half), above(view.camera.plane_m, half)
-    spot = _beside(left, 8.0, 10.0) if view.X >= 0.0 else _beside(right, 12.0, 4.0)
+    spot = _beside(left, 8.0, 10.0) if view.X >= 0.0 else _beside(right, 18.0, 4.0)
     parts = [
         drawing.line(left, right, "image bold"),
         drawing.rectangle(right - 4.0, 8.0, 8.0, "image solid"),

@@ -111,5 +111,5 @@ def _dots(measured: Floats) -> Iterator[str]:
     if np.isnan(measured).any():
         yield text(WAVES.at(0.98, 0.75), "too few different distances", "error ground", "end")
         return
-    for f, left in zip(FREQUENCIES[::2].tolist(), measured[::2].tolist(), strict=True):
+    for f, left in zip(FREQUENCIES[::4].tolist(), measured[::4].tolist(), strict=True):
         yield WAVES.mark(f, left, "image", 2.5)

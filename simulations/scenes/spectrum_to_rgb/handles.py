@@ -18,5 +18,7 @@ def _surface_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("surface", "patches", "Surface", ("surface",), _surface, _surface_pulled, "aim", "ray"),
+    Handle(
+        "surface", "patches", "Surface", ("surface",), _surface, _surface_pulled, "press", "ray"
+    ),
 )

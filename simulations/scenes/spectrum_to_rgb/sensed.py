@@ -3,16 +3,19 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+from simulations.engine.drafting import tinted
 from simulations.engine.drawing import text
 from simulations.models.arrays import Floats
 from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.scenes._spectra import axes
 
-HEIGHT = 470
+HEIGHT = 500
 """Taller than the other panel, beside which it is narrower."""
 PLOT = replace(axes.PLOT, y=replace(axes.PLOT.y, start=float(HEIGHT - axes.BELOW)))
 LEGEND = 24.0
 """Row of the areas."""
+CHANNELS = ((0.82, 0.22, 0.18), (0.20, 0.57, 0.20), (0.22, 0.42, 0.88))
+"""Colours of the three curves, visible on light and on dark."""
 LETTERS = {"camera": ("R", "G", "B"), "eye": ("x̄", "ȳ", "z̄")}
 
 
@@ -21,13 +24,14 @@ def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw:
     back = light / light.max() * reflectance
     scale = curves.max()
     parts = [axes.axes(PLOT)]
-    parts += [axes.area(back * each / scale, "image fill thin", PLOT) for each in curves.T]
-    parts += [axes.curve(each / scale, "camera thin", PLOT) for each in curves.T]
+    for each, colour in zip(curves.T / scale, CHANNELS, strict=True):
+        shape = axes.area(back * each, "fill thin", PLOT), axes.curve(each, "", PLOT)
+        parts.append(tinted(shape, colour))
     parts += _letters(curves / scale, LETTERS[sensor])
     sums = ", ".join(
         f"{letter} {value:.2f}" for letter, value in zip(LETTERS[sensor], raw, strict=True)
     )
-    parts.append(text((40, LEGEND), f"areas: {sums}", "image strong"))
+    parts.append(text((40, LEGEND), f"areas: {sums}", "strong"))
     return "".join(parts)
 
 
@@ -36,4 +40,4 @@ def _letters(curves: Floats, letters: tuple[str, ...]) -> Iterator[str]:
     for each, letter in zip(curves.T, letters, strict=True):
         peak = int(each.argmax())
         x, y = PLOT.at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
-        yield text((x, y - 6), letter, "camera ground", "middle")
+        yield text((x, y - 6), letter, "strong ground", "middle")

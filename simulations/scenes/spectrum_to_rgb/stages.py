@@ -25,7 +25,7 @@ from simulations.scenes._spectra.spectra import (
 
 CURVES = {"camera": camera_curves(WAVELENGTHS_NM), "eye": OBSERVER}
 CHART = Chart(
-    (("raw", "image"), ("balanced", "image"), ("sRGB", "image"), ("eye, by day", "world")), 64
+    (("raw", "image"), ("balanced", "image"), ("sRGB", "image"), ("eye, by day", "world")), 56
 )
 
 

@@ -32,6 +32,8 @@ BORDERS = (
 """A picture, as half planes a x + b y + c ≥ 0 of its pixels."""
 LABEL_WIDTH = 34.0
 """Width of a depth's label, in units."""
+SHIFT_BELOW = 26.0
+"""Distance of the disparity's arrow below the images, in units."""
 
 
 def place(pixel: Floats) -> Floats:
@@ -104,7 +106,7 @@ def _line(view: View) -> str:
 
 
 def _depths(view: View) -> str:
-    """Marks on the line, with labels where they overlap neither one another nor the lamp's."""
+    """Marks on the line, with labels above it; those near one another or the lamp are left out."""
     parts, taken = [], [float(place(view.right)[0])]
     for depth in MARKED_DEPTHS:
         endless = math.isinf(depth)
@@ -112,12 +114,12 @@ def _depths(view: View) -> str:
         if not in_picture(pixel):
             continue
         x, y = place(pixel)
-        parts.append(drawing.circle((x, y), 3.5, "ray"))
-        label = (x, y + 20.0)
         if all(abs(x - other) >= LABEL_WIDTH for other in taken) and 20.0 < x < WIDTH - 20.0:
             taken.append(float(x))
             words = "∞" if endless else f"{depth:.0f} m"
-            parts.append(drawing.text(label, words, "ray small ground", "middle"))
+            parts.append(drawing.dot((x, y), "ray", 3.0))
+            above = (x, y - 12.0 if y > 30.0 else y + 20.0)
+            parts.append(drawing.text(above, words, "ray small ground", "middle"))
     return "".join(parts)
 
 
@@ -127,7 +129,7 @@ def _disparity(view: View) -> str:
     parts = [_drawn(view.matches, "error bold")]
     if in_picture(view.left) and in_picture(view.right):
         start, end = place(view.left), place(view.right)
-        level = np.array([0.0, 40.0])
+        level = np.array([0.0, SHIFT_BELOW])
         row = max(start[1], end[1])
         ends = (np.array([start[0], row]) + level, np.array([end[0], row]) + level)
         parts += [

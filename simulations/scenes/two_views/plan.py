@@ -15,11 +15,14 @@ from simulations.scenes.two_views.view import HALF_WIDTH_PX, View
 
 WIDTH, HEIGHT = 400.0, 300.0
 TITLE = "From above, widths stretched"
-CENTRE = np.array([30.0, 135.0])
+CENTRE = np.array([30.0, 128.0])
 """The left camera, seen from above: depth to the right, X downwards."""
 DEPTH_SCALE, SIDE_SCALE = 17.5, 32.0
 """View box units per metre."""
-LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT - 34.0))
+AXIS_ROW = HEIGHT - 24.0
+"""Height of the axis of depths, whose ticks are named below it."""
+LIMIT_ROW = AXIS_ROW - 12.0
+LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, LIMIT_ROW))
 """The drawing area, as half planes a x + b y + c ≥ 0."""
 FAR_M = 60.0
 """Length of drawn rays, beyond the panel."""
@@ -44,7 +47,7 @@ def axis_end(view: View) -> Floats:
 
 
 def plan_panel(view: View) -> Panel:
-    parts = (_blocks(), _depth_axis(), _cameras(view), _rays(view), _doubt(view), _point(view))
+    parts = (_blocks(), _depth_axis(), _cameras(view), _doubt(view), _rays(view), _point(view))
     return Panel("plan", TITLE, WIDTH, HEIGHT, overlay="".join(parts), lead=True)
 
 
@@ -71,14 +74,13 @@ def _segment(start: Floats, end: Floats, style: str) -> str:
 
 
 def _depth_axis() -> str:
-    row = HEIGHT - 14.0
     ticks = "".join(
-        drawing.line((above(Z, 0.0)[0], row - 3), (above(Z, 0.0)[0], row + 3), "muted thin")
-        + drawing.text((above(Z, 0.0)[0], row - 6.0), f"{Z}", "muted small ground", "middle")
+        drawing.line((above(Z, 0.0)[0], AXIS_ROW - 3), (above(Z, 0.0)[0], AXIS_ROW + 3), "muted")
+        + drawing.text((above(Z, 0.0)[0], AXIS_ROW + 18.0), f"{Z}", "muted small", "middle")
         for Z in (5, 10, 15, 20)
     )
-    start, end = (CENTRE[0], row), (WIDTH - 4.0, row)
-    name = drawing.text((CENTRE[0] + 4.0, row - 6.0), "Z, m", "muted small")
+    start, end = (CENTRE[0], AXIS_ROW), (WIDTH - 4.0, AXIS_ROW)
+    name = drawing.text((CENTRE[0], AXIS_ROW + 18.0), "Z, m", "muted small")
     return drawing.arrow(start, end, "muted thin") + name + ticks
 
 
@@ -111,19 +113,33 @@ def _rays(view: View) -> str:
 
 
 def _doubt(view: View) -> str:
-    """The part of the left ray that is consistent with the match and its error."""
+    """The part of the left ray that is consistent with the match and its error, with the
+    directions of the right camera that lead to it, and its depths on the axis."""
+    if view.nearest == view.farthest:
+        return ""
     near, far = view.at(view.nearest), view.at(min(view.farthest, FAR_M))
-    centre = above(0.0, view.pair.baseline)
-    bounds = (above(spot[2], spot[0]) for spot in (near, far))
-    lines = [_segment(centre, bound, "error thin dashed") for bound in bounds]
-    along = _segment(above(near[2], near[0]), above(far[2], far[0]), "error bold")
-    return "".join(lines) + along
+    ends = np.array([above(near[2], near[0]), above(far[2], far[0])])
+    wedge = np.array([above(0.0, view.pair.baseline), *ends])
+    for limit in LIMITS:
+        wedge = clip_half_plane(wedge, limit)
+    parts = [drawing.polygon(wedge, "error thin fill")] if len(wedge) > 2 else []
+    parts.append(_segment(ends[0], ends[1], "error bold"))
+    inside = ends[:, 0] <= WIDTH
+    for x, y in ends[inside]:
+        start = min(max(y, 0.0), LIMIT_ROW)
+        parts.append(drawing.line((x, start), (x, AXIS_ROW), "error thin dashed"))
+    left, right = np.minimum(ends[:, 0], WIDTH)
+    if left < right:
+        parts.append(drawing.line((left, AXIS_ROW), (right, AXIS_ROW), "error bold"))
+    return "".join(parts)
 
 
 def _point(view: View) -> str:
+    """The lamp, with its name on the side away from its rays."""
     spot = above(view.depth, float(view.point[0]))
     if not (0.0 <= spot[0] <= WIDTH and 0.0 <= spot[1] <= HEIGHT):
         return ""
-    at = (min(max(spot[0], 16.0), WIDTH - 16.0), spot[1] + (28.0 if spot[1] < 230.0 else -18.0))
+    up = view.point[0] >= 0.0
+    at = (min(max(spot[0] + 10.0, 16.0), WIDTH - 20.0), spot[1] + (-14.0 if up else 24.0))
     name = drawing.text(at, "lamp", "world small ground", "middle")
     return drawing.dot(spot, "world", 5.0) + name

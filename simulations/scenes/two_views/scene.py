@@ -24,8 +24,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         panels=(
             plan_panel(view),
-            left_panel(view, outputs["left"]),
             right_panel(view, outputs["right"], settings.line),
+            left_panel(view, outputs["left"]),
         ),
         readouts=_readouts(settings, view),
         description=_description(settings, view),
