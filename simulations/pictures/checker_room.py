@@ -8,8 +8,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask
+from simulations.models.geometry.rotations import check_rotation
 from simulations.models.pixel_grid import centred
 from simulations.models.require import require_positive
 from simulations.models.whole_numbers import as_whole
@@ -43,8 +45,13 @@ class Hits:
     size_z: Floats
 
 
-def checker_room(width: int, height: int, focal_px: float) -> Floats:
+def checker_room(
+    width: int, height: int, focal_px: float, turn: ArrayLike | None = None
+) -> Floats:
     """The room through a pinhole whose axis meets the centre of the picture.
+
+    ``turn`` (3, 3) takes directions in the room to the camera's; without it, the camera looks
+    straight at the back wall. The wall behind the eye must stay out of the picture.
 
     Returns
     -------
@@ -53,40 +60,43 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     """
     width, height = as_whole("width", width, 1), as_whole("height", height, 1)
     require_positive("focal_px", focal_px)
-    x = centred(width).astype(np.float32) / focal_px
-    y = centred(height).astype(np.float32) / focal_px
+    x = np.broadcast_to(centred(width).astype(np.float32) / focal_px, (height, width))
+    y = np.broadcast_to((centred(height).astype(np.float32) / focal_px)[:, None], x.shape)
+    back = np.eye(3) if turn is None else check_rotation(turn).T
+    across, down = np.float32(back[:, :2].T / focal_px)
+    rays = [np.float32(a) * x + np.float32(b) * y + np.float32(c) for a, b, c in back]
     # Never exactly parallel to a wall, which the ray would not meet.
-    ray_x = np.broadcast_to(np.where(x == 0.0, 1e-6, x).astype(np.float32), (height, width))
-    ray_y = np.broadcast_to(np.where(y == 0.0, 1e-6, y).astype(np.float32)[:, None], ray_x.shape)
+    ray_x, ray_y, ray_z = (np.where(ray == 0.0, np.float32(1e-6), ray) for ray in rays)
     wall_x = np.where(ray_x < 0.0, LOW[0], HIGH[0]).astype(np.float32)
     wall_y = np.where(ray_y < 0.0, LOW[1], HIGH[1]).astype(np.float32)
-    depth_x, depth_y, depth_z = wall_x / ray_x, wall_y / ray_y, np.float32(HIGH[2])
+    wall_z = np.where(ray_z < 0.0, np.inf, HIGH[2]).astype(np.float32)
+    depth_x, depth_y, depth_z = wall_x / ray_x, wall_y / ray_y, np.abs(wall_z / ray_z)
     nearest = np.minimum(np.minimum(depth_x, depth_y), depth_z)
     picture = np.zeros((height, width, 3), np.float32)
-    surfaces: tuple[tuple[Mask, str, Callable[[Hits], Floats]], ...] = (
-        (nearest == depth_z, "z", _back_wall),
-        ((nearest == depth_y) & (ray_y > 0.0), "y", _floor),
-        ((nearest == depth_y) & (ray_y < 0.0), "y", _ceiling),
-        ((nearest == depth_x) & (ray_x < 0.0), "x", _left_wall),
-        ((nearest == depth_x) & (ray_x > 0.0), "x", _right_wall),
+    surfaces: tuple[tuple[Mask, int, Callable[[Hits], Floats]], ...] = (
+        (nearest == depth_z, 2, _back_wall),
+        ((nearest == depth_y) & (ray_y > 0.0), 1, _floor),
+        ((nearest == depth_y) & (ray_y < 0.0), 1, _ceiling),
+        ((nearest == depth_x) & (ray_x < 0.0), 0, _left_wall),
+        ((nearest == depth_x) & (ray_x > 0.0), 0, _right_wall),
     )
     for seen, axis, paint in surfaces:
-        hits = _hits(ray_x[seen], ray_y[seen], nearest[seen], axis, focal_px)
-        picture[seen] = paint(hits)
+        ray = [part[seen] for part in (ray_x, ray_y, ray_z)]
+        picture[seen] = paint(_hits(ray, nearest[seen], axis, across, down))
     return picture
 
 
-def _hits(ray_x: Floats, ray_y: Floats, depth: Floats, axis: str, focal_px: float) -> Hits:
-    """Hit points, and footprints from the derivatives of ``P = c · ray / ray_axis``."""
-    pixel = depth / np.float32(focal_px)
-    tiny = np.full_like(depth, 1e-6)
-    if axis == "z":
-        return Hits(ray_x * depth, ray_y * depth, depth, pixel, pixel, tiny)
-    if axis == "y":
-        slant = pixel / np.abs(ray_y)
-        return Hits(ray_x * depth, ray_y * depth, depth, pixel + np.abs(ray_x) * slant, tiny, slant)
-    slant = pixel / np.abs(ray_x)
-    return Hits(ray_x * depth, ray_y * depth, depth, tiny, pixel + np.abs(ray_y) * slant, slant)
+def _hits(ray: list[Floats], depth: Floats, axis: int, across: Floats, down: Floats) -> Hits:
+    """Hit points P = c · ray / ray_axis, and the footprints of pixels from its derivatives.
+
+    ``across`` and ``down`` (3,) are what a ray gains from a pixel to the next.
+    """
+    sizes = []
+    for i in range(3):
+        slope = ray[i] / ray[axis]
+        steps = (np.abs(step[i] - slope * step[axis]) for step in (across, down))
+        sizes.append(np.maximum(depth * sum(steps), np.float32(1e-6)))
+    return Hits(ray[0] * depth, ray[1] * depth, ray[2] * depth, *sizes)
 
 
 def _floor(p: Hits) -> Floats:
