@@ -151,14 +151,17 @@ def judge(figure: str, scene_id: str, values: str, tier: str, conditions: str) -
     return first_true(json.loads(conditions), request[0], scene.render(*request))
 
 
-def pull(scene_id: str, values: str, tier: str, handle: str, x: float, y: float) -> str:
+def pull(
+    figure: str, scene_id: str, values: str, tier: str, handle: str, x: float, y: float
+) -> str:
     """JSON of the control values that bring a handle as near to a place of its panel as possible.
 
     ``x`` and ``y`` are in view box units. Raises `UnknownIdError`, `ControlError`, `KeyError` for
     an unknown handle and `ValueError` for a place that is not finite.
     """
     scene = load_scene(scene_id)
-    return json.dumps(scene.pull(scene.clamp(json.loads(values)), handle, (x, y), tier))
+    settings, own = scene.clamp(json.loads(values)), _photographs.get(figure)
+    return json.dumps(scene.pull(settings, handle, (x, y), tier, own))
 
 
 def photograph(

@@ -94,6 +94,8 @@ class Place:
     x: float
     y: float
     """Place in view box units of its panel."""
+    step: float = 0.0
+    """How far an arrow key moves it, in view box units; 0 if it steps a control instead."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,6 +241,8 @@ def to_json(frame: Frame) -> str:
             ],
             "handles": [
                 {"name": place.name, "x": round(place.x, 2), "y": round(place.y, 2)}
+                if not place.step
+                else asdict(place)
                 for place in frame.handles
             ],
         },

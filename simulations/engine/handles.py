@@ -40,12 +40,14 @@ class Handle[S]:
     """Its name for readers who cannot see it: ``Lamp``."""
     drives: tuple[str, ...]
     """Names of the one or two settings that a pull changes. The arrow keys right and left step the
-    first; up and down step the second, or the first if there is only one."""
+    first; up and down step the second, or the first if there is only one. Points are moved by all
+    four keys."""
     at: Callable[[S, Outputs], Point | None]
     """Returns its place, or ``None`` if it cannot be grabbed at these settings."""
     pull: Callable[..., Mapping[str, Value]]
-    """Takes settings, a place and, if it has a parameter of that name, the current ``tier``.
-    Returns the settings that put the handle at that place; settings left out stay as they are."""
+    """Takes settings, a place and, if it has parameters of these names, the current ``tier`` and
+    the reader's ``photograph``. Returns the settings that put the handle at that place; settings
+    left out stay as they are."""
     reach: Literal["mark", "press", "drag", "aim"] = "mark"
     """How it is grabbed: at its mark; also by pressing anywhere in the panel, which brings it
     there; without a mark by dragging from anywhere, which moves it by the same distance; or by
@@ -54,6 +56,8 @@ class Handle[S]:
     """One of `simulations.engine.frame.ROLES`: the colour of its mark."""
     reversed: tuple[str, ...] = ()
     """Settings that move it left or down as they increase: their arrow keys are reversed."""
+    step: Callable[[S, Outputs], float] | None = None
+    """How far an arrow key moves a handle of points, in view box units."""
 
 
 def places(
@@ -78,7 +82,8 @@ def places(
         if handle.reach in ("mark", "press"):
             width, height = sizes[handle.panel]
             x, y = min(max(x, 0.0), width), min(max(y, 0.0), height)
-        found.append(Place(handle.name, x, y))
+        step = handle.step(settings, outputs) if handle.step else 0.0
+        found.append(Place(handle.name, x, y, step))
     return tuple(found)
 
 
@@ -87,10 +92,11 @@ def pulled(
     settings: object,
     place: Point,
     controls: tuple[Control, ...],
-    tier: str = "",
+    shown: Mapping[str, object],
 ) -> dict[str, Value]:
     """The values that bring ``handle`` as near to ``place`` as the controls allow.
 
+    ``shown`` has what a pull may ask for by name: see `Handle.pull`.
     A setting stays as it is if its new value is NaN or infinite. Raises `ValueError` for a place
     that is not finite, and for a pull that changes settings other than ``drives``.
     """
@@ -98,8 +104,8 @@ def pulled(
         raise ValueError(f"handle {handle.name!r}: place {place}; legal: finite numbers")
     by_name = {control.name: control for control in controls}
     values: dict[str, Value] = {}
-    shown = {"tier": tier} if "tier" in inspect.signature(handle.pull).parameters else {}
-    given = handle.pull(settings, place, **shown)
+    asked = inspect.signature(handle.pull).parameters
+    given = handle.pull(settings, place, **{key: shown[key] for key in shown if key in asked})
     if not isinstance(given, Mapping):
         legal = ", ".join(f"{name!r}: …" for name in handle.drives)
         raise TypeError(f"handle {handle.name!r}: pull returns {given!r}; legal: {{{legal}}}")
@@ -129,7 +135,7 @@ def mistakes(handles: tuple[Handle[Any], ...], controls: tuple[Control, ...]) ->
         for panel in wide
         if wide.count(panel) > 1
     ]
-    legal = [control.name for control in controls if control.kind in ("slider", "choice")]
+    legal = [control.name for control in controls if control.kind in ("slider", "choice", "points")]
     for handle in handles:
         who = f"handle {handle.name!r}"
         if len(handle.drives) not in (1, 2):

@@ -152,7 +152,14 @@ class Scene[S]:
         where = places(self.handles, settings, done.outputs, frame.panels)
         return replace(frame, stages=done.reports, handles=where)
 
-    def pull(self, settings: S, handle: str, place: Point, tier: str = "") -> dict[str, Value]:
+    def pull(
+        self,
+        settings: S,
+        handle: str,
+        place: Point,
+        tier: str = "",
+        photograph: Photograph | None = None,
+    ) -> dict[str, Value]:
         """The values that bring ``handle`` as near to ``place`` as possible, in the frames of a
         tier.
 
@@ -161,7 +168,8 @@ class Scene[S]:
         by_name = {entry.name: entry for entry in self.handles}
         if handle not in by_name:
             raise KeyError(f"handle {handle!r}; legal: {', '.join(by_name) or 'none'}")
-        return pulled(by_name[handle], settings, place, self.controls, self._settled(tier))
+        shown = {"tier": self._settled(tier), "photograph": photograph}
+        return pulled(by_name[handle], settings, place, self.controls, shown)
 
     def estimates(
         self,

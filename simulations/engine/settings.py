@@ -25,6 +25,7 @@ from simulations.engine.controls import (
 )
 from simulations.engine.controls.action.kind import action as action
 from simulations.engine.controls.choice.kind import choice as choice
+from simulations.engine.controls.points.kind import points as points
 from simulations.engine.controls.slider.kind import slider as slider
 from simulations.engine.controls.toggle.kind import toggle as toggle
 

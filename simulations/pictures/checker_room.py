@@ -45,9 +45,7 @@ class Hits:
     size_z: Floats
 
 
-def checker_room(
-    width: int, height: int, focal_px: float, turn: ArrayLike | None = None
-) -> Floats:
+def checker_room(width: int, height: int, focal_px: float, turn: ArrayLike | None = None) -> Floats:
     """The room through a pinhole whose axis meets the centre of the picture.
 
     ``turn`` (3, 3) takes directions in the room to the camera's; without it, the camera looks
@@ -63,7 +61,7 @@ def checker_room(
     x = np.broadcast_to(centred(width).astype(np.float32) / focal_px, (height, width))
     y = np.broadcast_to((centred(height).astype(np.float32) / focal_px)[:, None], x.shape)
     back = np.eye(3) if turn is None else check_rotation(turn).T
-    across, down = np.float32(back[:, :2].T / focal_px)
+    across, down = (back[:, :2].T / focal_px).astype(np.float32)
     rays = [np.float32(a) * x + np.float32(b) * y + np.float32(c) for a, b, c in back]
     # Never exactly parallel to a wall, which the ray would not meet.
     ray_x, ray_y, ray_z = (np.where(ray == 0.0, np.float32(1e-6), ray) for ray in rays)

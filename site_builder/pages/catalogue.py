@@ -4,7 +4,7 @@ import json
 from dataclasses import asdict
 from typing import Any
 
-from simulations.engine.controls import describe
+from simulations.engine.controls import Points, describe
 from simulations.engine.scene import Scene
 from site_builder.book import Book, Chapter
 from site_builder.markdown.questions.kinds import kind_of
@@ -44,7 +44,7 @@ def _simulation(scene: Scene[Any]) -> dict[str, object]:
         "id": scene.id,
         "title": scene.title,
         "tiers": list(scene.tiers),
-        "controls": [describe(control) for control in scene.controls],
+        "controls": [describe(each) for each in scene.controls if not isinstance(each, Points)],
     }
 
 

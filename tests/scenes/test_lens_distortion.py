@@ -128,7 +128,7 @@ def test_no_pull_of_forty_pixels_runs_a_coefficient_to_its_stop(
     assert at is not None
     units = 1.1 if handle.panel == "grid" else 0.55  # of a panel 360 px wide, and of the lead
     place = (at[0] + units * pull[0], at[1] + units * pull[1])
-    values = pulled(handle, settings, place, SCENE.controls)
+    values = pulled(handle, settings, place, SCENE.controls, {})
     slider = next(each for each in SCENE.controls if each.name == moved)
     assert isinstance(slider, Slider)
     assert set(values) == {moved}

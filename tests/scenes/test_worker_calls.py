@@ -24,7 +24,9 @@ def test_the_worker_judges_a_figure_at_the_reader_s_values() -> None:
 
 def test_the_browser_asks_for_a_pull_by_names_and_numbers() -> None:
     scene_id, values = "lambertian-shading", '{"light_angle": 30}'
-    assert json.loads(browser.pull(scene_id, values, "", "lamp", 200, 0)) == {"light_angle": 180}
+    assert json.loads(browser.pull("f", scene_id, values, "", "lamp", 200, 0)) == {
+        "light_angle": 180
+    }
 
 
 def test_the_browser_measures_a_tier_of_a_real_ladder() -> None:

@@ -15,10 +15,12 @@ from simulations.engine.controls.choice.kind import Choice as Choice
 from simulations.engine.controls.control import ControlError as ControlError
 from simulations.engine.controls.control import Value as Value
 from simulations.engine.controls.control import suggestion as suggestion
+from simulations.engine.controls.points.kind import PointLists as PointLists
+from simulations.engine.controls.points.kind import Points as Points
 from simulations.engine.controls.slider.kind import Slider as Slider
 from simulations.engine.controls.toggle.kind import Toggle as Toggle
 
-type Control = Slider | Choice | Toggle | Action
+type Control = Slider | Choice | Toggle | Action | Points
 
 KINDS: tuple[str, ...] = tuple(kind.kind for kind in get_args(Control.__value__))
 """Their names, which are those of their folders."""

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from simulations.engine.controls import Control, describe
+from simulations.engine.controls import Control, Points, describe
 from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.message import Message
@@ -32,7 +32,7 @@ class HandleView:
     """Nothing where it cannot be grabbed as the figure starts."""
     text: str
     """Its value for screen readers: ``Light angle 30°``."""
-    range: tuple[float, float, float]
+    range: tuple[float, float, float] | None
     """Least, present and greatest value of what it drives first; of a menu, places in it."""
     keys: str
     """What the arrow keys do."""
@@ -142,7 +142,9 @@ def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView,
         driven = [controls[name] for name in handle.drives]
         values = still.values
         said = (f"{item.label} {value_text(item, values[item.name], words)}" for item in driven)
-        reach = driven[0].span(values[driven[0].name])
+        reach = None
+        if len(driven) == 1 and not isinstance(driven[0], Points):
+            reach = driven[0].span(values[driven[0].name])
         place = places.get(handle.name)
         return HandleView(
             handle, place, ", ".join(said), reach, _keys(driven, words), _hint(handle, words)
@@ -158,6 +160,8 @@ def _hint(handle: Handle[Any], words: Words) -> str:
 
 
 def _keys(driven: Sequence[Control], words: Words) -> str:
+    if isinstance(driven[0], Points):
+        return words("figure.arrows_move")
     if len(driven) == 1:
         return words("figure.arrows", control=driven[0].label)
     across, along = (control.label for control in driven)

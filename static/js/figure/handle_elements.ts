@@ -64,9 +64,17 @@ export function center(element: HTMLElement): Point {
   ];
 }
 
+/** Where a handle is, in per cent of the panel: `x 41, y 30`. */
+export function placeText({ style }: HTMLElement) {
+  const share = (property: string) =>
+    Math.round(Number.parseFloat(style.getPropertyValue(property)));
+  return `x ${share("--x")}, y ${share("--y")}`;
+}
+
 /** Move a handle to a place of its panel. */
-export function put(element: HTMLElement, place: { x: number; y: number }) {
+export function put(element: HTMLElement, place: { x: number; y: number; step?: number }) {
   const { width, height } = viewBox(element);
+  if (place.step) element.dataset.step = String(place.step);
   setProperty(element, "--x", `${((100 * place.x) / width).toFixed(3)}%`);
   setProperty(element, "--y", `${((100 * place.y) / height).toFixed(3)}%`);
 }

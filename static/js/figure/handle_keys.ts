@@ -3,7 +3,7 @@
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import type { Control, Value } from "./control.ts";
 import { named } from "./controls.ts";
-import { driven, reversed } from "./handle_elements.ts";
+import { center, driven, reversed, type Point } from "./handle_elements.ts";
 
 /** Steps of a slider that a page key takes at once. */
 const PAGE = 10;
@@ -35,6 +35,16 @@ export function keyed(
   const back = Number.isFinite(key.steps) && reversed(element).includes(setting);
   const steps = (back ? -1 : 1) * key.steps * (event.shiftKey ? PAGE : 1);
   return { [setting]: stepped(form, control, steps) };
+}
+
+/** Where a key moves a handle of points to; null where it does not. */
+export function movedByKey(event: KeyboardEvent, element: HTMLElement): Point | null {
+  const key = KEYS[event.key];
+  const step = Number(element.dataset.step ?? 0) * (event.shiftKey ? PAGE : 1);
+  if (!key || !step || !event.key.startsWith("Arrow")) return null;
+  if (event.altKey || event.ctrlKey || event.metaKey) return null;
+  const [x, y] = center(element);
+  return key.axis === 0 ? [x + key.steps * step, y] : [x, y - key.steps * step];
 }
 
 /** A control's value some steps further, or its first or last. */

@@ -4,6 +4,7 @@
  * move as if the reader had moved them.
  */
 
+import { isPoints } from "../../../simulations/engine/controls/points/kind.ts";
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { message } from "../errors.ts";
 import { all, within } from "../page/dom.ts";
@@ -11,14 +12,24 @@ import { formatValue, setAttribute } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import type { Control, Value } from "./control.ts";
 import { moveControls, named, readValues, type Schema } from "./controls.ts";
-import { center, driven, grabbed, inPanel, name, put, type Point } from "./handle_elements.ts";
-import { keyed } from "./handle_keys.ts";
+import { Changes } from "./changes.ts";
+import {
+  center,
+  driven,
+  grabbed,
+  inPanel,
+  name,
+  placeText,
+  put,
+  type Point,
+} from "./handle_elements.ts";
+import { keyed, movedByKey } from "./handle_keys.ts";
 import { holdGround, mayScroll } from "./pointer_capture.ts";
 import { LatestWins } from "./scheduler.ts";
 import { say } from "./status.ts";
 
 /** In view box units of the handle's panel. */
-export type Place = { name: string; x: number; y: number };
+export type Place = { name: string; x: number; y: number; step?: number };
 
 export type Pull = { handle: string; x: number; y: number; values: string };
 
@@ -38,6 +49,7 @@ interface Held {
 export class Handles {
   #held: Held | null = null;
   #pulls: LatestWins<Job> = new LatestWins((job) => this.#pull(job));
+  #changes: Changes;
 
   /** @param signal Ends all listening. */
   constructor(
@@ -59,6 +71,8 @@ export class Handles {
       holdGround(layer, signal);
     }
     form.addEventListener("input", () => this.#describe(), { signal });
+    form.addEventListener("click", (event) => this.#pressed(event), { signal });
+    this.#changes = new Changes(form, schema.controls, signal);
   }
 
   /** A frame was painted: put the handles where it has them. */
@@ -140,6 +154,13 @@ export class Handles {
   #key(event: KeyboardEvent) {
     const element = within(event, "[data-handle]", HTMLElement);
     const { controls } = this.schema;
+    const place = element && movedByKey(event, element);
+    if (place) {
+      event.preventDefault();
+      element.classList.remove("by-hand");
+      this.#pulls.submit({ handle: name(element), place, done: true });
+      return;
+    }
     const values = element && keyed(event, element, this.form, controls);
     if (!values) return;
     event.preventDefault();
@@ -148,12 +169,24 @@ export class Handles {
     moveControls(this.form, controls, values, "change");
   }
 
+  /** A button that pulls a handle, or takes a change of points back. */
+  #pressed(event: Event) {
+    const handle = within(event, "[data-pull]", HTMLElement)?.dataset.pull;
+    if (handle) this.#pulls.submit({ handle, place: [0, 0], done: true });
+    const undone = within(event, "[data-undo]", HTMLElement)?.dataset.undo;
+    if (undone) this.#changes.undo(undone);
+  }
+
   /** Have each handle say what it is set to. */
   #describe() {
     const values = readValues(this.form, this.schema.controls);
     for (const element of this.#elements) {
       const controls = this.schema.controls.filter(({ name }) => driven(element).includes(name));
-      const text = controls.map((control) => this.#valueText(control, values[control.name]));
+      const text = controls.map((control) =>
+        isPoints(control)
+          ? `${control.label} ${placeText(element)}`
+          : this.#valueText(control, values[control.name]),
+      );
       const slider = element.role === "slider";
       if (slider) setAttribute(element, "aria-valuenow", this.#number(controls[0]));
       // Only a slider may carry a value at rest; the other kind has one while it is used.

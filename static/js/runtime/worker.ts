@@ -55,8 +55,8 @@ const CALLS: {
     }
   },
 
-  async pull({ scene, values, tier, handle, x, y }) {
-    return { values: JSON.parse(python.pull(scene, values, tier, handle, x, y)) };
+  async pull({ figure, scene, values, tier, handle, x, y }) {
+    return { values: JSON.parse(python.pull(figure, scene, values, tier, handle, x, y)) };
   },
 
   async error({ figure, scene, values, tier, edits = "" }) {

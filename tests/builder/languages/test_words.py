@@ -32,7 +32,7 @@ def sources() -> Iterator[tuple[Path, str]]:
     for folder, kinds in (
         ("site_builder", (".py", ".html", ".xml", ".ts")),
         ("static/js", (".ts",)),
-        *((f"simulations/{part}", (".py",)) for part in ("engine", "editing")),
+        *((f"simulations/{part}", (".py", ".html", ".ts")) for part in ("engine", "editing")),
     ):
         for file in sorted((ROOT / folder).rglob("*")):
             if file.suffix in kinds:

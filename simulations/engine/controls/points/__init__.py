@@ -1,0 +1,1 @@
+"""A kind of control: lists of points in a picture."""
