@@ -41,6 +41,25 @@ def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) 
     assert folded.is_visible()
 
 
+def test_other_tools_wait_behind_dots_on_a_phone(phone: Reader, book: Any) -> None:
+    open_page(phone, next(c["url"] for c in book["chapters"] if "jpeg" in c["simulations"]))
+    figure = phone.figure("jpeg")
+    dots, edit = figure.locator("[data-further]"), figure.locator(".open-python")
+    more = figure.locator(".more-controls > summary")
+    assert more.evaluate(IN_ONE_ROW, dots.element_handle())
+    assert not edit.is_visible()
+    dots.tap()
+    edit.wait_for(state="visible")
+    dots.tap()
+    edit.wait_for(state="hidden")
+
+
+IN_ONE_ROW = """(one, other) => {
+  const [a, b] = [one.getBoundingClientRect(), other.getBoundingClientRect()];
+  return a.top < b.bottom && b.top < a.bottom;
+}"""
+
+
 def test_words_that_move_a_folded_control_unfold_it(phone: Reader, book: Any) -> None:
     camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
     open_page(phone, camera)
@@ -81,6 +100,16 @@ def test_a_dot_brings_its_panel_into_view_and_tells_of_it(phone: Reader, book: A
     strip = figure.locator(".other-panels").element_handle()
     phone.page.wait_for_function(SECOND_IS_SHOWN, arg=strip)
     figure.locator('.panel-dots > button:nth-child(2)[aria-current="true"]').wait_for()
+
+
+def test_a_title_waits_while_its_panel_shows_only_its_edge(phone: Reader, book: Any) -> None:
+    address = next(c["url"] for c in book["chapters"] if "lens-distortion" in c["simulations"])
+    open_page(phone, address)
+    figure = phone.figure("lens-distortion")
+    title = figure.locator(".other-panels > :last-child > .panel-title").element_handle()
+    assert title.evaluate("title => getComputedStyle(title).opacity") == "0"
+    figure.locator(".panel-dots > button").nth(1).tap()
+    phone.page.wait_for_function("title => getComputedStyle(title).opacity === '1'", arg=title)
 
 
 SECOND_IS_SHOWN = """(strip) => {

@@ -47,7 +47,7 @@ async function clicked(event: MouseEvent) {
 }
 
 function touch(event: Event) {
-  const form = within(event, "form.controls", HTMLFormElement);
+  const form = within(event, "form.controls [name]", Element)?.closest("form");
   if (form) touched.add(form);
 }
 

@@ -20,6 +20,9 @@ type Tool = (figure: HTMLElement, button: HTMLButtonElement) => unknown;
 const TOOLS: Record<string, Tool> = {
   reset,
   fullScreen,
+  further: (_, button) => {
+    button.ariaExpanded = String(button.ariaExpanded !== "true");
+  },
   copyLink: (figure) => copy(figure, permalink(figure), words("tools.link_copied")),
   copyPython,
   saveNumbers: (figure) => save(figure, "numbers.csv", numbersOf(figure), "text/csv"),
