@@ -140,3 +140,10 @@ def test_the_outer_point_follows_the_hand_by_k2() -> None:
     place = handle.at(Settings(k1=-0.2, k2=0.1), {})
     assert place is not None
     assert handle.pull(Settings(k1=-0.2), place)["k2"] == pytest.approx(0.1)
+
+
+def test_a_point_that_leaves_the_photograph_is_held_inside_its_border() -> None:
+    held = [place for place in render(k1=0.5, k2=0.3).handles if place.name != "crossing"]
+    assert len(held) == 2
+    for place in held:
+        assert min(place.x, 400 - place.x, place.y, 300 - place.y) == pytest.approx(13)

@@ -139,7 +139,7 @@ def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
         x = beside[:, 0].min() if at_start else beside[:, 0].max()
     if x > WIDTH - LABEL_WIDTH if at_start else x < LABEL_WIDTH:
         anchor = "end" if at_start else "start"
-    place = (x + (5.0 if anchor == "start" else -5.0), y)
+    x = max(x + 5.0, 7.0) if anchor == "start" else min(x - 5.0, WIDTH - 7.0)
     return drawing.line(left, right, f"{role} dashed") + drawing.text(
-        place, label, f"{role} small ground", anchor
+        (x, y), label, f"{role} small ground", anchor
     )

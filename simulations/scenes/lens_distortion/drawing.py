@@ -35,6 +35,8 @@ past the fold."""
 INNER, OUTER = (0.6, 0.45), (0.72, -0.54)
 """The ideal points marked in the photograph, towards corners. While k₂ is 0, the inner one
 is always in view."""
+BORDER = 13.0
+"""Least distance of a handle from the border of the photograph, in view box units."""
 VISIBLE_RADIUS_UNITS = 238.0
 """Radius above which too little of a circle is visible in the corners for a label."""
 
@@ -77,7 +79,12 @@ def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
     limits = _limits(lens, with_fold=corrected, with_image=not corrected)
     if corrected:
         return limits
-    return limits + "".join(_moved(ideal, lens) for ideal in (INNER, OUTER) if in_view(ideal, lens))
+    named = ((INNER, "k₁"), (OUTER, "k₂"))
+    return limits + "".join(
+        (_moved(ideal, lens) if in_view(ideal, lens) else "") + _name(ideal, lens, name)
+        for ideal, name in named
+        if math.hypot(*ideal) < fold_radius(lens)
+    )
 
 
 def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float]:
@@ -86,11 +93,24 @@ def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float
     return float(x), float(y)
 
 
+def held(ideal: tuple[float, float], lens: Distortion) -> tuple[float, float]:
+    """Where the image of a point of the photograph is held: within the border."""
+    x, y = (seen - middle for seen, middle in zip(image_of(ideal, lens), CENTRE, strict=True))
+    beyond = max(abs(x) / (CENTRE[0] - BORDER), abs(y) / (CENTRE[1] - BORDER), 1.0)
+    return CENTRE[0] + x / beyond, CENTRE[1] + y / beyond
+
+
 def in_view(ideal: tuple[float, float], lens: Distortion) -> bool:
-    """Whether a point of the photograph is inside the fold and inside its border."""
+    """Whether a point of the photograph is inside its border."""
     x, y = image_of(ideal, lens)
-    inside = 0.0 <= x <= VIEW_WIDTH and 0.0 <= y <= VIEW_HEIGHT
-    return inside and math.hypot(*ideal) < fold_radius(lens)
+    return 0.0 <= x <= VIEW_WIDTH and 0.0 <= y <= VIEW_HEIGHT
+
+
+def _name(ideal: tuple[float, float], lens: Distortion, name: str) -> str:
+    """The coefficient that a point moves, on the left of the point and off its radius."""
+    x, y = held(ideal, lens)
+    row = min(max(y + (14.0 if ideal[1] > 0.0 else -5.0), 16.0), VIEW_HEIGHT - 8.0)
+    return text((x - 14.0, row), name, "image small strong ground", "end")
 
 
 def _moved(ideal: tuple[float, float], lens: Distortion) -> str:

@@ -13,6 +13,7 @@ from simulations.scenes.lens_distortion.drawing import (
     OUTER,
     SAMPLE,
     UNITS_PER_RADIUS,
+    held,
     image_of,
 )
 from simulations.scenes.lens_distortion.settings import Settings
@@ -51,11 +52,12 @@ def _outer_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 def _in_photograph(ideal: tuple[float, float], settings: Settings) -> Point | None:
-    """A handle in the photograph, at its border where the point is farther out; none past the
+    """A handle in the photograph, within its border where the point is farther out; none past the
     fold and in a corrected photograph."""
     lens = _lens(settings)
-    folded = math.hypot(*ideal) >= fold_radius(lens)
-    return None if folded or settings.correct else image_of(ideal, lens)
+    if settings.correct or math.hypot(*ideal) >= fold_radius(lens):
+        return None
+    return held(ideal, lens)
 
 
 def _lens(settings: Settings) -> Distortion:
