@@ -10,6 +10,7 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
+from simulations.engine.exif import exif_facts
 from simulations.engine.frame import Frame, Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.photograph import Photograph
@@ -164,35 +165,49 @@ def pull(
     return json.dumps(scene.pull(settings, handle, (x, y), tier, own))
 
 
-def photograph(
-    figure: str, number: int, pixels: Any, width: int, height: int, told: str = "{}"
-) -> None:
-    """Use the reader's picture, the bytes of a canvas, for the frames of ``figure`` from now on.
+def photograph(figure: str, picture: Any) -> None:
+    """Use the reader's picture for the frames of ``figure`` from now on; ``None`` removes it.
 
-    ``told`` is a JSON object of the picture's ``name`` and ``facts``. ``None`` for ``pixels``
-    removes it. Raises `ValueError` for a wrong count of bytes.
+    See `_photograph`.
     """
-    if pixels is None:
+    if picture is None:
         _photographs.pop(figure, None)
     else:
-        _photographs[figure] = _photograph(number, pixels, width, height, told)
+        _photographs[figure] = _photograph(picture)
 
 
-def _photograph(number: int, pixels: Any, width: int, height: int, told: str) -> Photograph:
-    return Photograph.from_canvas(number, pixels.to_bytes(), width, height, **json.loads(told))
+def _photograph(picture: Any) -> Photograph:
+    """A picture as the page hands it over: an object of JavaScript.
+
+    Its fields are ``number``, ``name``, ``pixels`` (bytes of a canvas), their ``width`` and
+    ``height``, the ``full_width`` and ``full_height`` before it was scaled down, and ``head``, the
+    first bytes of the file. Raises `ValueError` for a wrong count of bytes.
+    """
+    return Photograph.from_canvas(
+        picture.number,
+        picture.pixels.to_bytes(),
+        picture.width,
+        picture.height,
+        picture.name,
+        {
+            **exif_facts(picture.head.to_bytes()),
+            "full_width": picture.full_width,
+            "full_height": picture.full_height,
+        },
+    )
 
 
-def read(scene_id: str, number: int, pixels: Any, width: int, height: int, told: str) -> str:
+def read(scene_id: str, picture: Any) -> str:
     """What a scene finds in a photograph, at full resolution: JSON of ``data`` or ``unfit``.
 
-    ``unfit`` is the sentence of an `UnfitError`. Raises `UnknownIdError`, `TypeError` for a scene
-    that reads none or data that are not JSON, and `ValueError` for a wrong count of bytes.
+    ``unfit`` is the sentence of an `UnfitError`. Raises `UnknownIdError`, and `TypeError` for a
+    scene that reads none or data that are not JSON.
     """
     scene = load_scene(scene_id)
     if scene.read is None:
         raise TypeError(f"scene {scene_id!r} reads no photographs; legal: one with `read`")
     try:
-        data = dict(scene.read(_photograph(number, pixels, width, height, told)))
+        data = dict(scene.read(_photograph(picture)))
     except UnfitError as error:
         return json.dumps({"unfit": str(error)}, ensure_ascii=False)
     return json.dumps({"data": data}, ensure_ascii=False, allow_nan=False)
@@ -223,27 +238,16 @@ def sheet(figure: str, scene_id: str, values: str, tier: str) -> str:
     return json.dumps([asdict(line) for line in lines], ensure_ascii=False)
 
 
-def develop(
-    figure: str,
-    scene_id: str,
-    values: str,
-    tier: str,
-    number: int,
-    pixels: Any,
-    width: int,
-    height: int,
-    told: str,
-) -> Raster:
-    """A photograph made anew at the settings of a figure. Raises `TypeError` if the scene cannot.
+def develop(figure: str, scene_id: str, values: str, tier: str, picture: Any) -> Raster:
+    """A photograph made anew at the settings of a figure; the figure's own picture stays.
 
-    It takes the place of no other: the figure's own picture stays as it is.
+    Raises `TypeError` if the scene cannot.
     """
     scene, request = _request(figure, scene_id, values, tier)
     if scene.develop is None:
         raise TypeError(f"scene {scene_id!r} develops no photographs; legal: one with `develop`")
     outputs = scene.run(*request).outputs
-    whole = _photograph(number, pixels, width, height, told)
-    return opaque(scene.develop(whole, request[0], outputs))
+    return opaque(scene.develop(_photograph(picture), request[0], outputs))
 
 
 def _request(

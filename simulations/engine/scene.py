@@ -46,7 +46,8 @@ class Scene[S]:
     get as ``readings``. Raises `simulations.engine.reading.UnfitError` for one that cannot be used.
     It runs in an interpreter of its own and may take seconds."""
     develop: Callable[[Photograph, S, Outputs], Codes] | None = None
-    """Makes the reader's photograph anew, at full resolution, to be saved: (H, W, 3) sRGB."""
+    """Makes the reader's photograph anew, at full resolution, to be saved: (H, W, 3) sRGB, of the
+    size of its codes."""
     exports: tuple[Export[S], ...] = ()
     """Files to save, a button each."""
     sheet: Callable[[S, Outputs], tuple[Readout, ...]] | None = None
@@ -98,6 +99,11 @@ class Scene[S]:
     def controls(self) -> tuple[Control, ...]:
         """The controls in the order shown."""
         return controls_of(self.settings)
+
+    @property
+    def measures_photographs(self) -> bool:
+        """Whether it is an instrument: it works on whole photographs of the reader's."""
+        return self.read is not None or isinstance(self.photograph, Whole)
 
     def check(self, given: Mapping[str, object]) -> S:
         """The settings with an author's values; anything illegal raises `ControlError`."""

@@ -66,6 +66,8 @@ class Simulation:
     """What it shows, in a fold."""
     in_sight: tuple[str, ...] = ()
     """Names of the controls and readouts that are not folded; none where the first are shown."""
+    yours: bool = False
+    """Whether the reader's photographs go into the figure, an instrument."""
 
 
 @dataclass(frozen=True, slots=True)

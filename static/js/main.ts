@@ -4,6 +4,7 @@
  */
 
 import * as figures from "./editor/feature.ts";
+import * as instruments from "./instrument/feature.ts";
 import * as ladders from "./ladder/bench.ts";
 import * as cases from "./page/case_filter.ts";
 import { installContents } from "./page/contents.ts";
@@ -35,7 +36,7 @@ interface Part {
   /** The page is about to make way for another; its address may be that one's already. */
   leave?(page: string): void;
 }
-const PARTS: Part[] = [figures, ladders, cases, terms, questions, keeping];
+const PARTS: Part[] = [figures, instruments, ladders, cases, terms, questions, keeping];
 
 installTheme();
 addEventListener(FORGETFUL, () => notice(words("page.forgetful")));

@@ -1,6 +1,7 @@
 """What the browser's worker asks of scenes and ladders, asked of the book's."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -56,14 +57,14 @@ def test_a_scene_shows_the_reader_s_picture_and_then_the_book_s_again(scene_id: 
     assert all((a == b).all() for a, b in zip(pictures[0], pictures[2], strict=True))
 
 
-class Pixels:
-    """What JavaScript hands over."""
-
-    def __init__(self, data: bytes) -> None:
-        self.data = data
-
-    def to_bytes(self) -> bytes:
-        return self.data
+def black(width: int, height: int) -> SimpleNamespace:
+    """A picture as JavaScript hands it over."""
+    pixels = bytes(4 * width * height)
+    return SimpleNamespace(
+        number=1, name="", width=width, height=height, full_width=width, full_height=height,
+        pixels=SimpleNamespace(to_bytes=lambda: pixels),
+        head=SimpleNamespace(to_bytes=lambda: b""),
+    )  # fmt: skip
 
 
 def test_each_figure_keeps_a_picture_of_its_own_until_it_is_taken_away() -> None:
@@ -78,10 +79,10 @@ def test_each_figure_keeps_a_picture_of_its_own_until_it_is_taken_away() -> None
 
     try:
         before = picture("one")
-        browser.photograph("one", 1, Pixels(bytes(4 * width * height)), width, height)
+        browser.photograph("one", black(width, height))
         assert picture("one") != before
         assert picture("two") == before
-        browser.photograph("one", 0, None, 0, 0)
+        browser.photograph("one", None)
         assert picture("one") == before
     finally:
         browser.forget("one")

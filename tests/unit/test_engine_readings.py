@@ -1,12 +1,15 @@
 """What a scene reads in the reader's photographs, as the worker asks for it."""
 
+import io
 import json
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from simulations import browser
 from simulations.engine.export import Export
@@ -26,10 +29,10 @@ class Settings:
 
 
 def mean_of(photograph: Photograph) -> Mapping[str, Any]:
-    mean = float(photograph.codes.mean())
+    mean, facts = float(photograph.codes.mean()), photograph.facts
     if mean > 250:
         raise UnfitError("All white; photograph with less light.")
-    return {"mean": mean, "focal": photograph.facts.get("focal_mm")}
+    return {"mean": mean, "model": facts.get("model"), "width": facts["full_width"]}
 
 
 def mean_of_all(readings: Readings) -> float:
@@ -76,18 +79,18 @@ def _figure(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     browser.forget(FIGURE)
 
 
-class Pixels:
-    """What JavaScript hands over: two pixels of one level."""
+def picture(level: int, file: bytes = b"") -> SimpleNamespace:
+    """Two pixels of one level, as JavaScript hands them over."""
+    pixels = bytes((level, level, level, 255)) * 2
+    return SimpleNamespace(
+        number=1, name="a.jpg", width=2, height=1, full_width=20, full_height=10,
+        pixels=SimpleNamespace(to_bytes=lambda: pixels),
+        head=SimpleNamespace(to_bytes=lambda: file),
+    )  # fmt: skip
 
-    def __init__(self, level: int) -> None:
-        self.level = level
 
-    def to_bytes(self) -> bytes:
-        return bytes((self.level, self.level, self.level, 255)) * 2
-
-
-def read(level: int, told: str = "{}") -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(browser.read("s", 1, Pixels(level), 2, 1, told))
+def read(level: int, file: bytes = b"") -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(browser.read("s", picture(level, file)))
     return found
 
 
@@ -102,8 +105,10 @@ def shown() -> str:
 
 
 def test_a_photograph_is_read_with_the_facts_of_its_file() -> None:
-    told = json.dumps({"name": "a.jpg", "facts": {"focal_mm": 35}})
-    assert read(40, told) == {"data": {"mean": 40.0, "focal": 35}}
+    exif, file = Image.Exif(), io.BytesIO()
+    exif[0x0110] = "Model"
+    Image.new("RGB", (2, 1)).save(file, "JPEG", exif=exif)
+    assert read(40, file.getvalue()) == {"data": {"mean": 40.0, "model": "Model", "width": 20}}
 
 
 def test_a_photograph_that_cannot_be_used_is_refused_in_a_sentence() -> None:
@@ -123,7 +128,7 @@ def test_files_sheet_and_development_follow_from_what_was_read() -> None:
     request = (FIGURE, "s", '{"gain": 2}', "")
     assert browser.export(*request, "mean") == "mean 20"
     assert json.loads(browser.sheet(*request))[0]["text"] == "20.00"
-    made = browser.develop(*request, 1, Pixels(40), 2, 1, "{}")
+    made = browser.develop(*request, picture(40))
     np.testing.assert_array_equal(made, [[[80, 80, 80, 255]] * 2])
 
 
@@ -137,7 +142,7 @@ def test_an_export_that_the_scene_lacks_is_named_with_the_legal_ones() -> None:
     [
         (lambda: read(40), "reads no photographs"),
         (
-            lambda: browser.develop(FIGURE, "s", "{}", "", 1, Pixels(40), 2, 1, "{}"),
+            lambda: browser.develop(FIGURE, "s", "{}", "", picture(40)),
             "develops no photographs",
         ),
     ],

@@ -8,6 +8,7 @@ from typing import Any
 from site_builder.markdown.directive import Directive
 from site_builder.markdown.directives.answer import ANSWER
 from site_builder.markdown.directives.callout import CALLOUTS
+from site_builder.markdown.directives.data_sheet import DATA_SHEET
 from site_builder.markdown.directives.download import DOWNLOAD
 from site_builder.markdown.directives.example import EXAMPLE
 from site_builder.markdown.directives.extremes import EXTREMES
@@ -40,5 +41,6 @@ DIRECTIVES: tuple[Directive[Any], ...] = (
     LADDER,
     LADDER_TABLE,
     STAGE_COSTS,
+    DATA_SHEET,
 )
 """In the order of the author's guide."""

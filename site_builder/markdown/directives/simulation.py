@@ -1,5 +1,6 @@
 """``{simulation} scene-id``: a live figure. Options are the scene's controls, ``tier``, ``label``,
-and ``show``: the controls and readouts that are in sight. The first paragraph of its body is the
+``show``: the controls and readouts that are in sight, and ``yours``: whether the reader's
+photographs go in. The first paragraph of its body is the
 caption, which says what to try; the others say what it shows and are folded."""
 
 from collections.abc import Sequence
@@ -21,7 +22,7 @@ from site_builder.markdown.scenes import find_scene, read_settings
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.passage import Plain, passage
 
-FOR_THE_PAGE = ("show", LABEL.name)
+FOR_THE_PAGE = ("show", "yours", LABEL.name)
 """Options that are no settings of the scene."""
 FIRST = 3
 """Tokens of the first paragraph."""
@@ -35,6 +36,10 @@ def read_simulation(
         return None
     given = {name: option for name, option in call.options.items() if name not in FOR_THE_PAGE}
     values = read_settings(scene, given, context)
+    yours = call.text("yours") == "yes"
+    if yours and not scene.measures_photographs:
+        message = f"{scene.id} measures no photographs; ':yours:' is for a scene that does"
+        context.problem(call.line_of("yours"), message)
     return Simulation(
         scene=scene,
         id=next(place.id for place in context.figures if place.lines[0] == call.line),
@@ -45,6 +50,7 @@ def read_simulation(
         path=context.path,
         line=call.line,
         in_sight=tuple(call.text("show").split()),
+        yours=yours,
     )
 
 
@@ -56,6 +62,7 @@ SIMULATION = Directive(
         LABEL,
         OptionLine("tier", doc="its accuracy at first"),
         OptionLine("show", doc="the controls and readouts that are not folded"),
+        OptionLine("yours", doc="whether the reader’s photographs go in", expected=("no", "yes")),
     ),
     more_options="the starting value of any control",
     body=Body("what to try, and in further paragraphs what it shows", plain_tokens),

@@ -75,6 +75,11 @@ class SimulationView:
     """JSON that is safe inside a script element."""
     prerendered: str
     """Address of what can be shown before Python has started; nothing where that is nothing."""
+    takes_picture: bool
+    """Whether the reader can show a picture in place of the book's."""
+    makes_files: bool
+    """Whether there are files to save: those of an instrument only where it has the reader's
+    photographs."""
 
     @property
     def side(self) -> str:
@@ -89,11 +94,12 @@ class SimulationView:
 
 def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
-    frame, tiers = still.frame, tier_labels(still.figure.scene)
+    figure, scene = still.figure, still.figure.scene
+    frame, tiers = still.frame, tier_labels(scene)
     cells, folded_cells = control_cells(still, tiers=bool(tiers), words=words)
     readouts, folded_readouts = readouts_in_sight(still)
     return SimulationView(
-        name=_name(still.figure),
+        name=_name(figure),
         description=frame.description,
         panels=tuple(
             PanelView(
@@ -112,6 +118,8 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         stages_text=count_stages(frame.stages, words),
         schema=json_for_html(schema(still)),
         prerendered=f"{assets}prerendered/{still.prerendered.file}" if still.prerendered else "",
+        takes_picture=scene.photograph is not None and not scene.measures_photographs,
+        makes_files=_makes_files(figure),
     )
 
 
@@ -183,6 +191,13 @@ def schema(still: InitialFrame) -> dict[str, object]:
         "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
         "own_drafts": {tier: scene.drafts_of(tier) for tier in scene.tiers or ("",)},
     }
+
+
+def _makes_files(figure: Simulation) -> bool:
+    scene = figure.scene
+    if scene.measures_photographs:
+        return figure.yours and bool(scene.exports or scene.develop)
+    return bool(scene.exports)
 
 
 def _size(photograph: tuple[int, int] | Whole | None) -> tuple[int, int] | float | None:

@@ -62,7 +62,7 @@ export class EditedRuntime {
   ): Promise<any> {
     const any: any = request;
     if (name === "pull") return await this.book.call(name, request, urgency); // of the controls
-    if (name === "photograph") this.#ready = null; // it shows another picture
+    if (name === "photograph" || name === "readings") this.#ready = null; // of other pictures
     if (name !== "render") return await this.#ask(name, any, this.#edits, urgency);
     try {
       const reply = this.#take(any) ?? (await this.draw(any, this.#edits, urgency));

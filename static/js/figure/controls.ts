@@ -14,7 +14,8 @@ export interface Schema {
   drafted: string[];
   drafted_in: Record<string, string[]>;
   own_drafts: Record<string, Record<string, string>>;
-  photograph: [number, number] | null;
+  /** Width and height in pixels, or the most megapixels of one that is not cut. */
+  photograph: [number, number] | number | null;
 }
 
 export function readValues(form: HTMLFormElement, controls: Control[]): Record<string, Value> {

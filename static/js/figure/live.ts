@@ -94,6 +94,7 @@ export class LiveFigure {
     this.accuracy.stop();
     this.#scheduler.clear();
     this.runtime.forget(this.#key);
+    if (this.own.isLarge) this.runtime.close(); // an interpreter gives no memory back before
   }
 
   /** Whether the frame that was requested last is shown, or has failed. */
@@ -213,7 +214,7 @@ export class LiveFigure {
   #ask(time: number, moving: string, urgency: number = URGENCY.touched) {
     if (!this.figure.isConnected || this.#waits) return;
     const [values, tier] = [this.#values, this.#tier(moving)];
-    const asked = `${values} ${tier} ${this.own.number}`;
+    const asked = `${values} ${tier} ${this.own.key}`;
     if (asked === this.#asked) return;
     this.#asked = asked;
     this.#scheduler.submit({ values, tier, time, urgency });
@@ -266,7 +267,7 @@ export class LiveFigure {
    */
   async #adopt(job: Job) {
     const runtime = sharedRuntime();
-    const isUnchanged = () => !this.own.number && isInitial(this.figure, this.schema, job);
+    const isUnchanged = () => !this.own.key && isInitial(this.figure, this.schema, job);
     if (!runtime || this.runtime !== runtime || !isUnchanged()) return false;
     const scene = { figure: this.#key, scene: this.#scene };
     const urgency = () => this.#urgency(job.urgency);

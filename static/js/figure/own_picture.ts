@@ -1,24 +1,35 @@
-/** The reader's own picture in a figure that takes one: chosen, sent to Python, and put back. */
+/** The reader's own pictures in a figure that takes them: chosen, sent to Python, and put back. */
 
 import { message } from "../errors.ts";
 import { maybe, one, within } from "../page/dom.ts";
+import type { Picture, Reading } from "../runtime/messages.ts";
 import type { Caller } from "../runtime/runtime.ts";
-import type { Photograph } from "./photograph.ts";
+import type { Size, Source } from "./photograph.ts";
 import { say } from "./status.ts";
 
+const LARGE_MEGAPIXELS = 4;
+
+/** Which picture is looked at. */
+export type Chosen = Source & { number: number };
+
 export class OwnPicture {
-  #picture: Photograph | null = null;
-  /** Number of the interpreter and of the picture that was last sent to it. */
-  #sent = "";
+  #chosen: Chosen | null = null;
+  /** Of the chosen one, until they are handed over: they are many. */
+  #decoded: Picture | null = null;
+  #readings: Reading[] = [];
+  /** Counts the sets of readings. */
+  #version = 0;
+  /** Number of the interpreter, and of what was last sent to it. */
+  #sent = { picture: "", readings: "" };
 
   /**
-   * @param size Width and height that its scene computes with.
-   * @param changed There is another picture, or none any more.
+   * @param size That its scene computes with; null: it takes no picture.
+   * @param changed There are other pictures, or none any more.
    * @param signal Ends all listening.
    */
   constructor(
     readonly figure: HTMLElement,
-    readonly size: [number, number] | null,
+    readonly size: Size | null,
     readonly changed: () => void,
     signal: AbortSignal,
   ) {
@@ -28,7 +39,7 @@ export class OwnPicture {
       "input",
       (event) => {
         const menu = within(event, "select", HTMLSelectElement);
-        if (menu?.name === "picture" && this.#picture) this.#show(null);
+        if (box && menu?.name === "picture" && this.#chosen) this.#show(null);
       },
       { signal },
     );
@@ -44,22 +55,60 @@ export class OwnPicture {
     );
   }
 
-  /** Which picture it is; 0: that of the book. */
-  get number() {
-    return this.#picture?.number ?? 0;
+  /** Which pictures they are; empty: those of the book. */
+  get key() {
+    return this.#chosen || this.#readings.length
+      ? `${this.#chosen?.number ?? 0} ${this.#version}`
+      : "";
+  }
+
+  /** Whether the interpreter has, or had, a photograph that took much memory. */
+  get isLarge() {
+    return Number(this.size) > LARGE_MEGAPIXELS && this.#sent.picture !== "";
   }
 
   /**
-   * Send the picture to the interpreter, where that does not have it.
+   * Use other pictures from now on.
    *
-   * @param key The figure's.
+   * @param chosen The one that is looked at.
+   * @param readings What was read of them all.
    */
-  async handOver(runtime: Caller, key: string) {
-    const { number = 0, ...picture } = this.#picture ?? {};
-    const sending = () => `${runtime.generation} ${number}`;
-    if (sending() === this.#sent || (number === 0 && !this.#sent)) return;
-    await runtime.call("photograph", { figure: key, number, ...picture }, () => 2);
-    this.#sent = sending();
+  use(chosen: Chosen | null, readings: Reading[]) {
+    this.#chosen = this.size ? chosen : null;
+    const numbers = (list: Reading[]) => list.map(({ number }) => number).join();
+    if (numbers(readings) !== numbers(this.#readings)) this.#version += 1;
+    this.#readings = readings;
+    this.changed();
+  }
+
+  /**
+   * Send the pictures to the interpreter, where that does not have them.
+   *
+   * @param figure The figure's key.
+   */
+  async handOver(runtime: Caller, figure: string) {
+    const number = this.#chosen?.number ?? 0;
+    const sending = (what: number) => `${runtime.generation} ${what}`;
+    if (sending(number) !== this.#sent.picture && (number || this.#sent.picture)) {
+      const picture = await this.#take();
+      await runtime.call("photograph", { figure, picture }, () => 2);
+      this.#sent.picture = sending(number);
+    }
+    const version = this.#version;
+    if (sending(version) !== this.#sent.readings && version) {
+      await runtime.call("readings", { figure, readings: this.#readings }, () => 2);
+      this.#sent.readings = sending(version);
+    }
+  }
+
+  /** The chosen picture, to be sent once. */
+  async #take(): Promise<Picture | null> {
+    const [chosen, taken] = [this.#chosen, this.#decoded];
+    this.#decoded = null;
+    if (!chosen || !this.size) return null;
+    if (taken?.number === chosen.number) return taken;
+    const { decode } = await import("./photograph.ts");
+    return await decode(chosen, chosen.number, this.size);
   }
 
   async #choose(event: Event) {
@@ -67,11 +116,13 @@ export class OwnPicture {
     const file = input?.files?.[0];
     if (!input || !file || !this.size) return;
     try {
-      const { decode } = await import("./photograph.ts");
-      const picture = await decode(file, ...this.size);
+      const { decode, isCropped, nextNumber } = await import("./photograph.ts");
+      const chosen = { number: nextNumber(), name: file.name, file };
+      const picture = await decode(chosen, chosen.number, this.size);
       if (!this.figure.isConnected) return;
       say(this.figure, "");
-      this.#show(picture);
+      this.#decoded = picture;
+      this.#show(chosen, isCropped(picture));
     } catch (error) {
       say(this.figure, message(error));
     } finally {
@@ -79,10 +130,10 @@ export class OwnPicture {
     }
   }
 
-  #show(picture: Photograph | null) {
-    this.#picture = picture;
-    one(this.figure, ".photograph-back", HTMLElement).hidden = !picture;
-    one(this.figure, ".photograph-cropped", HTMLElement).hidden = !picture?.cropped;
+  #show(chosen: Chosen | null, cropped: boolean = false) {
+    this.#chosen = chosen;
+    one(this.figure, ".photograph-back", HTMLElement).hidden = !chosen;
+    one(this.figure, ".photograph-cropped", HTMLElement).hidden = !cropped;
     this.changed();
   }
 }

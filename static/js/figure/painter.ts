@@ -6,6 +6,7 @@
 import { all, maybe, one } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { numeral, words } from "../page/words.ts";
+import type { Readout } from "../runtime/messages.ts";
 import { Overlay } from "./overlay.ts";
 
 interface Panel {
@@ -17,8 +18,6 @@ interface Panel {
   raster: { width: number; height: number } | null;
   pixelated: boolean;
 }
-
-export type Readout = { name: string; label: string; text: string; unit: string; role: string };
 
 export interface Meta {
   panels: Panel[];

@@ -1,18 +1,16 @@
 /**
- * A reader's own picture: decoded in the page, cut to the size that a scene computes with, and
- * handed to Python. It is kept nowhere and sent nowhere.
+ * The reader's own pictures: decoded in the page, upright, at the size that a scene computes with,
+ * for Python. They are sent nowhere.
  */
 
 import { words } from "../page/words.ts";
+import type { Picture } from "../runtime/messages.ts";
 
-export interface Photograph {
-  number: number;
-  pixels: Uint8ClampedArray;
-  width: number;
-  height: number;
-  /** Whether only its middle is shown, as its shape is another. */
-  cropped: boolean;
-}
+/** A file, and what it is called. */
+export type Source = { name: string; file: Blob };
+
+/** Width and height to which a picture is cut, or the most megapixels of one that is not. */
+export type Size = [number, number] | number;
 
 /** Larger files, and pictures of more pixels, are refused before they fill the memory. */
 const LARGEST_MB = 60;
@@ -21,31 +19,90 @@ const LARGEST_MEGAPIXELS = 120;
 const UNSEEN = 0.01;
 /** A side of fewer pixels shows nothing worth a lens. */
 const SMALLEST_PX = 16;
+/** Rows that are drawn at a time: phones have no canvas as large as their photographs. */
+const BAND = 512;
+/** Bytes at the beginning of a file in which a camera says how it took the picture. */
+const HEAD = 128 * 1024;
+/** Longer side of a thumbnail. */
+const THUMBNAIL_PX = 192;
 
 let pictures = 0;
 
+/** A number that no other picture has. */
+export function nextNumber() {
+  return ++pictures;
+}
+
 /**
- * The middle of a picture, in the shape of `width` × `height`, scaled to that size.
+ * A picture at a scene's size.
  *
  * @throws {Error} With words for the reader: what is wrong, and what would do.
  */
-export async function decode(file: File, width: number, height: number): Promise<Photograph> {
-  const mb = file.size / 1e6;
-  if (mb > LARGEST_MB) {
-    const sizes = { size: mb.toFixed(0), most: LARGEST_MB };
-    throw new Error(words("photograph.large", { file: file.name, ...sizes }));
-  }
-  const bitmap = await createImageBitmap(file).catch(() => {
-    throw new Error(words("photograph.unreadable", { file: file.name }));
-  });
+export async function decode(source: Source, number: number, size: Size): Promise<Picture> {
+  const bitmap = await open(source);
   try {
-    refuseSize(file.name, bitmap);
-    const shapes = (bitmap.width * height) / (bitmap.height * width);
-    const cropped = Math.abs(Math.log(shapes)) > UNSEEN;
-    return { number: ++pictures, pixels: cut(bitmap, width, height), width, height, cropped };
+    return await take(source, bitmap, number, size);
   } finally {
     bitmap.close();
   }
+}
+
+/**
+ * A file's picture, to be closed after use.
+ *
+ * @throws {Error} With words for the reader.
+ */
+export async function open({ name, file }: Source): Promise<ImageBitmap> {
+  const mb = file.size / 1e6;
+  if (mb > LARGEST_MB) {
+    const sizes = { size: mb.toFixed(0), most: LARGEST_MB };
+    throw new Error(words("photograph.large", { file: name, ...sizes }));
+  }
+  const upright = { imageOrientation: "from-image" } as const;
+  const bitmap = await createImageBitmap(file, upright).catch(() => {
+    throw new Error(words("photograph.unreadable", { file: name }));
+  });
+  try {
+    refuseSize(name, bitmap);
+  } catch (error) {
+    bitmap.close();
+    throw error;
+  }
+  return bitmap;
+}
+
+/** The pixels of an open picture, and what Python must know of it. */
+export async function take(
+  { name, file }: Source,
+  bitmap: ImageBitmap,
+  number: number,
+  size: Size,
+): Promise<Picture> {
+  const [width, height] = typeof size === "number" ? fitted(bitmap, size) : size;
+  return {
+    number,
+    name,
+    pixels: pixelsOf(bitmap, width, height),
+    width,
+    height,
+    full_width: bitmap.width,
+    full_height: bitmap.height,
+    head: new Uint8Array(await file.slice(0, HEAD).arrayBuffer()),
+  };
+}
+
+/** Whether only the middle of a picture is shown, as its shape is another. */
+export function isCropped({ width, height, full_width, full_height }: Picture) {
+  return Math.abs(Math.log((full_width * height) / (full_height * width))) > UNSEEN;
+}
+
+/** A small JPEG of an open picture. */
+export async function thumbnailOf(bitmap: ImageBitmap): Promise<Blob> {
+  const scale = Math.min(1, THUMBNAIL_PX / Math.max(bitmap.width, bitmap.height));
+  const sides = [bitmap.width, bitmap.height].map((side) => Math.max(1, Math.round(side * scale)));
+  const canvas = new OffscreenCanvas(sides[0], sides[1]);
+  contextOf(canvas).drawImage(bitmap, 0, 0, sides[0], sides[1]);
+  return await canvas.convertToBlob({ type: "image/jpeg", quality: 0.8 });
 }
 
 function refuseSize(name: string, { width, height }: ImageBitmap) {
@@ -58,13 +115,32 @@ function refuseSize(name: string, { width, height }: ImageBitmap) {
   }
 }
 
-function cut(bitmap: ImageBitmap, width: number, height: number) {
-  const canvas = new OffscreenCanvas(width, height);
-  const context = canvas.getContext("2d");
-  if (!context) throw new Error(words("photograph.no_canvas"));
+/** Its own width and height, unless that is too many pixels. */
+function fitted({ width, height }: ImageBitmap, most: number) {
+  const scale = Math.min(1, Math.sqrt((most * 1e6) / (width * height)));
+  return [Math.max(1, Math.floor(width * scale)), Math.max(1, Math.floor(height * scale))];
+}
+
+/** The middle of a picture, in the shape of `width` × `height`, scaled to that size, on white. */
+function pixelsOf(bitmap: ImageBitmap, width: number, height: number) {
+  const pixels = new Uint8ClampedArray(4 * width * height);
+  const canvas = new OffscreenCanvas(width, Math.min(height, BAND));
+  const context = contextOf(canvas);
   const scale = Math.max(width / bitmap.width, height / bitmap.height);
   const [across, down] = [bitmap.width * scale, bitmap.height * scale];
+  for (let first = 0; first < height; first += BAND) {
+    const rows = Math.min(BAND, height - first);
+    context.fillRect(0, 0, width, rows);
+    context.drawImage(bitmap, (width - across) / 2, (height - down) / 2 - first, across, down);
+    pixels.set(context.getImageData(0, 0, width, rows).data, 4 * width * first);
+  }
+  return pixels;
+}
+
+function contextOf(canvas: OffscreenCanvas) {
+  const context = canvas.getContext("2d", { alpha: false, willReadFrequently: true });
+  if (!context) throw new Error(words("photograph.no_canvas"));
   context.imageSmoothingQuality = "high";
-  context.drawImage(bitmap, (width - across) / 2, (height - down) / 2, across, down);
-  return context.getImageData(0, 0, width, height).data;
+  context.fillStyle = "white";
+  return context;
 }

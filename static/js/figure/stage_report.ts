@@ -8,7 +8,7 @@ import { message } from "../errors.ts";
 import { all, maybe } from "../page/dom.ts";
 import { setText, withUnit } from "../page/text.ts";
 import { inWords, numeral, words, type Said } from "../page/words.ts";
-import type { Readout } from "./painter.ts";
+import type { Readout } from "../runtime/messages.ts";
 
 export type Stage = { name: string; status: "computed" | "reused" | "skipped"; reason: Reason };
 

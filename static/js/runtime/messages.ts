@@ -24,6 +24,27 @@ export interface StartRequest {
   fresh?: boolean;
 }
 
+export type Readout = { name: string; label: string; text: string; unit: string; role: string };
+
+/** A picture of the reader's, on its way to Python; `pixels` are transferred. */
+export interface Picture {
+  number: number;
+  /** Of its file. */
+  name: string;
+  /** As of a canvas: four bytes each. */
+  pixels: Uint8ClampedArray<ArrayBuffer>;
+  width: number;
+  height: number;
+  /** Before it was scaled down. */
+  full_width: number;
+  full_height: number;
+  /** First bytes of the file, where a camera says how it took the picture. */
+  head: Uint8Array;
+}
+
+/** What is kept of a photograph: what its scene's `read` found. */
+export type Reading = { number: number; name: string; data: unknown };
+
 /** What each call takes. */
 export interface Requests {
   /** Start the interpreter, unless it is on its way. */
@@ -41,14 +62,18 @@ export interface Requests {
   judge: FrameRequest & { conditions: string[] };
   /** A script that prints what a frame shows, with `notes`, JSON of paragraphs, at its top. */
   script: { scene: string; values: string; tier: string; notes: string };
-  /** The reader's picture for a figure; without pixels, the book's again. */
-  photograph: {
-    figure: string;
-    number: number;
-    pixels?: Uint8ClampedArray;
-    width?: number;
-    height?: number;
-  };
+  /** The reader's picture for a figure; null: the book's again. */
+  photograph: { figure: string; picture: Picture | null };
+  /** What was read of the reader's pictures, for a figure; none: the book's again. */
+  readings: { figure: string; readings: Reading[] };
+  /** Find in a photograph what a scene keeps of it. */
+  read: { scene: string; picture: Picture };
+  /** The text of one of a scene's files. */
+  exportFile: FrameRequest & { name: string };
+  /** A photograph made anew at the settings of a figure. */
+  develop: FrameRequest & { picture: Picture };
+  /** The lines of the data sheet. */
+  sheet: FrameRequest;
   /** Drop what is cached for a figure. */
   forget: { figure: string };
   /** Time and error of a tier. */
@@ -66,6 +91,13 @@ export interface Replies {
   judge: { met: number | null };
   script: { script: string };
   photograph: {};
+  readings: {};
+  /** Or, in a sentence, why the photograph cannot be used. */
+  read: { data?: unknown; unfit?: string };
+  exportFile: { text: string };
+  /** Pixels of a canvas, transferred. */
+  develop: { rasters: ArrayBuffer[] };
+  sheet: { lines: Readout[] };
   forget: {};
   measure: { result: string };
 }
@@ -85,6 +117,11 @@ export const TIMEOUTS: Record<CallName, number> = {
   judge: 60_000,
   script: 60_000,
   photograph: 60_000,
+  readings: 60_000,
+  read: 60_000,
+  exportFile: 60_000,
+  develop: 120_000,
+  sheet: 60_000,
   forget: 60_000,
   measure: 120_000,
 };

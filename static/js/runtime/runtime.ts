@@ -45,6 +45,7 @@ export interface Caller {
     urgency?: () => number,
   ) => Promise<Replies[N]>;
   forget: (figure: string) => void;
+  close: () => void;
   generation: number;
 }
 
@@ -163,7 +164,8 @@ export class Runtime {
   #send(call: Call) {
     this.#active = call;
     this.#watch(call.request.limit ?? TIMEOUTS[call.name]);
-    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.request });
+    const transfer = call.request.picture ? [call.request.picture.pixels.buffer] : [];
+    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.request }, { transfer });
   }
 
   #watch(limit: number) {

@@ -72,9 +72,30 @@ const CALLS: {
     return { script: python.script(scene, values, tier, notes) };
   },
 
-  async photograph({ figure, number, pixels, width, height }) {
-    python.photograph(figure, number, pixels, width, height);
+  async photograph({ figure, picture }) {
+    python.photograph(figure, picture ?? undefined); // which is None
     return {};
+  },
+
+  async readings({ figure, readings }) {
+    python.readings(figure, JSON.stringify(readings));
+    return {};
+  },
+
+  async read({ scene, picture }) {
+    return JSON.parse(python.read(scene, picture));
+  },
+
+  async exportFile({ figure, scene, values, tier, name }) {
+    return { text: python.export(figure, scene, values, tier, name) };
+  },
+
+  async develop({ figure, scene, values, tier, picture }) {
+    return { rasters: [takeRaster(python.develop(figure, scene, values, tier, picture))] };
+  },
+
+  async sheet({ figure, scene, values, tier }) {
+    return { lines: JSON.parse(python.sheet(figure, scene, values, tier)) };
   },
 
   async forget({ figure }) {
@@ -138,7 +159,7 @@ async function provide(id: number, names: string[]) {
  */
 function functionsOf(module: any) {
   const { prepare, render, render_edited, pull, error, judge, script } = module;
-  const { photograph, forget, measure } = module;
+  const { photograph, readings, read, develop, sheet, forget, measure } = module;
   return {
     prepare,
     render,
@@ -148,6 +169,11 @@ function functionsOf(module: any) {
     judge,
     script,
     photograph,
+    readings,
+    read,
+    export: module.export,
+    develop,
+    sheet,
     forget,
     measure,
   };

@@ -1,0 +1,108 @@
+/** What the instruments of a page have measured of the reader's camera, gathered in one table. */
+
+import { one } from "../page/dom.ts";
+import { download } from "../page/download.ts";
+import { recall, remember } from "../page/storage.ts";
+import { numeral } from "../page/words.ts";
+import type { Readout } from "../runtime/messages.ts";
+import type { Instrument } from "./instrument.ts";
+
+/** One instrument's results. */
+interface Part {
+  scene: string;
+  title: string;
+  photographs: string[];
+  settings: Record<string, unknown>;
+  lines: Readout[];
+}
+
+const CAMERA = "instrument-camera";
+/** Milliseconds for which a figure rests before its results are asked for. */
+const PAUSE = 250;
+
+let timer = 0;
+
+export class DataSheet {
+  readonly name: HTMLInputElement;
+
+  constructor(
+    readonly box: HTMLElement,
+    readonly instruments: Instrument[],
+  ) {
+    this.name = one(box, ".data-sheet-name", HTMLInputElement);
+    this.name.value ||= recall(CAMERA) ?? "";
+    this.name.onchange = () => remember(CAMERA, this.name.value || null);
+  }
+
+  /** Show the present results, once the figures rest. */
+  refresh() {
+    clearTimeout(timer);
+    timer = setTimeout(async () => this.#show(await this.#parts()), PAUSE);
+  }
+
+  press({ classList }: HTMLButtonElement) {
+    if (classList.contains("data-sheet-print")) this.#print();
+    else this.#save();
+  }
+
+  async #parts(): Promise<Part[]> {
+    const used = this.instruments.filter(({ isUsed }) => isUsed);
+    return (await Promise.all(used.map(partOf))).filter((part) => part !== null);
+  }
+
+  #show(parts: Part[]) {
+    const table = one(this.box, "table", HTMLTableElement);
+    for (const body of [...table.tBodies]) body.remove();
+    for (const part of parts) table.append(bodyOf(part));
+    table.hidden = parts.length === 0;
+    one(this.box, ".data-sheet-empty", HTMLElement).hidden = parts.length > 0;
+    one(this.box, ".data-sheet-tools", HTMLElement).hidden = parts.length === 0;
+    one(this.box, "time", HTMLTimeElement).textContent = new Date().toLocaleDateString();
+  }
+
+  /** Nothing of the page but the sheet. */
+  #print() {
+    document.body.classList.add("printing-sheet");
+    addEventListener("afterprint", () => document.body.classList.remove("printing-sheet"), {
+      once: true,
+    });
+    print();
+  }
+
+  async #save() {
+    const [camera, measured] = [this.name.value, new Date().toISOString()];
+    const sheet = { camera, measured, instruments: await this.#parts() };
+    download("camera.json", `${JSON.stringify(sheet, null, 2)}\n`, "application/json");
+  }
+}
+
+/** What one instrument measured; null where it cannot say. */
+async function partOf({ figure, scene, names }: Instrument): Promise<Part | null> {
+  const { live } = figure;
+  if (!live) return null;
+  const request = live.request();
+  const { lines } = await live.runtime.call("sheet", request).catch(() => ({ lines: [] }));
+  if (lines.length === 0) return null;
+  const settings = JSON.parse(request.values);
+  return { scene, title: live.schema.title, photographs: names, settings, lines };
+}
+
+function bodyOf({ title, photographs, lines }: Part) {
+  const body = document.createElement("tbody");
+  const head = body.insertRow();
+  const name = document.createElement("th");
+  [name.colSpan, name.scope, name.textContent] = [2, "rowgroup", title];
+  const files = document.createElement("span");
+  files.className = "data-sheet-files";
+  files.textContent = photographs.join(", ");
+  name.append(" ", files);
+  head.append(name);
+  for (const { label, text, unit } of lines) {
+    const row = body.insertRow();
+    const what = document.createElement("th");
+    [what.scope, what.textContent] = ["row", label];
+    row.append(what);
+    row.insertCell().textContent = `${numeral(text)} ${unit}`.trimEnd();
+  }
+  return body;
+}

@@ -1,0 +1,118 @@
+/** Instruments: what does the work is fetched when the first photograph comes in. */
+
+import { SimulationFigure } from "../figure/element.ts";
+import { all, maybe, within } from "../page/dom.ts";
+import type { DataSheet } from "./data_sheet.ts";
+import type { Instrument } from "./instrument.ts";
+import { isKept } from "./session.ts";
+
+/** By the figure that has photographs, or had. */
+const instruments: WeakMap<SimulationFigure, Promise<Instrument>> = new WeakMap();
+
+/** Called once. */
+export function install() {
+  document.addEventListener("click", clicked);
+  document.addEventListener("change", changed);
+  document.addEventListener("dragover", (event) => {
+    if (boxOf(event)) event.preventDefault(); // so that it can be dropped
+  });
+  document.addEventListener("drop", (event) => {
+    const box = boxOf(event);
+    const files = event.dataTransfer?.files;
+    if (!box || !files?.length) return;
+    event.preventDefault();
+    add(box, files);
+  });
+  document.addEventListener("painted", refreshSheet, true);
+}
+
+/** Called for each page. */
+export function arrive() {
+  for (const box of all(document, ".intake", HTMLElement)) {
+    const scene = figureOf(box)?.dataset.simulation ?? "";
+    if (isKept(scene)) instrumentOf(box).then((instrument) => instrument.restore());
+  }
+}
+
+function boxOf(event: Event) {
+  return within(event, ".intake", HTMLElement);
+}
+
+function figureOf(inside: HTMLElement) {
+  const figure = inside.closest("figure")?.querySelector("simulation-figure");
+  return figure instanceof SimulationFigure ? figure : null;
+}
+
+async function clicked(event: MouseEvent) {
+  const button = within(event, "button", HTMLButtonElement);
+  if (!button) return;
+  const box = boxOf(event);
+  if (box) await pressed(box, button);
+  else if (button.matches(".made-files button")) await makeFile(button);
+  else if (button.matches(".data-sheet button")) (await sheet())?.press(button);
+}
+
+async function pressed(box: HTMLElement, { classList }: HTMLButtonElement) {
+  if (classList.contains("intake-choose")) {
+    maybe(box, "input[type=file]", HTMLElement)?.click();
+    return;
+  }
+  const instrument = await instrumentOf(box);
+  if (classList.contains("intake-stop")) instrument.stop();
+  if (classList.contains("intake-go-on")) await instrument.work();
+  if (classList.contains("intake-clear")) instrument.remove(instrument.photos);
+}
+
+async function changed(event: Event) {
+  const [box, input] = [boxOf(event), within(event, "input", HTMLInputElement)];
+  if (!box || !input) return;
+  if (input.type === "checkbox") {
+    await (await instrumentOf(box)).keep(input.checked);
+  } else if (input.files) {
+    const files = [...input.files];
+    input.value = ""; // the same file may be chosen again
+    await add(box, files);
+  }
+}
+
+async function add(box: HTMLElement, files: Iterable<File>) {
+  const list = [...files]; // before the browser takes them away
+  await (await instrumentOf(box)).add(list);
+}
+
+async function makeFile(button: HTMLButtonElement) {
+  const figure = figureOf(button);
+  if (!figure) return;
+  const { makeFile } = await import("./files.ts");
+  await makeFile(button, figure, (await instruments.get(figure)) ?? null);
+}
+
+async function instrumentOf(box: HTMLElement): Promise<Instrument> {
+  const figure = figureOf(box);
+  if (!figure) throw new Error("an intake without a figure");
+  const found = instruments.get(figure) ?? create(figure, box);
+  instruments.set(figure, found);
+  return found;
+}
+
+async function create(figure: SimulationFigure, box: HTMLElement) {
+  const { Instrument } = await import("./instrument.ts");
+  return new Instrument(figure, box);
+}
+
+async function sheet(): Promise<DataSheet | null> {
+  const box = maybe(document, ".data-sheet", HTMLElement);
+  if (!box) return null;
+  const { DataSheet } = await import("./data_sheet.ts");
+  const figures = all(document, "simulation-figure", SimulationFigure);
+  const used = await Promise.all(figures.map((figure) => instruments.get(figure)));
+  return new DataSheet(
+    box,
+    used.filter((one) => one !== undefined && "sheet" in one.box.dataset) as Instrument[],
+  );
+}
+
+/** A figure with photographs has changed. */
+async function refreshSheet({ target }: Event) {
+  if (target instanceof SimulationFigure && instruments.has(target)) (await sheet())?.refresh();
+}

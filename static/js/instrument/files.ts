@@ -1,0 +1,71 @@
+/** Files that a figure makes of its results, and a photograph made anew. */
+
+import { message } from "../errors.ts";
+import type { SimulationFigure } from "../figure/element.ts";
+import { decode } from "../figure/photograph.ts";
+import { maybe } from "../page/dom.ts";
+import { download } from "../page/download.ts";
+import { words } from "../page/words.ts";
+import { Runtime } from "../runtime/runtime.ts";
+import type { Instrument } from "./instrument.ts";
+import { MOST_MEGAPIXELS } from "./reader.ts";
+
+/** Do what a button of the row says. */
+export async function makeFile(
+  button: HTMLButtonElement,
+  figure: SimulationFigure,
+  instrument: Instrument | null,
+) {
+  const say = (text: string) => {
+    const line = button.parentElement && maybe(button.parentElement, "[role=status]", HTMLElement);
+    if (line) line.textContent = text;
+  };
+  try {
+    const { export: name, file = "" } = button.dataset;
+    if (name !== undefined) await saveText(figure, name, file);
+    else await saveDeveloped(figure, instrument, say);
+    say(words("instrument.saved", { file: file || developedName(instrument) }));
+  } catch (error) {
+    say(words("instrument.broke_off", { reason: message(error) }));
+  }
+}
+
+async function saveText(figure: SimulationFigure, name: string, file: string) {
+  if (!figure.live) throw new Error(words("figure.does_not_run"));
+  const { runtime } = figure.live;
+  const { text } = await runtime.call("exportFile", { ...figure.live.request(), name });
+  download(file, text);
+}
+
+/** In an interpreter of its own, as a whole photograph takes much memory. */
+async function saveDeveloped(
+  figure: SimulationFigure,
+  instrument: Instrument | null,
+  say: (text: string) => void,
+) {
+  const chosen = instrument?.chosen;
+  if (!figure.live || !instrument || !chosen) throw new Error(words("instrument.nothing_chosen"));
+  say(words("instrument.making", { name: chosen.name }));
+  const request = figure.live.request();
+  const runtime = new Runtime(instrument.url, () => [request.scene]);
+  try {
+    await figure.live.own.handOver(runtime, request.figure);
+    const picture = await decode(chosen, chosen.number, MOST_MEGAPIXELS);
+    const { width, height } = picture;
+    const { rasters } = await runtime.call("develop", { ...request, picture });
+    const pixels = new ImageData(new Uint8ClampedArray(rasters[0]), width, height);
+    download(developedName(instrument), await png(pixels));
+  } finally {
+    runtime.close();
+  }
+}
+
+function developedName(instrument: Instrument | null) {
+  return `${instrument?.chosen?.name.replace(/\.\w+$/, "") ?? ""}-corrected.png`;
+}
+
+async function png(pixels: ImageData) {
+  const canvas = new OffscreenCanvas(pixels.width, pixels.height);
+  canvas.getContext("2d")?.putImageData(pixels, 0, 0);
+  return await canvas.convertToBlob({ type: "image/png" });
+}

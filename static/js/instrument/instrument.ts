@@ -1,0 +1,224 @@
+/**
+ * A figure that measures the reader's photographs: it takes files in, has them read one after
+ * another, and gives the figure what was found. Nothing leaves the device.
+ */
+
+import type { SimulationFigure } from "../figure/element.ts";
+import { nextNumber } from "../figure/photograph.ts";
+import { maybe, one } from "../page/dom.ts";
+import { setText } from "../page/text.ts";
+import { words } from "../page/words.ts";
+import { closed } from "../runtime/runtime.ts";
+import { erase, keep, keptPhotos } from "./keeping.ts";
+import { PhotoList } from "./list.ts";
+import type { Photo } from "./photo.ts";
+import { Reader, ReaderEnded } from "./reader.ts";
+import { forgetSession, keepSession, restoreSession } from "./session.ts";
+
+export class Instrument {
+  photos: Photo[] = [];
+  chosen: Photo | null = null;
+  #reader: Reader;
+  #isWorking = false;
+  #isStopped = false;
+  #keeps = false;
+  readonly scene: string;
+  /** Absolute address of the runtime folder. */
+  readonly url: string;
+  readonly list: PhotoList;
+
+  /** @param box The `.intake`. */
+  constructor(
+    readonly figure: SimulationFigure,
+    readonly box: HTMLElement,
+  ) {
+    const { runtime = "" } = document.body.dataset;
+    this.scene = figure.dataset.simulation ?? "";
+    const reads = "reads" in box.dataset ? this.scene : "";
+    this.url = new URL(runtime, location.href).href;
+    this.#reader = new Reader(this.url, reads);
+    this.list = new PhotoList(box, {
+      look: (photo) => this.look(photo),
+      remove: (photo) => this.remove([photo]),
+    });
+    figure.addEventListener("figure-leave", () => this.#leave(), { once: true });
+    figure.addEventListener("painted", () => {
+      if (this.#keeps) keepSession(this.scene, figure);
+    });
+  }
+
+  /** Whether the figure shows the reader's photographs in place of the book's. */
+  get isUsed() {
+    return this.#used.length > 0;
+  }
+
+  /** The photographs that the figure measures, by name. */
+  get names() {
+    return this.#used.map(({ name }) => name);
+  }
+
+  add(files: Iterable<File>) {
+    let said = "";
+    for (const file of files) {
+      if (this.photos.some(({ name, file: { size } }) => name === file.name && size === file.size))
+        said = words("instrument.twice", { name: file.name });
+      else this.#take({ id: crypto.randomUUID(), name: file.name, file, ...WAITING });
+    }
+    this.#say(said);
+    return this.work();
+  }
+
+  /** Photographs that were kept, with the settings that they were measured with. */
+  async restore() {
+    this.#keeps = true;
+    one(this.box, ".intake-keep", HTMLInputElement).checked = true;
+    try {
+      for (const photo of await keptPhotos(this.scene)) this.#take(photo);
+    } catch {
+      this.#stopKeeping(words("instrument.not_kept"));
+      return;
+    }
+    restoreSession(this.scene, this.figure);
+    this.#use();
+    await this.work();
+  }
+
+  /** Read what waits, until it is done or stopped. */
+  async work() {
+    this.#isStopped = false;
+    if (this.#isWorking) return;
+    this.#isWorking = true;
+    for (let photo = this.#next; photo && !this.#isStopped; photo = this.#next) {
+      await this.#read(photo);
+    }
+    this.#isWorking = false;
+    this.#reader.close();
+    this.#showWork();
+  }
+
+  stop() {
+    this.#isStopped = true;
+    this.#reader.close();
+    this.#showWork();
+  }
+
+  look(photo: Photo | null) {
+    this.chosen = photo;
+    this.#use();
+  }
+
+  remove(photos: Photo[]) {
+    this.photos = this.photos.filter((photo) => !photos.includes(photo));
+    for (const photo of photos) this.list.remove(photo);
+    if (this.chosen && photos.includes(this.chosen)) this.chosen = null;
+    if (this.#keeps) erase(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
+    if (photos.some(({ state }) => state === "reading")) this.#reader.close();
+    this.#use();
+    this.#showWork();
+  }
+
+  /** Keep all photographs on this device from now on, or none any more. */
+  async keep(wanted: boolean) {
+    this.#keeps = wanted;
+    if (wanted) {
+      keepSession(this.scene, this.figure);
+      for (const photo of this.photos) await this.#keep(photo);
+    } else {
+      forgetSession(this.scene);
+      await erase(this.photos).catch(() => {}); // there are none
+    }
+  }
+
+  get #next() {
+    return this.photos.find(({ state }) => state === "waiting");
+  }
+
+  get #used() {
+    const ready = this.photos.filter(({ state }) => state === "ready");
+    return "reads" in this.box.dataset ? ready : ready.filter((photo) => photo === this.chosen);
+  }
+
+  #take(photo: Omit<Photo, "number">) {
+    const taken: Photo = { ...photo, number: nextNumber() };
+    this.photos.push(taken);
+    this.list.show(taken);
+    this.#keep(taken);
+  }
+
+  async #read(photo: Photo) {
+    photo.state = "reading";
+    this.#showWork();
+    this.list.show(photo);
+    try {
+      await this.#reader.read(photo);
+    } catch (error) {
+      photo.state = "waiting";
+      if (!(error instanceof ReaderEnded)) throw error;
+      if (this.photos.includes(photo)) this.#isStopped = true;
+      if (error.message !== closed().message) this.#say(error.message);
+    }
+    if (!this.photos.includes(photo)) return;
+    this.list.show(photo);
+    this.#keep(photo);
+    this.#use();
+  }
+
+  /** Give the figure what is ready; the first that is, is looked at. */
+  #use() {
+    this.chosen ??= this.photos.find(({ state }) => state === "ready") ?? null;
+    this.list.mark(this.chosen);
+    const readings = this.#used.map(({ number, name, data }) => ({ number, name, data }));
+    const isRead = "reads" in this.box.dataset;
+    this.figure.live?.own.use(this.chosen, isRead ? readings : []);
+    if (this.figure.dataset.state === "waiting" && this.photos.length) this.figure.begin();
+  }
+
+  async #keep(photo: Photo) {
+    if (!this.#keeps) return;
+    try {
+      await keep(this.scene, this.photos.indexOf(photo), photo);
+    } catch (error) {
+      const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
+      this.#stopKeeping(isFull ? words("instrument.full") : words("instrument.not_kept"));
+    }
+  }
+
+  #stopKeeping(why: string) {
+    this.#keeps = false;
+    forgetSession(this.scene);
+    one(this.box, ".intake-keep", HTMLInputElement).checked = false;
+    this.#say(why);
+  }
+
+  #showWork() {
+    const count = this.photos.length;
+    const done = this.photos.filter(({ state }) => state === "ready" || state === "refused").length;
+    const waits = done < count;
+    one(this.box, ".intake-foot", HTMLElement).hidden = count === 0;
+    one(this.box, ".intake-work", HTMLElement).hidden = !waits;
+    const bar = one(this.box, "progress", HTMLProgressElement);
+    [bar.max, bar.value] = [Math.max(count, 1), done];
+    const goesOn = this.#isWorking && !this.#isStopped;
+    one(this.box, ".intake-stop", HTMLElement).hidden = !goesOn;
+    one(this.box, ".intake-go-on", HTMLElement).hidden = goesOn;
+    if (waits && goesOn) this.#say(words("instrument.progress", { at: done + 1, count }));
+    else if (waits) this.#say(words("instrument.stopped"));
+    else if (count) {
+      const ready = this.photos.filter(({ state }) => state === "ready").length;
+      this.#say(words("instrument.ready_count", { ready, count }));
+    }
+  }
+
+  #say(text: string) {
+    const line = maybe(this.box, ".intake-said", HTMLElement);
+    if (line) setText(line, text);
+  }
+
+  #leave() {
+    this.#isStopped = true;
+    this.#reader.close();
+    for (const photo of this.photos) this.list.remove(photo);
+  }
+}
+
+const WAITING = { state: "waiting", said: "", thumbnail: null, data: null } as const;

@@ -1,0 +1,60 @@
+/** Photographs that stay on this device when their page is left, in IndexedDB, by scene. */
+
+import { STORAGE } from "../book.js";
+import type { Photo } from "./photo.ts";
+
+const STORE = "photographs";
+
+/** `order` in which they were added; `sources` of the Python that read it. */
+type Kept = Omit<Photo, "number"> & { scene: string; order: number; sources: string };
+
+/** Those of a scene, in order; what another version of its Python has read is to be read again. */
+export async function keptPhotos(scene: string): Promise<Omit<Photo, "number">[]> {
+  const kept: Kept[] = await within("readonly", (store) => store.index("scene").getAll(scene));
+  const current = document.body.dataset.sources ?? "";
+  return kept
+    .toSorted((one, other) => one.order - other.order)
+    .map(({ order: _order, scene: _scene, sources, ...photo }) =>
+      sources === current ? photo : { ...photo, state: "waiting", said: "", data: null },
+    );
+}
+
+/** Keep a photograph as it is now. */
+export async function keep(scene: string, order: number, { number: _number, ...photo }: Photo) {
+  const sources = document.body.dataset.sources ?? "";
+  await within("readwrite", (store) => store.put({ ...photo, scene, order, sources }));
+}
+
+export async function erase(photos: Photo[]) {
+  for (const { id } of photos) await within("readwrite", (store) => store.delete(id));
+}
+
+/** @throws Where the browser denies storage, or has no room. */
+async function within<T>(
+  mode: IDBTransactionMode,
+  act: (store: IDBObjectStore) => IDBRequest<T>,
+): Promise<T> {
+  const database = await opened();
+  try {
+    const transaction = database.transaction(STORE, mode);
+    const request = act(transaction.objectStore(STORE));
+    await new Promise((resolve, reject) => {
+      transaction.oncomplete = resolve;
+      transaction.onabort = () => reject(transaction.error);
+    });
+    return request.result;
+  } finally {
+    database.close();
+  }
+}
+
+function opened(): Promise<IDBDatabase> {
+  return new Promise((resolve, reject) => {
+    const request = indexedDB.open(`${STORAGE}${STORE}`, 1);
+    request.onupgradeneeded = () => {
+      request.result.createObjectStore(STORE, { keyPath: "id" }).createIndex("scene", "scene");
+    };
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error);
+  });
+}

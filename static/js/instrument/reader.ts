@@ -1,0 +1,80 @@
+/**
+ * Reads photographs one after another, in an interpreter of its own: the figure goes on answering,
+ * and when this one ends, the browser has its memory back.
+ */
+
+import { message } from "../errors.ts";
+import { open, take, thumbnailOf } from "../figure/photograph.ts";
+import { words } from "../page/words.ts";
+import { Runtime, RuntimeFailure } from "../runtime/runtime.ts";
+import type { Photo } from "./photo.ts";
+
+/** Larger photographs are scaled down before they are read. */
+export const MOST_MEGAPIXELS = 24;
+
+/** Python does not run, or was ended: the photographs can wait. */
+export class ReaderEnded extends Error {}
+
+export class Reader {
+  #runtime: Runtime | null = null;
+
+  /**
+   * @param url Absolute address of the runtime folder.
+   * @param scene What reads; empty where photographs are only looked at.
+   */
+  constructor(
+    readonly url: string,
+    readonly scene: string,
+  ) {}
+
+  /**
+   * Have a photograph ready or refused.
+   *
+   * @throws {ReaderEnded}
+   */
+  async read(photo: Photo) {
+    try {
+      const picture = await this.#decode(photo);
+      if (picture) {
+        this.#runtime ??= new Runtime(this.url, () => [this.scene]);
+        const { data, unfit } = await this.#runtime.call("read", { scene: this.scene, picture });
+        if (unfit) throw new Error(unfit);
+        photo.data = data;
+      }
+      photo.state = "ready";
+    } catch (error) {
+      photo.said = refusal(photo.name, error);
+      photo.state = "refused";
+    }
+  }
+
+  /** End the interpreter. */
+  close() {
+    this.#runtime?.close();
+    this.#runtime = null;
+  }
+
+  /** One decoded picture at a time is in the memory of the page. */
+  async #decode(photo: Photo) {
+    const bitmap = await open(photo);
+    try {
+      photo.thumbnail ??= await thumbnailOf(bitmap);
+      return this.scene ? await take(photo, bitmap, photo.number, MOST_MEGAPIXELS) : null;
+    } finally {
+      bitmap.close();
+    }
+  }
+}
+
+/**
+ * Why a photograph cannot be used, in a sentence.
+ *
+ * @throws {ReaderEnded} Where it is not the photograph's fault.
+ */
+function refusal(name: string, error: unknown): string {
+  if (!(error instanceof RuntimeFailure)) return message(error);
+  if (error.late) return words("instrument.late", { name });
+  const isItsOwn = error.kind === "python" || error.loadError === "memory";
+  if (!isItsOwn) throw new ReaderEnded(error.message);
+  return words("instrument.failed", { name, reason: error.message });
+}

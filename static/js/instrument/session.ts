@@ -1,0 +1,33 @@
+/** The settings that kept photographs are measured with, and whether photographs are kept at all. */
+
+import { moveControls, readValues } from "../figure/controls.ts";
+import type { SimulationFigure } from "../figure/element.ts";
+import { settingsOf } from "../figure/permalink.ts";
+import { recall, remember } from "../page/storage.ts";
+
+const keyOf = (scene: string) => `instrument:${scene}`;
+
+/** Whether photographs for the scene are kept on this device. */
+export function isKept(scene: string) {
+  return recall(keyOf(scene)) !== null;
+}
+
+export function keepSession(scene: string, figure: SimulationFigure) {
+  const { form, controls } = settingsOf(figure);
+  remember(keyOf(scene), readValues(form, controls));
+}
+
+export function forgetSession(scene: string) {
+  remember(keyOf(scene), null);
+}
+
+/** Put a figure to the settings that were kept, unless the address of its page has some. */
+export function restoreSession(scene: string, figure: SimulationFigure) {
+  const { form, controls } = settingsOf(figure);
+  const kept = recall(keyOf(scene));
+  const id = figure.closest("figure")?.id;
+  const isAddressed = [...new URLSearchParams(location.search).keys()].some((key) =>
+    key.startsWith(`${id}.`),
+  );
+  if (kept && !isAddressed) moveControls(form, controls, kept, "change");
+}
