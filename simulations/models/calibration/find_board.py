@@ -1,0 +1,117 @@
+"""The corners of a chequerboard in a photograph, each with its column and row.
+
+From coarse to fine: saddle points of a reduced photograph, joined to a grid, which is completed;
+then each corner is fitted to the pixels about it at full resolution. Pixel (0, 0), the top-left
+one, is centred at (0, 0).
+
+Nothing need be known of the board. Columns run along its longer side, and rows turn clockwise from
+them, so that a numbering is never mirrored. Beyond corner (0, 0) the board ends in a dark square,
+if only one of its two ends does; otherwise columns run to the right. A calibration, which finds a
+pose for each photograph, bears any such choice. As the mirror image of a chequerboard is a
+chequerboard, a mirrored photograph cannot be told from another.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.models.arrays import Floats
+from simulations.models.calibration.board_refinement import refine_board
+from simulations.models.calibration.board_search import (
+    FEW,
+    FEWEST,
+    NONE,
+    NoBoardError,
+    full_size,
+    search_board,
+)
+from simulations.models.calibration.corner_windows import Picture
+from simulations.models.calibration.flatness import flat_residuals
+from simulations.models.calibration.grid_recovery import corners_of
+from simulations.models.calibration.local_lattice import Lattice, Whole
+from simulations.models.error_measures import root_mean_square
+
+NARROWEST_PX = 4.5
+"""Least width of a square."""
+BLURRED = 0.2
+"""Largest blur, in squares."""
+BENT_PX, BENT = 0.4, 0.012
+"""A board whose corners are farther than this from a plane's, in px and in squares, is bent."""
+TOLD = 20
+"""Corners from which on a bent board is told from a lens."""
+
+SMALL = "The squares are only {side:.0f} px wide; go closer to the board."
+SOFT = "The board is blurred over {blur:.0f} px; focus on it and hold the camera still."
+CURVED = "The board is not flat: corners are off by {off:.1f} px; fix it to something flat."
+
+
+@dataclass(frozen=True, slots=True)
+class FoundBoard:
+    """The corners of a chequerboard in a photograph."""
+
+    places: Floats
+    """(N, 2) px, x and y."""
+    indices: Whole
+    """(N, 2) column and row of each, from 0."""
+    size: tuple[int, int]
+    """Columns and rows between the outermost corners found; the first is not the smaller one."""
+    blur_px: float
+    """Standard deviation of the blur of edges, by lens and pixel together."""
+    spacing_px: float
+    """Median distance between neighbouring lines of the grid."""
+    uneven_px: float
+    """RMS distance from the image of a plane through a smooth lens; NaN for fewer than `TOLD`
+    corners."""
+
+
+def find_board(picture: Picture) -> FoundBoard:
+    """The board in a photograph (H, W) or (H, W, 3) of codes.
+
+    Raises
+    ------
+    NoBoardError
+        For no board, only a few corners, two boards, squares too small, blur, and a bent board.
+    """
+    factor, lattice = search_board(picture)
+    refined = refine_board(picture, full_size(lattice, factor), factor)
+    count = int(refined.lattice.known.sum())
+    if refined.spacing_px < NARROWEST_PX:
+        raise NoBoardError(SMALL.format(side=refined.spacing_px))
+    if count < FEWEST:
+        raise NoBoardError(FEW.format(count=count) if count else NONE)
+    if refined.blur_px > BLURRED * refined.spacing_px:
+        raise NoBoardError(SOFT.format(blur=2.0 * refined.blur_px))
+    if not refined.even:
+        raise NoBoardError(NONE)
+    places, indices = numbered(refined.lattice)
+    columns, rows = (int(most) + 1 for most in indices.max(axis=0))
+    height, width = picture.shape[:2]
+    uneven = _uneven_px(places, indices, np.array([width - 1.0, height - 1.0]) / 2.0)
+    if uneven > max(BENT_PX, BENT * refined.spacing_px):
+        raise NoBoardError(CURVED.format(off=uneven))
+    return FoundBoard(places, indices, (columns, rows), refined.blur_px, refined.spacing_px, uneven)
+
+
+def numbered(lattice: Lattice) -> tuple[Floats, Whole]:
+    """Places (N, 2), row by row, with columns and rows (N, 2) as the module says."""
+    places, indices = corners_of(lattice)
+    light = lattice.light ^ bool(indices.min(axis=0).sum() % 2)
+    indices = indices - indices.min(axis=0)
+    columns, rows = indices.max(axis=0)
+    if rows > columns:
+        indices = np.stack([indices[:, 1], columns - indices[:, 0]], axis=-1)
+        light ^= bool(columns % 2 == 0)
+        columns, rows = rows, columns
+    leftwards = np.dot(indices[:, 0] - indices[:, 0].mean(), places[:, 0]) < 0.0
+    ends_differ = (columns + rows) % 2 == 1
+    if light if ends_differ else leftwards:
+        indices = np.array([columns, rows]) - indices
+    order = np.lexsort(indices.T)
+    return places[order], indices[order]
+
+
+def _uneven_px(places: Floats, indices: Whole, middle: Floats) -> float:
+    if len(places) < TOLD:
+        return float("nan")
+    residuals = flat_residuals(places, indices.astype(float), middle)
+    return root_mean_square(np.hypot(*residuals.T))

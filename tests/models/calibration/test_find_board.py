@@ -1,0 +1,203 @@
+"""Chequerboards in rendered photographs: how many corners, how exactly, beside OpenCV."""
+
+import io
+from functools import cache
+
+import cv2
+import numpy as np
+import pytest
+import skimage.data
+from PIL import Image
+from support.boards import facing_board
+
+from simulations.models.calibration.board import Board
+from simulations.models.calibration.board_search import NoBoardError
+from simulations.models.calibration.find_board import FoundBoard, find_board
+from simulations.models.error_measures import root_mean_square
+from simulations.pictures.chequerboard import (
+    Codes,
+    Glare,
+    Look,
+    View,
+    photograph_of,
+    true_corners,
+)
+
+BOARD = Board(10, 7, 25.0)
+NOISY = Look(noise_codes=1.0)
+TILTS = ((0.1, 0.05, 0.0), (0.5, 0.3, 0.1), (0.0, 1.0, 0.5), (-0.9, 0.2, 1.0), (0.2, -0.4, 2.6))
+"""Rotation vectors; the third and the fourth lean the board by nearly 60°."""
+
+
+def view_of(
+    tilt: tuple[float, float, float], board: Board = BOARD, distance_mm: float = 400.0
+) -> View:
+    return facing_board(board, 560, 420, focal_px=490.0, tilt=tilt, distance_mm=distance_mm)
+
+
+def jpeg(codes: Codes, quality: int = 80) -> Codes:
+    file = io.BytesIO()
+    Image.fromarray(codes).save(file, "JPEG", quality=quality)
+    return np.asarray(Image.open(file))
+
+
+def errors_px(found: FoundBoard, board: Board, view: View) -> np.ndarray:
+    """(N,) distances from the true corners with the same column and row."""
+    columns, _ = board.corners
+    truth = true_corners(board, view)[found.indices[:, 1] * columns + found.indices[:, 0]]
+    return np.hypot(*(found.places - truth).T)
+
+
+@cache
+def photograph(tilt: tuple[float, float, float]) -> Codes:
+    """Blur, noise of one code, barrel −0.3, JPEG 80."""
+    return jpeg(photograph_of(BOARD, view_of(tilt), NOISY))
+
+
+@pytest.mark.parametrize("tilt", TILTS)
+def test_every_corner_is_found_to_a_twentieth_of_a_pixel_with_its_own_number(
+    tilt: tuple[float, float, float],
+) -> None:
+    found = find_board(photograph(tilt))
+    assert found.size == BOARD.corners
+    assert np.array_equal(found.indices, BOARD.indices)
+    assert root_mean_square(errors_px(found, BOARD, view_of(tilt))) < 0.025
+
+
+@pytest.mark.parametrize("tilt", TILTS)
+def test_it_is_no_worse_than_opencv(tilt: tuple[float, float, float]) -> None:
+    flags = cv2.CALIB_CB_ACCURACY | cv2.CALIB_CB_EXHAUSTIVE
+    there, corners = cv2.findChessboardCornersSB(photograph(tilt), BOARD.corners, flags=flags)
+    assert there
+    truth = true_corners(BOARD, view_of(tilt))
+    theirs = np.hypot(*(corners.reshape(-1, 1, 2) - truth).transpose(2, 0, 1)).min(axis=1)
+    ours = errors_px(find_board(photograph(tilt)), BOARD, view_of(tilt))
+    assert root_mean_square(ours) < 1.1 * root_mean_square(theirs)
+
+
+@pytest.mark.parametrize("sizes", [(5, 4), (6, 6), (8, 5), (15, 11)])
+def test_boards_of_any_size_are_found_whole(sizes: tuple[int, int]) -> None:
+    board = Board(*sizes, 250.0 / sizes[0])
+    view = view_of((0.3, -0.3, 0.2), board, 380.0)
+    found = find_board(photograph_of(board, view, NOISY))
+    assert found.size == board.corners
+    assert len(found.places) == board.corners[0] * board.corners[1]
+
+
+@pytest.mark.parametrize("turns", [1, 2, 3])
+def test_a_turned_photograph_gives_the_same_numbers_to_the_same_corners(turns: int) -> None:
+    plain = find_board(photograph(TILTS[1]))
+    turned = find_board(np.ascontiguousarray(np.rot90(photograph(TILTS[1]), turns)))
+    assert np.array_equal(turned.indices, plain.indices)
+    height, width = np.rot90(photograph(TILTS[1]), turns).shape
+    x, y = turned.places.T
+    for _ in range(turns):
+        x, y, height, width = height - 1 - y, x, width, height
+    assert np.hypot(x - plain.places[:, 0], y - plain.places[:, 1]).max() < 0.05
+
+
+def test_a_mirrored_photograph_is_numbered_clockwise_too() -> None:
+    for codes in (photograph(TILTS[1]), photograph(TILTS[1])[:, ::-1]):
+        found = find_board(codes)
+        grid = found.places.reshape(6, 9, 2)
+        across, down = grid[0, 1] - grid[0, 0], grid[1, 0] - grid[0, 0]
+        assert across[0] * down[1] - across[1] * down[0] > 0.0
+
+
+def test_in_colour_the_luma_counts() -> None:
+    grey = find_board(photograph(TILTS[0]))
+    colours = np.repeat(photograph(TILTS[0])[..., None], 3, axis=2)
+    assert np.abs(find_board(colours).places - grey.places).max() < 1e-3
+
+
+@pytest.mark.parametrize("left", [200, 300])
+def test_the_part_of_a_board_that_is_in_the_picture_is_found(left: int) -> None:
+    codes = photograph_of(BOARD, view_of(TILTS[0], distance_mm=300.0), NOISY)[:, left:]
+    found = find_board(np.ascontiguousarray(codes))
+    truth = true_corners(BOARD, view_of(TILTS[0], distance_mm=300.0)) - [left, 0.0]
+    error = np.hypot(*(found.places[:, None] - truth).transpose(2, 0, 1)).min(axis=1)
+    inside = (truth > 12.0).all(axis=1) & (truth[:, 0] < codes.shape[1] - 12.0)
+    assert len(found.places) >= inside.sum() - 2
+    assert root_mean_square(error) < 0.02
+
+
+@pytest.mark.parametrize("radius", [15.0, 25.0])
+def test_corners_beside_a_glare_are_found_where_they_are(radius: float) -> None:
+    look = Look(noise_codes=1.0, glare=Glare(290.0, 200.0, radius, 1.5))
+    found = find_board(photograph_of(BOARD, view_of(TILTS[0], distance_mm=330.0), look))
+    assert found.size == BOARD.corners
+    assert 40 <= len(found.places) < 54
+    assert root_mean_square(errors_px(found, BOARD, view_of(TILTS[0], distance_mm=330.0))) < 0.05
+
+
+@pytest.mark.parametrize("blur", [2.0, 4.0])
+def test_blur_is_measured_and_costs_little(blur: float) -> None:
+    look = Look(noise_codes=1.0, blur_px=blur)
+    found = find_board(photograph_of(BOARD, view_of(TILTS[0]), look))
+    assert found.blur_px == pytest.approx(blur, rel=0.15)
+    assert root_mean_square(errors_px(found, BOARD, view_of(TILTS[0]))) < 0.05
+
+
+def test_a_board_on_the_screen_behind_is_left_alone() -> None:
+    codes = photograph(TILTS[0]).copy()
+    codes[:60, :80] = cv2.resize(codes, (80, 60), interpolation=cv2.INTER_AREA)
+    assert len(find_board(codes).places) == 54
+
+
+def _bent() -> Codes:
+    x, y = np.meshgrid(np.arange(560, dtype=np.float32), np.arange(420, dtype=np.float32))
+    return cv2.remap(photograph(TILTS[0]), x, y + 8 * np.cos((x - 280) / 70), cv2.INTER_CUBIC)
+
+
+@pytest.mark.parametrize(
+    ("codes", "words"),
+    [
+        (lambda: np.zeros((1, 1, 3), np.uint8), "No chequerboard"),
+        (lambda: np.zeros((2, 500), np.uint8), "No chequerboard"),
+        (lambda: np.full((420, 560, 3), 255, np.uint8), "No chequerboard"),
+        (lambda: photograph(TILTS[0])[200:330, 250:360].copy(), "Only .* corners"),
+        (lambda: np.hstack([photograph(TILTS[0]), photograph(TILTS[1])]), "Two"),
+        (lambda: photograph_of(BOARD, view_of(TILTS[0], distance_mm=3200.0)), "closer"),
+        (lambda: photograph_of(BOARD, view_of(TILTS[0]), Look(blur_px=9.0)), "blurred"),
+        (_bent, "not flat"),
+    ],
+    ids=["one-pixel", "two-rows", "white", "a-part", "two", "far", "blurred", "bent"],
+)
+def test_what_is_of_no_use_is_refused_in_a_sentence(codes, words: str) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(NoBoardError, match=words) as refusal:
+        find_board(codes())
+    assert str(refusal.value).endswith(".")
+
+
+REAL = ("astronaut", "brick", "camera", "chelsea", "coffee", "gravel", "page", "rocket", "text")
+
+
+@pytest.mark.parametrize("name", REAL)
+def test_photographs_and_print_without_a_board_give_none(name: str) -> None:
+    with pytest.raises(NoBoardError):
+        find_board(getattr(skimage.data, name)())
+
+
+def _textures() -> dict[str, np.ndarray]:
+    y, x = np.mgrid[:300, :400].astype(float)
+    random = np.random.default_rng(4)
+    shifted = np.floor((x + 30 * (np.floor(y / 30) % 2)) / 60)
+    return {
+        "noise": random.integers(0, 256, x.shape).astype(float),
+        "clouds": 128 + cv2.GaussianBlur(random.normal(0, 400, x.shape), (0, 0), 3),
+        "bricks": 200.0 - 90.0 * (((x + 30 * (np.floor(y / 30) % 2)) % 60 > 3) & (y % 30 > 3)),
+        "two-tone bricks": 100.0 + 60.0 * ((shifted + np.floor(y / 30)) % 2),
+        "stripes": 200.0 * ((x + y) // 10 % 2),
+        "gingham": 60.0 + 75.0 * (x // 12 % 2 + y // 12 % 2),
+        "dots": 200.0 * ((x % 20 - 10) ** 2 + (y % 20 - 10) ** 2 < 36),
+        "twill": 50.0 + 150.0 * ((x // 10 + y // 10) % 4 < 2),
+        "honeycomb": 127
+        + 40 * sum(np.cos((x * np.cos(a) + y * np.sin(a)) / 4) for a in (0, 2.094, 4.189)),
+    }
+
+
+@pytest.mark.parametrize("name", list(_textures()))
+def test_textures_are_no_boards(name: str) -> None:
+    codes = np.clip(_textures()[name], 0, 255).astype(np.uint8)
+    with pytest.raises(NoBoardError):
+        find_board(codes)
