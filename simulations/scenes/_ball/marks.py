@@ -6,11 +6,13 @@ to the right.
 
 import math
 
-from simulations.engine.drawing import Point, circle, dot, line, polyline
+from simulations.engine.drawing import Point, circle, dot, line, polyline, text
 
 WIDTH, HEIGHT = 400, 340
 CENTRE, RADIUS = (200.0, 170.0), 122.0
 """The ball, in view box units."""
+LONGEST_NAME = 116.0
+"""Room for the name of a point, in view box units."""
 
 
 def on_equator(angle_rad: float) -> tuple[float, float]:
@@ -32,6 +34,13 @@ def shadow_edge(light_rad: float) -> list[str]:
 def probed_point(probe_rad: float, role: str) -> list[str]:
     probed = on_equator(probe_rad)
     return [circle(probed, 5.5, "casing"), dot(probed, role, 5.5)]
+
+
+def named(place: Point, words: str, role: str, *, above: bool = False) -> str:
+    """The name of a point of the ball, far enough from it for the ring of its handle."""
+    across = min(max(place[0], LONGEST_NAME / 2), WIDTH - LONGEST_NAME / 2)
+    spot = (across, place[1] + (-20 if above else 30))
+    return text(spot, words, f"{role} small ground", "middle")
 
 
 def lamp(place: Point) -> list[str]:

@@ -12,7 +12,7 @@ from simulations.engine.drawing import Point, circle, dot, text
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.models.color.srgb import encode_srgb
-from simulations.scenes._ball.marks import HEIGHT, WIDTH
+from simulations.scenes._ball.marks import HEIGHT, WIDTH, named
 from simulations.scenes.brdf.settings import ROUGHEST, SMOOTHEST
 from simulations.scenes.brdf.spheres import WALL, Lit, Sphere, lit, shown, sphere
 
@@ -90,6 +90,7 @@ def marks(view_angle: float, roughness: float, specular: float) -> str:
         (
             *(circle(probed, 5.5, "casing"), dot(probed, "world", 5.5)),
             *(circle(chosen, 5.5, "casing"), dot(chosen, "ray", 5.5)),
+            named(probed, "probed point", "world"),
             text((across, TOP - SMALL - 14), "more mirror ↑", "small ground", "middle"),
             text((across, below), "rougher →", "small ground", "middle"),
         )

@@ -23,6 +23,7 @@ from simulations.scenes._ball.marks import (
     HEIGHT,
     RADIUS,
     lamp,
+    named,
     on_equator,
     probed_point,
     shadow_edge,
@@ -46,14 +47,10 @@ def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
     if math.cos(light_rad) > 0.05:
         brightest = on_equator(light_rad)
         parts += [circle(brightest, 7, "casing"), circle(brightest, 7, "light")]
-        parts.append(_name(brightest, 30, "brightest point", "light"))
+        parts.append(named(brightest, "brightest point", "light"))
     parts += probed_point(probe_rad, "ray")
-    return "".join((*parts, _name(on_equator(probe_rad), -20, "probed point", "ray")))
-
-
-def _name(place: Point, down: float, words: str, role: str) -> str:
-    """The name of a point of the equator, above or below it."""
-    return text((place[0], place[1] + down), words, f"{role} small ground", "middle")
+    parts.append(named(on_equator(probe_rad), "probed point", "ray", above=True))
+    return "".join(parts)
 
 
 def _picture_rays(light_rad: float) -> Iterator[str]:

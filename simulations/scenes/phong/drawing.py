@@ -26,6 +26,7 @@ from simulations.scenes._ball.marks import (
     HEIGHT,
     WIDTH,
     lamp,
+    named,
     on_equator,
     probed_point,
     shadow_edge,
@@ -60,7 +61,13 @@ def over_ball(light_rad: float, probe_rad: float) -> str:
         rim, end = (spot[0], spot[1] - AROUND_HIGHLIGHT), (spot[0], spot[1] - STEM)
         for style in ("casing", "ray"):
             parts += [circle(spot, AROUND_HIGHLIGHT, style), line(rim, end, style)]
-    return "".join((*parts, *probed_point(probe_rad, "world")))
+    return "".join(
+        (
+            *parts,
+            *probed_point(probe_rad, "world"),
+            named(on_equator(probe_rad), "probed point", "world"),
+        )
+    )
 
 
 def highlight_grip(light_rad: float) -> tuple[float, float]:
@@ -169,7 +176,9 @@ def _labels(vectors: list[Direction], seen: float, near: float) -> Iterator[str]
             length = seen + 18
         place = towards(middle, length)
         if "l" in names_in:  # next to the arrow, as the lamp is beyond it
-            place = towards(middle + math.copysign(0.2, math.sin(middle)), VECTOR * near - 16)
+            aside = math.copysign(0.2, math.sin(middle))
+            low = 0.0 <= math.cos(middle) < 0.4  # above the arrow, not on the surface's line
+            place = towards(middle - aside if low else middle + aside, VECTOR * near - 16)
         names = " = " if _coincide(group) else ", "
         label = names.join(name for name, _, _ in group)
         level = -9.0 if abs(math.cos(middle)) < 0.12 else 4.5  # clear of the surface's own line

@@ -12,7 +12,7 @@ from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb_table
-from simulations.scenes._ball.marks import lamp
+from simulations.scenes._ball.marks import lamp, named
 from simulations.scenes.second_bounce import ball, room
 from simulations.scenes.second_bounce.room import Surface
 from simulations.scenes.second_bounce.settings import Settings
@@ -190,5 +190,6 @@ def marks(settings: Settings) -> str:
         (
             *((circle(source, 9, "light dashed"),) if hidden else lamp(source)),
             *(circle(here, 5.5, "casing"), dot(here, "image", 5)),
+            named(here, "point", "image"),
         )
     )

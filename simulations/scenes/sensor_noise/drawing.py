@@ -142,7 +142,8 @@ def _names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) ->
     full = max(curve.full_dn - curve.dark_dn, low)
     means = np.geomspace(low, high, 40)
     shot = np.maximum(means / gain, LOWEST_DN2)
-    middle = math.sqrt(full * max(low, LOWEST_DN2 * gain))
+    begin = max(low, LOWEST_DN2 * gain)
+    middle, *lower = (full * (begin / full) ** share for share in (0.5, 0.65, 0.8))
     labels = [
         Label(plot.clamped(low, floor), "floor", "error small ground", distance=8.0),
         Label(plot.clamped(full, plot.y.high), "full", "muted small ground", "below left", 5.0),
@@ -151,6 +152,7 @@ def _names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) ->
             "shot noise: mean / g",
             "light small ground",
             "below right",
+            others=[plot.clamped(mean, mean / gain) for mean in lower],
         ),
     ]
     if crosses:

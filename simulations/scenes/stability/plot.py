@@ -92,7 +92,7 @@ def draw(settings: Settings, errors: Errors) -> str:
             PLOT.curve(DISTANCES, shown(errors.written, settings.digits), "error bold"),
             PLOT.upright(float(DISTANCES[place_of(settings)]), "world thin"),
             dot(place, "world", 5) if place else "",
-            label((PLOT.x.end - 6, PLOT.y.start - 6), "rounding", "muted small", "end"),
+            label((PLOT.x.end - 6, PLOT.y.start - 6), "rounding", "muted small ground", "end"),
             legend((PLOT.x.start, 304), entries, "small", PLOT.x.end - PLOT.x.start),
         )
     )
