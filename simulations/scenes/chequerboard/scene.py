@@ -1,0 +1,179 @@
+"""A Board to Print: a chequerboard on the smallest sheet of paper that has room for it."""
+
+import math
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from simulations.engine.controls import Slider, Value
+from simulations.engine.drafting import dimension
+from simulations.engine.drawing import text
+from simulations.engine.export import Export
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number
+from simulations.engine.handles import Handle, Point
+from simulations.engine.scene import Scene
+from simulations.engine.settings import controls_of, slider
+from simulations.engine.stages import Outputs
+from simulations.models.calibration.board import RULER_MM, Board, board_svg
+
+WIDTH, HEIGHT = 400, 300
+PIXELS = 2
+"""Pixels per unit of the view box."""
+LEFT, TOP = 20.0, 18.0
+"""Corner of the sheet, in units."""
+ROOM = (360.0, 240.0)
+"""Of the largest sheet, in units."""
+PAPERS = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}
+"""Width and height in mm of sheets that lie on their long side (ISO 216)."""
+FOOT_MM = 14.0
+"""Height of the ruler below the board and its margin, as `board_svg` draws it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    side: int = slider("Side of a square", 20, 8, 60, 1, unit="mm")
+    across: int = slider("Squares across", 10, 4, 16, 1)
+    down: int = slider("Squares down", 7, 3, 12, 1)
+
+
+COUNTS = tuple(
+    control
+    for control in controls_of(Settings)
+    if isinstance(control, Slider) and control.name in ("across", "down")
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """The paper, and where the board lies on it, in the middle."""
+
+    name: str
+    """Empty if none is large enough; it is then as large as the board and its margin."""
+    width_mm: float
+    height_mm: float
+    left_mm: float
+    top_mm: float
+
+    @property
+    def scale(self) -> float:
+        """Units per mm."""
+        return min(ROOM[0] / self.width_mm, ROOM[1] / self.height_mm)
+
+
+def board_of(settings: Settings) -> Board:
+    return Board(settings.across, settings.down, float(settings.side))
+
+
+def sheet_of(board: Board) -> Sheet:
+    """The smallest paper with room for the squares, a margin of one square, and the ruler."""
+    side = board.side_mm
+    width, height = (board.across + 2) * side, (board.down + 2) * side + FOOT_MM
+    for name, (across, down) in PAPERS.items():
+        if width <= across and height <= down:
+            left, top = (across - width) / 2.0 + side, (down - height) / 2.0 + side
+            return Sheet(name, across, down, left, top)
+    return Sheet("", width, height, side, side)
+
+
+def picture_of(board: Board, sheet: Sheet) -> Raster:
+    """The board and the ruler on the sheet; around the sheet it is transparent."""
+    y, x = (np.arange(PIXELS * length) + 0.5 for length in (HEIGHT, WIDTH))
+    x_mm = (x / PIXELS - LEFT) / sheet.scale
+    y_mm = (y / PIXELS - TOP)[:, None] / sheet.scale
+    column = np.floor((x_mm - sheet.left_mm) / board.side_mm)
+    row = np.floor((y_mm - sheet.top_mm) / board.side_mm)
+    inside = (column >= 0) & (column < board.across) & (row >= 0) & (row < board.down)
+    paper = (x_mm >= 0) & (x_mm < sheet.width_mm) & (y_mm >= 0) & (y_mm < sheet.height_mm)
+    pixels = np.zeros((len(y), len(x), 4), np.uint8)
+    pixels[paper] = 255
+    pixels[inside & ((column + row) % 2 == 0), :3] = 0
+    along = (x_mm >= sheet.left_mm) & (x_mm < sheet.left_mm + RULER_MM)
+    ruler_mm = sheet.top_mm + (board.down + 1) * board.side_mm
+    pixels[(np.abs(y_mm - ruler_mm) < 0.5 / sheet.scale) & along, :3] = 0
+    return pixels
+
+
+def draw(settings: Settings, _outputs: Outputs) -> Frame:
+    """The sheet with the board, and the size of both."""
+    board = board_of(settings)
+    sheet = sheet_of(board)
+    columns, rows = board.corners
+    paper = sheet.name or "larger than A1"
+    size = " × ".join(format_number(length, 0) for length in (sheet.width_mm, sheet.height_mm))
+    foot = TOP + sheet.scale * sheet.height_mm + 20.0
+    corners = f"{columns} × {rows}"
+    return Frame(
+        panels=(
+            Panel(
+                "sheet",
+                "The board on its sheet",
+                WIDTH,
+                HEIGHT,
+                picture_of(board, sheet),
+                text((LEFT, foot), f"{paper}, {size} mm", "small")
+                + dimension(*_first_side(board, sheet), "world"),
+                lead=True,
+            ),
+        ),
+        readouts=(
+            Readout("corners", "Inner corners", corners, "", "image"),
+            Readout("paper", "Paper", paper, f"{size} mm"),
+        ),
+        description=(
+            f"A chequerboard of {settings.across} × {settings.down} squares of {settings.side} mm "
+            f"with {corners} inner corners, on paper {paper} of {size} mm."
+        ),
+    )
+
+
+def _first_side(board: Board, sheet: Sheet) -> tuple[Point, Point]:
+    """Ends of the upper side of the first square, a little above it."""
+    x = LEFT + sheet.scale * sheet.left_mm
+    y = TOP + sheet.scale * sheet.top_mm - 8.0
+    return (x, y), (x + sheet.scale * board.side_mm, y)
+
+
+def _corner_of(board: Board) -> Point:
+    """Where the last square ends."""
+    sheet = sheet_of(board)
+    x_mm = sheet.left_mm + board.across * board.side_mm
+    y_mm = sheet.top_mm + board.down * board.side_mm
+    return (LEFT + sheet.scale * x_mm, TOP + sheet.scale * y_mm)
+
+
+def _last_corner(settings: Settings, _outputs: Outputs) -> Point:
+    return _corner_of(board_of(settings))
+
+
+def _last_corner_pulled(settings: Settings, place: Point) -> dict[str, Value]:
+    """Of all boards the one that ends nearest: each count may come with paper of another size."""
+    counts = product(*(range(int(c.minimum), int(c.maximum) + 1) for c in COUNTS))
+    boards = (Board(across, down, float(settings.side)) for across, down in counts)
+    nearest = min(boards, key=lambda board: math.dist(_corner_of(board), place))
+    return {"across": nearest.across, "down": nearest.down}
+
+
+def _drawing(settings: Settings, _outputs: Outputs) -> str:
+    return board_svg(board_of(settings), f"{settings.side} mm a square")
+
+
+SCENE = Scene(
+    id="chequerboard",
+    title="A Board to Print",
+    settings=Settings,
+    draw=draw,
+    handles=(
+        Handle(
+            "corner",
+            "sheet",
+            "Last corner of the board",
+            ("across", "down"),
+            _last_corner,
+            _last_corner_pulled,
+            role="image",
+            reversed=("down",),
+        ),
+    ),
+    exports=(Export("chequerboard", "the board at true scale, SVG", ".svg", _drawing),),
+)
