@@ -14,8 +14,6 @@ from simulations.scenes._mapped_square.square import SQUARE
 
 CLEAR = 15.0
 """Distance from a point to its label, in view box units, with space for a handle between."""
-BORDER = 8.0
-"""Distance of a label from the right border, in view box units."""
 LETTER = 8.2
 """Largest width of a letter of a label."""
 
@@ -51,18 +49,16 @@ def _track(way: Floats, point: Floats) -> list[Floats]:
 
 
 def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> str:
-    """Coordinates to the right of a point, below P and above P′; further below or above at the
-    right border."""
+    """Coordinates next to a point, below P and above P′: on the right, or at the right border and
+    further from the point's row."""
     x, y = (format_number(float(value), digits) for value in point)
     words = f"{name} ({x}, {y})"
-    cramped = place[0] > WIDTH - CLEAR - LETTER * len(words)
+    last = WIDTH - CLEAR - LETTER * len(words)
+    cramped = place[0] > last
     above = (role == "image" and place[1] > 26.0) or place[1] > HEIGHT - 26.0
-    column = WIDTH - BORDER if cramped else place[0] + CLEAR
     aside = CLEAR + 10.0 * cramped
-    row = place[1] + (4.0 - aside if above else aside)
-    return drawing.text(
-        (column, row), words, f"{role} ground strong", "end" if cramped else "start"
-    )
+    corner = (min(place[0], last) + CLEAR, place[1] + (4.0 - aside if above else aside))
+    return drawing.text(corner, words, f"{role} ground strong")
 
 
 def corners(kind: str, H: Floats) -> Iterator[str]:

@@ -24,12 +24,10 @@ RIM = 4.0
 """Margin around the view box, in its units, that hides cut edges."""
 FRAME = ((1, 0, RIM), (-1, 0, WIDTH + RIM), (0, 1, RIM), (0, -1, HEIGHT + RIM))
 """The view box and its rim, as half planes a x + b y + c ≥ 0."""
-TAKEN_Y = {"start": 255.0, "end": 232.0}
-"""Baselines, at the left and the right end, of the numbers below the x axis and of its name."""
-LABEL_HEIGHT = 12.0
-"""Line height of a small label, in view box units."""
-LABEL_WIDTH = 60.0
-"""Size of a small label with its distance from a line."""
+SHORTEST = 160.0
+"""Length of a line in the view, in its units, from which it is drawn and named."""
+LABEL_FROM_END, LABEL_HALF = 50.0, 34.0
+"""Distance of a line's label from the line's end, and half the label's width with a margin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,27 +117,18 @@ def lines_at_infinity(H: Floats) -> str:
 def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
     """A line a x + b y + c = 0 of the plane, clipped to the view.
 
-    Its label is at its left end (``start``) or its right end, on the other side if it would extend
-    out of the view.
+    Its label interrupts it near its left end (``start``) or its right end.
     """
     ends = line_in_rectangle(line, *CORNERS)
     if not len(ends):
         return ""
-    left, right = ends = to_view(ends)
-    if np.hypot(*(right - left)) < 160.0:
+    left, right = to_view(ends)
+    length = float(np.hypot(*(right - left)))
+    if length < SHORTEST:
         return ""
-    at_start = anchor == "start"
-    x, y = left if at_start else right
-    below = (right[1] < left[1]) == at_start
-    y = min(max(y + (15.0 if below else -7.0), 16.0), HEIGHT - 8.0)
-    if abs(y - TAKEN_Y[anchor]) < LABEL_HEIGHT:
-        y = TAKEN_Y[anchor] + (LABEL_HEIGHT if below else -LABEL_HEIGHT)
-    beside = clip_half_plane(ends, (0.0, -1.0, y) if below else (0.0, 1.0, -y), closed=False)
-    if len(beside):  # of the line, as far as the label's row
-        x = beside[:, 0].min() if at_start else beside[:, 0].max()
-    if x > WIDTH - LABEL_WIDTH if at_start else x < LABEL_WIDTH:
-        anchor = "end" if at_start else "start"
-    x = max(x + 5.0, 7.0) if anchor == "start" else min(x - 5.0, WIDTH - 7.0)
+    share = LABEL_FROM_END / length
+    x, y = left + (share if anchor == "start" else 1.0 - share) * (right - left)
+    place = (min(max(x, LABEL_HALF), WIDTH - LABEL_HALF), min(max(y + 4.0, 16.0), HEIGHT - 8.0))
     return drawing.line(left, right, f"{role} dashed") + drawing.text(
-        (x, y), label, f"{role} small ground", anchor
+        place, label, f"{role} small ground", "middle"
     )

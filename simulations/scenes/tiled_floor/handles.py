@@ -123,9 +123,9 @@ def _principal_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("level", "picture", "Horizon", ("pitch",), _level, _level_pulled, role="camera"),
     Handle("box", "picture", "Box", ("box_x", "box_y"), _foot, _foot_pulled, role="world"),
     Handle("top", "picture", "Top of the box", ("box_height",), _top, _top_pulled, role="world"),
-    Handle("level", "picture", "Horizon", ("pitch",), _level, _level_pulled, role="camera"),
     Handle(
         "first",
         "picture",
