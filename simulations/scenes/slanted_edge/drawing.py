@@ -69,7 +69,7 @@ def light_across(reading: EdgeReading, row: Floats, angle_deg: float) -> str:
             legend(
                 (ACROSS.x.start, 282),
                 (
-                    Entry("all pixels", "image bold"),
+                    Entry("all pixels", "image", "dot"),
                     Entry("one row", "camera", "dot"),
                     Entry("slope, per px", "light"),
                 ),

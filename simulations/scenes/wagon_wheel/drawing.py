@@ -96,6 +96,8 @@ def _dial() -> Iterator[str]:
         for x, y in whole
     ]
     yield path(ticks, "muted thin")
+    x, y = arc[0]
+    yield text((x - 16, y + 24), "speed", "world small", "middle")
 
 
 def _arrow(speed: float, style: str) -> str:
