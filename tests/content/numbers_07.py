@@ -4,20 +4,23 @@ from math import pi, radians, tan
 
 import numpy as np
 from numbers_10_measured import error
+from support.frames import outputs_of
 from support.worked_numbers import Says, source
 
 from simulations.ladders import resampling
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import box_mtf
 from simulations.models.sampling.fine_detail import without_fine_detail
 from simulations.models.sampling.resampling import KERNELS
-from simulations.models.sampling.slanted_edge import edge_picture, read_edge
+from simulations.models.sampling.slanted_edge import read_edge
+from simulations.models.sampling.slanted_edge_picture import edge_picture
 from simulations.models.sensor.resolution import first_fall, pixel_transfer
 from simulations.pictures import round_windows, spoked_wheel
+from simulations.scenes.slanted_edge.scene import SCENE as SLANTED_EDGE
+from simulations.scenes.slanted_edge.stages import Sharpness
 from simulations.scenes.wagon_wheel import film
 
 CHAPTER = "07-sampling-and-aliasing"
@@ -76,20 +79,52 @@ def what_a_slant_is_good_for() -> Says:
     yield f"after $1/{step:.3f} = {1 / step:.1f}$ rows"
     assert round(1 / step) == 11
     yield "Eleven rows meet the edge at eleven different places"
+    yield "is ¼, nearly: every fourth row"
     assert np.isclose(tan(radians(14)), 0.25, atol=0.001)
-    yield "The tangent of 14° is ¼, nearly: every fourth row"
-    measured, true = (_edge_mtf50(encode=False), _mtf50_at_f_8(4))
-    assert round(100 * (measured / true - 1)) == 1
-    yield "one per cent more than the"
-    yield f"would give an MTF50 of {_edge_mtf50(encode=True):.0f} cycles/mm"
 
 
-def _edge_mtf50(*, encode: bool) -> float:
-    """Of a slant of 5° at f/8 on pixels of 4 µm, from black to white."""
-    edge = edge_picture(45, 60, radians(5), lambda f: lens_transfer(250 * f, 0.55, 8))
-    reading = read_edge(encode_srgb(np.clip(edge, 0, 1)) if encode else edge)
-    frequency = np.linspace(0, 1, 501)
-    return 250 * first_fall(frequency, reading.transfer(frequency), 0.5)
+def _sharpness(**given: object) -> Sharpness:
+    found: Sharpness = outputs_of(SLANTED_EDGE, **given)["sharpness"]
+    return found
+
+
+def the_error_of_one_edge() -> Says:
+    found = _sharpness()
+    assert found.reading is not None
+    rows = found.reading.pixels.line.rows.size
+    yield f"The rectangle of the figure holds {rows} rows, and the noise is 1 % of the step"
+    half = found.half.frequency
+    contrast, errors = found.reading.transfer(half * np.array([0.8, 1.0, 1.2]))
+    fall = float(contrast[0] - contrast[2]) / (0.4 * half)
+    error = float(errors[1]) / fall
+    yield f"falls to one half at {half:.3f} cycles per pixel, where its standard error is "
+    yield f"its standard error is {errors[1]:.4f}. From 0.8 to 1.2 times that frequency"
+    yield f"it falls from {contrast[0]:.3f} to {contrast[2]:.3f}, by {fall:.2f} per cycle per pixel"
+    yield f"is ${errors[1]:.4f} / {fall:.2f} = {error:.4f}$ cycles per pixel"
+    yield f"{250 * error:.1f} cycles per millimetre: an error of {100 * error / half:.1f} %"
+    assert np.isclose(error, found.half.error, rtol=0.02)
+
+
+def light_beyond_the_rectangle() -> Says:
+    edge = edge_picture(48, 64, radians(5), lambda f: lens_transfer(250 * f, 0.55, 8))
+    beyond = 250 * read_edge(edge).half_contrast().frequency / _mtf50_at_f_8(4) - 1
+    yield f"the MTF comes out too high: here by {100 * beyond:.1f} %"
+    wider = edge_picture(48, 128, radians(5), lambda f: lens_transfer(250 * f, 0.55, 8))
+    assert read_edge(wider).half_contrast().frequency < read_edge(edge).half_contrast().frequency
+
+
+def codes_taken_as_light_make_the_edge_wider() -> Says:
+    yield "and the edge seems wider"
+    wrong, right = (_sharpness(response=name).reading for name in ("linear", "srgb"))
+    assert wrong is not None
+    assert right is not None
+    assert wrong.rise > right.rise
+
+
+def four_times_the_rows_halve_the_error() -> Says:
+    yield "half the error takes four times the rows"
+    low, high = (_sharpness(noise=3, height=rows).half.error for rows in (15, 60))
+    assert 0.45 < high / low < 0.65
 
 
 def random_instants_err_more_than_even_ones() -> Says:

@@ -1,137 +1,204 @@
 """The MTF of a camera, measured with one picture of a slanted edge.
 
-Rows of pixels meet a slanted edge at places that differ by parts of a pixel. Sorted by their
+Rows of pixels meet a slanted edge at places that differ by parts of a pixel. Ordered by their
 distance from the edge, the pixels of all rows sample the edge far more finely than one row does:
 the edge spread function, ESF. Its slope is the line spread function, LSF, and the size of that
 one's Fourier transform is the MTF. P. D. Burns, *Slanted-edge MTF for digital camera and scanner
 analysis*, 2000; ISO 12233. Lengths are in pixels, frequencies in cycles per pixel.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, Mask
 from simulations.models.pixel_grid import centred
 from simulations.models.require import require
+from simulations.models.sampling.slanted_edge_curve import EdgeCurve, fit_curve
+from simulations.models.sampling.slanted_edge_line import (
+    FAINT,
+    LEAST_STEP,
+    MARGIN,
+    TOO_SHORT,
+    EdgeLine,
+    UnfitEdgeError,
+    as_shares,
+    find_line,
+    quantile_of,
+)
+from simulations.models.sensor.resolution import first_fall
 
-BINS = 4
-"""Bins per pixel, across the edge."""
-STRIPE, FINENESS = 512, 64
-"""The true edge is one of many stripes this wide, so that its spectrum is a sum; and how many of
-its values are computed per pixel."""
+REACH = 64.0
+"""Pixels at most so far from the edge take part."""
+NEAR, WIDEST_GAP = 2.0, 0.5
+"""The pixels so near to the edge must not leave wider gaps between their distances than this."""
+UNEVEN = 0.1
+"""How much of the step the light may change in the outer halves of the reach."""
+SECOND_PEAK, VALLEY = 0.4, 0.25
+"""A second edge has a slope of so much of the first's, and between them the slope falls to so much
+of its own ..."""
+CERTAIN = 5.0
+"""... if it is so many standard errors."""
+HALO = 0.05
+"""How much an edge may overshoot, of its step, and how far an MTF may exceed 1, unsharpened."""
+FREQUENCIES = np.linspace(0.0, 1.0, 51)
+"""Cycles per pixel at which MTF50 is looked for, up to twice the Nyquist frequency."""
+
+REPEATED = (
+    "The rows meet the edge at too few different places: slant the edge by about 5°, or choose a "
+    "longer piece."
+)
+UNEVEN_LIGHT = (
+    "The light still changes away from the edge: choose a rectangle that holds one edge between "
+    "two even areas."
+)
+TWO_EDGES = "There are two edges side by side: choose a rectangle that holds one."
+
+
+@dataclass(frozen=True, slots=True)
+class EdgePixels:
+    """The pixels of a picture of an edge, by their distances from it."""
+
+    line: EdgeLine
+    reach: float
+    """How far the picture extends on either side of the edge: whole pixels, `REACH` at most."""
+    distance: Floats
+    """(N,) distance of each pixel within reach; positive on the lighter side."""
+    value: Floats
+    """(N,) value of each pixel; 0 and 1 are the mean dark and light, away from the edge."""
+
+    def row(self, number: int) -> tuple[Floats, Floats]:
+        """Distances (W',) and values (W',) of the pixels of one row within reach."""
+        distance = self.line.distances()
+        within = np.abs(distance) < self.reach
+        first = int(within[:number].sum())
+        last = first + int(within[number].sum())
+        return self.distance[first:last], self.value[first:last]
+
+    @property
+    def widest_gap(self) -> float:
+        """Largest difference of successive distances near the edge."""
+        near = np.sort(self.distance[np.abs(self.distance) < NEAR])
+        return float(np.max(np.diff(near), initial=0.0)) if near.size > 1 else np.inf
+
+
+@dataclass(frozen=True, slots=True)
+class HalfContrast:
+    """MTF50: the frequency at which half of the contrast is left."""
+
+    frequency: float
+    """Infinite if the curve stays above one half."""
+    error: float
+    """Its standard error."""
 
 
 @dataclass(frozen=True, slots=True)
 class EdgeReading:
     """The measurements of one picture of an edge."""
 
-    distance: Floats
-    """(N,) distance of each pixel from the edge, along its normal; positive on the lighter side."""
-    value: Floats
-    """(N,) value of each pixel, with 0 and 1 for the darkest and the lightest."""
-    place: Floats
-    """(B,) middles of the bins."""
-    spread: Floats
-    """(B,) ESF: the mean of each bin; NaN for a bin without pixels."""
-    between: Floats
-    """(B − 1,) places of the LSF, half-way from bin to bin."""
-    slope: Floats
-    """(B − 1,) LSF, per pixel."""
+    pixels: EdgePixels
+    curve: EdgeCurve
+
+    def transfer(self, frequency: ArrayLike) -> tuple[Floats, Floats]:
+        """MTF (F,) at frequencies (F,) and its standard error (F,): see `EdgeCurve.transfer`."""
+        return self.curve.transfer(frequency)
+
+    def half_contrast(self) -> HalfContrast:
+        """MTF50; its error is that of the contrast there, by how steeply the contrast falls."""
+        contrast, _ = self.transfer(FREQUENCIES)
+        roughly = first_fall(FREQUENCIES, contrast, 0.5)
+        if not np.isfinite(roughly):
+            return HalfContrast(np.inf, np.inf)
+        beside = roughly * np.linspace(0.8, 1.2, 17)
+        contrast, error = self.transfer(beside)
+        half = first_fall(beside, contrast, 0.5) if contrast[0] > 0.5 else roughly
+        fall = float(contrast[0] - contrast[-1]) / float(beside[-1] - beside[0])
+        uncertain = float(np.interp(half, beside, error))
+        return HalfContrast(half, uncertain / fall if fall > 0 else np.inf)
 
     @property
-    def complete(self) -> bool:
-        """Whether each bin has pixels. If not, the rows repeat each other."""
-        return bool(np.isfinite(self.spread).all())
+    def rise(self) -> float:
+        """Width over which the light rises from a tenth to nine tenths of the step."""
+        place = self.pixels.reach * np.linspace(-1.0, 1.0, 1025)
+        spread = self.curve.spread(place)
+        return float(place[np.argmax(spread > 0.9)] - place[np.argmax(spread > 0.1)])
 
-    def transfer(self, frequency: ArrayLike) -> Floats:
-        """MTF (F,) at frequencies (F,) below `BINS`; NaN where the reading is not `complete`.
+    @property
+    def overshoot(self) -> float:
+        """How far the curve leaves the range from dark to light, as a share of it."""
+        return float(np.max(self._beyond()[0], initial=0.0))
 
-        Corrected for the loss of fine waves by the means over bins and the differences of bins.
-        """
-        cycles = np.asarray(frequency, float)
-        require("frequency", cycles, np.all(np.abs(cycles) < BINS), f"below {BINS} in size")
-        if not self.complete:
-            return np.full(cycles.shape, np.nan)
-        waves = np.exp(-2j * np.pi * cycles[..., None] * self.between)
-        size: Floats = np.abs(waves @ self.slope / np.sum(self.slope))
-        return size / np.square(np.sinc(cycles / BINS))
+    @property
+    def sharpened(self) -> bool:
+        """Whether software has sharpened the picture: a lens makes no halos and no MTF above 1."""
+        beyond, beyond_error = self._beyond()
+        contrast, error = self.transfer(FREQUENCIES)
+        halo = np.any(beyond > HALO + 2.0 * beyond_error)
+        return bool(halo or np.any(contrast > 1.0 + HALO + 2.0 * error))
+
+    def _beyond(self) -> tuple[Floats, Floats]:
+        """How far the curve is below dark or above light, near the edge, and the standard error."""
+        place = self.pixels.reach * np.linspace(-0.5, 0.5, 257)
+        spread = self.curve.spread(place)
+        return np.maximum(spread - 1.0, -spread), self.curve.spread_error(place)
 
 
-def read_edge(picture: ArrayLike, reach: float = 20.0) -> EdgeReading:
-    """Measure an upright edge (H, W), less than 45° from its columns, dark on its left.
+def locate_edge(picture: ArrayLike) -> EdgePixels:
+    """The pixels (H, W) of an edge that runs from end to end, in any direction, by their distances.
 
-    Values must be proportional to the light. Pixels within ``reach`` of the edge take part. Raises
-    `ValueError` if a row is not lighter at its last pixel than at its first.
+    Values must be proportional to the light. Raises `UnfitEdgeError` if there is no such edge.
     """
     values = np.asarray(picture, float)
-    if values.ndim != 2 or min(values.shape) < 2:
-        raise ValueError(f"picture of shape {values.shape}; legal: (H, W), 2 x 2 or more")
+    require("picture", values.shape, values.ndim == 2, "(H, W)")
     require("picture", values, bool(np.isfinite(values).all()), "finite")
-    dark, light = values.min(), values.max()
-    row = centred(values.shape[0])
-    crossing = _crossings(values, 0.5 * (dark + light))
-    along, middle = np.polyfit(row, crossing, 1)
-    column = centred(values.shape[1])
-    distance = (column - middle - along * row[:, None]) / np.hypot(1.0, along)
+    line = find_line(values)
+    distance, light = line.distances(), line.picture[line.rows]
+    sides = -quantile_of(distance[:, 0]), quantile_of(distance[:, -1])
+    reach = min(REACH, float(np.floor(min(sides))))
+    if reach < MARGIN:
+        raise UnfitEdgeError(TOO_SHORT)
+    dark, bright = (_row_means(light, side * distance > 0.5 * reach) for side in (-1, 1))
+    share = as_shares(light, dark, bright, centred(line.picture.shape[0])[line.rows])
     near = np.abs(distance) < reach
-    bins = np.arange(-round(BINS * reach), round(BINS * reach))
-    index = np.floor(BINS * distance[near]).astype(int) - bins[0]
-    level = (values[near] - dark) / (light - dark)
-    count = np.bincount(index, minlength=bins.size)
-    total = np.bincount(index, level, minlength=bins.size)
-    spread = np.where(count > 0, total / np.maximum(count, 1), np.nan)
-    place = (bins + 0.5) / BINS
-    return EdgeReading(
-        distance[near], level, place, spread, 0.5 * (place[1:] + place[:-1]), BINS * np.diff(spread)
-    )
+    return EdgePixels(line, reach, distance[near], share[near])
 
 
-def _crossings(values: Floats, level: float) -> Floats:
-    """(H,) where each row first reaches the level, in columns from the middle of the picture."""
-    if np.any(values[:, 0] >= level) or np.any(values[:, -1] < level):
-        raise ValueError("rows that do not cross from dark to light; legal: dark on the left")
-    after = np.argmax(values >= level, axis=1)
-    rows = np.arange(len(values))
-    left, right = values[rows, after - 1], values[rows, after]
-    return after - (right - level) / (right - left) - 0.5 * (values.shape[1] - 1)
+def _row_means(values: Floats, chosen: Mask) -> Floats:
+    """(N,) of the chosen pixels of each row (N, W); a row without any has the mean of all."""
+    count = chosen.sum(axis=1)
+    total = np.sum(values * chosen, axis=1)
+    return np.where(count > 0, total / np.maximum(count, 1), total.sum() / max(count.sum(), 1))
 
 
-def edge_picture(
-    height: int, width: int, angle_rad: float, lens: Callable[[Floats], Floats]
-) -> Floats:
-    """(H, W) picture of an edge through the middle, slanted to the right.
-
-    ``lens`` is the lens's factor at frequencies (F,); frequencies beyond `FINENESS` / 2 are
-    ignored. Dark is 0 and light 1. A pixel's mean over its square is a factor too
-    (`edge_transfer`), so each value follows from its distance alone. Raises `ValueError` for more
-    than 45° either way.
-    """
-    require("angle_rad", angle_rad, abs(angle_rad) <= np.pi / 4, "at most π/4 in size")
-    x, y = centred(width), centred(height)[:, None]
-    distance = np.cos(angle_rad) * x + np.sin(angle_rad) * y
-    frequency, edge = _edge_waves()
-    left = edge * lens(frequency) * edge_transfer(frequency, angle_rad)
-    rise = np.fft.irfft(left)[: STRIPE * FINENESS // 2]
-    beyond = np.interp(np.abs(distance), np.arange(rise.size) / FINENESS, rise)
-    return 0.5 + np.copysign(beyond, distance)
+def read_edge(picture: ArrayLike) -> EdgeReading:
+    """Measure an edge: `measure(locate_edge(picture))`."""
+    return measure(locate_edge(picture))
 
 
-def edge_transfer(frequency: ArrayLike, angle_rad: float) -> Floats:
-    """Transfer factor (...) of a square pixel for waves across an edge at this angle."""
-    cycles = np.asarray(frequency, float)
-    factor: Floats = np.sinc(cycles * np.cos(angle_rad)) * np.sinc(cycles * np.sin(angle_rad))
-    return factor
+def measure(pixels: EdgePixels) -> EdgeReading:
+    """The curve through the pixels of an edge. Raises `UnfitEdgeError` if it would be no MTF's."""
+    if pixels.widest_gap > WIDEST_GAP:
+        raise UnfitEdgeError(REPEATED)
+    curve = fit_curve(pixels.distance, pixels.value, pixels.reach)
+    if _has_two_edges(curve):
+        raise UnfitEdgeError(TWO_EDGES)
+    outer = pixels.reach * np.linspace(0.5, 1.0, 65)
+    if max(np.ptp(curve.spread(outer)), np.ptp(curve.spread(-outer))) > UNEVEN:
+        raise UnfitEdgeError(UNEVEN_LIGHT)
+    if curve.noise * LEAST_STEP > 1.0:
+        raise UnfitEdgeError(FAINT)
+    return EdgeReading(pixels, curve)
 
 
-@lru_cache
-def _edge_waves() -> tuple[Floats, NDArray[np.complex128]]:
-    """Frequencies (F,) and coefficients (F,) of stripes of −½ and ½, by their Fourier series."""
-    count = 2 * STRIPE * FINENESS
-    order = np.arange(count // 2 + 1)
-    coefficients = np.zeros(order.size, complex)
-    coefficients[1::2] = -1j * count / (np.pi * order[1::2])
-    return order / (2 * STRIPE), coefficients
+def _has_two_edges(curve: EdgeCurve) -> bool:
+    """Whether the rises over two pixels have two high peaks with a valley between them."""
+    place = np.arange(-curve.reach + 1.0, curve.reach - 1.0, 0.25)
+    rise, error = curve.rise(place, 2.0)
+    first = int(np.argmax(rise))
+    for side in (slice(first, None), slice(first, None, -1)):
+        beside, valley = rise[side], np.minimum.accumulate(rise[side])
+        fallen = beside - valley > CERTAIN * error[side]
+        if np.any(fallen & (beside > SECOND_PEAK * rise[first]) & (valley < VALLEY * beside)):
+            return True
+    return False

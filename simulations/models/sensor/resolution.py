@@ -10,6 +10,21 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats
 from simulations.models.require import require, require_positive
 
+FULL_FRAME_DIAGONAL_MM = 43.267
+"""Of 36 mm × 24 mm, to which the equivalent focal length in EXIF refers."""
+
+
+def pixel_pitch_um(
+    focal_mm: float, equivalent_mm: float, width_px: float, height_px: float
+) -> float:
+    """Pixel pitch of a sensor, from its lens's focal length and that with the same angle of view on
+    36 mm × 24 mm, both as rounded by the maker of the camera."""
+    for name, value in (("focal_mm", focal_mm), ("equivalent_mm", equivalent_mm)):
+        require_positive(name, value)
+    diagonal_px = float(np.hypot(width_px, height_px))
+    require_positive("diagonal in px", diagonal_px)
+    return 1000.0 * FULL_FRAME_DIAGONAL_MM * focal_mm / equivalent_mm / diagonal_px
+
 
 def nyquist_per_mm(pitch_um: float) -> float:
     """Half a cycle per pixel: 1/(2p)."""

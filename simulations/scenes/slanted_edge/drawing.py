@@ -1,38 +1,42 @@
 """The three panels: the picture of the edge, the light across it, and the MTF."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from textwrap import wrap
 
 import numpy as np
 
 from simulations.engine.drawing import dot, line, path, rectangle, text
+from simulations.engine.handles import Point
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
-from simulations.models.sampling.slanted_edge import EdgeReading
-from simulations.scenes.slanted_edge.stages import COLUMNS, FREQUENCIES, ROWS
+from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgePixels, EdgeReading
+from simulations.models.sampling.slanted_edge_line import EdgeLine
+from simulations.scenes.slanted_edge.rectangle import HEIGHT, WIDTH, Box, centre_of, corner_of
+from simulations.scenes.slanted_edge.settings import Settings
+from simulations.scenes.slanted_edge.stages import Sharpness
 
-WIDTH, HEIGHT = 400.0, 300.0
-PER_PX = WIDTH / COLUMNS
-MIDDLE_ROW = ROWS // 2
-REACH = 4.0
-"""Pixels either side of the edge that the second panel shows."""
-ACROSS = Plot(Axis(-REACH, REACH, 34.0, 388.0), Axis(0.0, 1.05, 214.0, 40.0))
-WAVES = Plot(Axis(0.0, 1.0, 34.0, 388.0), Axis(0.0, 1.05, 214.0, 40.0))
+REACHES = (4.0, 8.0, 16.0, 32.0, 64.0)
+"""Pixels either side of the edge that the second panel may show ..."""
+RISES = 2.0
+"""... at least so many times the width over which the light rises from a tenth to nine tenths."""
 NYQUIST = 0.5
-LIGHT = Scale(ticks=(0, 1), grid=(0.5, 1), tick_style="muted small")
-CONTRAST = Scale(ticks=(0, 0.5, 1), grid=(0.5, 1), tick_style="muted small")
-HANDLE_ROW = 40.0
+CONTRAST = (0, 0.5, 1)
+HANDLE_ROW = 20.0
 """Height of the edge's handle."""
-SPECK = 1.4
-"""Length of the stroke for a pixel."""
+SPECK, MOST_SPECKS = 1.4, 1500
+"""Length of the stroke for a pixel, and how many are drawn."""
+EDGE = "world dashed"
+WORDS = 44
+"""Letters in a line of a refusal."""
 
 
 def edge_at(angle_deg: float, row: float) -> tuple[float, float]:
-    """The point of the edge at a height of the panel."""
+    """The point of the simulated edge at a height of the panel."""
     return WIDTH / 2 + (HEIGHT / 2 - row) * math.tan(math.radians(angle_deg)), row
 
 
@@ -41,75 +45,147 @@ def angle_of(across: float) -> float:
     return math.degrees(math.atan2(across - WIDTH / 2, HEIGHT / 2 - HANDLE_ROW))
 
 
-def over_picture(angle_deg: float) -> str:
-    """The edge, its handle, and the row whose pixels are set off."""
-    end, foot = edge_at(angle_deg, 0.0), edge_at(angle_deg, HEIGHT)
-    corner = (0.0, MIDDLE_ROW * PER_PX)
-    return "".join(
-        (
-            line(foot, end, "casing"),
-            line(foot, end, "world dashed"),
-            rectangle(corner, WIDTH, PER_PX, "casing"),
-            rectangle(corner, WIDTH, PER_PX, "camera"),
-            dot(edge_at(angle_deg, HANDLE_ROW), "world", 5),
-        )
+def over_picture(
+    settings: Settings, box: Box, pixels: EdgePixels | str, simulated: bool, refused: bool
+) -> str:
+    """The edge, the rectangle, the row whose pixels are set off, and the handles."""
+    (left, top), (right, bottom) = centre_of(settings), corner_of(settings)
+    left, top = 2 * left - right, 2 * top - bottom
+    frame = ((left, top), right - left, bottom - top)
+    found = pixels.line if isinstance(pixels, EdgePixels) else None
+    parts: list[str] = []
+    if simulated:
+        parts += _both((edge_at(settings.angle, HEIGHT), edge_at(settings.angle, 0.0)), EDGE)
+    elif found:
+        parts += _both(_ends(found, box), EDGE)
+    parts += [
+        rectangle(*frame, "casing"),
+        rectangle(*frame, "error" if refused else "image"),
+        *(_both(_row(found, box), "camera") if found else ()),
+        dot(centre_of(settings), "image", 4),
+        dot(corner_of(settings), "image", 5),
+    ]
+    if simulated:
+        parts.append(dot(edge_at(settings.angle, HANDLE_ROW), "world", 5))
+    return "".join(parts)
+
+
+def _both(ends: Sequence[Point], style: str) -> Iterator[str]:
+    yield line(ends[0], ends[1], "casing")
+    yield line(ends[0], ends[1], style)
+
+
+def _ends(edge: EdgeLine, box: Box) -> Sequence[Point]:
+    """The ends of the edge that was found, in the panel."""
+    y = centred(edge.picture.shape[0])[edge.rows[[0, -1]]]
+    return [_in_panel(edge, box, x, y) for x, y in zip(edge.column(y), y, strict=True)]
+
+
+def _row(edge: EdgeLine, box: Box) -> Sequence[Point]:
+    """The ends of the row, or column, in the middle."""
+    end = 0.5 * edge.picture.shape[1]
+    y = float(centred(edge.picture.shape[0])[middle_row(edge)])
+    return [_in_panel(edge, box, x, y) for x in (-end, end)]
+
+
+def middle_row(edge: EdgeLine) -> int:
+    """Index of the row that is set off."""
+    return int(edge.rows[len(edge.rows) // 2])
+
+
+def _in_panel(edge: EdgeLine, box: Box, x: float, y: float) -> Point:
+    """A place from the middle of the picture as it was turned, in the panel."""
+    across = -x if edge.mirrored else x
+    column, row = (y, across) if edge.turned else (across, y)
+    width, height = box.right - box.left, box.bottom - box.top
+    return box.at(0.5 * width + column, 0.5 * height + row)
+
+
+def light_across(pixels: EdgePixels | str, reading: EdgeReading | None) -> str:
+    """Each pixel by its distance from the edge; those of one row; the slope of their curve."""
+    reach = REACHES[0] if reading is None else _reach(reading)
+    plot = Plot(Axis(-reach, reach, 34.0, 388.0), Axis(-0.15, 1.15, 222.0, 40.0))
+    light = Scale(ticks=(0, 1), grid=(0, 1), tick_style="muted small")
+    across = Scale("distance from the edge", "px", (-reach, 0, reach), style="small")
+    parts = [plot.frame(across, light)]
+    if reading is not None:
+        place = np.linspace(-1.0, 1.0, 161) * min(reach, reading.pixels.reach - 0.1)
+        parts.append(plot.curve(place, reading.curve.slope(place), "light"))
+        parts.append(plot.curve(place, reading.curve.spread(place), "image thin"))
+    if isinstance(pixels, EdgePixels):
+        parts.append(_specks(plot, pixels.distance, pixels.value))
+        parts += _dots_of_row(plot, pixels)
+    entries = (
+        Entry("all pixels", "image", "dot"),
+        Entry("one row", "camera", "dot"),
+        Entry("slope, per px", "light"),
     )
+    parts.append(legend((plot.x.start, 288), entries, "small", plot.x.end - plot.x.start))
+    return "".join(parts)
 
 
-def light_across(reading: EdgeReading, row: Floats, angle_deg: float) -> str:
-    """Each pixel by its distance from the edge; those of one row; the slope of their means."""
-    own = centred(COLUMNS) * math.cos(math.radians(angle_deg))
-    near = np.abs(own) < REACH
-    return "".join(
-        (
-            ACROSS.frame(Scale("distance from the edge", "px", (-4, 0, 4), style="small"), LIGHT),
-            ACROSS.curve(reading.between, reading.slope, "light"),
-            _specks(reading),
-            *(ACROSS.mark(x, y, "camera", 3.5) for x, y in zip(own[near], row[near], strict=True)),
-            legend(
-                (ACROSS.x.start, 282),
-                (
-                    Entry("all pixels", "image", "dot"),
-                    Entry("one row", "camera", "dot"),
-                    Entry("slope, per px", "light"),
-                ),
-                "small",
-                ACROSS.x.end - ACROSS.x.start,
-            ),
-        )
-    )
+def _reach(reading: EdgeReading) -> float:
+    wanted = RISES * reading.rise
+    return next((reach for reach in REACHES if reach >= wanted), REACHES[-1])
 
 
-def _specks(reading: EdgeReading) -> str:
-    near = np.abs(reading.distance) < REACH
-    x = ACROSS.x.position(reading.distance[near]).tolist()
-    y = ACROSS.y.position(reading.value[near]).tolist()
+def _specks(plot: Plot, distance: Floats, value: Floats) -> str:
+    near = np.flatnonzero(np.abs(distance) < plot.x.high)
+    near = near[:: max(1, math.ceil(near.size / MOST_SPECKS))]
+    x = plot.x.position(distance[near]).tolist()
+    y = plot.y.position(np.clip(value[near], plot.y.low, plot.y.high)).tolist()
     half = SPECK / 2
     return path([[(u - half, v), (u + half, v)] for u, v in zip(x, y, strict=True)], "image bold")
 
 
-def waves_left(measured: Floats, true: Floats) -> str:
-    """The MTF by the formulae, and as measured from the picture."""
-    return "".join(
-        (
-            WAVES.region(x=(NYQUIST, 1.0)),
-            WAVES.frame(Scale("frequency", "cycles per px", (0.5, 1), style="small"), CONTRAST),
-            WAVES.upright(NYQUIST, "camera thin dashed"),
-            text((WAVES.x.place(NYQUIST), 28), "Nyquist", "camera small ground", "middle"),
-            WAVES.curve(FREQUENCIES, true, "ray bold"),
-            *_dots(measured),
-            legend(
-                (WAVES.x.start, 282),
-                (Entry("lens × pixel", "ray bold"), Entry("from the edge", "image", "dot")),
-                "small",
+def _dots_of_row(plot: Plot, pixels: EdgePixels) -> Iterator[str]:
+    distance, value = pixels.row(len(pixels.line.rows) // 2)
+    near = np.abs(distance) < plot.x.high
+    for x, y in zip(distance[near].tolist(), value[near].tolist(), strict=True):
+        yield plot.mark(x, y, "camera", 3.5)
+
+
+def waves_left(sharpness: Sharpness, true: Floats) -> str:
+    """The MTF as measured from the picture, and by the formulae if they are known."""
+    known = not np.isnan(true).any()
+    most = 1.05 if sharpness.refusal else max(1.05, float(sharpness.contrast.max()) + 0.05)
+    plot = Plot(Axis(0.0, 1.0, 34.0, 388.0), Axis(0.0, most, 222.0, 40.0))
+    contrast = Scale(ticks=CONTRAST, grid=(0.5, 1), tick_style="muted small")
+    parts = [
+        plot.region(x=(NYQUIST, 1.0)),
+        plot.frame(Scale("frequency", "cycles per px", (0.5, 1), style="small"), contrast),
+        plot.upright(NYQUIST, "camera thin dashed"),
+        text((plot.x.place(NYQUIST), 28), "Nyquist", "camera small ground", "middle"),
+        plot.curve(FREQUENCIES, true, "ray bold") if known else "",
+        *(_refusal(sharpness.refusal) if sharpness.refusal else _measured(plot, sharpness)),
+        legend(
+            (plot.x.start, 288),
+            (
+                Entry("lens × pixel", "ray bold", shown=known),
+                Entry("from the edge ± 2 errors", "image", "dot"),
             ),
-        )
-    )
+            "small",
+        ),
+    ]
+    return "".join(parts)
 
 
-def _dots(measured: Floats) -> Iterator[str]:
-    if np.isnan(measured).any():
-        yield text(WAVES.at(0.98, 0.75), "too few different distances", "error ground", "end")
-        return
-    for f, left in zip(FREQUENCIES[::4].tolist(), measured[::4].tolist(), strict=True):
-        yield WAVES.mark(f, left, "image", 2.5)
+def _measured(plot: Plot, sharpness: Sharpness) -> Iterator[str]:
+    """The contrast with twice its standard error, and MTF50."""
+    every = slice(0, None, 4)
+    contrast, error = sharpness.contrast[every], 2.0 * sharpness.error[every]
+    bars = zip(FREQUENCIES[every].tolist(), contrast.tolist(), error.tolist(), strict=True)
+    strokes = [[plot.clamped(f, c - e), plot.clamped(f, c + e)] for f, c, e in bars]
+    yield path(strokes, "image")
+    for f, left in zip(FREQUENCIES[every].tolist(), contrast.tolist(), strict=True):
+        yield plot.mark(f, left, "image", 2.5)
+    if np.isfinite(sharpness.half.frequency):
+        yield plot.drop(sharpness.half.frequency, 0.5, "image thin dashed", "xy")
+
+
+def _refusal(sentence: str) -> Iterator[str]:
+    """The sentence in lines, in the middle of the panel."""
+    lines = wrap(sentence, WORDS)
+    for number, words in enumerate(lines):
+        down = 135.0 + 20.0 * (number - 0.5 * (len(lines) - 1))
+        yield text((211.0, down), words, "error ground", "middle")

@@ -16,13 +16,14 @@ from simulations.models.sampling.resampling import (
     resize,
     sample,
 )
-from simulations.models.sampling.slanted_edge import edge_picture, read_edge
+from simulations.models.sampling.slanted_edge import read_edge
+from simulations.models.sampling.slanted_edge_picture import edge_picture
 
 NAN, INF = np.nan, np.inf
 PICTURE = np.ones((4, 5))
 TABLE = gather_table([0, 0], (4, 5))
 CUBIC = gather_table([0, 0], (4, 5), "bicubic", np.float32)
-EDGE = np.tile(np.linspace(0, 1, 60), (45, 1))
+EDGE = edge_picture(45, 60, 0.1, np.ones_like)
 BOX = prefilters.prefilter("box")
 NO_SIZE = [0.0, -1.0, INF, NAN]
 NO_CENTRE = [[0.5, 0.5], [[1.0]], []]
@@ -31,7 +32,6 @@ NO_IMAGE = [np.ones(shape) for shape in ((2, 2, 3, 1), (4,), (0, 3))]
 OTHER_SIZES = [np.ones(shape) for shape in ((4, 6), (5, 5), (4,), (4, 5, 3, 1))]
 NO_DETAIL = [(np.full((8, 8), NAN), np.eye(8))]
 UNEQUAL = [(np.zeros((4, 4)), np.zeros((4, 5))), (np.zeros(4), np.zeros(4))]
-NO_EDGE = [np.zeros((4, 8)), np.tile(np.linspace(1, 0, 8), (4, 1))]
 
 
 def kept(factor: int, shape: Any = (8, 9), kernel: Any = (1.0,)) -> Any:
@@ -81,9 +81,8 @@ def kept(factor: int, shape: Any = (8, 9), kernel: Any = (1.0,)) -> Any:
     ("a divisor", kept, [0, 2]),
     ("a divisor", lambda shape: kept(2, shape), [(9, 8), (8,)]),
     ("legal: one axis of odd length", lambda kernel: kept(1, (4, 4), kernel), NO_CENTRE),
-    ("shape", read_edge, [np.zeros((1, 8))]),
-    ("finite", read_edge, [np.full((4, 8), NAN)]),
-    ("dark to light", read_edge, NO_EDGE),
+    ("picture .*legal: .H, W", read_edge, [np.zeros(8), np.zeros((20, 20, 3))]),
+    ("finite", read_edge, [np.full((20, 20), NAN)]),
     ("angle_rad", lambda angle: edge_picture(4, 4, angle, np.ones_like), [1.0]),
     ("frequency", lambda f: read_edge(EDGE).transfer([f]), [4.0]),
 )
