@@ -108,3 +108,9 @@ def test_the_tile_of_the_sensor_shows_the_paint_as_bright_and_smaller_from_farth
     covered = float(((light - wall) / (journey.relative_light - wall)).sum())
     area = math.pi * (800 * 0.02 / distance) ** 2
     assert covered == pytest.approx(min(area, CELLS**2), rel=0.1)
+
+
+def test_a_short_pull_of_the_light_already_reaches_the_pose() -> None:
+    (x, y), _ = place(route(4.0), 0.0)
+    (pulled,) = SCENE.pull(SCENE.check({}), "marker", (x + 24, y + 10)).values()
+    assert float(pulled) >= 1.0

@@ -54,3 +54,14 @@ def test_a_level_horizon_is_drawn_level(pull_x: float) -> None:
     )
     assert horizon
     assert horizon[1] == horizon[2]
+
+
+@pytest.mark.parametrize("amount", [24, 45, 90])
+def test_the_name_of_the_horizon_stands_on_its_line(amount: float) -> None:
+    drawn = lines_at_infinity(matrix(SCENE.check({"transform": "projective", "amount": amount})))
+    line = re.search(r'"image dashed" x1="(\S+)" y1="(\S+)" x2="(\S+)" y2="(\S+)"', drawn)
+    assert line
+    x1, y1, x2, y2 = map(float, line.groups())
+    (box,) = (name.box for name in labels(drawn, in_figures) if name.text == "horizon")
+    middle = (box.left + box.right) / 2.0
+    assert box.top < y1 + (y2 - y1) * (middle - x1) / (x2 - x1) < box.bottom

@@ -9,7 +9,9 @@ from support.frames import frame_of, pixels_of
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.pictures.balloon import balloon
+from simulations.scenes.pinhole.drawing import rim
 from simulations.scenes.pinhole.scene import SCENE
+from simulations.scenes.pinhole.settings import NARROWEST_MM, WIDEST_MM
 
 frame = partial(frame_of, SCENE)
 
@@ -47,3 +49,10 @@ def test_the_picture_is_the_scene_upside_down_with_left_and_right_exchanged() ->
     turned = scene[::-1, ::-1]
     assert np.corrcoef(seen.ravel(), turned.ravel())[0, 1] > 0.95
     assert np.corrcoef(seen.ravel(), scene.ravel())[0, 1] < 0.5
+
+
+@pytest.mark.parametrize("units", [-30.0, 30.0])
+def test_no_short_pull_runs_the_rim_to_its_stop(units: float) -> None:
+    x, y = rim(1.0)
+    pulled = SCENE.pull(SCENE.check({}), "rim", (x, y + units))
+    assert NARROWEST_MM < float(pulled["hole"]) < WIDEST_MM

@@ -151,7 +151,7 @@ def _rim(stop: float, rim: float) -> Iterator[str]:
         yield line(at(-stop - rim, side * RIM_MM), at(-stop - rim, side * TUBE_MM), style)
     x, y = rim_mark(stop, rim)
     yield dot((x, y), "camera")
-    yield text((x, y + 26), "rim", "camera ground", "middle")
+    yield text((x - 14, y + 4), "rim", "camera ground", "end")
 
 
 def _notes(stop: float, dispersive: bool) -> Iterator[str]:
