@@ -56,10 +56,16 @@ def _panels(settings: Settings, shown: Raster, codes: NDArray[np.integer]) -> tu
         Panel(
             "picture", "The picture before and after", width, height, shown, wipe + frame, lead=True
         ),
-        Panel("block", "The framed block, enlarged", width, height, close, grid, pixelated=True),
         Panel(
-            "codes", "The patterns it is made of", width, height, patterns, table, pixelated=True
+            "codes",
+            "The patterns the block is made of",
+            width,
+            height,
+            patterns,
+            table,
+            pixelated=True,
         ),
+        Panel("block", "The framed block, enlarged", width, height, close, grid, pixelated=True),
     )
 
 
