@@ -52,7 +52,7 @@ def test_each_line_of_the_ledger_follows_from_the_line_above_as_printed(exposure
         share, due = re.findall(r"[\d.]+", light)[1:]
         assert float(share) == pytest.approx(percent / 100 * 0.5, abs=5e-4)
         assert float(due) == pytest.approx(percent / 100 * 5000, abs=0.5)
-        counted, sign, read, raw = parts(r"\((\d+) ([+−]) ([\d.]+)\) .* = (\d+) DN", sensor)
+        counted, sign, read, raw = parts(r"\((\d+) ([+−]) ([\d.]+)\) .* = code (\d+)", sensor)
         electrons = float(counted) + float(sign.replace("−", "-") + read)
         assert min(max(round(electrons * 4095 / 10_000), 0), 4095) == int(raw)
         again, code = parts(r"255 · sRGB\((\d+) / 4095\) = (\d+)", file)

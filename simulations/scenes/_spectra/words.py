@@ -1,7 +1,6 @@
 """Names of a surface and its light, for descriptions."""
 
-from typing import Protocol
-
+from simulations.scenes._spectra.settings import LitSurface
 from simulations.scenes._spectra.spectra import daylight_temperature
 
 LIGHTS = {
@@ -13,20 +12,7 @@ LIGHTS = {
 SURFACES = {"cloth": "A dyed cloth", "sky": "A patch like blue sky", "white": "A white patch"}
 
 
-class Lit(Protocol):
-    """Settings of a figure with a surface in a light."""
-
-    @property
-    def light(self) -> str: ...
-    @property
-    def temperature(self) -> float: ...
-    @property
-    def surface(self) -> str: ...
-    @property
-    def band(self) -> float: ...
-
-
-def lit_surface(settings: Lit) -> str:
+def lit_surface(settings: LitSurface) -> str:
     """``A dyed cloth … in the light of daylight of 6500 K``."""
     kelvin = settings.temperature
     if settings.light == "daylight":

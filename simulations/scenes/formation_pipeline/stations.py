@@ -169,7 +169,7 @@ def _how_much(journey: Journey) -> tuple[Station, ...]:
         ),
         Station(
             "Sensor",
-            f"{electrons} · 4095 / 10 000 e⁻ = {journey.raw_dn} DN",
+            f"{electrons} · 4095 / 10 000 e⁻ = code {journey.raw_dn}",
             "Chance decides how many come, reading adds an error of its own, and the converter "
             "rounds the sum to a code",
             "error",

@@ -63,7 +63,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 role="camera",
             ),
             Readout("rank", "Independent axes", f"{rank} of 3"),
-            readout("smallest", "Turning in the weakest direction", smallest, digits=3),
+            readout("smallest", "Turn per degree, at worst", smallest, digits=3),
         ),
         description=describe(settings, smallest),
     )

@@ -10,17 +10,17 @@ from simulations.models.color.chromaticity import xyz_to_xyy
 from simulations.models.color.observer import tristimulus
 from simulations.scenes._spectra import axes, patches
 from simulations.scenes._spectra.choices import NAMES
+from simulations.scenes._spectra.settings import LitSurface
 from simulations.scenes._spectra.words import lit_surface
 from simulations.scenes.light_and_cloth import diagram, spectra
 from simulations.scenes.light_and_cloth.handles import HANDLES
-from simulations.scenes.light_and_cloth.settings import Settings
 from simulations.scenes.light_and_cloth.stages import STAGES, Seen, chart, outside
 
 VISIBLE = 2.0
 """Just noticeable ΔE."""
 
 
-def draw(settings: Settings, outputs: Outputs) -> Frame:
+def draw(settings: LitSurface, outputs: Outputs) -> Frame:
     """The spectra, the surfaces to the eye, and their chromaticities."""
     seen: Seen = outputs["seen"]
     chosen = NAMES.index(settings.surface)
@@ -61,7 +61,7 @@ def _readouts(seen: Seen, chosen: int) -> tuple[Readout, ...]:
     )
 
 
-def describe(settings: Settings, seen: Seen, chosen: int) -> str:
+def describe(settings: LitSurface, seen: Seen, chosen: int) -> str:
     """The picture in one sentence."""
     x, y = (format_number(float(each), 3) for each in xyz_to_xyy(seen.xyz[0, chosen])[:2])
     sentence = f"{lit_surface(settings)} has the chromaticity x = {x}, y = {y}"
@@ -79,7 +79,7 @@ def describe(settings: Settings, seen: Seen, chosen: int) -> str:
 SCENE = Scene(
     id="light-and-cloth",
     title="Light on a Cloth",
-    settings=Settings,
+    settings=LitSurface,
     draw=draw,
     formula=tristimulus,
     stages=STAGES,

@@ -55,7 +55,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 "off", "Euler path’s deviation", math.degrees(off_rad), "°", digits=1, role="error"
             ),
             readout(
-                "determinant", "Volume of the blended camera", float(np.linalg.det(blend)), digits=3
+                "determinant", "Camera’s volume, 1 if rigid", float(np.linalg.det(blend)), digits=3
             ),
         ),
         description=describe(settings, off_rad, blend),

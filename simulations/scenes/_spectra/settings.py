@@ -1,4 +1,4 @@
-"""The controls of the figure of a light on a cloth."""
+"""The controls that the two figures on spectra share."""
 
 from dataclasses import dataclass
 
@@ -15,8 +15,8 @@ from simulations.scenes._spectra.choices import (
 
 
 @dataclass(frozen=True, slots=True)
-class Settings:
-    """The settings of the figure."""
+class LitSurface:
+    """A light and the surface that it falls on."""
 
     light: str = choice("Light", LIGHTS)
     temperature: float = slider("Colour temperature", 2850, COOLEST_K, HOTTEST_K, STEP_K, unit="K")
