@@ -50,9 +50,9 @@ def metres_at(place: drawing.Point) -> Floats:
 def top_view_panel(view: View) -> Panel:
     overlay = "".join(
         (
+            house_plan(view),
             depth_axis(view),
             "" if view.full else reference_plane(),
-            house_plan(view),
             triangles(view) if view.full and view.visible else "",
             image_plane(view),
             ray(view),
