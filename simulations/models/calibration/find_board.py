@@ -40,6 +40,10 @@ BENT_PX, BENT = 0.4, 0.012
 TOLD = 20
 """Corners from which on a bent board is told from a lens."""
 
+OUTLYING, OUTLYING_PX = 5.0, 0.15
+"""A corner is dropped if it is so many times as far from a plane's as half of the corners are, and
+farther than this."""
+
 SMALL = "The squares are only {side:.0f} px wide; go closer to the board."
 SOFT = "The board is blurred over {blur:.0f} px; focus on it and hold the camera still."
 CURVED = "The board is not flat: corners are off by {off:.1f} px; fix it to something flat."
@@ -83,10 +87,11 @@ def find_board(picture: Picture) -> FoundBoard:
         raise NoBoardError(SOFT.format(blur=2.0 * refined.blur_px))
     if not refined.even:
         raise NoBoardError(NONE)
-    places, indices = numbered(refined.lattice)
-    columns, rows = (int(most) + 1 for most in indices.max(axis=0))
     height, width = picture.shape[:2]
-    uneven = _uneven_px(places, indices, np.array([width - 1.0, height - 1.0]) / 2.0)
+    middle = np.array([width - 1.0, height - 1.0]) / 2.0
+    places, indices = _without_outliers(*numbered(refined.lattice), middle)
+    columns, rows = (int(most) + 1 for most in indices.max(axis=0))
+    uneven = _uneven_px(places, indices, middle)
     if uneven > max(BENT_PX, BENT * refined.spacing_px):
         raise NoBoardError(CURVED.format(off=uneven))
     return FoundBoard(places, indices, (columns, rows), refined.blur_px, refined.spacing_px, uneven)
@@ -108,6 +113,16 @@ def numbered(lattice: Lattice) -> tuple[Floats, Whole]:
         indices = np.array([columns, rows]) - indices
     order = np.lexsort(indices.T)
     return places[order], indices[order]
+
+
+def _without_outliers(places: Floats, indices: Whole, middle: Floats) -> tuple[Floats, Whole]:
+    """Without corners that lie much farther from a plane's than the others, such as those half
+    behind a finger."""
+    if len(places) < TOLD:
+        return places, indices
+    off = np.hypot(*flat_residuals(places, indices.astype(float), middle).T)
+    near = ~(off > max(OUTLYING * float(np.median(off)), OUTLYING_PX))
+    return places[near], indices[near] - indices[near].min(axis=0)
 
 
 def _uneven_px(places: Floats, indices: Whole, middle: Floats) -> float:
