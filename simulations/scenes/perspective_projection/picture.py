@@ -95,11 +95,10 @@ def point(view: View) -> str:
 
 
 def _letters(view: View) -> str:
-    """The names of the rectangle's sides, on the axes."""
+    """The names of the rectangle's sides: x below it, y beside it."""
     parts = []
     if IMAGE_SCALE * abs(view.x) >= LETTER_LEAST:
-        above = -7.0 if view.y >= 0.0 else 15.0
-        middle = place(view.x / 2.0, 0) + np.array([0.0, above])
+        middle = place(view.x / 3.0, max(view.y, 0.0)) + np.array([0.0, 19.0])
         parts.append(drawing.text(middle, "x", "image italic ground", "middle"))
     if IMAGE_SCALE * abs(view.y) >= LETTER_LEAST:
         aside, anchor = (-6.0, "end") if view.x >= 0.0 else (6.0, "start")
