@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
-from support.reader import SILENT_WORKER
+from support.page_scripts import SILENT_WORKER
 from support.waves import ROOT, WAVES
 
 from site_builder.book_root import VARIABLE

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, Request
-from support.reader import FRUGAL, START_MS, Reader, visit
+from support.page_scripts import FRUGAL
+from support.reader import START_MS, Reader, visit
 from support.static_server import StaticServer, serving
 
 pytestmark = pytest.mark.browser

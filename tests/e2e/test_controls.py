@@ -7,7 +7,8 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
-from support.reader import SHOWN, Reader
+from support.page_scripts import SHOWN
+from support.reader import Reader
 from support.reading_order import SAMPLED
 
 pytestmark = pytest.mark.browser

@@ -5,7 +5,8 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser
-from support.reader import PHONE, SILENT_WORKER, Reader, visit
+from support.page_scripts import SILENT_WORKER
+from support.reader import PHONE, Reader, visit
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser

@@ -2,7 +2,8 @@
 
 import pytest
 from playwright.sync_api import Locator
-from support.reader import SILENT_WORKER, Reader
+from support.page_scripts import SILENT_WORKER
+from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
-from support.reader import FRUGAL, Reader, visit
+from support.page_scripts import FRUGAL
+from support.reader import Reader, visit
 from support.static_server import StaticServer, serving
 
 pytestmark = pytest.mark.browser

@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, expect
-from support.reader import FRUGAL, START_MS, Reader, visit
+from support.page_scripts import FRUGAL
+from support.reader import START_MS, Reader, visit
 from support.static_server import FAULTS, Fault, StaticServer
 
 pytestmark = pytest.mark.browser
