@@ -31,8 +31,8 @@ HANDLE_ROW = 20.0
 SPECK, MOST_SPECKS = 1.4, 1500
 """Length of the stroke for a pixel, and how many are drawn."""
 EDGE = "world dashed"
-WORDS = 44
-"""Letters in a line of a refusal."""
+WORDS, LINE, ROOM = 42, 20.0, 80.0
+"""Letters in a line of a refusal, height of a line, and of all lines."""
 
 
 def edge_at(angle_deg: float, row: float) -> tuple[float, float]:
@@ -46,9 +46,9 @@ def angle_of(across: float) -> float:
 
 
 def over_picture(
-    settings: Settings, box: Box, pixels: EdgePixels | str, simulated: bool, refused: bool
+    settings: Settings, box: Box, pixels: EdgePixels | str, simulated: bool, refusal: str
 ) -> str:
-    """The edge, the rectangle, the row whose pixels are set off, and the handles."""
+    """The edge, the rectangle, the row whose pixels are set off, the handles, and a refusal."""
     (left, top), (right, bottom) = centre_of(settings), corner_of(settings)
     left, top = 2 * left - right, 2 * top - bottom
     frame = ((left, top), right - left, bottom - top)
@@ -60,14 +60,23 @@ def over_picture(
         parts += _both(_ends(found, box), EDGE)
     parts += [
         rectangle(*frame, "casing"),
-        rectangle(*frame, "error" if refused else "image"),
+        rectangle(*frame, "error" if refusal else "image"),
         *(_both(_row(found, box), "camera") if found else ()),
         dot(centre_of(settings), "image", 4),
         dot(corner_of(settings), "image", 5),
     ]
     if simulated:
         parts.append(dot(edge_at(settings.angle, HANDLE_ROW), "world", 5))
+    parts += _sentence(refusal, below=bottom < HEIGHT - ROOM)
     return "".join(parts)
+
+
+def _sentence(refusal: str, *, below: bool) -> Iterator[str]:
+    """A refusal in lines, at the foot of the picture, or at its top if the rectangle is there."""
+    lines = wrap(refusal, WORDS)
+    first = HEIGHT - 14.0 - LINE * (len(lines) - 1) if below else HANDLE_ROW + 30.0
+    for number, words in enumerate(lines):
+        yield text((WIDTH / 2, first + LINE * number), words, "error ground", "middle")
 
 
 def _both(ends: Sequence[Point], style: str) -> Iterator[str]:
@@ -157,7 +166,7 @@ def waves_left(sharpness: Sharpness, true: Floats) -> str:
         plot.upright(NYQUIST, "camera thin dashed"),
         text((plot.x.place(NYQUIST), 28), "Nyquist", "camera small ground", "middle"),
         plot.curve(FREQUENCIES, true, "ray bold") if known else "",
-        *(_refusal(sharpness.refusal) if sharpness.refusal else _measured(plot, sharpness)),
+        *(() if sharpness.refusal else _measured(plot, sharpness)),
         legend(
             (plot.x.start, 288),
             (
@@ -181,11 +190,3 @@ def _measured(plot: Plot, sharpness: Sharpness) -> Iterator[str]:
         yield plot.mark(f, left, "image", 2.5)
     if np.isfinite(sharpness.half.frequency):
         yield plot.drop(sharpness.half.frequency, 0.5, "image thin dashed", "xy")
-
-
-def _refusal(sentence: str) -> Iterator[str]:
-    """The sentence in lines, in the middle of the panel."""
-    lines = wrap(sentence, WORDS)
-    for number, words in enumerate(lines):
-        down = 135.0 + 20.0 * (number - 0.5 * (len(lines) - 1))
-        yield text((211.0, down), words, "error ground", "middle")

@@ -18,7 +18,6 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture, the light across the edge, and the contrast of waves."""
     sharpness: Sharpness = outputs["sharpness"]
     pixels, simulated = outputs["pixels"], outputs["photograph"] is None
-    refused = bool(sharpness.refusal)
     return Frame(
         panels=(
             Panel(
@@ -27,7 +26,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 WIDTH,
                 HEIGHT,
                 outputs["shown"],
-                drawing.over_picture(settings, outputs["box"], pixels, simulated, refused),
+                drawing.over_picture(
+                    settings, outputs["box"], pixels, simulated, sharpness.refusal
+                ),
                 pixelated=True,
                 lead=True,
             ),
