@@ -10,6 +10,7 @@ from simulations.models.calibration.corner_windows import Picture, windows
 from simulations.models.calibration.grid_recovery import corners_of, in_squares
 from simulations.models.calibration.local_lattice import Lattice, Prediction, predict
 from simulations.models.calibration.quadratic_saddle import quadratic_saddle
+from simulations.models.quantiles import quantile_of
 
 WINDOW, SMALLEST_WINDOW, LARGEST_WINDOW = 0.45, 2, 10
 """Radius of a corner's window in squares; its least and its largest in px."""
@@ -48,7 +49,7 @@ def refine_board(picture: Picture, rough: Lattice, factor: int) -> Refined:
     radii = np.clip(np.rint(WINDOW * spacing), SMALLEST_WINDOW, LARGEST_WINDOW).astype(int)
     edges = np.stack([seen.across, seen.down], axis=1)
     fits = Fit(np.full(places.shape, np.nan), *np.full((3, len(places)), np.nan))
-    for radius in np.unique(radii).tolist():
+    for radius in sorted(set(radii.tolist())):
         own = radii == radius
         fit = _fit(picture, places[own], edges[own], radius, factor)
         for all_values, values in (
@@ -64,12 +65,12 @@ def refine_board(picture: Picture, rough: Lattice, factor: int) -> Refined:
     grid = np.full(rough.places.shape, np.nan)
     grid[cells[good, 0], cells[good, 1]] = fits.places[good]
     if not good.any():
-        return Refined(Lattice(grid, rough.light), np.nan, float(np.median(spacing)), False)
-    blur = float(np.median(fits.blur_px[good]))
+        return Refined(Lattice(grid, rough.light), np.nan, quantile_of(spacing), False)
+    blur = quantile_of(fits.blur_px[good])
     middles = _contrast_of_middles(picture, places, seen, light)
-    even = bool(np.median(np.abs(fits.contrast[good])) < STRETCHED * np.median(middles[good]))
+    even = bool(quantile_of(np.abs(fits.contrast[good])) < STRETCHED * quantile_of(middles[good]))
     lattice = in_squares(Lattice(grid, rough.light))
-    return Refined(lattice, blur, float(np.median(spacing)), even)
+    return Refined(lattice, blur, quantile_of(spacing), even)
 
 
 def _contrast_of_middles(picture: Picture, places: Floats, seen: Prediction, light: Mask) -> Floats:
@@ -95,7 +96,7 @@ def _good(fits: Fit, light: Mask) -> Mask:
     finite = np.isfinite(fits.places[:, 0])
     if not finite.any():
         return finite
-    usual = float(np.median(fits.misfit[finite]))
+    usual = quantile_of(fits.misfit[finite])
     right_way = np.where(light, fits.contrast, -fits.contrast) > 0.0
     good: Mask = finite & right_way & (fits.misfit < min(max(MISFIT, WORSE * usual), WORST))
     return good

@@ -16,6 +16,7 @@ from simulations.models.calibration.grid_recovery import MOST, corners_of, recov
 from simulations.models.calibration.local_lattice import Lattice, lattice_of, predict
 from simulations.models.calibration.reduction import reduced
 from simulations.models.calibration.saddle_points import find_saddles, smoothed
+from simulations.models.quantiles import quantile_of
 
 MEGAPIXELS = 2.2
 """Largest reduced photograph that is searched."""
@@ -87,6 +88,7 @@ def fullness(board: Lattice) -> float:
 def _factors(picture: Picture) -> Iterator[int]:
     height, width = picture.shape[:2]
     factor = max(int(np.ceil(np.sqrt(height * width / (1e6 * MEGAPIXELS)))), 1)
+    factor = min(factor, height, width)
     yield factor
     while min(height, width) // (2 * factor) >= SMALLEST_PX:
         factor *= 2
@@ -117,11 +119,11 @@ def _covers(board: Lattice, places: Floats) -> bool:
     """Whether most of these corners lie on the board."""
     own, _ = corners_of(board)
     distance = np.hypot(*(own[:, None] - places).transpose(2, 0, 1)).min(axis=0)
-    return bool(np.median(distance) < _spacing(board))
+    return bool(quantile_of(distance) < _spacing(board))
 
 
 def _spacing(board: Lattice) -> float:
-    return float(np.median(predict(board, np.argwhere(board.known)).spacing))
+    return quantile_of(predict(board, np.argwhere(board.known)).spacing)
 
 
 def _area(board: Lattice) -> float:

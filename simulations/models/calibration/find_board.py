@@ -30,6 +30,7 @@ from simulations.models.calibration.flatness import flat_residuals
 from simulations.models.calibration.grid_recovery import corners_of
 from simulations.models.calibration.local_lattice import Lattice, Whole
 from simulations.models.error_measures import root_mean_square
+from simulations.models.quantiles import quantile_of
 
 NARROWEST_PX = 4.5
 """Least width of a square."""
@@ -121,7 +122,7 @@ def _without_outliers(places: Floats, indices: Whole, middle: Floats) -> tuple[F
     if len(places) < TOLD:
         return places, indices
     off = np.hypot(*flat_residuals(places, indices.astype(float), middle).T)
-    near = ~(off > max(OUTLYING * float(np.median(off)), OUTLYING_PX))
+    near = ~(off > max(OUTLYING * quantile_of(off), OUTLYING_PX))
     return places[near], indices[near] - indices[near].min(axis=0)
 
 

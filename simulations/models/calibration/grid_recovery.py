@@ -16,6 +16,7 @@ from simulations.models.calibration.local_lattice import (
 )
 from simulations.models.calibration.quadratic_saddle import quadratic_saddle
 from simulations.models.calibration.saddle_points import sample
+from simulations.models.quantiles import quantile_of
 
 ASTRAY = 0.2
 """Largest distance of a corner from its prediction, in spacings of the lattice."""
@@ -113,7 +114,7 @@ def _too_pale(contrast: Floats) -> Mask:
 def _median(values: Floats) -> float:
     """Of those that are numbers; 0 if none is."""
     numbers = values[np.isfinite(values)]
-    return float(np.median(numbers)) if numbers.size else 0.0
+    return quantile_of(numbers) if numbers.size else 0.0
 
 
 def _grown(smooth: Planes, lattice: Lattice, gap: int) -> Lattice:
@@ -129,7 +130,7 @@ def _grown(smooth: Planes, lattice: Lattice, gap: int) -> Lattice:
     cells, seen = cells[fits], _only(seen, fits)
     if not len(cells):
         return lattice
-    radius = int(np.clip(round(0.35 * float(np.median(seen.spacing))), 2, 6))
+    radius = int(np.clip(round(0.35 * quantile_of(seen.spacing)), 2, 6))
     found = quadratic_saddle(smooth, seen.places, radius)
     astray = np.hypot(*(found - seen.places).T) / seen.spacing
     known_cells = np.argwhere(lattice.known)

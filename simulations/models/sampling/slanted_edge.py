@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask
 from simulations.models.pixel_grid import centred
+from simulations.models.quantiles import quantile_of
 from simulations.models.require import require
 from simulations.models.sampling.slanted_edge_curve import EdgeCurve, fit_curve
 from simulations.models.sampling.slanted_edge_line import (
@@ -25,7 +26,6 @@ from simulations.models.sampling.slanted_edge_line import (
     UnfitEdgeError,
     as_shares,
     find_line,
-    quantile_of,
 )
 from simulations.models.sensor.resolution import first_fall
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
+from simulations.models.quantiles import quantile_of
 
 type Indices = NDArray[np.intp]
 
@@ -39,14 +40,6 @@ TOO_SMALL = f"The rectangle is too small: choose at least {SMALLEST} × {SMALLES
 FAINT = "Too little contrast: photograph an edge between black and white, evenly lit."
 TOO_SHORT = "Too little of the edge: choose a rectangle that holds more of it, near its middle."
 BOWED = "The edge is bowed: choose a shorter piece of it, or correct the lens first."
-
-
-def quantile_of(values: Floats, share: float = 0.5) -> float:
-    """The value (...) that this share of all is below; by default the middle one.
-
-    `np.median` and `np.percentile` would load all of `np.ma` in the browser.
-    """
-    return float(np.sort(values, axis=None)[round(share * (values.size - 1))])
 
 
 class UnfitEdgeError(ValueError):
