@@ -41,6 +41,7 @@ export class Painter {
     const pixels = rasters.values();
     for (const panel of meta.panels) {
       const { view, overlay, title } = this.#box(panel.name);
+      fit(view, panel);
       if (panel.raster) paintRaster(view, panel, panel.raster, pixels.next().value);
       overlay?.show(panel.overlay);
       setText(title, panel.title);
@@ -66,6 +67,19 @@ export class Painter {
     this.#written.set(readout.name, now);
     paintReadout(this.figure, readout);
   }
+}
+
+/** Give a panel the shape of what it shows: photographs of the reader's have their own. */
+function fit(view: HTMLElement, { width, height }: Panel) {
+  const svg = maybe(view, "svg.overlay", SVGSVGElement);
+  const box = svg?.viewBox.baseVal;
+  if (!svg || (box?.width === width && box.height === height)) return;
+  svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+  const [panel, body] = [view.parentElement, view.closest<HTMLElement>(".figure-body")];
+  panel?.style.setProperty("--ratio", `${width} / ${height}`);
+  panel?.style.setProperty("--units", `${width}`);
+  const isFirst = body?.querySelector(".panel") === panel;
+  if (isFirst) body?.style.setProperty("--first", `${width} / ${height}`);
 }
 
 function paintRaster(

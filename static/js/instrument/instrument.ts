@@ -62,7 +62,7 @@ export class Instrument {
     for (const file of files) {
       if (this.photos.some(({ name, file: { size } }) => name === file.name && size === file.size))
         said = words("instrument.twice", { name: file.name });
-      else this.#take({ id: crypto.randomUUID(), name: file.name, file, ...WAITING });
+      else this.#take({ id: `${Date.now()}-${nextNumber()}`, name: file.name, file, ...WAITING });
     }
     this.#say(said);
     return this.work();
