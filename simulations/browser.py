@@ -10,6 +10,8 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
+import numpy as np
+
 from simulations.engine.exif import exif_facts
 from simulations.engine.frame import Frame, Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
@@ -179,21 +181,17 @@ def photograph(figure: str, picture: Any) -> None:
 def _photograph(picture: Any) -> Photograph:
     """A picture as the page hands it over: an object of JavaScript.
 
-    Its fields are ``number``, ``name``, ``pixels`` (bytes of a canvas), their ``width`` and
+    Its fields are ``number``, ``name``, ``pixels`` (bytes, three each), their ``width`` and
     ``height``, the ``full_width`` and ``full_height`` before it was scaled down, and ``head``, the
     first bytes of the file. Raises `ValueError` for a wrong count of bytes.
     """
-    return Photograph.from_canvas(
+    codes = np.frombuffer(picture.pixels.to_bytes(), np.uint8)
+    full = {"full_width": picture.full_width, "full_height": picture.full_height}
+    return Photograph(
         picture.number,
-        picture.pixels.to_bytes(),
-        picture.width,
-        picture.height,
+        codes.reshape(picture.height, picture.width, 3),
         picture.name,
-        {
-            **exif_facts(picture.head.to_bytes()),
-            "full_width": picture.full_width,
-            "full_height": picture.full_height,
-        },
+        {**exif_facts(picture.head.to_bytes()), **full},
     )
 
 

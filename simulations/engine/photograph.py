@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -27,7 +27,7 @@ class Whole:
 
 @dataclass(frozen=True, slots=True)
 class Photograph:
-    """A picture from a canvas."""
+    """A picture that a reader chose."""
 
     number: int
     """Number of the reader's picture, by which stages compare it. The `Reading` of the same picture
@@ -41,35 +41,7 @@ class Photograph:
     scaled down; and from EXIF, where given, ``focal_mm``, ``focal_35mm_mm``, ``make``, ``model``,
     ``lens``, ``exposure_s``, ``f_number`` and ``iso``."""
 
-    @classmethod
-    def from_canvas(
-        cls,
-        number: int,
-        rgba: bytes,
-        width: int,
-        height: int,
-        name: str = "",
-        facts: Facts | None = None,
-    ) -> Self:
-        """From the bytes of a canvas, row by row, composited on white.
-
-        Raises `ValueError` unless there are four bytes for each pixel.
-        """
-        if not rgba or len(rgba) != 4 * width * height:
-            raise ValueError(
-                f"photograph of {width} × {height} px in {len(rgba)} bytes; legal: four a pixel"
-            )
-        pixels = np.frombuffer(rgba, np.uint8).reshape(height, width, 4)
-        return cls(number, _over_white(pixels), name, facts or {})
-
-
-def _over_white(pixels: Codes) -> Codes:
-    """(H, W, 3) of (H, W, 4), in bands of rows, as whole photographs are large."""
-    codes = np.empty((*pixels.shape[:2], 3), np.uint8)
-    for first in range(0, len(pixels), 64):
-        band = pixels[first : first + 64]
-        codes[first : first + 64] = band[..., :3]
-        if band[..., 3].min() < 255:
-            alpha = band[..., 3:].astype(np.uint16)
-            codes[first : first + 64] = (band[..., :3] * alpha + 255 * (255 - alpha) + 127) // 255
-    return codes
+    def __post_init__(self) -> None:
+        codes = self.codes
+        if codes.ndim != 3 or codes.shape[2] != 3 or codes.dtype != np.uint8 or not codes.size:
+            raise ValueError(f"photograph {codes.shape} {codes.dtype}; legal: (H, W, 3) uint8")

@@ -79,6 +79,19 @@ def test_a_picture_of_another_shape_is_said_to_be_cropped(
     expect(figure.locator(".photograph-cropped")).to_be_visible(visible=cropped)
 
 
+def test_what_is_transparent_shows_a_white_ground(
+    visitor: Reader, book: Any, tmp_path: Path
+) -> None:
+    picture = tmp_path / "glass.png"
+    Image.new("RGBA", (640, 480), (0, 0, 0, 0)).save(picture)
+    figure = visitor.turn_to_figure(book, SCENE)
+    visitor.settle(figure)
+    frames = visitor.frames(figure)
+    figure.locator("input[type=file]").set_input_files(picture)
+    visitor.wait_frame(figure, frames)
+    assert middle_pixel(visitor) == [255] * 4
+
+
 def small_picture() -> bytes:
     buffer = io.BytesIO()
     Image.new("RGB", (8, 8)).save(buffer, "PNG")

@@ -70,7 +70,7 @@ def test_the_line_divides_the_reconstruction_from_the_mosaic(cache: StageCache) 
 
 
 def test_a_grey_picture_of_the_reader_s_has_nothing_to_get_wrong() -> None:
-    own = Photograph.from_canvas(1, bytes((90, 90, 90, 255)) * 240 * 192, 240, 192)
+    own = Photograph(1, np.full((192, 240, 3), 90, np.uint8))
     shown = SCENE.render(SCENE.check({}), "", StageCache(), own)
     assert texts_of(shown)["worst"] == "0"
     assert texts_of(shown)["shared"] == "undefined / undefined"

@@ -121,7 +121,7 @@ def test_with_the_mean_alone_every_block_of_luma_is_even() -> None:
 
 def own(level: int) -> Photograph:
     """A picture of one grey."""
-    return Photograph.from_canvas(1, bytes((level, level, level, 255)) * PIXELS, 240, 192)
+    return Photograph(1, np.full((192, 240, 3), level, np.uint8))
 
 
 def test_a_flat_picture_of_the_reader_s_comes_back_as_it_was_and_costs_nothing() -> None:

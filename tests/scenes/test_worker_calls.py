@@ -43,8 +43,8 @@ def test_a_scene_shows_the_reader_s_picture_and_then_the_book_s_again(scene_id: 
     assert isinstance(scene.photograph, tuple)
     width, height = scene.photograph
     rng = np.random.default_rng(0)
-    codes = rng.integers(0, 256, (height, width, 4), np.uint8)
-    own = Photograph.from_canvas(1, codes.tobytes(), width, height)
+    codes = rng.integers(0, 256, (height, width, 3), np.uint8)
+    own = Photograph(1, codes)
     settings, cache = scene.check({}), StageCache()
     book_s = scene.render(settings, scene.default_tier, cache)
     reader_s = scene.render(settings, scene.default_tier, cache, own)
@@ -59,7 +59,7 @@ def test_a_scene_shows_the_reader_s_picture_and_then_the_book_s_again(scene_id: 
 
 def black(width: int, height: int) -> SimpleNamespace:
     """A picture as JavaScript hands it over."""
-    pixels = bytes(4 * width * height)
+    pixels = bytes(3 * width * height)
     return SimpleNamespace(
         number=1, name="", width=width, height=height, full_width=width, full_height=height,
         pixels=SimpleNamespace(to_bytes=lambda: pixels),

@@ -1,24 +1,23 @@
 """The reader's own picture on its way into the stages of a scene."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from simulations.engine.photograph import Photograph
 
 
-def test_what_is_transparent_shows_a_white_ground() -> None:
-    rgba = bytes((10, 20, 30, 255, 200, 100, 0, 0, 0, 0, 0, 128))
-    picture = Photograph.from_canvas(1, rgba, 3, 1)
-    np.testing.assert_array_equal(picture.codes, [[[10, 20, 30], [255] * 3, [127] * 3]])
-
-
-@pytest.mark.parametrize("size", [(2, 2), (0, 0), (1, 3)])
-def test_each_pixel_has_four_bytes(size: tuple[int, int]) -> None:
-    with pytest.raises(ValueError, match="legal: four a pixel"):
-        Photograph.from_canvas(1, bytes(8), *size)
+@pytest.mark.parametrize(
+    "codes", [np.zeros((2, 2), np.uint8), np.zeros((2, 2, 3)), np.zeros((0, 2, 3), np.uint8)]
+)
+def test_a_picture_has_three_codes_a_pixel(codes: Any) -> None:
+    with pytest.raises(ValueError, match=r"legal: \(H, W, 3\) uint8"):
+        Photograph(1, codes)
 
 
 def test_pictures_are_told_apart_by_their_number() -> None:
-    black, white = (Photograph.from_canvas(1, bytes([level]) * 4, 1, 1) for level in (0, 255))
-    assert black == white
-    assert black != Photograph.from_canvas(2, bytes(4), 1, 1)
+    black, white = (np.full((1, 1, 3), level, np.uint8) for level in (0, 255))
+    assert Photograph(1, black, "a", {"iso": 100}) == Photograph(1, white)
+    assert Photograph(1, black) != Photograph(2, black)
+    assert len({Photograph(1, black, facts={"iso": 100}), Photograph(1, white)}) == 1

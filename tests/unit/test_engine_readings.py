@@ -81,7 +81,7 @@ def _figure(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 def picture(level: int, file: bytes = b"") -> SimpleNamespace:
     """Two pixels of one level, as JavaScript hands them over."""
-    pixels = bytes((level, level, level, 255)) * 2
+    pixels = bytes((level, level, level)) * 2
     return SimpleNamespace(
         number=1, name="a.jpg", width=2, height=1, full_width=20, full_height=10,
         pixels=SimpleNamespace(to_bytes=lambda: pixels),

@@ -123,7 +123,7 @@ function fitted({ width, height }: ImageBitmap, most: number) {
 
 /** The middle of a picture, in the shape of `width` × `height`, scaled to that size, on white. */
 function pixelsOf(bitmap: ImageBitmap, width: number, height: number) {
-  const pixels = new Uint8ClampedArray(4 * width * height);
+  const pixels = new Uint8Array(3 * width * height);
   const canvas = new OffscreenCanvas(width, Math.min(height, BAND));
   const context = contextOf(canvas);
   const scale = Math.max(width / bitmap.width, height / bitmap.height);
@@ -132,7 +132,12 @@ function pixelsOf(bitmap: ImageBitmap, width: number, height: number) {
     const rows = Math.min(BAND, height - first);
     context.fillRect(0, 0, width, rows);
     context.drawImage(bitmap, (width - across) / 2, (height - down) / 2 - first, across, down);
-    pixels.set(context.getImageData(0, 0, width, rows).data, 4 * width * first);
+    const { data } = context.getImageData(0, 0, width, rows);
+    for (let from = 0, to = 3 * width * first; from < data.length; from += 4) {
+      pixels[to++] = data[from];
+      pixels[to++] = data[from + 1];
+      pixels[to++] = data[from + 2];
+    }
   }
   return pixels;
 }

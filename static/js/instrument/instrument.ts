@@ -201,9 +201,10 @@ export class Instrument {
     const goesOn = this.#isWorking && !this.#isStopped;
     one(this.box, ".intake-stop", HTMLElement).hidden = !goesOn;
     one(this.box, ".intake-go-on", HTMLElement).hidden = goesOn;
-    if (waits && goesOn) this.#say(words("instrument.progress", { at: done + 1, count }));
+    if (count === 0) this.#say("");
+    else if (waits && goesOn) this.#say(words("instrument.progress", { at: done + 1, count }));
     else if (waits) this.#say(words("instrument.stopped"));
-    else if (count) {
+    else {
       const ready = this.photos.filter(({ state }) => state === "ready").length;
       this.#say(words("instrument.ready_count", { ready, count }));
     }

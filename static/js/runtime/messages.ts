@@ -31,8 +31,8 @@ export interface Picture {
   number: number;
   /** Of its file. */
   name: string;
-  /** As of a canvas: four bytes each. */
-  pixels: Uint8ClampedArray<ArrayBuffer>;
+  /** Three bytes each, row by row. */
+  pixels: Uint8Array<ArrayBuffer>;
   width: number;
   height: number;
   /** Before it was scaled down. */

@@ -15,8 +15,7 @@ from simulations.scenes.aliasing.settings import FILTERS
 
 
 def own(codes: NDArray[np.uint8]) -> Photograph:
-    rgba = np.concatenate((codes, np.full((240, 320, 1), 255, np.uint8)), axis=2)
-    return Photograph.from_canvas(1, rgba.tobytes(), 320, 240)
+    return Photograph(1, codes)
 
 
 def waves(cycles_per_pixel: float) -> Photograph:

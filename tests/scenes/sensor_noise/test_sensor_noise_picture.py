@@ -49,8 +49,7 @@ def ramp() -> Photograph:
     """A picture with detail of its own in every patch: a slant ramp over fine stripes."""
     y, x = np.mgrid[:160, :240]
     levels = np.clip(20 + 0.4 * x + 0.3 * y + 25 * (x % 4 < 2), 0, 255).astype(np.uint8)
-    rgba = np.stack([levels, levels, levels, np.full_like(levels, 255)], axis=-1)
-    return Photograph.from_canvas(1, rgba.tobytes(), 240, 160)
+    return Photograph(1, np.stack([levels, levels, levels], axis=-1))
 
 
 def of_own(**given: object) -> tuple[Outputs, Frame]:
