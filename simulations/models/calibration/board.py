@@ -13,7 +13,9 @@ from simulations.models.require import require_positive
 from simulations.models.whole_numbers import as_whole
 
 RULER_MM, RULER_STEP_MM = 100, 10
-"""Length and divisions of the ruler, by which a reader checks the size of the print."""
+"""Largest length and divisions of the ruler, by which a reader checks the size of the print."""
+FOOT_MM = 14.0
+"""Height of the ruler and its caption, below the margin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +51,12 @@ class Board:
         flat = self.indices * self.side_mm
         return np.column_stack([flat, np.zeros(len(flat))])
 
+    @property
+    def ruler_mm(self) -> int:
+        """Length of the ruler below the board: as many whole divisions as the board is wide."""
+        wide = int(self.across * self.side_mm / RULER_STEP_MM) * RULER_STEP_MM
+        return min(max(wide, RULER_STEP_MM), RULER_MM)
+
 
 def board_svg(board: Board, caption: str = "") -> str:
     """The board as SVG at true scale, on a white sheet with a margin of one square and a ruler.
@@ -56,8 +64,7 @@ def board_svg(board: Board, caption: str = "") -> str:
     The caption follows the ruler's length, in letters that need no escaping.
     """
     side, across, down = board.side_mm, board.across, board.down
-    foot = 14.0
-    width, height = (across + 2) * side, (down + 2) * side + foot
+    width, height = (across + 2) * side, (down + 2) * side + FOOT_MM
     squares = "".join(
         f"M{_mm((column + 1) * side)} {_mm((row + 1) * side)}h{_mm(side)}v{_mm(side)}h{_mm(-side)}z"
         for row in range(down)
@@ -66,16 +73,16 @@ def board_svg(board: Board, caption: str = "") -> str:
     left, top = side, (down + 2) * side
     ticks = "".join(
         f"M{_mm(left + at)} {_mm(top)}v{_mm(4.0 if at % 50 == 0 else 2.5)}"
-        for at in range(0, RULER_MM + 1, RULER_STEP_MM)
+        for at in range(0, board.ruler_mm + 1, RULER_STEP_MM)
     )
-    words = f"{RULER_MM} mm" + (f" · {caption}" if caption else "")
+    words = f"{board.ruler_mm} mm" + (f" · {caption}" if caption else "")
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_mm(width)}mm" height="{_mm(height)}mm"'
         f' viewBox="0 0 {_mm(width)} {_mm(height)}">'
         f'<rect width="100%" height="100%" fill="#fff"/>'
         f'<path d="{squares}" fill="#000" shape-rendering="crispEdges"/>'
-        f'<path d="M{_mm(left)} {_mm(top)}h{RULER_MM}{ticks}" stroke="#000" stroke-width="0.2"'
-        f' fill="none"/>'
+        f'<path d="M{_mm(left)} {_mm(top)}h{board.ruler_mm}{ticks}" stroke="#000"'
+        f' stroke-width="0.2" fill="none"/>'
         f'<text x="{_mm(left)}" y="{_mm(top + 9)}" font-family="sans-serif" font-size="4">{words}'
         "</text></svg>"
     )

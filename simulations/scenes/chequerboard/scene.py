@@ -15,7 +15,7 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
 from simulations.engine.settings import controls_of, slider
 from simulations.engine.stages import Outputs
-from simulations.models.calibration.board import RULER_MM, Board, board_svg
+from simulations.models.calibration.board import FOOT_MM, Board, board_svg
 
 WIDTH, HEIGHT = 400, 300
 PIXELS = 2
@@ -26,8 +26,6 @@ ROOM = (360.0, 240.0)
 """Of the largest sheet, in units."""
 PAPERS = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}
 """Width and height in mm of sheets that lie on their long side (ISO 216)."""
-FOOT_MM = 14.0
-"""Height of the ruler below the board and its margin, as `board_svg` draws it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +86,7 @@ def picture_of(board: Board, sheet: Sheet) -> Raster:
     pixels = np.zeros((len(y), len(x), 4), np.uint8)
     pixels[paper] = 255
     pixels[inside & ((column + row) % 2 == 0), :3] = 0
-    along = (x_mm >= sheet.left_mm) & (x_mm < sheet.left_mm + RULER_MM)
+    along = (x_mm >= sheet.left_mm) & (x_mm < sheet.left_mm + board.ruler_mm)
     ruler_mm = sheet.top_mm + (board.down + 1) * board.side_mm
     pixels[(np.abs(y_mm - ruler_mm) < 0.5 / sheet.scale) & along, :3] = 0
     return pixels

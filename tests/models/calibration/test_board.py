@@ -33,6 +33,11 @@ def test_the_drawing_is_at_true_scale_with_every_dark_square_and_a_ruler() -> No
     assert re.search("h100(?![0-9])", ruler)
 
 
+def test_the_ruler_is_no_longer_than_a_small_board() -> None:
+    assert (Board(4, 3, 8.0).ruler_mm, Board(10, 7, 25.0).ruler_mm) == (30, 100)
+    assert "h30M" in board_svg(Board(4, 3, 8.0))
+
+
 @pytest.mark.parametrize("sizes", [(2, 7, 25.0), (10, 0, 25.0), (10, 7, 0.0)])
 def test_boards_without_corners_are_refused(sizes: tuple[int, int, float]) -> None:
     with pytest.raises(ValueError, match="legal"):
