@@ -152,7 +152,8 @@ def locate_edge(picture: ArrayLike) -> EdgePixels:
     values = np.asarray(picture, float)
     require("picture", values.shape, values.ndim == 2, "(H, W)")
     require("picture", values, bool(np.isfinite(values).all()), "finite")
-    line = find_line(values)
+    largest = float(np.abs(values).max(initial=0.0))
+    line = find_line(values / largest if largest > 0 else values)
     distance, light = line.distances(), line.picture[line.rows]
     sides = -quantile_of(distance[:, 0]), quantile_of(distance[:, -1])
     reach = min(REACH, float(np.floor(min(sides))))
