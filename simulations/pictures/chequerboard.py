@@ -7,6 +7,7 @@ long as a square is wider than six standard deviations of the blur.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -104,11 +105,8 @@ def _strips(height: int) -> Iterator[slice]:
 
 def _light(board: Board, view: View, look: Look, rows: slice) -> Floats:
     """(h, W) linear luminance of some rows."""
-    x, y = (
-        np.arange(view.width, dtype=float),
-        np.arange(rows.start, rows.stop, dtype=float)[:, None],
-    )
-    u, v = _squares(board, view, x, y)
+    x, y = _pixels(view.width, rows)
+    u, v = _squares(board, view, rows)
     light = look.around + _sheet(board, look, u, v)
     light *= 1.0 - look.shading * x / view.width
     if look.glare:
@@ -117,11 +115,24 @@ def _light(board: Board, view: View, look: Look, rows: slice) -> Floats:
     return light
 
 
-def _squares(board: Board, view: View, x: Floats, y: Floats) -> tuple[Floats, Floats]:
+def _pixels(width: int, rows: slice) -> tuple[Floats, Floats]:
+    """Columns (W,) and rows (h, 1) of some rows' pixels."""
+    return np.arange(width, dtype=float), np.arange(rows.start, rows.stop, dtype=float)[:, None]
+
+
+@lru_cache(maxsize=3)  # the same camera takes many photographs, and a decentred lens is slow
+def _ideal(width: int, first: int, last: int, K: tuple[float, ...], lens: Distortion) -> Floats:
+    """(h, W, 2) where a pinhole would image what some rows of pixels show; NaN for nothing."""
+    x, y = _pixels(width, slice(first, last))
+    fx, fy, cx, cy = K
+    flat = np.meshgrid((x - cx) / fx, (y[:, 0] - cy) / fy)
+    return undistort(np.stack(flat, axis=-1), lens)[0]
+
+
+def _squares(board: Board, view: View, rows: slice) -> tuple[Floats, Floats]:
     """Places (h, W) on the board in squares from its outer corner; NaN where there is none."""
-    ideal_x = (x - view.K[0, 2]) / view.K[0, 0] + 0.0 * y
-    ideal_y = (y - view.K[1, 2]) / view.K[1, 1] + 0.0 * x
-    ideal, _ = undistort(np.stack([ideal_x, ideal_y], axis=-1), view.lens)
+    K = (view.K[0, 0], view.K[1, 1], view.K[0, 2], view.K[1, 2])
+    ideal = _ideal(view.width, rows.start, rows.stop, tuple(map(float, K)), view.lens)
     pose = view.board_to_camera
     to_board = np.linalg.inv(pose[:3, [0, 1, 3]])
     place = ideal @ to_board[:, :2].T + to_board[:, 2]

@@ -56,7 +56,7 @@ def coverage(views: Views, fit: Adjusted, size: tuple[int, int]) -> Coverage:
 def next_photograph(covered: Coverage) -> str:
     """One sentence: what is missing most."""
     tilted = int((covered.tilt_rad >= TILTED_RAD).sum())
-    if tilted < ENOUGH_TILTED:
+    if tilted < min(ENOUGH_TILTED, len(covered.tilt_rad)):
         return f"Tilt the board by 30° to 45°: only {tilted} of the photographs have it tilted."
     if covered.share < ENOUGH_COVERED:
         return f"Bring the board to the {emptiest(covered)} of the picture, up to its border."

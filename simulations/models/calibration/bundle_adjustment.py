@@ -20,12 +20,15 @@ from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import TILT, UndeterminedError, closed_form
 from simulations.models.require import require_one_of
 
-FIRST_DAMPING, EASED, RAISED = 1e-3, 0.1, 10.0
+FIRST_DAMPING, EASED, RAISED = 1e-6, 0.1, 10.0
 LEAST_DAMPING, MOST_DAMPING = 1e-12, 1e12
 MOST_STEPS = 100
-SETTLED = 1e-14
-"""Share of the sum of squares that a last step may still promise to gain: a ten-millionth of a
-standard error."""
+SETTLED = 1e-12
+"""Share of the sum of squares that a last step may promise to gain: a ten-thousandth of a
+standard error, for some thousand corners."""
+CREEPING = 1e-4
+"""Share that the very last of `MOST_STEPS` may have gained. A model that is off by many standard
+deviations has a minimum so flat that steps creep towards it; one that is open, a slope."""
 ROUNDING_PX = 1e-10
 """A smaller residual is rounding."""
 
@@ -62,13 +65,14 @@ def refine(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...]) ->
     """The minimum near a starting value, over the parameters ``free`` and all poses.
 
     With nothing free, only the poses are fitted. Raises `UndeterminedError` if the sum has no
-    minimum near, or one in a valley too long for `MOST_STEPS`.
+    minimum within `MOST_STEPS`.
     """
     try:
-        *_, last = islice(descend(views, camera, poses, free), MOST_STEPS)
+        steps = list(islice(descend(views, camera, poses, free), MOST_STEPS))
     except np.linalg.LinAlgError:
         raise UndeterminedError(TILT) from None
-    if not last.settled:
+    last = steps[-1]
+    if not last.settled and steps[-2].cost - last.cost > CREEPING * last.cost:
         raise UndeterminedError(TILT)
     return last
 

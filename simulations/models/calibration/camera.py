@@ -60,6 +60,11 @@ class Camera:
         pinhole = {name: given.get(name, getattr(self, name)) for name in PINHOLE}
         return Camera(**pinhole, lens=lens)
 
+    def scaled(self, scale: float) -> "Camera":
+        """The same camera for its pictures at another size; pixels are centred at whole numbers."""
+        cx, cy = (scale * (centre + 0.5) - 0.5 for centre in (self.cx, self.cy))
+        return replace(self, fx=scale * self.fx, fy=scale * self.fy, cx=cx, cy=cy)
+
     def pixels(self, points: Floats) -> Floats:
         """Pixels (..., 2) of points (..., 3) in the camera frame, all in front of it."""
         image = distort(points[..., :2] / points[..., 2:], self.lens)

@@ -14,8 +14,9 @@ import numpy as np
 from simulations.models.calibration.bundle_adjustment import Adjusted, refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.left_out import left_out_px
-from simulations.models.calibration.standard_errors import rms_px
+from simulations.models.calibration.standard_errors import Uncertainty, rms_px, uncertainty
 from simulations.models.calibration.views import Views
+from simulations.models.calibration.zhang import UndeterminedError, closed_form
 
 ALIKE = 0.01
 """Relative difference of errors below which the simpler model is preferred."""
@@ -28,6 +29,7 @@ class Trial:
     lens: str
     """Its name in `LENSES`."""
     fit: Adjusted
+    uncertainty: Uncertainty
     rms_px: float
     """Error on the photographs that it was fitted to."""
     left_out_px: float
@@ -41,18 +43,45 @@ class Trial:
         return PINHOLE + LENSES[self.lens]
 
 
-def compare(views: Views, camera: Camera, poses: Poses) -> tuple[Trial, ...]:
-    """All models of the lens, simple to rich; each starts from the one before it."""
+def compare(views: Views, size: tuple[int, int]) -> tuple[Trial, ...]:
+    """All models of the lens that the photographs determine, simple to rich.
+
+    Raises `UndeterminedError` if there is none.
+    """
+    camera, poses = closed_form(views, size)
     trials: list[Trial] = []
-    for lens, coefficients in LENSES.items():
-        fit = refine(views, camera, poses, PINHOLE + coefficients)
-        camera, poses = fit.camera, fit.poses
-        trials.append(_trial(views, fit, lens))
+    problem: UndeterminedError | None = None
+    for lens in LENSES:
+        try:
+            trials.append(fitted(views, camera, poses, lens))
+        except UndeterminedError as found:
+            problem = found
+            continue
+        camera, poses = trials[-1].fit.camera, trials[-1].fit.poses
+    if problem and not trials:
+        raise problem
     return tuple(trials)
 
 
-def _trial(views: Views, fit: Adjusted, lens: str) -> Trial:
+def compare_first(trials: tuple[Trial, ...], views: Views) -> tuple[Trial, ...]:
+    """The same for the first of the photographs, starting from the results for all of them."""
+    found: list[Trial] = []
+    problem: UndeterminedError | None = None
+    for trial in trials:
+        fit = trial.fit
+        try:
+            found.append(fitted(views, fit.camera, fit.poses.take(slice(len(views))), trial.lens))
+        except UndeterminedError as open_:
+            problem = open_
+    if problem and not found:
+        raise problem
+    return tuple(found)
+
+
+def fitted(views: Views, camera: Camera, poses: Poses, lens: str) -> Trial:
+    """One model of the lens, fitted from a start; raises `UndeterminedError`."""
     free = PINHOLE + LENSES[lens]
+    fit = refine(views, camera, poses, free)
     counts = views.found.sum(axis=-1)
     try:
         squares = float((counts * left_out_px(views, fit, free) ** 2).sum())
@@ -61,6 +90,7 @@ def _trial(views: Views, fit: Adjusted, lens: str) -> Trial:
     return Trial(
         lens,
         fit,
+        uncertainty(views, fit, free),
         rms_px(views, fit),
         math.sqrt(squares / views.corners),
         akaike(2 * views.corners, fit.cost, len(free) + 6 * len(views)),

@@ -15,7 +15,8 @@ from simulations.models.geometry import rotations
 
 MOST_TILT, MOST_ROLL = 0.75, 0.5
 """Radians about the axes in the board and about the camera's."""
-MOST_TRIES = 10_000
+DRAWN, MOST_DRAWS = 64, 200
+"""Poses that are drawn at once, and how often."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +60,7 @@ def sitting(
     """``count`` photographs that show the whole board, a margin included.
 
     The boards are tilted by up to 43° about each of their axes, and stand at distances from which
-    they fill between a third and nearly all of the picture.
+    they fill between half and all of its width.
     """
     placed = [_placed(camera, size, board, (seed, index), margin_px) for index in range(count)]
     R, t = zip(*placed, strict=True) if placed else ((), ())
@@ -70,19 +71,30 @@ def sitting(
 def _placed(
     camera: Camera, size: tuple[int, int], board: Board, seed: tuple[int, int], margin_px: float
 ) -> tuple[Floats, Floats]:
-    """One pose, drawn until the whole board is in view."""
+    """One pose: the first of many drawn from which the whole board is in view."""
     rng = np.random.default_rng(seed)
     middle = 0.5 * (np.array(board.corners) - 1.0)
-    # The border of the board is a square beyond its corners.
-    border = middle + (board.indices - middle) * (1.0 + 1.0 / middle)
-    for _ in range(MOST_TRIES):
-        turn = rng.uniform(-1.0, 1.0, 3) * (MOST_TILT, MOST_TILT, MOST_ROLL)
-        R = rotations.exponential(turn)
-        Z = board.across * camera.fx / size[0] / rng.uniform(0.35, 1.0)
-        aim = rng.uniform(0.0, 1.0, 2) * (np.array(size) - 1.0)
-        centre = np.append((aim - (camera.cx, camera.cy)) / (camera.fx, camera.fy), 1.0) * Z
-        t = centre - R[:, :2] @ middle
-        pixels = predicted(camera, Poses(R[None], t[None]), border[None])[0]
-        if np.all(pixels >= margin_px) and np.all(pixels <= np.array(size) - 1.0 - margin_px):
-            return R, t
+    rim = np.broadcast_to(_rim(board), (DRAWN, 8, 2))
+    last = np.array(size) - 1.0
+    for _ in range(MOST_DRAWS):
+        turns = rng.uniform(-1.0, 1.0, (DRAWN, 3)) * (MOST_TILT, MOST_TILT, MOST_ROLL)
+        R = rotations.exponential(turns)
+        Z = board.across * camera.fx / size[0] / rng.uniform(0.6, 1.15, (DRAWN, 1))
+        aim = (rng.uniform(size=(DRAWN, 2)) * last - (camera.cx, camera.cy)) / (
+            camera.fx,
+            camera.fy,
+        )
+        t = np.concatenate((aim * Z, Z), axis=1) - R[..., :2] @ middle
+        pixels = predicted(camera, Poses(R, t), rim)
+        inside = ((pixels >= margin_px) & (pixels <= last - margin_px)).all(axis=(1, 2))
+        if inside.any():
+            first = int(inside.argmax())
+            return R[first], t[first]
     raise ValueError(f"board {board}; legal: one that fits into the picture")
+
+
+def _rim(board: Board) -> Floats:
+    """(8, 2) corners and middles of the sides of the board's border, in squares."""
+    middle = 0.5 * (np.array(board.corners) - 1.0)
+    ways = [(x, y) for x in (-1.0, 0.0, 1.0) for y in (-1.0, 0.0, 1.0) if x or y]
+    return middle + np.array(ways) * (middle + 1.0)

@@ -1,8 +1,6 @@
 """The inverse, the condition and the decomposition of 2D transformations.
 
 Source: Szeliski, 2nd ed., §2.1.2; Hartley and Zisserman, Multiple View Geometry, §2.4.
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import math

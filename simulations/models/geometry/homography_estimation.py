@@ -5,7 +5,6 @@ determine the transformation: too few, coincident, or collinear where a plane is
 
 Source: Szeliski, 2nd ed., §8.1; Hartley, In defense of the eight-point algorithm, 1997 (why to
 normalise first); Umeyama, Least-squares estimation of transformation parameters, 1991.
-
 """
 
 import math

@@ -1,0 +1,191 @@
+"""The stages: corners → all models of the lens → the chosen one → the photograph that is shown."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.photograph import Photograph
+from simulations.engine.reading import Readings
+from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
+from simulations.models.calibration.advice import Coverage, coverage, next_photograph
+from simulations.models.calibration.board_search import NoBoardError
+from simulations.models.calibration.bundle_adjustment import refine, residuals
+from simulations.models.calibration.find_board import find_board
+from simulations.models.calibration.left_out import Growth, growth
+from simulations.models.calibration.model_choice import (
+    Trial,
+    compare,
+    compare_first,
+    supported,
+)
+from simulations.models.calibration.undistorted import undistorted
+from simulations.models.calibration.views import Views
+from simulations.models.calibration.zhang import UndeterminedError, homographies, poses_of
+from simulations.scenes.calibration.boards import Boards, boards, rendered
+from simulations.scenes.calibration.settings import LEAST
+
+type Codes = NDArray[np.uint8]
+
+DRAFT = "quick"
+"""The draft while the choice of the photograph is dragged: small, and without finding corners."""
+DRAFT_SCALE = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Trials:
+    """All models of the lens, fitted to some of the photographs."""
+
+    views: Views
+    found: tuple[Trial, ...] = ()
+    """Simple to rich; empty if the photographs do not determine the camera."""
+    problem: str = ""
+    """Why not, and what to do."""
+
+    def of(self, lens: str) -> Trial | None:
+        """The trial of a model, if the photographs determine it."""
+        return next((trial for trial in self.found if trial.lens == lens), None)
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """The chosen model."""
+
+    trial: Trial
+    supported: Trial
+    """The model that the photographs support."""
+    grown: Growth | None
+    """The focal length and its error by the count of photographs."""
+    covered: Coverage
+    advice: str
+    """What to photograph next."""
+
+
+@dataclass(frozen=True, slots=True)
+class Looked:
+    """The photograph that is looked at."""
+
+    index: int
+    codes: Codes | None
+    """(H, W, 3), or (H, W, 1) grey; smaller than the photograph if that is large; None if it is
+    not at hand."""
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """Found and predicted corners (N, 2) of the photograph that is looked at, px."""
+
+    found: Floats
+    off: Floats
+    """Found minus predicted."""
+
+    @property
+    def rms_px(self) -> float:
+        """Root of the mean squared distance."""
+        return float(np.sqrt((self.off * self.off).sum(axis=-1).mean()))
+
+
+def _boards(readings: Readings) -> Boards:
+    return boards(readings)
+
+
+def _every(given: Boards) -> Trials:
+    """From all photographs that there are."""
+    try:
+        return Trials(given.views, compare(given.views, given.size))
+    except UndeterminedError as problem:
+        return Trials(given.views, problem=str(problem))
+
+
+def _trials(every: Trials, photographs: int) -> Trials:
+    """From the first ones; the search starts from the result for all of them."""
+    views = every.views.take(slice(photographs))
+    if every.problem or len(views) == len(every.views):
+        return every
+    try:
+        return Trials(views, compare_first(every.found, views))
+    except UndeterminedError as problem:
+        return Trials(views, problem=str(problem))
+
+
+def _result(given: Boards, every: Trials, trials: Trials, lens: str) -> Result | None:
+    """None if the photographs do not determine this model."""
+    trial = trials.of(lens)
+    if trial is None:
+        return None
+    best = supported(trials.found)
+    covered = coverage(trials.views, best.fit, given.size)
+    return Result(trial, best, _grown(every, lens), covered, next_photograph(covered))
+
+
+def _grown(every: Trials, lens: str) -> Growth | None:
+    trial = every.of(lens)
+    if trial is None:
+        return None
+    sigma = trial.uncertainty.sigma_px
+    return growth(every.views, trial.fit, trial.free, sigma, "fx", LEAST)
+
+
+def _looked(given: Boards, photograph: Photograph | None, shown: int, tier: str) -> Looked:
+    """The reader's photograph that is chosen in the page, or the simulated one of a number."""
+    if photograph and photograph.number in given.numbers:
+        return Looked(given.numbers.index(photograph.number), photograph.codes)
+    index = min(shown, len(given.views)) - 1
+    if given.truth is None:
+        return Looked(index, None)
+    return Looked(index, rendered(index, DRAFT_SCALE if tier == DRAFT else 1.0))
+
+
+def _found(given: Boards, looked: Looked, tier: str) -> Views | None:
+    """The corners of that photograph; those of a simulated one are found in it, in a draft not.
+
+    None if the finder refuses it.
+    """
+    if given.truth is None or tier == DRAFT or looked.codes is None:
+        return given.views.take([looked.index])
+    try:
+        board = find_board(looked.codes[..., 0])
+    except NoBoardError:
+        return None
+    return Views.stack([(board.indices, board.places)])
+
+
+def _errors(found: Views | None, result: Result | None) -> Errors | None:
+    """Of the found corners, with the pose that fits them best."""
+    if result is None or found is None:
+        return None
+    camera = result.trial.fit.camera
+    start = poses_of(homographies(found), camera.matrix)
+    poses = refine(found, camera, start, ()).poses
+    off = residuals(found, camera, poses)
+    return Errors(found.pixels[found.found], off[found.found])
+
+
+def _codes(looked: Looked) -> Codes | None:
+    return looked.codes
+
+
+def _developed(codes: Codes | None, given: Boards, result: Result | None) -> Codes | None:
+    """The photograph without distortion."""
+    if codes is None or result is None:
+        return codes
+    return undistorted(codes, result.trial.fit.camera.scaled(codes.shape[1] / given.size[0]))
+
+
+def _not_developed(share: float) -> str:
+    return "the dividing line is at the right border" if share == 1.0 else ""
+
+
+STAGES = (
+    Stage("boards", _boards),
+    Stage("every", _every, ("boards",)),
+    Stage("trials", _trials, ("every",)),
+    Stage("result", _result, ("boards", "every", "trials")),
+    Stage("looked", _looked, ("boards",)),
+    Stage("found", _found, ("boards", "looked")),
+    Stage("errors", _errors, ("found", "result")),
+    Stage("codes", _codes, ("looked",)),
+    Stage("developed", _developed, ("codes", "boards", "result"), _not_developed),
+)
+"""The stages in order."""
