@@ -1,7 +1,4 @@
-"""Least squares by damped steps, for few unknowns.
-
-Reference: the hard cases run it; no figure and no ladder does yet.
-"""
+"""Least squares by damped steps, for few unknowns."""
 
 from collections.abc import Callable
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from simulations.engine.controls import Choice, Slider, Value
+from simulations.engine.controls import Choice, PointLists, Points, Slider, Value
 from simulations.engine.handles import Handle, Point, places
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
@@ -88,6 +88,9 @@ def drawn(control: Any, rng: np.random.Generator) -> Value:
         return control.nearest(float(rng.uniform(control.minimum, control.maximum)))
     if isinstance(control, Choice):
         return str(rng.choice(list(control.options)))
+    if isinstance(control, Points):
+        lists = (rng.uniform(size=(control.most, 2)) for _ in range(control.lists))
+        return PointLists("", 0, tuple(tuple(map(tuple, each)) for each in lists)).text
     return control.default  # type: ignore[no-any-return]
 
 

@@ -16,7 +16,7 @@ from simulations.engine.settings import points
 from simulations.engine.stages import Outputs, StageCache
 from site_builder.pages.catalogue import _simulation
 
-TEXT = "corner 3;0.1,0.2 0.5,1;;0,0.33333"
+TEXT = "corner_3;0.1,0.2_0.5,1;;0,0.33333"
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ def test_points_are_read_as_they_are_written() -> None:
 
 
 def test_points_are_written_inside_the_picture() -> None:
-    assert PointLists("", 0, (((-0.2, 1.7), (1e-9, 0.123456)),)).text == ";0,1 0,0.12346"
+    assert PointLists("", 0, (((-0.2, 1.7), (1e-9, 0.123456)),)).text == ";0,1_0,0.12346"
 
 
 @pytest.mark.parametrize(
@@ -62,9 +62,9 @@ def test_points_are_written_inside_the_picture() -> None:
         ";0.1,1.2",
         ";nan,0.2",
         "b-d;0.1,0.2",
-        "x -1;0.1,0.2",
+        "x_-1;0.1,0.2",
         ";;;;",
-        ";0,0 0,0 0,0 0,0 0,0",
+        ";0,0_0,0_0,0_0,0_0,0",
         7,
         None,
     ],

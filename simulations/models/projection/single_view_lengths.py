@@ -5,8 +5,6 @@ Its place is not known, so lengths are in units of the camera's distance from it
 length turns into metres.
 
 Source: Criminisi, Reid and Zisserman, Single view metrology, IJCV 40, 2000.
-
-Reference: the hard cases run it; no figure and no ladder does yet.
 """
 
 from dataclasses import dataclass
@@ -16,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_matrices
 from simulations.models.projection.level_ground import height_by_horizon
-from simulations.models.projection.single_view import SingleView, propagated
+from simulations.models.projection.single_view import SingleView, by_small_steps
 from simulations.models.require import require, require_one_of, require_positive
 
 KINDS = ("within", "above")
@@ -77,20 +75,25 @@ def measured(
     stretches = (known, *others)
     ends = as_matrices("ends", np.stack([stretch.ends for stretch in stretches]), 2, 2)
     kinds = [stretch.kind for stretch in stretches]
+    found = lengths(view, ends, kinds, normal)
+    require("known length", found[0], found[0] > 0.0, "with two ends, before the plane's horizon")
     unit = view.diagonal
-    numbers = np.concatenate([np.zeros(6), ends.ravel() / unit])
-    covariance = np.diag(np.full(len(numbers), (sigma_px / unit) ** 2))
-    covariance[:6, :6] = view.covariance
 
-    def in_metres(these: Floats) -> Floats:
-        moved, places = view.moved(these[:6]), unit * these[6:].reshape(-1, 2, 2)
-        relative = lengths(moved, places, kinds, normal)
-        return np.append(relative[1:], 1.0) * known_metres / relative[0]
+    def by_view(step: Floats) -> Floats:
+        return np.log(lengths(view.moved(step), ends, kinds, normal))
 
-    scale = lengths(view, ends, kinds, normal)[0]
-    require("known length", scale, scale > 0.0, "with two ends, before the plane's horizon")
-    values, errors = propagated(in_metres, numbers, covariance)
-    return Measured(values[:-1], errors[:-1], float(values[-1]), float(errors[-1]))
+    def by_ends(step: Floats) -> Floats:  # the same step at every stretch
+        return np.log(lengths(view, ends + unit * step.reshape(2, 2), kinds, normal))
+
+    with np.errstate(divide="ignore", invalid="ignore"):
+        through_view = by_small_steps(by_view, 6, view.covariance)
+        own = (by_small_steps(by_ends, 4) ** 2).sum(axis=-1) * (sigma_px / unit) ** 2
+        apart = np.vstack([through_view[1:], np.zeros(6)]) - through_view[0]
+        relative = np.einsum("ni,ij,nj->n", apart, view.covariance, apart)
+        relative += np.append(own[1:], 0.0) + own[0]
+    metres = known_metres * np.append(found[1:], 1.0) / found[0]
+    errors = metres * np.sqrt(relative)
+    return Measured(metres[:-1], errors[:-1], float(metres[-1]), float(errors[-1]))
 
 
 def lengths(view: SingleView, ends: ArrayLike, kinds: list[str], normal: int = 2) -> Floats:

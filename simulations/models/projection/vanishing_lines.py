@@ -8,8 +8,6 @@ for a point at infinity, of any scale.
 
 Source: Hartley and Zisserman, Multiple View Geometry, 2nd ed., §8.6; Liebowitz and Zisserman,
 Metric rectification for perspective images of planes, CVPR 1998.
-
-Reference: the hard cases run it; no figure and no ladder does yet.
 """
 
 import numpy as np
@@ -43,7 +41,7 @@ def line_residuals(segments: ArrayLike, point: ArrayLike) -> tuple[Floats, Float
     larger = np.maximum(larger, 1e-300)
     angle = np.arctan2(2.0 * S_xy, S_xx - S_yy) / 2.0
     along = np.stack([np.cos(angle), np.sin(angle)], axis=1)  # of the line, through the point
-    lines = np.cross(_homogeneous(first), _homogeneous(second))
+    lines = _joining(first, second)
     residuals = (lines * points).sum(axis=1) / np.sqrt(larger)
     on_A, on_B = (along * A).sum(axis=1), (along * B).sum(axis=1)
     by_xy = -2.0 * (on_A + on_B)[:, None] * along
@@ -77,7 +75,7 @@ def fit_vanishing_point(segments: ArrayLike, sigma_px: float = 1.0) -> tuple[Flo
     check_segments(ends)
     middle, scale = ends.mean(axis=(0, 1)), float(np.abs(ends - ends.mean(axis=(0, 1))).max())
     near = (ends - middle) / scale
-    lines = np.cross(_homogeneous(near[:, 0]), _homogeneous(near[:, 1]))
+    lines = _joining(near[:, 0], near[:, 1])
     _, sizes, axes = np.linalg.svd(lines)
     require("segments", len(ends), sizes[1] > 1e-9 * sizes[0], "lines that do not all coincide")
 
@@ -122,5 +120,7 @@ def _across(point: Floats) -> Floats:
     return np.asarray(np.linalg.svd(point[None, :])[2][1:].T)
 
 
-def _homogeneous(pixels: Floats) -> Floats:
-    return np.concatenate([pixels, np.ones((*pixels.shape[:-1], 1))], axis=-1)
+def _joining(first: Floats, second: Floats) -> Floats:
+    """Lines (N, 3) through two points (N, 2) each: (x, y, 1) × (u, v, 1), written out for speed."""
+    (x, y), (u, v) = first.T, second.T
+    return np.stack([y - v, u - x, x * v - y * u], axis=1)

@@ -50,6 +50,8 @@ export class Handles {
   #held: Held | null = null;
   #pulls: LatestWins<Job> = new LatestWins((job) => this.#pull(job));
   #changes: Changes;
+  /** Whether a button has pulled, and the handle that it makes is to get the focus. */
+  #byButton = false;
 
   /** @param signal Ends all listening. */
   constructor(
@@ -75,12 +77,17 @@ export class Handles {
     this.#changes = new Changes(form, schema.controls, signal);
   }
 
-  /** A frame was painted: put the handles where it has them. */
+  /** A frame was painted: put the handles where it has them; the first new one by a button is led on. */
   show(places: Place[]) {
     for (const element of this.#elements) {
       const place = places.find((place) => place.name === name(element));
+      const isNew = element.hidden && !!place;
       element.hidden = !place;
       if (place) put(element, place);
+      if (isNew && this.#byButton) {
+        this.#byButton = false;
+        element.focus({ preventScroll: true });
+      }
     }
     this.#describe();
   }
@@ -172,6 +179,7 @@ export class Handles {
   /** A button that pulls a handle, or takes a change of points back. */
   #pressed(event: Event) {
     const handle = within(event, "[data-pull]", HTMLElement)?.dataset.pull;
+    this.#byButton = !!handle;
     if (handle) this.#pulls.submit({ handle, place: [0, 0], done: true });
     const undone = within(event, "[data-undo]", HTMLElement)?.dataset.undo;
     if (undone) this.#changes.undo(undone);

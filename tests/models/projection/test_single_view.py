@@ -11,13 +11,19 @@ from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.pinhole import intrinsics
 from simulations.models.projection.single_view import (
     SingleView,
+    by_small_steps,
     fit_view,
     focal_from_pair,
-    propagated,
 )
-from simulations.models.projection.vanishing_lines import fit_vanishing_point, line_residuals
+from simulations.models.projection.vanishing_lines import (
+    fit_vanishing_point,
+    line_residuals,
+    pixel_of,
+)
 
 POSE = pose_above_ground(1.5, 0.6, 0.3, 0.05)
+EXACT = 1e-3
+"""Error of ends that were drawn without noise, so small that nothing known beforehand counts."""
 
 
 def log_focal(view: SingleView) -> float:
@@ -26,17 +32,17 @@ def log_focal(view: SingleView) -> float:
 
 @pytest.mark.parametrize("counts", [(4, 4, 4), (2, 2, 0), (2, 0, 2), (0, 3, 2), (2, 2, 1)])
 def test_lines_without_noise_give_the_camera(counts: tuple[int, int, int]) -> None:
-    view = fit_view(*drawn(POSE, np.random.default_rng(1), counts), SIZE)
+    view = fit_view(*drawn(POSE, np.random.default_rng(1), counts), SIZE, EXACT)
     assert view.focal_px == pytest.approx(FOCAL, rel=1e-6)
     np.testing.assert_allclose(view.R, POSE[:3, :3], atol=1e-6)
     assert (view.pitch, view.roll) == pytest.approx((0.3, 0.05), abs=1e-6)
-    assert view.misfit < 1e-9
+    assert view.misfit < 1e-6
 
 
 def test_three_directions_give_the_principal_point_too() -> None:
     shifted = intrinsics(FOCAL, (450.0, 260.0))
     ends, axes = drawn(POSE, np.random.default_rng(1), K=shifted)
-    view = fit_view(ends, axes, SIZE, find_centre=True)
+    view = fit_view(ends, axes, SIZE, EXACT, find_centre=True)
     assert view.centre == pytest.approx((450.0, 260.0), abs=1e-4)
     assert view.focal_px == pytest.approx(FOCAL, rel=1e-6)
 
@@ -44,12 +50,16 @@ def test_three_directions_give_the_principal_point_too() -> None:
 def test_of_two_directions_the_focal_length_is_that_of_the_formula() -> None:
     rng = np.random.default_rng(4)
     ends, axes = drawn(POSE, rng, (4, 4, 0))
-    ends = ends + rng.normal(0, 1, ends.shape)
+    ends = ends + rng.normal(0, 0.1, ends.shape)
     first, second = (fit_vanishing_point(ends[axes == axis])[0] for axis in (0, 1))
-    view = fit_view(ends, axes, SIZE)
-    assert view.focal_px == pytest.approx(focal_from_pair(first, second, CENTRE), rel=1e-6)
+    view = fit_view(ends, axes, SIZE, 0.1)
+    assert view.focal_px == pytest.approx(focal_from_pair(first, second, CENTRE), rel=1e-4)
     for fitted, alone in zip(view.vanishing, (first, second), strict=False):
-        np.testing.assert_allclose(fitted / fitted[2], alone / alone[2], rtol=1e-5)
+        np.testing.assert_allclose(fitted / fitted[2], alone / alone[2], atol=0.05)
+    for axis in (0, 1):
+        _, spread, _ = pixel_of(view.vanishing[axis], view.vanishing_covariances[axis])
+        _, alone, _ = pixel_of(*fit_vanishing_point(ends[axes == axis], 0.1))
+        np.testing.assert_allclose(spread, alone, rtol=1e-3)
 
 
 def test_the_formula_is_that_of_the_text() -> None:
@@ -70,8 +80,10 @@ def test_the_derivatives_are_those_of_small_steps() -> None:
 
     steps = 1e-6 * np.eye(6)
     J = np.stack([(residuals(step) - residuals(-step)) / 2e-6 for step in steps], axis=1)
-    np.testing.assert_allclose(view.covariance, np.linalg.inv(J.T @ J), rtol=1e-3, atol=1e-9)
-    np.testing.assert_allclose(J.T @ residuals(np.zeros(6)), 0.0, atol=0.05)
+    np.testing.assert_allclose(view.covariance, np.linalg.inv(J.T @ J), rtol=2e-3, atol=1e-9)
+    slope = J.T @ residuals(np.zeros(6))
+    slope[0] += log_focal(view) - math.log(view.diagonal)  # of what is known beforehand
+    np.testing.assert_allclose(slope, 0.0, atol=0.05)
 
 
 def test_the_focal_length_is_within_one_per_cent_for_twelve_lines_with_a_pixel_of_noise() -> None:
@@ -149,13 +161,18 @@ def test_two_directions_with_one_vanishing_point_are_refused() -> None:
         fit_view([*ends, *ends], [0, 0, 1, 1], SIZE)
 
 
-def test_errors_are_propagated_to_first_order() -> None:
-    covariance = np.array([[0.04, 0.01], [0.01, 0.09]])
-    value, error = propagated(lambda x: np.array([x[0] * x[1]]), np.array([2.0, 3.0]), covariance)
-    assert value[0] == pytest.approx(6.0)
-    assert error[0] ** 2 == pytest.approx(9 * 0.04 + 4 * 0.09 + 2 * 6 * 0.01)
+def test_derivatives_by_small_steps_leave_out_what_does_not_vary() -> None:
+    J = by_small_steps(lambda x: np.array([(2 + x[0]) * (3 + x[1]), x[0]]), 2)
+    np.testing.assert_allclose(J, [[3.0, 2.0], [1.0, 0.0]], rtol=1e-9)
+    J = by_small_steps(lambda x: np.array([x[0] + x[1]]), 2, np.diag([0.0, 1.0]))
+    np.testing.assert_allclose(J, [[0.0, 1.0]], rtol=1e-9)
+
+
+def test_the_error_of_ln_f_is_in_the_covariance() -> None:
+    view = fit_view(*drawn(POSE, np.random.default_rng(1)), SIZE)
+    assert view.spread(log_focal) == pytest.approx(math.sqrt(view.covariance[0, 0]), rel=1e-6)
 
 
 def test_the_camera_is_the_one_that_took_the_picture() -> None:
-    view = fit_view(*drawn(POSE, np.random.default_rng(9)), SIZE)
+    view = fit_view(*drawn(POSE, np.random.default_rng(9)), SIZE, EXACT)
     np.testing.assert_allclose(view.K, K, rtol=1e-6)

@@ -12,7 +12,7 @@ from simulations.models.projection.single_view import SingleView, fit_view
 from simulations.models.projection.single_view_lengths import Measured, Stretch, measured
 
 POSE = pose_above_ground(HEIGHT, 0.6, 0.3, 0.05)
-VIEW = fit_view(*drawn(POSE, np.random.default_rng(1)), SIZE)
+VIEW = fit_view(*drawn(POSE, np.random.default_rng(1)), SIZE, 1e-3)
 
 
 def stretch(start: Floats, end: Floats, pose: Floats = POSE) -> Stretch:

@@ -14,7 +14,7 @@ DECIMALS = 5
 
 @dataclass(frozen=True, slots=True)
 class PointLists:
-    """The value of the control, which is written as ``corner 3;0.1,0.2 0.5,0.6;;``."""
+    """The value of the control, which is written as ``corner_3;0.1,0.2_0.5,0.6;;``."""
 
     picture: str = ""
     """Which picture the points lie in: a word of the scene's own."""
@@ -26,14 +26,14 @@ class PointLists:
     def from_text(cls, text: str) -> Self:
         """Raises `ValueError` for what is not written so."""
         head, *lists = text.split(";")
-        picture, _, touched = head.partition(" ")
-        points = tuple(tuple(_point(pair) for pair in each.split()) for each in lists)
+        picture, _, touched = head.partition("_")
+        points = tuple(tuple(map(_point, each.split("_") if each else ())) for each in lists)
         return cls(picture, int(touched or 0), points)
 
     @property
     def text(self) -> str:
-        head = f"{self.picture} {self.touched}" if self.touched else self.picture
-        lists = (" ".join(f"{_share(x)},{_share(y)}" for x, y in each) for each in self.lists)
+        head = f"{self.picture}_{self.touched}" if self.touched else self.picture
+        lists = ("_".join(f"{_share(x)},{_share(y)}" for x, y in each) for each in self.lists)
         return ";".join((head, *lists))
 
 
@@ -73,7 +73,7 @@ class Points:
 
     @property
     def legal(self) -> str:
-        return f"{self.lists} lists of at most {self.most} points, such as ';0.1,0.2 0.5,0.6'"
+        return f"{self.lists} lists of at most {self.most} points, such as ';0.1,0.2_0.5,0.6'"
 
     def check(self, raw: object) -> str:
         try:

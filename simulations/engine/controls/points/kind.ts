@@ -7,8 +7,8 @@ export interface Points extends Control {
   default: string;
 }
 
-/** As Python writes them: `corner 3;0.1,0.2 0.5,0.6;;`. */
-const TEXT = /^\w*( \d+)?(;([01](\.\d+)?,[01](\.\d+)?( |(?=;|$)))*)*$/;
+/** As Python writes them: `corner_3;0.1,0.2_0.5,0.6;;`. */
+const TEXT = /^[a-z]*(_\d+)?(;([01](\.\d+)?,[01](\.\d+)?(_|(?=;|$)))*)*$/;
 
 export const kind: Kind<Points, HTMLInputElement> = {
   read: (field, control) => (TEXT.test(field.value) ? field.value : control.default),

@@ -1,0 +1,1 @@
+"""The scene single-view: a camera and lengths from lines drawn over one picture."""
