@@ -1,10 +1,11 @@
 """A corner as the crossing of two blurred edges, fitted to the pixels about it.
 
-The brightness is a + b c(h/s, k/s, ρ), with the blurred corner c of `blurred_corner`, distances h
-and k from the two edges and ρ the cosine of the angle between their normals. Seven numbers are
-found for each corner: its place, the directions of both edges, the blur s, a and b. Gauss–Newton,
-for all corners at once. Deriche and Giraudon, *A computational approach for corner and vertex
-detection*, 1993, fit models of edges and corners in this way.
+The brightness is a + b c(h/s, k/s, ρ) + gx x + gy y, with the blurred corner c of `blurred_corner`,
+distances h and k from the two edges, and ρ, the cosine of the angle between their normals. Nine
+numbers are found for each corner, by Gauss–Newton for all corners at once: its place, the
+directions of both edges, the blur s, and the light: a, b and its slopes gx and gy, without which
+glare would draw corners towards it. R. Deriche and G. Giraudon, *A computational approach for
+corner and vertex detection*, 1993, fit models of edges and corners in this way.
 """
 
 from dataclasses import dataclass
