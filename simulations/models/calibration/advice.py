@@ -57,14 +57,14 @@ def next_photograph(covered: Coverage) -> str:
     """One sentence: what is missing most."""
     tilted = int((covered.tilt_rad >= TILTED_RAD).sum())
     if tilted < min(ENOUGH_TILTED, len(covered.tilt_rad)):
-        return f"Tilt the board by 30° to 45°: only {tilted} of the photographs have it tilted."
+        return f"Tilt the board by 30° to 45°; only {tilted} are tilted."
     if covered.share < ENOUGH_COVERED:
-        return f"Bring the board to the {emptiest(covered)} of the picture, up to its border."
+        return f"Bring the board to the {emptiest(covered)} of the picture."
     if len(covered.distance) < ENOUGH_PHOTOGRAPHS:
-        return f"Take a few more, from other sides: {ENOUGH_PHOTOGRAPHS} to 20 are a good number."
+        return f"Take more, from other sides: {ENOUGH_PHOTOGRAPHS} to 20 in all."
     if covered.distance.max() < 1.3 * covered.distance.min():
         return "Take some from nearer and from farther away."
-    return "Nothing is missing; four times as many photographs would halve the errors."
+    return "Nothing is missing."
 
 
 def emptiest(covered: Coverage) -> str:

@@ -87,7 +87,7 @@ def test_next_photograph_is_what_is_missing_most() -> None:
     right = (slice(0, 6), slice(5, 8))
     assert "Tilt" in next_photograph(covered(tilt_deg=5.0, empty=right))
     assert "right of the picture" in next_photograph(covered(empty=right))
-    assert "more" in next_photograph(covered(count=5))
+    assert "10 to 20" in next_photograph(covered(count=5))
     assert "nearer" in next_photograph(covered(nearest=18.0))
     assert "Nothing" in next_photograph(covered())
 
