@@ -65,6 +65,11 @@ GRASP = """async (grip) => {
   const driven = grip.dataset.drives.split(' ').map((name) => {
     const control = figure.querySelector(`.control [name="${name}"]`);
     const box = control.closest('.control');
+    if (box.matches('.points')) {
+      const share = (axis) => Math.round(parseFloat(grip.style.getPropertyValue(axis)));
+      const words = `${box.ariaLabel} x ${share('--x')}, y ${share('--y')}`;
+      return {value: control.value, words};
+    }
     const said = control.selectedOptions
       ? control.selectedOptions[0].text.trim()
       : box.querySelector('.control-value').textContent;
