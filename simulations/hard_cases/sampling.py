@@ -13,12 +13,19 @@ from simulations.engine.hard_cases import (
     refused,
 )
 from simulations.models.sampling import aliasing
+from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sensor import resolution
 
 TABLE = HardCases(
     id="sampling",
     title="Sampling and aliasing",
-    names={**vars(aliasing), **vars(resolution), "inf": np.inf, "nan": np.nan},
+    names={
+        **vars(aliasing),
+        **vars(resolution),
+        "first_fall": first_fall,
+        "inf": np.inf,
+        "nan": np.nan,
+    },
     cases=(
         HardCase(
             id="at-nyquist",

@@ -7,9 +7,9 @@ import numpy as np
 from simulations.engine.hard_cases import HardCase, HardCases, exactly, near, refused
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
+from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge import read_edge
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
-from simulations.models.sensor.resolution import first_fall
 
 
 def _spot(frequency: Floats) -> Floats:

@@ -14,10 +14,11 @@ from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import box_mtf
 from simulations.models.sampling.fine_detail import without_fine_detail
+from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.resampling import KERNELS
 from simulations.models.sampling.slanted_edge import read_edge
 from simulations.models.sampling.slanted_edge_picture import edge_picture
-from simulations.models.sensor.resolution import first_fall, pixel_transfer
+from simulations.models.sensor.resolution import pixel_transfer
 from simulations.pictures import round_windows, spoked_wheel
 from simulations.scenes.slanted_edge.scene import SCENE as SLANTED_EDGE
 from simulations.scenes.slanted_edge.stages import Sharpness

@@ -16,6 +16,7 @@ from simulations.models.arrays import Floats, Mask
 from simulations.models.pixel_grid import centred
 from simulations.models.quantiles import quantile_of
 from simulations.models.require import require
+from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge_curve import EdgeCurve, fit_curve
 from simulations.models.sampling.slanted_edge_line import (
     FAINT,
@@ -27,7 +28,6 @@ from simulations.models.sampling.slanted_edge_line import (
     as_shares,
     find_line,
 )
-from simulations.models.sensor.resolution import first_fall
 
 REACH = 64.0
 """Pixels at most so far from the edge take part."""

@@ -13,8 +13,8 @@ from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.lens.diffraction import cutoff_per_mm
+from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sensor.resolution import (
-    first_fall,
     nyquist_per_mm,
     pixel_transfer,
     plate_transfer,

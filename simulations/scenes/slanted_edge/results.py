@@ -12,8 +12,9 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.reading import UnfitError
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
+from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading
-from simulations.models.sensor.resolution import first_fall, pixel_pitch_um
+from simulations.models.sensor.resolution import pixel_pitch_um
 from simulations.scenes.slanted_edge.rectangle import Box
 from simulations.scenes.slanted_edge.settings import Settings
 from simulations.scenes.slanted_edge.stages import Sharpness

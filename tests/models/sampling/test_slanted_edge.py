@@ -11,6 +11,7 @@ from support.edges import gaussian_edge, gaussian_half, grain
 from simulations.models.arrays import Floats
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.pixel_grid import centred
+from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge import (
     FREQUENCIES,
     REPEATED,
@@ -28,7 +29,6 @@ from simulations.models.sampling.slanted_edge_line import (
     UnfitEdgeError,
 )
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
-from simulations.models.sensor.resolution import first_fall
 
 type Lens = Callable[[Floats], Floats]
 

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from simulations.models.sensor.resolution import (
-    first_fall,
     nyquist_per_mm,
     pixel_transfer,
     plate_transfer,
@@ -28,13 +27,6 @@ def test_nyquist_is_half_a_cycle_to_a_pixel() -> None:
     assert nyquist_per_mm(4) == 125
     assert pixel_transfer(nyquist_per_mm(7), 7) == pytest.approx(2 / np.pi)
     assert plate_transfer(nyquist_per_mm(7), 7) == pytest.approx(0, abs=1e-15)
-
-
-def test_the_first_fall_lies_between_samples_and_before_later_ones() -> None:
-    assert first_fall([0, 10, 20, 30, 40], [1, 0.75, 0.25, 0.75, 0], 0.5) == 15
-    assert first_fall([0, 10, 20, 40], [1, 0.9, 0.4, 0.3], 0.5) == pytest.approx(18)
-    assert first_fall([0, 10, 20], [1, 0.5, 0.7], 0.5) == 10
-    assert first_fall([0, 10], [1, 0.6], 0.5) == np.inf
 
 
 def test_no_width_leaves_the_wave_as_it_is() -> None:

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from support.refusals import Call, assert_refused, each_of
 
+from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sensor import exposure, photon_counting, poisson, resolution
 from simulations.models.sensor.bayer import filter_colours
 from simulations.models.sensor.camera_colour import camera_curves, exposed, fit_colour_matrix
@@ -79,7 +80,7 @@ def gain(curve: Any) -> Any:
     ("legal: one number or more", lambda c: poisson.gap_from_poisson(c, 3.0), [[], [1.0, NAN]]),
     (
         "^contrast at the start 0.4; ",
-        lambda curve: resolution.first_fall([0, 1, 2], curve, 0.5),
+        lambda curve: first_fall([0, 1, 2], curve, 0.5),
         [[0.4, 0.3, 0.1], [0.4, 0.9, 0.1]],
     ),
     ("^width_um -1; ", lambda um: resolution.pixel_transfer(1, um), [-1]),
