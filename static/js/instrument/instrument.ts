@@ -44,7 +44,9 @@ export class Instrument {
     figure.addEventListener("figure-leave", () => this.#leave(), { once: true });
     figure.addEventListener("painted", () => {
       if (this.#keeps) keepSession(this.scene, figure);
+      setTimeout(() => this.#showWork()); // the figure rests, or goes on
     });
+    figure.addEventListener("figure-rest", () => setTimeout(() => this.#showWork()));
   }
 
   /** Whether the figure shows the reader's photographs in place of the book's. */
@@ -114,7 +116,6 @@ export class Instrument {
     if (this.#keeps) erase(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
     if (photos.some(({ state }) => state === "reading")) this.#reader.close();
     this.#use();
-    this.#showWork();
   }
 
   /** Keep all photographs on this device from now on, or none any more. */
@@ -171,6 +172,7 @@ export class Instrument {
     const isRead = "reads" in this.box.dataset;
     this.figure.live?.own.use(this.chosen, isRead ? readings : []);
     if (this.figure.dataset.state === "waiting" && this.photos.length) this.figure.begin();
+    this.#showWork();
   }
 
   async #keep(photo: Photo) {
@@ -204,6 +206,7 @@ export class Instrument {
     if (count === 0) this.#say("");
     else if (waits && goesOn) this.#say(words("instrument.progress", { at: done + 1, count }));
     else if (waits) this.#say(words("instrument.stopped"));
+    else if (this.isUsed && !this.figure.rests) this.#say(words("instrument.measuring"));
     else {
       const ready = this.photos.filter(({ state }) => state === "ready").length;
       this.#say(words("instrument.ready_count", { ready, count }));
