@@ -20,7 +20,7 @@ from simulations.models.sampling.slanted_edge_line import Indices
 
 PER_PIXEL = 4
 """Knots per pixel at the edge."""
-STIFFNESS = 1e-6
+STIFFNESS = 1e-4
 """Weight of the curve's roughness, which settles it where no pixel does."""
 STEPS = 8
 """Steps per pixel in the Fourier sum."""
@@ -91,7 +91,7 @@ def fit_curve(distance: Floats, value: Floats, reach: float) -> EdgeCurve:
     first, shares = _shares(distance, reach)
     count = 2 * _half_count(reach) + 4
     squares = _products(first, shares, np.ones_like(value), count)
-    bend = np.diff(np.eye(count), 2, axis=0)
+    bend = np.diff(np.eye(count), 3, axis=0)
     squares += STIFFNESS * len(value) / count * bend.T @ bend
     sums = sum(
         np.bincount(first + place, shares[place] * value, count) for place in range(len(shares))
