@@ -69,7 +69,7 @@ TABLE = HardCases(
             call="focal_px(views(2))",
             why="Two photographs are enough for the equations, and for nothing to check them by.",
             returns="A refusal: at least three, from different sides.",
-            expected=refused("at least 3"),
+            expected=refused("At least 3"),
         ),
         HardCase(
             id="facing",

@@ -2,6 +2,7 @@
 
 import json
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -102,21 +103,30 @@ def test_the_readers_corners_take_the_place_of_the_simulated_ones() -> None:
 def test_photographs_of_another_size_are_left_out() -> None:
     given = readings(5) + readings(3, size=(480, 640), first=50)
     found = boards.boards(given)
-    assert (len(found.views), found.others) == (5, 3)
+    assert len(found.views) == 5
     assert found.size == SIZE
+    assert "3 of another size" in found.notes[0]
+
+
+def test_different_focal_lengths_in_the_files_and_too_many_photographs_are_noted() -> None:
+    given = readings(3) * 8
+    zoomed = replace(given[0], data={**given[0].data, "facts": {"focal_mm": 8.0}})
+    notes = boards.boards((*given, zoomed)).notes
+    assert notes == ("The first 20 are used.",)
+    assert "4 to 8 mm" in boards.boards((zoomed, *given)).notes[1]
 
 
 @pytest.mark.parametrize("count", [1, 2])
 def test_too_few_photographs_say_so(count: int) -> None:
     given = readings(count)
     out = SCENE.render(Settings(), "", StageCache(), None, given)
-    assert "at least 3" in out.description
+    assert "At least 3" in out.description
     assert texts_of(out)["focal"] == "undefined"
     sheet = SCENE.sheet
     assert sheet is not None
     (line,) = sheet(Settings(), outputs_of(Settings(), given))
-    assert "at least 3" in line.text
-    with pytest.raises(UnfitError, match="at least 3"):
+    assert "At least 3" in line.text
+    with pytest.raises(UnfitError, match="At least 3"):
         SCENE.exports[0].make(Settings(), outputs_of(Settings(), given))
 
 
@@ -147,6 +157,7 @@ def test_files_and_sheet_hold_the_same_numbers() -> None:
     lines = {line.name: line.text for line in sheet(settings, outputs)}
     assert lines["fx"].startswith(f"{read['camera']['fx']:.2f} ± ")
     assert lines["photographs"] == "8"
+    assert float(lines["stated"]) == pytest.approx(26 * 800 / 43.27, abs=1)
 
 
 def test_a_whole_photograph_is_developed_at_its_own_size() -> None:

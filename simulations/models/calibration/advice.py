@@ -16,9 +16,10 @@ ENOUGH_PHOTOGRAPHS, ENOUGH_COVERED = 10, 0.8
 TILTED_RAD = math.radians(20.0)
 """Tilt from which a board tells the focal length well."""
 ENOUGH_TILTED = 4
+MIDDLE = "middle"
 REGIONS = (
     ("top left", "top", "top right"),
-    ("left", "middle", "right"),
+    ("left", MIDDLE, "right"),
     ("bottom left", "bottom", "bottom right"),
 )
 
@@ -54,17 +55,17 @@ def coverage(views: Views, fit: Adjusted, size: tuple[int, int]) -> Coverage:
 
 
 def next_photograph(covered: Coverage) -> str:
-    """One sentence: what is missing most."""
-    tilted = int((covered.tilt_rad >= TILTED_RAD).sum())
-    if tilted < min(ENOUGH_TILTED, len(covered.tilt_rad)):
-        return f"Tilt the board by 30° to 45°; only {tilted} are tilted."
+    """How to take the next photograph, by what is missing most, in a few words."""
+    if (covered.tilt_rad >= TILTED_RAD).sum() < min(ENOUGH_TILTED, len(covered.tilt_rad)):
+        return "tilted by 30° to 45°"
     if covered.share < ENOUGH_COVERED:
-        return f"Bring the board to the {emptiest(covered)} of the picture."
+        part = emptiest(covered)
+        return f"{'in' if part == MIDDLE else 'at'} the {part}"
     if len(covered.distance) < ENOUGH_PHOTOGRAPHS:
-        return f"Take more, from other sides: {ENOUGH_PHOTOGRAPHS} to 20 in all."
+        return "from another side"
     if covered.distance.max() < 1.3 * covered.distance.min():
-        return "Take some from nearer and from farther away."
-    return "Nothing is missing."
+        return "nearer or farther"
+    return "nothing is missing"
 
 
 def emptiest(covered: Coverage) -> str:

@@ -27,7 +27,7 @@ class UndeterminedError(ValueError):
 
 TILT = "The photographs do not tell the focal length: take some with the board tilted by 30° to 45°"
 FLAT = "Photograph {}: its corners lie on one line; leave it out"
-FEW = "{} photographs; at least {} are needed, from different sides"
+FEW = "At least {} photographs are needed, from different sides"
 
 
 def closed_form(views: Views, size: tuple[int, int]) -> tuple[Camera, Poses]:
@@ -37,7 +37,7 @@ def closed_form(views: Views, size: tuple[int, int]) -> tuple[Camera, Poses]:
     line, and for boards that are all parallel.
     """
     if len(views) < LEAST_PHOTOGRAPHS:
-        raise UndeterminedError(FEW.format(len(views), LEAST_PHOTOGRAPHS))
+        raise UndeterminedError(FEW.format(LEAST_PHOTOGRAPHS))
     H = homographies(views)
     camera = _camera(H, size)
     return camera, poses_of(H, camera.matrix)

@@ -5,9 +5,12 @@ shown is rendered and its corners found; the others' corners are the true ones w
 the finder has on such pictures.
 """
 
+import math
 from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +31,7 @@ BOARD = Board()
 SIGMA_PX = 0.03
 """Standard deviation of the finder's corners on the simulated photographs, in x and in y."""
 SEED = 14
+FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 LOOK = Look(shading=0.25, blur_px=1.2, noise_codes=6.0)
 """Hand-held, by the light of a lamp."""
 
@@ -44,8 +48,10 @@ class Boards:
     """By which the reader's photographs are known; empty for simulated ones."""
     truth: Camera | None = None
     """The camera, if the photographs are simulated."""
-    others: int = 0
-    """Photographs of another size, which are left out."""
+    notes: tuple[str, ...] = ()
+    """What the reader should know of the photographs: sentences."""
+    focal_px: float | None = None
+    """Focal length that the files state, as an equivalent on full frame."""
 
     @property
     def true_focal(self) -> float | None:
@@ -70,17 +76,36 @@ def boards(readings: Readings) -> Boards:
 def _own(readings: Readings) -> Boards:
     """Those of the most frequent size, `MOST` of them."""
     sizes = [(int(r.data["width"]), int(r.data["height"])) for r in readings]
-    size, _ = Counter(sizes).most_common(1)[0]
-    fit = [r for r, own in zip(readings, sizes, strict=True) if own == size]
-    kept = fit[:MOST]
+    size, count = Counter(sizes).most_common(1)[0]
+    kept = [r for r, own in zip(readings, sizes, strict=True) if own == size][:MOST]
     views = Views.stack([(np.array(r.data["indices"]), np.array(r.data["corners"])) for r in kept])
+    facts = [r.data.get("facts", {}) for r in kept]
     return Boards(
         views,
         size,
         tuple(r.name for r in kept),
         tuple(r.number for r in kept),
-        others=len(readings) - len(fit),
+        notes=tuple(_notes(len(readings) - count, count - len(kept), facts)),
+        focal_px=_stated_focal_px(facts[0], size),
     )
+
+
+def _notes(others: int, spare: int, facts: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+    if others:
+        yield f"{others} of another size are left out; calibrate each size by itself."
+    if spare:
+        yield f"The first {MOST} are used."
+    focal = sorted({float(f["focal_mm"]) for f in facts if f.get("focal_mm")})
+    if len(focal) > 1:
+        yield (
+            f"They were taken at {focal[0]:g} to {focal[-1]:g} mm; calibrate each zoom by itself."
+        )
+
+
+def _stated_focal_px(facts: Mapping[str, Any], size: tuple[int, int]) -> float | None:
+    """By the diagonals of picture and full frame."""
+    stated = facts.get("focal_35mm_mm")
+    return float(stated) * math.hypot(*size) / FULL_FRAME_DIAGONAL_MM if stated else None
 
 
 def rendered(index: int, scale: float = 1.0) -> NDArray[np.uint8]:

@@ -107,6 +107,9 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         error = format_number(trial.uncertainty.errors[name], digits)
         words = f"{format_number(value, digits)} ± {error}"
         lines.append(Readout(name, LABELS[name], words, UNITS.get(name, "")))
+    if given.focal_px is not None:
+        stated = format_number(given.focal_px, 0)
+        lines.append(Readout("stated", "Focal length, by the file", stated, "px"))
     return (
         *lines,
         Readout("field", "Field of view across", format_number(float(degrees), 1), "°"),
@@ -115,4 +118,5 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         Readout("covered", "Covered by corners", format_number(100 * result.covered.share, 0), "%"),
         Readout("supported", "Model supported", LENSES[result.supported.lens]),
         Readout("advice", "Next photograph", result.advice),
+        *(Readout(f"note{n}", "Note", note) for n, note in enumerate(given.notes, 1)),
     )

@@ -132,8 +132,9 @@ def _readouts(result: Result | None, errors: Errors | None) -> tuple[Readout, ..
 def describe(settings: Settings, given: Boards, trials: Trials, result: Result | None) -> str:
     """What was found, or why nothing was."""
     count = len(trials.views)
+    notes = "".join(f" {note}" for note in given.notes)
     if result is None:
-        return f"From {count} photographs there is no camera: {trials.problem or OPEN}."
+        return f"{trials.problem or OPEN}.{notes}"
     trial = result.trial
     words = (
         f"From {count} photographs of a chequerboard, fₓ = {format_number(trial.fit.camera.fx, 1)} "
@@ -144,7 +145,7 @@ def describe(settings: Settings, given: Boards, trials: Trials, result: Result |
     return (
         f"{words}; with the model “{LENSES[settings.lens]}”, photographs left out are predicted to "
         f"{format_number(trial.left_out_px, 2)} px, and the model supported is "
-        f"“{LENSES[result.supported.lens]}”."
+        f"“{LENSES[result.supported.lens]}”.{notes}"
     )
 
 

@@ -57,7 +57,7 @@ def test_parallel_boards_are_refused_with_the_advice_to_tilt(
 
 
 def test_two_photographs_are_too_few() -> None:
-    with pytest.raises(UndeterminedError, match="at least 3"):
+    with pytest.raises(UndeterminedError, match="At least 3"):
         closed_form(photographs(2).views(0.0), SIZE)
 
 
