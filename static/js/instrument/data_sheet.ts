@@ -102,7 +102,8 @@ function bodyOf({ title, photographs, lines }: Part) {
     const what = document.createElement("th");
     [what.scope, what.textContent] = ["row", label];
     row.append(what);
-    row.insertCell().textContent = `${numeral(text)} ${unit}`.trimEnd();
+    const space = unit && unit !== "°" ? "\u00a0" : "";
+    row.insertCell().textContent = numeral(text) + space + unit;
   }
   return body;
 }
