@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
 from simulations.models.sampling.first_fall import first_fall
-from simulations.models.sampling.slanted_edge import EdgePixels, locate_edge, measure
+from simulations.models.sampling.slanted_edge import measure
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
+from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge
 
 ANGLES_DEG = (3.0, 5.0, 9.0, 14.0, 18.4, 26.6)
 """Slants; the tangents of the last three are nearly 1/4, 1/3 and 1/2."""

@@ -12,27 +12,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, Mask
-from simulations.models.pixel_grid import centred
-from simulations.models.quantiles import quantile_of
-from simulations.models.require import require
+from simulations.models.arrays import Floats
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge_curve import EdgeCurve, fit_curve
-from simulations.models.sampling.slanted_edge_line import (
-    FAINT,
-    LEAST_STEP,
-    MARGIN,
-    TOO_SHORT,
-    EdgeLine,
-    UnfitEdgeError,
-    as_shares,
-    find_line,
-)
+from simulations.models.sampling.slanted_edge_line import FAINT, LEAST_STEP, UnfitEdgeError
+from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge
 
-REACH = 64.0
-"""Pixels at most so far from the edge take part."""
-NEAR, WIDEST_GAP = 2.0, 0.5
-"""The pixels so near to the edge must not leave wider gaps between their distances than this."""
+WIDEST_GAP = 0.5
+"""The pixels near the edge must not leave wider gaps between their distances than this."""
 UNEVEN = 0.1
 """How much of the step the light may change in the outer halves of the reach."""
 SECOND_PEAK, VALLEY = 0.4, 0.25
@@ -54,33 +41,6 @@ UNEVEN_LIGHT = (
     "two even areas."
 )
 TWO_EDGES = "There are two edges side by side: choose a rectangle that holds one."
-
-
-@dataclass(frozen=True, slots=True)
-class EdgePixels:
-    """The pixels of a picture of an edge, by their distances from it."""
-
-    line: EdgeLine
-    reach: float
-    """How far the picture extends on either side of the edge: whole pixels, `REACH` at most."""
-    distance: Floats
-    """(N,) distance of each pixel within reach; positive on the lighter side."""
-    value: Floats
-    """(N,) value of each pixel; 0 and 1 are the mean dark and light, away from the edge."""
-
-    def row(self, number: int) -> tuple[Floats, Floats]:
-        """Distances (W',) and values (W',) of the pixels of one row within reach."""
-        distance = self.line.distances()
-        within = np.abs(distance) < self.reach
-        first = int(within[:number].sum())
-        last = first + int(within[number].sum())
-        return self.distance[first:last], self.value[first:last]
-
-    @property
-    def widest_gap(self) -> float:
-        """Largest difference of successive distances near the edge."""
-        near = np.sort(self.distance[np.abs(self.distance) < NEAR])
-        return float(np.max(np.diff(near), initial=0.0)) if near.size > 1 else np.inf
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,34 +102,6 @@ class EdgeReading:
         place = self.pixels.reach * np.linspace(-0.5, 0.5, 257)
         spread = self.curve.spread(place)
         return np.maximum(spread - 1.0, -spread), self.curve.spread_error(place)
-
-
-def locate_edge(picture: ArrayLike) -> EdgePixels:
-    """The pixels (H, W) of an edge that runs from end to end, in any direction, by their distances.
-
-    Values must be proportional to the light. Raises `UnfitEdgeError` if there is no such edge.
-    """
-    values = np.asarray(picture, float)
-    require("picture", values.shape, values.ndim == 2, "(H, W)")
-    require("picture", values, bool(np.isfinite(values).all()), "finite")
-    largest = float(np.abs(values).max(initial=0.0))
-    line = find_line(values / largest if largest > 0 else values)
-    distance, light = line.distances(), line.picture[line.rows]
-    sides = -quantile_of(distance[:, 0]), quantile_of(distance[:, -1])
-    reach = min(REACH, float(np.floor(min(sides))))
-    if reach < MARGIN:
-        raise UnfitEdgeError(TOO_SHORT)
-    dark, bright = (_row_means(light, side * distance > 0.5 * reach) for side in (-1, 1))
-    share = as_shares(light, dark, bright, centred(line.picture.shape[0])[line.rows])
-    near = np.abs(distance) < reach
-    return EdgePixels(line, reach, distance[near], share[near])
-
-
-def _row_means(values: Floats, chosen: Mask) -> Floats:
-    """(N,) of the chosen pixels of each row (N, W); a row without any has the mean of all."""
-    count = chosen.sum(axis=1)
-    total = np.sum(values * chosen, axis=1)
-    return np.where(count > 0, total / np.maximum(count, 1), total.sum() / max(count.sum(), 1))
 
 
 def read_edge(picture: ArrayLike) -> EdgeReading:

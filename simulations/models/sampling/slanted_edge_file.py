@@ -25,9 +25,10 @@ def light_of_codes(codes: NDArray[np.uint8], *, srgb: bool) -> Floats:
         raise ValueError(f"codes {codes.shape} {codes.dtype}; legal: (H, W, 3) uint8")
     if min(codes.shape[:2]) < SMALLEST:
         raise UnfitEdgeError(TOO_SMALL)
-    if np.mean(np.max(codes, axis=2) == 255) > MOST_CLIPPED:
+    largest = np.maximum(np.maximum(codes[..., 0], codes[..., 1]), codes[..., 2])
+    if np.mean(largest == 255) > MOST_CLIPPED:
         raise UnfitEdgeError(TOO_LIGHT)
-    if np.mean(np.max(codes, axis=2) == 0) > MOST_CLIPPED:
+    if np.mean(largest == 0) > MOST_CLIPPED:
         raise UnfitEdgeError(TOO_DARK)
     light = np.linspace(0.0, 1.0, 256)
     return luminance((decode_srgb(light) if srgb else light).astype(np.float32)[codes])

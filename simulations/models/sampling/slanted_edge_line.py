@@ -71,12 +71,12 @@ class EdgeLine:
         """Places (...) of the edge at heights (...)."""
         return np.polyval(self.coefficients, y)
 
-    def distances(self) -> Floats:
-        """(N, W) distance of each pixel along the normal of the edge; positive where it is
-        light."""
+    def distances(self, columns: slice) -> Floats:
+        """(N, C) distance of the pixels in some columns along the normal of the edge; positive
+        where it is light."""
         y = centred(self.picture.shape[0])[self.rows, None]
         bow, slope, _ = self.coefficients
-        across: Floats = centred(self.picture.shape[1]) - self.column(y)
+        across: Floats = centred(self.picture.shape[1])[columns] - self.column(y)
         return across / np.hypot(1.0, slope + 2.0 * bow * y)
 
 

@@ -14,8 +14,9 @@ from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
-from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgePixels, EdgeReading
+from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading
 from simulations.models.sampling.slanted_edge_line import EdgeLine
+from simulations.models.sampling.slanted_edge_pixels import EdgePixels
 from simulations.scenes.slanted_edge.rectangle import HEIGHT, WIDTH, Box, centre_of, corner_of
 from simulations.scenes.slanted_edge.settings import Settings
 from simulations.scenes.slanted_edge.stages import Sharpness
@@ -28,7 +29,7 @@ NYQUIST = 0.5
 CONTRAST = (0, 0.5, 1)
 HANDLE_ROW = 20.0
 """Height of the edge's handle."""
-SPECK, MOST_SPECKS = 1.4, 1500
+SPECK, MOST_SPECKS = 1.4, 800
 """Length of the stroke for a pixel, and how many are drawn."""
 EDGE = "world dashed"
 WORDS, LINE, ROOM = 42, 20.0, 80.0
@@ -148,9 +149,8 @@ def _specks(plot: Plot, distance: Floats, value: Floats) -> str:
 
 
 def _dots_of_row(plot: Plot, pixels: EdgePixels) -> Iterator[str]:
-    distance, value = pixels.row(len(pixels.line.rows) // 2)
-    near = np.abs(distance) < plot.x.high
-    for x, y in zip(distance[near].tolist(), value[near].tolist(), strict=True):
+    near = (pixels.row == len(pixels.line.rows) // 2) & (np.abs(pixels.distance) < plot.x.high)
+    for x, y in zip(pixels.distance[near].tolist(), pixels.value[near].tolist(), strict=True):
         yield plot.mark(x, y, "camera", 3.5)
 
 

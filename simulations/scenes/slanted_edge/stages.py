@@ -13,15 +13,14 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.sampling.slanted_edge import (
     FREQUENCIES,
-    EdgePixels,
     EdgeReading,
     HalfContrast,
-    locate_edge,
     measure,
 )
 from simulations.models.sampling.slanted_edge_file import light_of_codes
 from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
+from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge
 from simulations.scenes.slanted_edge.rectangle import HEIGHT, WIDTH, Box, box_in
 
 ROWS, COLUMNS = 120, 160

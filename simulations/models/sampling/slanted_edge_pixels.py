@@ -1,0 +1,79 @@
+"""The pixels of a picture of an edge, by their distances from it. Lengths are in pixels."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.arrays import Floats, Mask
+from simulations.models.pixel_grid import centred
+from simulations.models.quantiles import quantile_of
+from simulations.models.require import require
+from simulations.models.sampling.slanted_edge_line import (
+    MARGIN,
+    TOO_SHORT,
+    EdgeLine,
+    Indices,
+    UnfitEdgeError,
+    as_shares,
+    find_line,
+)
+
+REACH = 64.0
+"""Pixels at most so far from the edge take part."""
+NEAR = 2.0
+"""The slope of the edge of a sharp picture lies within this distance."""
+
+
+@dataclass(frozen=True, slots=True)
+class EdgePixels:
+    """The pixels within reach of an edge, row by row."""
+
+    line: EdgeLine
+    reach: float
+    """How far the picture extends on either side of the edge: whole pixels, `REACH` at most."""
+    distance: Floats
+    """(N,) distance of each pixel from the edge; positive on the lighter side."""
+    value: Floats
+    """(N,) value of each pixel; 0 and 1 are the mean dark and light, away from the edge."""
+    row: Indices
+    """(N,) which of the `EdgeLine.rows` it is in."""
+
+    @property
+    def widest_gap(self) -> float:
+        """Largest difference of successive distances near the edge."""
+        near = np.sort(self.distance[np.abs(self.distance) < NEAR])
+        return float(np.max(np.diff(near), initial=0.0)) if near.size > 1 else np.inf
+
+
+def locate_edge(picture: ArrayLike) -> EdgePixels:
+    """The pixels (H, W) of an edge that runs from end to end, in any direction, by their distances.
+
+    Values must be proportional to the light. Raises `UnfitEdgeError` if there is no such edge.
+    """
+    values = np.asarray(picture, float)
+    require("picture", values.shape, values.ndim == 2, "(H, W)")
+    require("picture", values, bool(np.isfinite(values).all()), "finite")
+    largest = float(np.abs(values).max(initial=0.0))
+    line = find_line(values / largest if largest > 0 else values)
+    height, width = line.picture.shape
+    y = centred(height)[line.rows]
+    edge = line.column(y) + 0.5 * (width - 1)
+    room = min(quantile_of(edge), width - 1 - quantile_of(edge))
+    reach = min(REACH, float(np.floor(room * np.cos(line.angle_rad))))
+    if reach < MARGIN:
+        raise UnfitEdgeError(TOO_SHORT)
+    beside = reach / np.cos(line.angle_rad) + 1.0
+    columns = slice(max(0, int(edge.min() - beside)), int(edge.max() + beside) + 2)
+    light, distance = line.picture[line.rows, columns], line.distances(columns)
+    near = np.abs(distance) < reach
+    dark, bright = (_row_means(light, near & (side * distance > 0.5 * reach)) for side in (-1, 1))
+    share = as_shares(light, dark, bright, y)
+    return EdgePixels(line, reach, distance[near], share[near], np.nonzero(near)[0])
+
+
+def _row_means(values: Floats, chosen: Mask) -> Floats:
+    """(N,) of the chosen pixels of each row (N, W); a row without any has the mean of all."""
+    count = chosen.sum(axis=1)
+    total = np.sum(values * chosen, axis=1)
+    return np.where(count > 0, total / np.maximum(count, 1), total.sum() / max(count.sum(), 1))
