@@ -194,3 +194,9 @@ def test_the_sheet_has_each_number_with_its_error() -> None:
     lines = {each.name: each.text for each in sheet(SCENE.check({}), outputs())}
     assert {"focal", "pitch", "roll", "distance", "length", "height"} <= lines.keys()
     assert all("±" in text for text in lines.values())
+
+
+def test_the_sheet_has_the_focal_length_of_the_file_beside_the_measured_one() -> None:
+    photograph = Photograph(1, own().codes, "room.jpg", {"focal_35mm_mm": 26.0})
+    lines = {each.name: each.text for each in sheet(SCENE.check({}), outputs(photograph))}
+    assert lines["focal_by_file"] == "433"

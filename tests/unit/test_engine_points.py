@@ -3,8 +3,8 @@
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
+import numpy as np
 import pytest
 
 from simulations.engine.controls import ControlError, PointLists, Value
@@ -92,7 +92,7 @@ def test_a_handle_of_points_says_how_far_a_key_moves_it() -> None:
 
 
 def test_a_pull_may_ask_for_the_readers_photograph() -> None:
-    photograph: Any = Photograph(1, None)  # type: ignore[arg-type]
+    photograph = Photograph(1, np.zeros((1, 1, 3), np.uint8))
     settings = SCENE.check({})
     assert SCENE.pull(settings, "end", (40, 30)) == {"lines": "book;0.1,0.1"}
     assert SCENE.pull(settings, "end", (40, 30), "", photograph) == {"lines": "own;0.1,0.1"}

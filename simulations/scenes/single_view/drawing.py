@@ -21,6 +21,7 @@ from simulations.scenes.single_view.fields import (
     finite_point,
     whole,
 )
+from simulations.scenes.single_view.labels import beside_lines
 from simulations.scenes.single_view.lines import FLOOR, Drawn
 from simulations.scenes.single_view.lines import HEIGHT as HEIGHTS
 from simulations.scenes.single_view.settings import LISTS, NORMALS, Settings
@@ -45,20 +46,21 @@ def over_picture(settings: Settings, lines: Drawn, found: Found, lengths: Length
             start, end = field.place(ends[0]), field.place(ends[1])
             style = STYLES[number] + manner if counts else "muted dashed"
             parts.append(drawing.line(start, end, "casing") + drawing.line(start, end, style))
-    parts += _lengths(field, lines, lengths)
+    parts.append(_lengths(field, lines, lengths, chosen))
     return "".join(parts)
 
 
-def _lengths(field: Field, lines: Drawn, lengths: Lengths) -> Iterator[str]:
-    known = lengths.known
+def _lengths(field: Field, lines: Drawn, lengths: Lengths, chosen: int) -> str:
+    """What was measured, by its line; clear of the ends of the chosen list."""
+    labels = []
     for number, metres in ((FLOOR, lengths.floor), (HEIGHTS, lengths.height)):
         for place, (ends, pair) in enumerate(zip(lines.counted(number), metres, strict=False)):
-            middle = np.mean([field.place(end) for end in ends], axis=0)
-            is_known = place == 0 and known == list(LISTS)[number]
+            is_known = place == 0 and lengths.known == list(LISTS)[number]
             words = f"{format_number(pair[0])} m, known" if is_known else with_error(*pair, "m")
-            x = min(max(float(middle[0]), 60.0), WIDTH - 60.0)
-            baseline = (x, min(max(float(middle[1]) + 4.0, LINE), HEIGHT - 8.0))
-            yield drawing.text(baseline, words, "image small ground", "middle")
+            labels.append((field.place(ends[0]), field.place(ends[1]), words))
+    labels.sort(key=lambda label: label[2].endswith("known"))  # it may stand farther off
+    handles = [field.place(end) for end in lines.ends[chosen].reshape(-1, 2)]
+    return beside_lines(labels, handles, "image small ground")
 
 
 def with_error(value: float, error: float, unit: str, digits: int = 2) -> str:

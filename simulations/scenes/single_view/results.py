@@ -6,6 +6,7 @@ import math
 import numpy as np
 
 from simulations.engine.frame import Readout, format_number
+from simulations.engine.photograph import Photograph
 from simulations.engine.stages import Outputs
 from simulations.models.projection.pinhole import field_of_view_rad
 from simulations.models.projection.single_view import SingleView
@@ -116,6 +117,7 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     named = tuple(
         shown[name] for name in ("focal", "pitch", "roll", "distance", "length", "height")
     )
+    named += _by_the_file(lines, outputs["photograph"])
     if found.view is None or not found.knows_focal:
         return named
     width = lines.size[0]
@@ -125,6 +127,16 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     )
     text = f"{format_number(angle, 1)} ± {format_number(spread, 1)}"
     return (*named, Readout("field_of_view", "Horizontal field of view", text, "°", "camera"))
+
+
+def _by_the_file(lines: Drawn, photograph: Photograph | None) -> tuple[Readout, ...]:
+    """The focal length that EXIF states, on the film of 36 × 24 mm, which is by the diagonal."""
+    stated = photograph.facts.get("focal_35mm_mm") if photograph else None
+    if not isinstance(stated, int | float) or not stated > 0:
+        return ()
+    pixels = float(stated) / math.hypot(36.0, 24.0) * math.hypot(*lines.size)
+    label = "Focal length by the file"
+    return (Readout("focal_by_file", label, format_number(pixels, 0), "px", "camera"),)
 
 
 def as_json(settings: Settings, outputs: Outputs) -> str:

@@ -92,7 +92,7 @@ class Points:
     clamp = check
 
     def details(self) -> dict[str, object]:
-        return {}
+        return {"lists": self.lists, "most": self.most}
 
     def text(self, _value: Value, _numeral: Callable[[str], str] = str) -> tuple[str, str]:
         return "", ""
