@@ -2,8 +2,9 @@
 
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +14,12 @@ from support.edges import gaussian_edge
 from support.reader import Reader
 
 from simulations.engine.photograph import Codes, Photograph
+from simulations.engine.reading import Reading
 from simulations.engine.stages import StageCache
+from simulations.models.calibration.board import Board
+from simulations.models.calibration.camera import Camera
+from simulations.models.calibration.simulated import sitting
+from simulations.pictures.chequerboard import View, photograph_of
 from simulations.registry import load_scene
 
 pytestmark = pytest.mark.browser
@@ -63,24 +69,46 @@ class Instrument:
         return self.figure.locator(f"output[name={name}]")
 
 
-@pytest.fixture
-def instrument(reader: Reader) -> Instrument:
+def opened(reader: Reader, scene: str) -> Instrument:
     reader.open(PAGE)
-    found = Instrument(reader, SCENE)
+    found = Instrument(reader, scene)
     reader.bring(found.box)
     reader.settle(found.figure)
     return found
 
 
-def measured(name: str) -> list[dict[str, str]]:
-    """The lines of the data sheet by this Python."""
-    scene, codes = load_scene(SCENE), EDGES[name]
-    facts = {"full_width": codes.shape[1], "full_height": codes.shape[0]}
-    settings = scene.check({})
-    own = Photograph(1, codes, name, facts)
-    outputs = scene.run(settings, "", StageCache(), own).outputs
+@pytest.fixture
+def instrument(reader: Reader) -> Instrument:
+    return opened(reader, SCENE)
+
+
+def saved_part(instrument: Instrument) -> dict[str, Any]:
+    """What the data sheet, saved as JSON, says of the one instrument that is used."""
+    page = instrument.reader.page
+    with page.expect_download() as saved:
+        page.locator(".data-sheet").get_by_role("button", name="Save as JSON").click()
+    (part,) = json.loads(saved.value.path().read_text(encoding="utf-8"))["instruments"]
+    return {**part, "lines": [(line["label"], line["text"]) for line in part["lines"]]}
+
+
+def measured(scene_id: str, given: dict[str, Any], pictures: dict[str, Codes]) -> Any:
+    """The lines of the data sheet by this Python; the first of the pictures is looked at."""
+    scene = load_scene(scene_id)
+    photographs = [
+        Photograph(
+            number, codes, name, {"full_width": codes.shape[1], "full_height": codes.shape[0]}
+        )
+        for number, (name, codes) in enumerate(pictures.items())
+    ]
+    readings = tuple(
+        Reading(photograph.number, photograph.name, scene.read(photograph))
+        for photograph in photographs
+        if scene.read
+    )
+    settings = scene.check(given)
+    outputs = scene.run(settings, "", StageCache(), photographs[0], readings).outputs
     assert scene.sheet
-    return [{"label": line.label, "text": line.text} for line in scene.sheet(settings, outputs)]
+    return [(line.label, line.text) for line in scene.sheet(settings, outputs)]
 
 
 def test_photographs_go_in_and_the_data_sheet_comes_out(
@@ -90,16 +118,40 @@ def test_photographs_go_in_and_the_data_sheet_comes_out(
     assert instrument.states() == ["ready", "ready", "refused", "refused"]
     expect(instrument.photographs.nth(2)).to_contain_text("it needs at least 16 each way")
     expect(instrument.photographs.nth(3)).to_contain_text("Use JPEG or PNG")
-    page = instrument.reader.page
-    sheet = page.locator(".data-sheet")
-    expect(sheet.locator("tbody")).to_contain_text("soft.png")
-    with page.expect_download() as saved:
-        sheet.get_by_role("button", name="Save as JSON").click()
-    written = json.loads(saved.value.path().read_text(encoding="utf-8"))
-    (part,) = written["instruments"]
+    expect(instrument.reader.page.locator(".data-sheet tbody")).to_contain_text("soft.png")
+    part = saved_part(instrument)
     assert part["photographs"] == ["soft.png"]
-    lines = [{"label": line["label"], "text": line["text"]} for line in part["lines"]]
-    assert lines == measured("soft.png")
+    soft = {"soft.png": EDGES["soft.png"]}
+    assert part["lines"] == measured(SCENE, part["settings"], soft)
+
+
+def test_boards_are_read_and_calibrate_the_camera_as_they_do_in_this_python(
+    reader: Reader, tmp_path: Path
+) -> None:
+    boards = dict(board_photographs(4))
+    for name, codes in boards.items():
+        Image.fromarray(codes).save(tmp_path / name)
+    Image.new("RGB", (640, 480), (90, 90, 90)).save(tmp_path / "wall.png")
+    instrument = opened(reader, "calibration")
+    instrument.add([tmp_path / name for name in (*boards, "wall.png")])
+    assert instrument.states() == ["ready"] * 4 + ["refused"]
+    expect(instrument.photographs.last).to_contain_text("No chequerboard found")
+    expect(instrument.box.locator(".intake-said")).to_have_text("4 of 5 photographs are ready.")
+    part = saved_part(instrument)
+    assert part["photographs"] == list(boards)
+    assert part["lines"] == measured("calibration", part["settings"], boards)
+    assert len(reader.page.workers) == 1, "the interpreter that read has ended"
+
+
+def board_photographs(count: int) -> Iterator[tuple[str, Codes]]:
+    """(480, 640, 3) each, with the names of their files."""
+    camera, board = Camera(520.0, 520.0, 322.0, 238.0), Board()
+    placed = sitting(camera, (640, 480), count, board, seed=5)
+    for number in range(count):
+        pose = np.eye(4)
+        pose[:3, :3], pose[:3, 3] = placed.poses.R[number], placed.poses.t[number] * board.side_mm
+        grey = photograph_of(board, View(640, 480, camera.matrix, camera.lens, pose))
+        yield f"board{number}.png", np.repeat(grey[..., None], 3, axis=2)
 
 
 def test_another_photograph_is_looked_at_and_the_book_s_picture_comes_back_after_the_last(
@@ -132,27 +184,36 @@ def test_what_is_kept_is_there_again_after_a_reload_and_gone_once_it_is_not_kept
     soft = instrument.readout("measured").inner_text()
     keep = instrument.box.get_by_label("Keep on this device")
     keep.check()
-    reader.page.wait_for_function(STORED, arg=4)
+    wait_stored(reader, 4)
     reader.open(PAGE)
     expect(instrument.photographs).to_have_count(4)
     assert instrument.states() == ["ready", "ready", "refused", "refused"]
     expect(instrument.readout("measured")).to_have_text(soft)
     keep.uncheck()
-    reader.page.wait_for_function(STORED, arg=0)
+    wait_stored(reader, 0)
     reader.open(PAGE)
     expect(instrument.photographs).to_have_count(0)
 
 
-STORED = """async (count) => {
+def wait_stored(reader: Reader, count: int) -> None:
+    """Until the browser keeps so many photographs."""
+    for _ in range(200):
+        if reader.page.evaluate(STORED) == count:
+            return
+        reader.page.wait_for_timeout(50)
+    pytest.fail(f"{reader.page.evaluate(STORED)} photographs are stored")
+
+
+STORED = """async () => {
   const names = (await indexedDB.databases()).map(({ name }) => name);
   const name = names.find((name) => name.endsWith('photographs'));
-  if (!name) return false;
+  if (!name) return 0;
   const database = await new Promise((resolve) => {
     indexedDB.open(name).onsuccess = ({ target }) => resolve(target.result);
   });
   const request = database.transaction('photographs').objectStore('photographs').count();
   return new Promise((resolve) => {
-    request.onsuccess = () => { database.close(); resolve(request.result === count); };
+    request.onsuccess = () => { database.close(); resolve(request.result); };
   });
 }"""
 

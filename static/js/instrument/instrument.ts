@@ -123,7 +123,7 @@ export class Instrument {
     this.#keeps = wanted;
     if (wanted) {
       keepSession(this.scene, this.figure);
-      for (const photo of this.photos) await this.#keep(photo);
+      await this.#keep(this.photos);
     } else {
       forgetSession(this.scene);
       await erase(this.photos).catch(() => {}); // there are none
@@ -143,7 +143,7 @@ export class Instrument {
     const taken: Photo = { ...photo, number: nextNumber() };
     this.photos.push(taken);
     this.list.show(taken);
-    this.#keep(taken);
+    this.#keep([taken]);
   }
 
   async #read(photo: Photo) {
@@ -160,7 +160,7 @@ export class Instrument {
     }
     if (!this.photos.includes(photo)) return;
     this.list.show(photo);
-    this.#keep(photo);
+    this.#keep([photo]);
     this.#use();
   }
 
@@ -175,10 +175,10 @@ export class Instrument {
     this.#showWork();
   }
 
-  async #keep(photo: Photo) {
+  async #keep(photos: Photo[]) {
     if (!this.#keeps) return;
     try {
-      await keep(this.scene, this.photos.indexOf(photo), photo);
+      await keep(this.scene, photos, this.photos);
     } catch (error) {
       const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
       this.#stopKeeping(isFull ? words("instrument.full") : words("instrument.not_kept"));

@@ -19,14 +19,23 @@ export async function keptPhotos(scene: string): Promise<Omit<Photo, "number">[]
     );
 }
 
-/** Keep a photograph as it is now. */
-export async function keep(scene: string, order: number, { number: _number, ...photo }: Photo) {
+/** Keep photographs as they are now, each at its place among all. */
+export async function keep(scene: string, photos: Photo[], all: Photo[]) {
   const sources = document.body.dataset.sources ?? "";
-  await within("readwrite", (store) => store.put({ ...photo, scene, order, sources }));
+  await within("readwrite", (store) => {
+    for (const { number: _number, ...photo } of photos) {
+      const order = all.findIndex(({ id }) => id === photo.id);
+      store.put({ ...photo, scene, order, sources });
+    }
+    return store.count();
+  });
 }
 
 export async function erase(photos: Photo[]) {
-  for (const { id } of photos) await within("readwrite", (store) => store.delete(id));
+  await within("readwrite", (store) => {
+    for (const { id } of photos) store.delete(id);
+    return store.count();
+  });
 }
 
 /** @throws Where the browser denies storage, or has no room. */
