@@ -241,8 +241,7 @@ def to_json(frame: Frame) -> str:
             ],
             "handles": [
                 {"name": place.name, "x": round(place.x, 2), "y": round(place.y, 2)}
-                if not place.step
-                else asdict(place)
+                | ({"step": round(place.step, 5)} if place.step else {})
                 for place in frame.handles
             ],
         },

@@ -179,7 +179,7 @@ def in_loupe(lines: Drawn, settings: Settings) -> str:
     ends = lines.ends[number].reshape(-1, 2)
     if not len(ends):
         middle = (WIDTH / 2.0, HEIGHT / 2.0)
-        return drawing.text(middle, "no line yet", "muted", "middle")
+        return drawing.text(middle, "no line yet", "ground", "middle")
     touched = min(lines.points.touched, len(ends) - 1)
     corner = np.rint(ends[touched]) - (LOUPE_COLUMNS // 2, LOUPE_ROWS // 2)
     unit = WIDTH / LOUPE_COLUMNS

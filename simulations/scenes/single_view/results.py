@@ -29,7 +29,9 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     return (
         _focal(found, "" if own else f", true {FOCAL_PX:.0f} px"),
         _length("length", "Length on the plane", lengths.floor, floor, lengths.known == "floor"),
-        _length("height", "Height above it", lengths.height, height, lengths.known == "height"),
+        _length(
+            "height", "Height above the plane", lengths.height, height, lengths.known == "height"
+        ),
         Readout(
             "focal_error",
             "Standard error of f",

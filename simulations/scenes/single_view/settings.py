@@ -9,7 +9,7 @@ LISTS = {
     "along": "Lines along the room",
     "upright": "Uprights",
     "floor": "Lengths on the plane",
-    "height": "Heights above it",
+    "height": "Heights above the plane",
 }
 """What is drawn. The first three are the axes 0, 1 and 2."""
 MOST = 6
