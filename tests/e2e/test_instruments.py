@@ -2,7 +2,7 @@
 
 import io
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +14,7 @@ from support.edges import gaussian_edge
 from support.reader import Reader
 
 from simulations.engine.photograph import Codes, Photograph
-from simulations.engine.reading import Reading
 from simulations.engine.stages import StageCache
-from simulations.models.calibration.board import Board
-from simulations.models.calibration.camera import Camera
-from simulations.models.calibration.simulated import sitting
-from simulations.pictures.chequerboard import View, photograph_of
 from simulations.registry import load_scene
 
 pytestmark = pytest.mark.browser
@@ -69,17 +64,13 @@ class Instrument:
         return self.figure.locator(f"output[name={name}]")
 
 
-def opened(reader: Reader, scene: str) -> Instrument:
+@pytest.fixture
+def instrument(reader: Reader) -> Instrument:
     reader.open(PAGE)
-    found = Instrument(reader, scene)
+    found = Instrument(reader, SCENE)
     reader.bring(found.box)
     reader.settle(found.figure)
     return found
-
-
-@pytest.fixture
-def instrument(reader: Reader) -> Instrument:
-    return opened(reader, SCENE)
 
 
 def saved_part(instrument: Instrument) -> dict[str, Any]:
@@ -91,22 +82,12 @@ def saved_part(instrument: Instrument) -> dict[str, Any]:
     return {**part, "lines": [(line["label"], line["text"]) for line in part["lines"]]}
 
 
-def measured(scene_id: str, given: dict[str, Any], pictures: dict[str, Codes]) -> Any:
-    """The lines of the data sheet by this Python; the first of the pictures is looked at."""
-    scene = load_scene(scene_id)
-    photographs = [
-        Photograph(
-            number, codes, name, {"full_width": codes.shape[1], "full_height": codes.shape[0]}
-        )
-        for number, (name, codes) in enumerate(pictures.items())
-    ]
-    readings = tuple(
-        Reading(photograph.number, photograph.name, scene.read(photograph))
-        for photograph in photographs
-        if scene.read
-    )
-    settings = scene.check(given)
-    outputs = scene.run(settings, "", StageCache(), photographs[0], readings).outputs
+def measured(name: str, given: dict[str, Any]) -> list[tuple[str, str]]:
+    """The lines of the data sheet by this Python."""
+    scene, codes = load_scene(SCENE), EDGES[name]
+    facts = {"full_width": codes.shape[1], "full_height": codes.shape[0]}
+    settings, own = scene.check(given), Photograph(1, codes, name, facts)
+    outputs = scene.run(settings, "", StageCache(), own).outputs
     assert scene.sheet
     return [(line.label, line.text) for line in scene.sheet(settings, outputs)]
 
@@ -121,37 +102,7 @@ def test_photographs_go_in_and_the_data_sheet_comes_out(
     expect(instrument.reader.page.locator(".data-sheet tbody")).to_contain_text("soft.png")
     part = saved_part(instrument)
     assert part["photographs"] == ["soft.png"]
-    soft = {"soft.png": EDGES["soft.png"]}
-    assert part["lines"] == measured(SCENE, part["settings"], soft)
-
-
-def test_boards_are_read_and_calibrate_the_camera_as_they_do_in_this_python(
-    reader: Reader, tmp_path: Path
-) -> None:
-    boards = dict(board_photographs(4))
-    for name, codes in boards.items():
-        Image.fromarray(codes).save(tmp_path / name)
-    Image.new("RGB", (640, 480), (90, 90, 90)).save(tmp_path / "wall.png")
-    instrument = opened(reader, "calibration")
-    instrument.add([tmp_path / name for name in (*boards, "wall.png")])
-    assert instrument.states() == ["ready"] * 4 + ["refused"]
-    expect(instrument.photographs.last).to_contain_text("No chequerboard found")
-    expect(instrument.box.locator(".intake-said")).to_have_text("4 of 5 photographs are ready.")
-    part = saved_part(instrument)
-    assert part["photographs"] == list(boards)
-    assert part["lines"] == measured("calibration", part["settings"], boards)
-    assert len(reader.page.workers) == 1, "the interpreter that read has ended"
-
-
-def board_photographs(count: int) -> Iterator[tuple[str, Codes]]:
-    """(480, 640, 3) each, with the names of their files."""
-    camera, board = Camera(520.0, 520.0, 322.0, 238.0), Board()
-    placed = sitting(camera, (640, 480), count, board, seed=5)
-    for number in range(count):
-        pose = np.eye(4)
-        pose[:3, :3], pose[:3, 3] = placed.poses.R[number], placed.poses.t[number] * board.side_mm
-        grey = photograph_of(board, View(640, 480, camera.matrix, camera.lens, pose))
-        yield f"board{number}.png", np.repeat(grey[..., None], 3, axis=2)
+    assert part["lines"] == measured("soft.png", part["settings"])
 
 
 def test_another_photograph_is_looked_at_and_the_book_s_picture_comes_back_after_the_last(

@@ -66,3 +66,4 @@ def test_the_reader_s_boards_calibrate_the_camera_as_in_this_python(
     assert [p["name"] for p in theirs["photographs"]] == [f"{index}.png" for index in range(COUNT)]
     for part in ("camera", "standard_errors"):
         assert theirs[part] == pytest.approx(ours[part], rel=1e-6, abs=1e-9)
+    assert len(reader.page.workers) == 1, "the interpreter that read has ended"
