@@ -18,7 +18,7 @@ from simulations.models.error_measures import root_mean_square
 from simulations.scenes.calibration import boards
 from simulations.scenes.calibration.boards import SIGMA_PX, rendered, simulated_sitting
 from simulations.scenes.calibration.scene import SCENE
-from simulations.scenes.calibration.settings import LEAST, MOST, Settings
+from simulations.scenes.calibration.settings import ERRORS, LEAST, MOST, Settings
 
 frame = partial(frame_of, SCENE)
 
@@ -79,6 +79,12 @@ def test_a_photograph_that_was_not_used_is_marked() -> None:
     used, unused = (frame(photographs=5, shown=shown).panels[0].overlay for shown in (5, 6))
     assert "not used" in unused
     assert "not used" not in used
+
+
+def test_the_errors_of_all_photographs_used_can_be_drawn_at_once() -> None:
+    one, every = (frame(photographs=8, arrows=arrows).panels[0].overlay for arrows in ERRORS)
+    assert one.count("<circle") == 54
+    assert every.count("M") == 2 * 8 * 54
 
 
 def test_right_of_the_dividing_line_the_board_is_straight() -> None:
@@ -157,6 +163,8 @@ def test_files_and_sheet_hold_the_same_numbers() -> None:
     lines = {line.name: line.text for line in sheet(settings, outputs)}
     assert lines["fx"].startswith(f"{read['camera']['fx']:.2f} ± ")
     assert lines["photographs"] == "8"
+    worst = max(read["photographs"], key=lambda photograph: photograph["rms_px"])
+    assert lines["worst"] == f"{worst['rms_px']:.3f} px, {worst['name']}"
     assert float(lines["stated"]) == pytest.approx(26 * 800 / 43.27, abs=1)
 
 

@@ -33,8 +33,8 @@ class Report:
     """Standard error of each free parameter."""
     rms_px: float
     poses: Poses
-    names: Sequence[str] = ()
-    """Names of the photographs, in the order of the poses."""
+    photographs: Sequence[tuple[str, float]]
+    """Name and RMS error in px of each, in the order of the poses."""
 
 
 def opencv_yaml(report: Report) -> str:
@@ -73,7 +73,6 @@ def _matrix(name: str, values: Floats) -> tuple[str, ...]:
 def as_json(report: Report) -> str:
     """All of it, with standard errors; lengths in squares of the board, angles in radians."""
     camera = report.camera
-    names = report.names or [str(index + 1) for index in range(len(report.poses.t))]
     turns, shifts = report.poses.rotation_vectors.tolist(), report.poses.t.tolist()
     values = {n: getattr(camera, n) for n in ("fx", "fy", "cx", "cy")}
     values |= {n: getattr(camera.lens, n) for n in ("k1", "k2", "p1", "p2", "k3")}
@@ -85,8 +84,8 @@ def as_json(report: Report) -> str:
             "standard_errors": dict(report.errors),
             "rms_px": report.rms_px,
             "photographs": [
-                {"name": name, "rotation_vector": turn, "translation": shift}
-                for name, turn, shift in zip(names, turns, shifts, strict=True)
+                {"name": name, "rms_px": rms, "rotation_vector": turn, "translation": shift}
+                for (name, rms), turn, shift in zip(report.photographs, turns, shifts, strict=True)
             ],
         },
         indent=2,

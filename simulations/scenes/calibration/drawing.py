@@ -11,8 +11,8 @@ from simulations.models.arrays import Floats
 
 WIDTH = 400.0
 """View box units of the width of a photograph."""
-ARROW = 13.0
-"""Length that the RMS error is enlarged to, about."""
+ARROW, STROKE = 13.0, 7.0
+"""Lengths that the RMS error is enlarged to, about: of one photograph, and of many."""
 HEAD = 4.0
 NAMES = ("photograph", "without distortion")
 MARGIN = 10.0
@@ -28,9 +28,9 @@ def to_view(pixels: Floats, size: tuple[int, int]) -> Floats:
     return (pixels + 0.5) * (WIDTH / size[0])
 
 
-def enlargement(rms_px: float, size: tuple[int, int]) -> float:
+def enlargement(rms_px: float, size: tuple[int, int], length: float = ARROW) -> float:
     """1, 2 or 5 times a power of ten, by which errors of this size become visible arrows."""
-    wanted = ARROW / max(rms_px * WIDTH / size[0], 1e-9)
+    wanted = length / max(rms_px * WIDTH / size[0], 1e-9)
     power = 10.0 ** math.floor(math.log10(wanted))
     return max(step * power for step in (1.0, 2.0, 5.0) if step * power <= wanted)
 
@@ -41,6 +41,14 @@ def corners(found: Floats, off: Floats, size: tuple[int, int], times: float) -> 
     end = start + off * (times * WIDTH / size[0])
     marks = [circle(place, 2.2, "image thin") for place in start]
     return "".join(("".join(marks), _arrows(start, end)))
+
+
+def strokes(found: Floats, off: Floats, size: tuple[int, int], times: float) -> str:
+    """The errors of many photographs' corners (N, 2), each a stroke that starts at its corner."""
+    start = to_view(found, size)
+    end = start + off * (times * WIDTH / size[0])
+    lines = np.stack((start, end), axis=1)
+    return path(lines, "casing") + path(lines, "error")
 
 
 def _arrows(start: Floats, end: Floats) -> str:

@@ -11,6 +11,7 @@ from simulations.engine.reading import Readings, UnfitError
 from simulations.engine.stages import Outputs
 from simulations.models.calibration import exports
 from simulations.models.calibration.exports import Maker, Report
+from simulations.models.calibration.standard_errors import rms_of_each
 from simulations.models.calibration.undistorted import undistorted
 from simulations.scenes.calibration.boards import Boards
 from simulations.scenes.calibration.settings import LENSES, Settings
@@ -36,9 +37,15 @@ LABELS = {
 def _report(outputs: Outputs) -> Report:
     given: Boards = outputs["boards"]
     trial = _determined(outputs).trial
-    names = given.names[: len(trial.fit.poses.t)]
+    each = rms_of_each(outputs["trials"].views, trial.fit).tolist()
+    photographs = tuple(zip(given.names, each, strict=False))
     return Report(
-        trial.fit.camera, given.size, trial.uncertainty.errors, trial.rms_px, trial.fit.poses, names
+        trial.fit.camera,
+        given.size,
+        trial.uncertainty.errors,
+        trial.rms_px,
+        trial.fit.poses,
+        photographs,
     )
 
 
@@ -86,6 +93,14 @@ def develop(photograph: Photograph, _settings: Settings, outputs: Outputs) -> Co
     return undistorted(photograph.codes, camera.scaled(photograph.codes.shape[1] / given.size[0]))
 
 
+def _worst(given: Boards, outputs: Outputs) -> Readout:
+    """The photograph whose corners fit worst."""
+    each = rms_of_each(outputs["trials"].views, outputs["result"].trial.fit)
+    index = int(each.argmax())
+    words = f"{format_number(float(each[index]), 3)} px, {given.names[index]}"
+    return Readout("worst", "Largest error of a photograph", words)
+
+
 def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """The camera's parameters with standard errors, and how well they predict corners."""
     given: Boards = outputs["boards"]
@@ -115,6 +130,7 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         Readout("field", "Field of view across", format_number(float(degrees), 1), "°"),
         Readout("rms", "Error, photographs used", format_number(trial.rms_px, 3), "px"),
         Readout("left_out", "Error, left out", format_number(trial.left_out_px, 3), "px"),
+        _worst(given, outputs),
         Readout("covered", "Covered by corners", format_number(100 * result.covered.share, 0), "%"),
         Readout("supported", "Model supported", LENSES[result.supported.lens]),
         Readout("advice", "Next photograph", result.advice),

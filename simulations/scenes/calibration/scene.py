@@ -70,14 +70,17 @@ def _raster(settings: Settings, outputs: Outputs) -> Raster | None:
 
 def _over(settings: Settings, outputs: Outputs) -> str:
     given: Boards = outputs["boards"]
-    errors: Errors | None = outputs["errors"]
     parts = [] if outputs["looked"].codes is not None else [drawing.empty(given.size)]
+    every = settings.arrows == "all"
+    errors: Errors | None = outputs["map" if every else "errors"]
     if errors:
-        times = drawing.enlargement(errors.rms_px, given.size)
+        length = drawing.STROKE if every else drawing.ARROW
+        times = drawing.enlargement(errors.rms_px, given.size, length)
         left = errors.found[:, 0] <= settings.share * given.size[0]
-        parts.append(drawing.corners(errors.found[left], errors.off[left], given.size, times))
-        used = outputs["looked"].index < len(outputs["trials"].views)
-        parts.append(drawing.legend(times, used))
+        draw_them = drawing.strokes if every else drawing.corners
+        parts.append(draw_them(errors.found[left], errors.off[left], given.size, times))
+        count = len(outputs["trials"].views)
+        parts.append(drawing.legend(times, every or outputs["looked"].index < count))
     if outputs["developed"] is not None:
         parts.append(drawing.dividing_line(settings.share, given.size))
     return "".join(parts)

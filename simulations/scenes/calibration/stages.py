@@ -74,7 +74,7 @@ class Looked:
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Found and predicted corners (N, 2) of the photograph that is looked at, px."""
+    """Found and predicted corners (N, 2) of one photograph or of many, px."""
 
     found: Floats
     off: Floats
@@ -162,6 +162,15 @@ def _errors(found: Views | None, result: Result | None) -> Errors | None:
     return Errors(found.pixels[found.found], off[found.found])
 
 
+def _map(trials: Trials, result: Result | None) -> Errors | None:
+    """Of all photographs that the camera was fitted to."""
+    if result is None:
+        return None
+    views, fit = trials.views, result.trial.fit
+    off = residuals(views, fit.camera, fit.poses)
+    return Errors(views.pixels[views.found], off[views.found])
+
+
 def _codes(looked: Looked) -> Codes | None:
     return looked.codes
 
@@ -185,6 +194,7 @@ STAGES = (
     Stage("looked", _looked, ("boards",)),
     Stage("found", _found, ("boards", "looked")),
     Stage("errors", _errors, ("found", "result")),
+    Stage("map", _map, ("trials", "result")),
     Stage("codes", _codes, ("looked",)),
     Stage("developed", _developed, ("codes", "boards", "result"), _not_developed),
 )

@@ -20,11 +20,12 @@ from simulations.models.calibration.exports import (
 from simulations.models.distortion.lens_model import Distortion
 
 POSES = photographs(3).poses
+PHOTOGRAPHS = (("a.jpg", 0.1), ("b.jpg", 0.2), ("c & d.jpg", 0.1))
 RADIAL = Camera(600.0, 600.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08))
 
 
 def report(camera: Camera = TRUTH) -> Report:
-    return Report(camera, SIZE, {"fx": 0.2}, 0.1, POSES, ("a.jpg", "b.jpg", "c & d.jpg"))
+    return Report(camera, SIZE, {"fx": 0.2}, 0.1, POSES, PHOTOGRAPHS)
 
 
 def test_opencv_reads_its_file(tmp_path: Path) -> None:
@@ -48,6 +49,7 @@ def test_json_has_camera_errors_and_poses() -> None:
     assert read["camera"]["fx"] == 600.0
     assert read["standard_errors"] == {"fx": 0.2}
     assert [entry["name"] for entry in read["photographs"]] == ["a.jpg", "b.jpg", "c & d.jpg"]
+    assert read["photographs"][1]["rms_px"] == 0.2
 
 
 def lensfun_pixels(xml: str, ideal: np.ndarray) -> np.ndarray:
