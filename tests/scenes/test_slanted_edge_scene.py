@@ -91,7 +91,7 @@ def test_the_pitch_follows_from_the_focal_length_and_its_equivalent() -> None:
     assert SCENE.sheet is not None
     lines = {line.name: line.text for line in SCENE.sheet(SCENE.check({}), run.outputs)}
     assert float(lines["pitch"]) == pytest.approx(1.39, abs=0.01)
-    assert lines["mtf50"].startswith(f"{gaussian_half(1.5):.2f}")
+    assert lines["mtf50_1"].startswith(f"{gaussian_half(1.5):.2f}")
 
 
 def test_a_refusal_is_said_in_the_figure_and_fills_no_sheet() -> None:
@@ -106,7 +106,8 @@ def test_files_hold_what_the_figure_shows() -> None:
     made = {e.name: e.make(SCENE.check({}), outputs_of(SCENE)) for e in SCENE.exports}
     texts = texts_of(frame())
     found = json.loads(made["sharpness"])
-    assert f"{found['mtf50_cycles_per_px']:.3f}" == texts["per_px"]
+    assert f"{found['rectangle']['mtf50_cycles_per_px']:.3f}" == texts["per_px"]
+    assert found["kept"] == []
     rows = list(csv.DictReader(io.StringIO(made["mtf"])))
     assert float(rows[0]["contrast"]) == 1.0
     assert float(rows[25]["cycles_per_px"]) == 0.5
@@ -116,3 +117,35 @@ def test_files_hold_what_the_figure_shows() -> None:
     assert float(light[-1]["light"]) == pytest.approx(1.0, abs=0.02)
     with pytest.raises(UnfitError, match="contrast"):
         SCENE.exports[0].make(SCENE.check({"x": 20}), outputs_of(SCENE, x=20))
+
+
+def test_places_that_are_kept_stand_in_the_picture_the_sheet_and_the_file() -> None:
+    picture = photograph(320, 240)
+    settings = SCENE.check({"y": 20, "height": 20})
+    kept = {**SCENE.pull(settings, "keep", (0.0, 0.0)), "y": 60, "height": 20}
+    kept = {**kept, **SCENE.pull(SCENE.check(kept), "keep", (0.0, 0.0)), "y": 37.5}
+    now = SCENE.check(kept)
+    run = SCENE.run(now, "", StageCache(), picture)
+    first, second = run.outputs["places"]
+    assert (first.box.top, first.box.bottom) == (32, 96)
+    assert (second.box.top, second.box.bottom) == (160, 224)
+    seen = SCENE.render(now, "", StageCache(), picture)
+    for place in (first, second):
+        assert f">{place.sharpness.half.frequency:.3f}<" in seen.panels[0].overlay
+    assert SCENE.sheet is not None
+    lines = [line for line in SCENE.sheet(now, run.outputs) if line.unit == "cycles/px"]
+    assert [line.text[:6] for line in lines] == [
+        f"{place.sharpness.half.frequency:.4f}" for place in (first, second)
+    ]
+    assert "28 % from the middle" in lines[0].label
+    made = next(export for export in SCENE.exports if export.name == "sharpness")
+    assert len(json.loads(made.make(now, run.outputs))["kept"]) == 2
+    assert SCENE.pull(now, "forget", (0.0, 0.0)) == {"kept": ""}
+
+
+def test_the_oldest_place_makes_room_for_a_ninth() -> None:
+    settings = SCENE.check({})
+    for x in range(20, 65, 5):
+        kept = SCENE.pull(settings, "keep", (0.0, 0.0))
+        settings = SCENE.check({**kept, "x": x})
+    assert len(outputs_of(SCENE, kept=settings.kept)["places"]) == 8

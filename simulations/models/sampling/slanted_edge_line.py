@@ -35,7 +35,7 @@ MOST_SCATTER, MOST_BOW = 1.0, 0.03
 """Largest median distance of a row's edge from the line, and largest bow, per length of the line,
 of a line that bows by more than a pixel."""
 
-NO_EDGE = "No straight edge found: choose a rectangle that holds one edge, dark on one side of it."
+NO_EDGE = "No straight edge found: choose a rectangle that holds one edge, dark on one side."
 TOO_SMALL = f"The rectangle is too small: choose at least {SMALLEST} × {SMALLEST} pixels."
 FAINT = "Too little contrast: photograph an edge between black and white, evenly lit."
 TOO_SHORT = "Too little of the edge: choose a rectangle that holds more of it, near its middle."

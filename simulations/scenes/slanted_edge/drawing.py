@@ -7,6 +7,7 @@ from textwrap import wrap
 import numpy as np
 
 from simulations.engine.drawing import dot, line, path, rectangle, text
+from simulations.engine.frame import format_number
 from simulations.engine.handles import Point
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
@@ -19,7 +20,7 @@ from simulations.models.sampling.slanted_edge_line import EdgeLine
 from simulations.models.sampling.slanted_edge_pixels import EdgePixels
 from simulations.scenes.slanted_edge.rectangle import HEIGHT, WIDTH, Box, centre_of, corner_of
 from simulations.scenes.slanted_edge.settings import Settings
-from simulations.scenes.slanted_edge.stages import Sharpness
+from simulations.scenes.slanted_edge.stages import Place, Sharpness
 
 REACHES = (4.0, 8.0, 16.0, 32.0, 64.0)
 """Pixels either side of the edge that the second panel may show ..."""
@@ -69,6 +70,23 @@ def over_picture(
     if simulated:
         parts.append(dot(edge_at(settings.angle, HANDLE_ROW), "world", 5))
     parts += _sentence(refusal, below=bottom < HEIGHT - ROOM)
+    return "".join(parts)
+
+
+def kept_places(places: Sequence[Place]) -> str:
+    """The rectangles that were kept, each with its MTF50 in cycles per pixel."""
+    parts = []
+    for place in places:
+        box, half = place.box, place.sharpness.half.frequency
+        wide, high = box.right - box.left, box.bottom - box.top
+        corner, middle = box.at(0, 0), box.at(0.5 * wide, 0.5 * high)
+        size = (wide / box.per_unit, high / box.per_unit)
+        words = "no MTF" if place.sharpness.refusal else format_number(half, 3)
+        parts += [
+            rectangle(corner, *size, "casing"),
+            rectangle(corner, *size, "image thin"),
+            text((middle[0], middle[1] + 5.0), words, "image small ground", "middle"),
+        ]
     return "".join(parts)
 
 

@@ -7,10 +7,10 @@ shares of the panel's width.
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from simulations.engine.controls import Value
+from simulations.engine.controls import PointLists, Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.scenes.slanted_edge.settings import Settings
+from simulations.scenes.slanted_edge.settings import MOST_KEPT, Settings
 
 WIDTH, HEIGHT = 400.0, 300.0
 """Size of the panel."""
@@ -65,6 +65,37 @@ def corner_of(settings: Settings) -> Point:
     return (across + 0.005 * WIDTH * settings.width, down + 0.005 * WIDTH * settings.height)
 
 
+def kept_in(picture: tuple[int, int], kept: str) -> tuple[Box, ...]:
+    """The rectangles that were kept, on a picture (width, height).
+
+    Each is a pair of opposite corners, as shares of the panel.
+    """
+    corners = PointLists.from_text(kept).lists[0] if kept else ()
+    boxes = []
+    for (left, top), (right, bottom) in zip(corners[::2], corners[1::2], strict=False):
+        tall = 100.0 * HEIGHT / WIDTH
+        centre = (50.0 * (left + right), 0.5 * tall * (top + bottom))
+        boxes.append(box_in(picture, centre, (100.0 * (right - left), tall * (bottom - top))))
+    return tuple(boxes)
+
+
+def _nowhere(_settings: Settings, _outputs: Outputs) -> None:
+    return None
+
+
+def _keep_pulled(settings: Settings, _place: Point) -> Mapping[str, Value]:
+    """The rectangle is kept, in place of the oldest one if there are too many."""
+    before = PointLists.from_text(settings.kept).lists[0] if settings.kept else ()
+    (across, down), (right, bottom) = centre_of(settings), corner_of(settings)
+    corners = ((2 * across - right, 2 * down - bottom), (right, bottom))
+    new = tuple((min(max(x / WIDTH, 0.0), 1.0), min(max(y / HEIGHT, 0.0), 1.0)) for x, y in corners)
+    return {"kept": PointLists("", 0, ((*before, *new)[-2 * MOST_KEPT :],)).text}
+
+
+def _forget_pulled(_settings: Settings, _place: Point) -> Mapping[str, Value]:
+    return {"kept": ""}
+
+
 def _middle(settings: Settings, _outputs: Outputs) -> Point:
     return centre_of(settings)
 
@@ -99,4 +130,6 @@ HANDLES: tuple[Handle[Settings], ...] = (
         reach="press",
         role="image",
     ),
+    Handle("keep", "across", "This place", ("kept",), _nowhere, _keep_pulled, reach="aim"),
+    Handle("forget", "waves", "All places", ("kept",), _nowhere, _forget_pulled, reach="aim"),
 )

@@ -2,7 +2,8 @@
 
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading
 from simulations.models.sensor.resolution import pixel_pitch_um
 from simulations.scenes.slanted_edge.rectangle import Box
 from simulations.scenes.slanted_edge.settings import Settings
-from simulations.scenes.slanted_edge.stages import Sharpness
+from simulations.scenes.slanted_edge.stages import Place, Sharpness
 
 PER_MM, PER_PX = "cycles/mm", "cycles/px"
 NOT_MEASURABLE = "not measurable"
@@ -38,6 +39,7 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     true: Floats = outputs["true"]
     scale = per_mm(settings, outputs)
     known = not np.isnan(true).any()
+    middle = off_middle(outputs["box"], outputs)
     formula = scale * first_fall(FREQUENCIES, true, 0.5) if known else math.nan
     return (
         _number("measured", "MTF50, from the edge", scale * sharpness.half.frequency, PER_MM, 1),
@@ -49,7 +51,7 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         _number("per_px_error", "Standard error, per pixel", sharpness.half.error, PER_PX, 4),
         _halos(sharpness.reading),
         _slant(sharpness.reading),
-        readout("place", "From the middle to the corner", place(outputs), "%", digits=0),
+        readout("place", "From the middle to the corner", middle, "%", digits=0),
     )
 
 
@@ -75,9 +77,8 @@ def _slant(reading: EdgeReading | None) -> Readout:
     return readout("slant", "Slant found", math.degrees(line.angle_rad), "°", digits=2)
 
 
-def place(outputs: Outputs) -> float:
-    """Distance of the rectangle from the middle of the picture, in % of the half diagonal."""
-    box: Box = outputs["box"]
+def off_middle(box: Box, outputs: Outputs) -> float:
+    """Distance of a rectangle from the middle of the picture, in % of the half diagonal."""
     height, width = outputs["codes"].shape[:2]
     across, down = 0.5 * (box.left + box.right - width), 0.5 * (box.top + box.bottom - height)
     return 100.0 * math.hypot(across, down) / math.hypot(0.5 * width, 0.5 * height)
@@ -89,25 +90,34 @@ def direction(reading: EdgeReading) -> str:
 
 
 def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
-    """The lines of the data sheet; none if there is no MTF."""
-    sharpness: Sharpness = outputs["sharpness"]
-    reading, half = sharpness.reading, sharpness.half
-    if reading is None:
-        return ()
-    scale = per_mm(settings, outputs)
-    where = f"{format_number(place(outputs), 0)} % from the middle to the corner"
-    return (
-        Readout("place", "Place", f"{where}, along the {direction(reading)}"),
-        Readout("mtf50", "MTF50", _with_error(half.frequency, half.error, 4), PER_PX),
-        Readout(
-            "mtf50_mm",
-            f"MTF50, pixels of {format_number(settings.pitch, 1)} µm",
-            _with_error(scale * half.frequency, scale * half.error, 1),
-            PER_MM,
-        ),
-        _halos(reading),
-        *_pitch_by_file(outputs["photograph"]),
+    """The lines of the data sheet: of the places that were kept, or else of the rectangle."""
+    places: tuple[Place, ...] = outputs["places"] or (Place(outputs["box"], outputs["sharpness"]),)
+    found = [place for place in places if place.sharpness.reading is not None]
+    lines = [
+        line
+        for number, place in enumerate(found, 1)
+        for line in _lines_of(number, place, settings, outputs)
+    ]
+    return (*lines, *_pitch_by_file(outputs["photograph"])) if lines else ()
+
+
+def _lines_of(number: int, place: Place, settings: Settings, outputs: Outputs) -> Iterator[Readout]:
+    """MTF50 in both units, and halos if there are any."""
+    reading, half, scale = place.sharpness.reading, place.sharpness.half, per_mm(settings, outputs)
+    assert reading is not None
+    middle = format_number(off_middle(place.box, outputs), 0)
+    where = f"{middle} % from the middle to the corner, along the {direction(reading)}"
+    yield Readout(
+        f"mtf50_{number}", f"MTF50, {where}", _with_error(half.frequency, half.error, 4), PER_PX
     )
+    yield Readout(
+        f"mtf50_mm_{number}",
+        f"The same with pixels of {format_number(settings.pitch, 1)} µm",
+        _with_error(scale * half.frequency, scale * half.error, 1),
+        PER_MM,
+    )
+    if reading.sharpened:
+        yield replace(_halos(reading), name=f"overshoot_{number}")
 
 
 def _with_error(value: float, error: float, digits: int) -> str:
@@ -152,23 +162,35 @@ def _esf_file(_settings: Settings, outputs: Outputs) -> str:
 
 
 def _json_file(settings: Settings, outputs: Outputs) -> str:
-    reading, box = _reading(outputs), outputs["box"]
-    photograph, half = outputs["photograph"], outputs["sharpness"].half
+    _reading(outputs)
+    photograph = outputs["photograph"]
+    shown = Place(outputs["box"], outputs["sharpness"])
     found = {
         "picture": photograph.name if photograph else "simulated",
-        "rectangle_px": [box.left, box.top, box.right, box.bottom],
-        "share_from_middle_to_corner": place(outputs) / 100.0,
-        "waves_along": direction(reading),
         "codes": settings.response,
+        "pixel_pitch_um": 1000.0 / per_mm(settings, outputs),
+        "rectangle": _facts_of(shown, outputs),
+        "kept": [
+            _facts_of(place, outputs) for place in outputs["places"] if place.sharpness.reading
+        ],
+    }
+    return json.dumps(found, ensure_ascii=False, indent=1, allow_nan=False)
+
+
+def _facts_of(place: Place, outputs: Outputs) -> dict[str, object]:
+    reading, half, box = place.sharpness.reading, place.sharpness.half, place.box
+    assert reading is not None
+    return {
+        "rectangle_px": [box.left, box.top, box.right, box.bottom],
+        "share_from_middle_to_corner": off_middle(box, outputs) / 100.0,
+        "waves_along": direction(reading),
         "slant_deg": math.degrees(reading.pixels.line.angle_rad),
         "mtf50_cycles_per_px": half.frequency,
         "mtf50_standard_error": half.error,
-        "pixel_pitch_um": 1000.0 / per_mm(settings, outputs),
         "overshoot": reading.overshoot,
         "sharpened": reading.sharpened,
         "noise_of_step": reading.curve.noise,
     }
-    return json.dumps(found, ensure_ascii=False, indent=1, allow_nan=False)
 
 
 EXPORTS: tuple[Export[Settings], ...] = (

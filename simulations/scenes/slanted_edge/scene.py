@@ -18,6 +18,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture, the light across the edge, and the contrast of waves."""
     sharpness: Sharpness = outputs["sharpness"]
     pixels, simulated = outputs["pixels"], outputs["photograph"] is None
+    over = drawing.over_picture(settings, outputs["box"], pixels, simulated, sharpness.refusal)
     return Frame(
         panels=(
             Panel(
@@ -26,9 +27,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 WIDTH,
                 HEIGHT,
                 outputs["shown"],
-                drawing.over_picture(
-                    settings, outputs["box"], pixels, simulated, sharpness.refusal
-                ),
+                drawing.kept_places(outputs["places"]) + over,
                 pixelated=True,
                 lead=True,
             ),

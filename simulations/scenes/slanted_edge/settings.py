@@ -2,7 +2,10 @@
 
 from dataclasses import dataclass
 
-from simulations.engine.settings import choice, slider
+from simulations.engine.settings import choice, points, slider
+
+MOST_KEPT = 8
+"""Most places that are kept."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,3 +24,9 @@ class Settings:
     y: float = slider("Rectangle, from the top", 37.5, 0, 75, 0.5, unit="%")
     width: float = slider("Rectangle, width", 40, 1, 60, 0.5, unit="%")
     height: float = slider("Rectangle, height", 30, 1, 60, 0.5, unit="%")
+    kept: str = points(
+        "Places kept",
+        1,
+        2 * MOST_KEPT,
+        buttons={"keep": "Keep this place", "forget": "Forget all"},
+    )

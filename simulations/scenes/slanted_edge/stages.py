@@ -21,7 +21,7 @@ from simulations.models.sampling.slanted_edge_file import light_of_codes
 from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
 from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge
-from simulations.scenes.slanted_edge.rectangle import HEIGHT, WIDTH, Box, box_in
+from simulations.scenes.slanted_edge.rectangle import HEIGHT, WIDTH, Box, box_in, kept_in
 
 ROWS, COLUMNS = 120, 160
 """Size of the simulated picture."""
@@ -44,6 +44,14 @@ class Sharpness:
     """(51,) its standard error."""
     refusal: str = ""
     """What is wrong with the rectangle; empty if nothing is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A rectangle that was kept, and what its edge says."""
+
+    box: Box
+    sharpness: Sharpness
 
 
 def lens_factor(frequency: Floats, aperture: float, pitch: float) -> Floats:
@@ -118,6 +126,11 @@ def _sharpness(pixels: EdgePixels | str) -> Sharpness:
     return Sharpness(reading, reading.half_contrast(), *reading.transfer(FREQUENCIES))
 
 
+def _kept_places(codes: Codes, kept: str, response: str) -> tuple[Place, ...]:
+    boxes = kept_in((codes.shape[1], codes.shape[0]), kept)
+    return tuple(Place(box, _sharpness(_pixels(codes, box, response))) for box in boxes)
+
+
 def _true(angle: float, aperture: float, pitch: float, photograph: Photograph | None) -> Floats:
     """(51,) MTF by the formulae of lens and pixel; NaN for a photograph."""
     if photograph is not None:
@@ -133,5 +146,6 @@ STAGES = (
     Stage("box", _box, ("codes",)),
     Stage("pixels", _pixels, ("codes", "box")),
     Stage("sharpness", _sharpness, ("pixels",)),
+    Stage("places", _kept_places, ("codes",)),
     Stage("true", _true),
 )

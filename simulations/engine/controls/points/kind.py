@@ -98,8 +98,8 @@ class Points:
         return "", ""
 
     def extremes(self) -> tuple[Value, ...]:
-        """The default, and no points."""
-        return self.default, ";" * self.lists
+        """The default, no points, and a pair of points in each list."""
+        return self.default, ";" * self.lists, ";0.3,0.25_0.7,0.75" * self.lists
 
     def span(self, _value: Value) -> tuple[float, float, float]:
         return 0, 0, 0
