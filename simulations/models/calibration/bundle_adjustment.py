@@ -27,7 +27,7 @@ SETTLED = 1e-12
 """Share of the sum of squares that a last step may promise to gain: a ten-thousandth of a
 standard error, for some thousand corners."""
 CREEPING = 1e-4
-"""Share that the very last of `MOST_STEPS` may have gained. A model that is off by many standard
+"""Share that the very last of all steps may have gained. A model that is off by many standard
 deviations has a minimum so flat that steps creep towards it; one that is open, a slope."""
 ROUNDING_PX = 1e-10
 """A smaller residual is rounding."""
@@ -61,14 +61,20 @@ def calibrate(views: Views, size: tuple[int, int], lens: str = "k3") -> Adjusted
     return refine(views, camera, poses, PINHOLE + LENSES[lens])
 
 
-def refine(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...]) -> Adjusted:
+def refine(
+    views: Views,
+    camera: Camera,
+    poses: Poses,
+    free: tuple[str, ...],
+    most_steps: int = MOST_STEPS,
+) -> Adjusted:
     """The minimum near a starting value, over the parameters ``free`` and all poses.
 
     With nothing free, only the poses are fitted. Raises `UndeterminedError` if the sum has no
-    minimum within `MOST_STEPS`.
+    minimum within ``most_steps``.
     """
     try:
-        steps = list(islice(descend(views, camera, poses, free), MOST_STEPS))
+        steps = list(islice(descend(views, camera, poses, free), most_steps))
     except np.linalg.LinAlgError:
         raise UndeterminedError(TILT) from None
     last = steps[-1]

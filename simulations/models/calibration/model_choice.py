@@ -21,6 +21,9 @@ from simulations.models.calibration.zhang import UndeterminedError, closed_form
 ALIKE = 0.01
 """Relative difference of errors below which the simpler model is preferred."""
 
+ENOUGH_STEPS = 25
+"""Steps that tell models apart: those that fit need ten, and those that do not creep on."""
+
 
 @dataclass(frozen=True, slots=True)
 class Trial:
@@ -81,7 +84,7 @@ def compare_first(trials: tuple[Trial, ...], views: Views) -> tuple[Trial, ...]:
 def fitted(views: Views, camera: Camera, poses: Poses, lens: str) -> Trial:
     """One model of the lens, fitted from a start; raises `UndeterminedError`."""
     free = PINHOLE + LENSES[lens]
-    fit = refine(views, camera, poses, free)
+    fit = refine(views, camera, poses, free, ENOUGH_STEPS)
     counts = views.found.sum(axis=-1)
     try:
         squares = float((counts * left_out_px(views, fit, free) ** 2).sum())
