@@ -1,0 +1,257 @@
+"""A sensor's numbers from pairs of evenly lit frames, each with its error or a reason why not.
+
+EMVA Standard 1288, release 4.0; J. Janesick, *Photon Transfer*, 2007. Against the mean μ above
+black, the variance of noise is the line ``read noise² / g² + μ / g``, and the variance of the
+pattern is ``DSNU² / g² + PRNU² μ²``, with the conversion gain g in electrons per DN.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.models.arrays import Floats, Mask
+from simulations.models.require import require
+from simulations.models.sensor.photon_transfer import (
+    LARGEST_ERROR,
+    LEAST_VARIANCE_DN2,
+    SATURATED_SHARE,
+)
+from simulations.models.sensor.photon_transfer_pair import Level
+
+FEWEST_LEVELS = 3
+MOST_CLIPPED = 0.001
+"""Share of the pixels at an end of the scale, above which part of the noise is cut off."""
+MOST_CORRELATED = 0.01
+"""Correlation of neighbours, above chance: the gain would be some 4 % too large."""
+MOST_OFF_LINE = 0.1
+"""Largest residual of a variance, as a share of the line."""
+SATURATED_NOISE = 0.1
+"""Share of shot noise that is left where the well or the converter is full."""
+LARGEST_PATTERN = 0.05
+"""Share of the light. No sensor's cells differ more: it is the surface."""
+SURE = 2.0
+"""Standard errors by which a variance must exceed 0 to be told."""
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """A number with its standard error, or why it cannot be told."""
+
+    value: float
+    error: float = math.nan
+    reason: str = ""
+    """A sentence for the reader; empty if the number can be told."""
+
+    @classmethod
+    def unknown(cls, reason: str) -> "Estimate":
+        """A number that cannot be told."""
+        return cls(math.nan, math.nan, reason)
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """y = start + slope · x, with the covariance (2, 2) of both."""
+
+    start: float
+    slope: float
+    covariance: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class SensorEstimate:
+    """What the levels say about the sensor."""
+
+    gain: Estimate
+    """Electrons per DN."""
+    read_noise: Estimate
+    """Electrons; with the noise of dark current."""
+    saturation: Estimate
+    """Electrons at which the well or the converter is full."""
+    prnu: Estimate
+    """Share of the light by which the cells' responses differ."""
+    dsnu: Estimate
+    """Electrons by which the cells differ without light."""
+    fitted: Mask
+    """(N,) the levels used for the line."""
+    noise: Line | None
+    """Variance in DN² against the mean above black in DN."""
+    pattern: Line | None
+    """Variance shared by both frames, against the square of that mean."""
+
+
+def characterise(
+    levels: Sequence[Level], black_dn: float, highest_dn: float, most: float = SATURATED_SHARE
+) -> SensorEstimate:
+    """The sensor of the levels, whose code without light is ``black_dn``.
+
+    Lines are fitted to the levels up to the share ``most`` of the way from black to ``highest_dn``.
+    Errors are those of random noise, enlarged where levels scatter more about the line. From twelve
+    even levels of 256 × 256 pixels the gain follows to about 0.3 %.
+    """
+    require("most", most, 0 < most <= 1, "above 0, to 1")
+    require("black_dn", black_dn, 0 <= black_dn < highest_dn, f"0 to below {highest_dn:g}")
+    mean = np.array([level.mean_dn for level in levels]) - black_dn
+    fitted = np.array([_is_whole(level) for level in levels], bool)
+    within = mean <= most * (highest_dn - black_dn)
+    fitted &= within
+    chosen = [level for level, use in zip(levels, fitted, strict=True) if use]
+    if len(chosen) < FEWEST_LEVELS or np.ptp(mean[fitted]) == 0:
+        return _silent(_too_few(levels, fitted, within), fitted)
+    noise = _noise_line(mean[fitted], chosen)
+    pattern = _pattern_line(mean[fitted], chosen)
+    reason = _why_no_gain(mean[fitted], chosen, noise)
+    if reason:
+        return _silent(reason, fitted, noise, pattern)
+    gain = Estimate(1 / noise.slope, math.sqrt(noise.covariance[1, 1]) / noise.slope**2)
+    return SensorEstimate(
+        gain=gain,
+        read_noise=_read_noise(noise),
+        saturation=_saturation(mean, levels, noise, gain),
+        prnu=_prnu(pattern, chosen[0].pixels),
+        dsnu=_dsnu(pattern, gain.value, chosen[0].pixels),
+        fitted=fitted,
+        noise=noise,
+        pattern=pattern,
+    )
+
+
+def _is_whole(level: Level) -> bool:
+    """Whether all of the noise is in the codes."""
+    return level.clipped <= MOST_CLIPPED and level.noise_in_codes >= LEAST_VARIANCE_DN2
+
+
+def _silent(
+    reason: str, fitted: Mask, noise: Line | None = None, pattern: Line | None = None
+) -> SensorEstimate:
+    unknown = Estimate.unknown(reason)
+    return SensorEstimate(unknown, unknown, unknown, unknown, unknown, fitted, noise, pattern)
+
+
+def _too_few(levels: Sequence[Level], fitted: Mask, within: Mask) -> str:
+    used = int(np.count_nonzero(fitted))
+    clipped = sum(level.clipped > MOST_CLIPPED for level in levels)
+    steady = sum(level.noise_in_codes < LEAST_VARIANCE_DN2 for level in levels)
+    beyond = int(np.count_nonzero(~within))
+    count = f"{used} of {len(levels)} pairs can be used, and a line needs three exposures"
+    if not levels:
+        return "There is no pair: take two pictures at each of three exposures or more."
+    if beyond > max(steady, clipped):
+        return f"{count}: {beyond} lie beyond the end of the fit."
+    if clipped >= max(steady, 1):
+        return f"{count}: {clipped} are clipped at black or white, so expose between."
+    if steady:
+        return f"{count}: in {steady} the noise is less than a code, so raise the ISO."
+    return f"{count}: take two pictures at each of more exposures."
+
+
+def _noise_line(mean: Floats, levels: Sequence[Level]) -> Line:
+    noise = np.array([level.noise_dn2 for level in levels])
+    relative = np.array([level.noise_error_dn2 / max(level.noise_dn2, 1e-300) for level in levels])
+    # Errors in proportion to the line, as those in proportion to the measured variances would give
+    # the smaller ones more weight.
+    return _settled(mean, noise, lambda expected: relative * expected)
+
+
+def _pattern_line(mean: Floats, levels: Sequence[Level]) -> Line:
+    pattern = np.array([level.pattern_dn2 for level in levels])
+    error = np.array([level.pattern_error_dn2 for level in levels])
+    return _settled(mean**2, pattern, lambda _expected: error)
+
+
+def _settled(x: Floats, y: Floats, error_of: Callable[[Floats], Floats]) -> Line:
+    """Weighted fit, whose errors may depend on it."""
+    smallest = 1e-3 * max(float(np.abs(y).max()), 1e-300)
+    line = _fit(x, y, error_of(np.maximum(y, smallest)))
+    for _ in range(3):
+        line = _fit(x, y, error_of(np.maximum(line.start + line.slope * x, smallest)))
+    return line
+
+
+def _fit(x: Floats, y: Floats, error: Floats) -> Line:
+    """Covariances are enlarged by the reduced χ² where that is above 1 (Birge's ratio)."""
+    scale = float(x.max()) or 1.0
+    rows = np.stack([np.ones_like(x), x / scale], axis=1) / error[:, None]
+    inverse = np.linalg.inv(rows.T @ rows)
+    start, slope = inverse @ rows.T @ (y / error)
+    scatter = np.sum(((y - start - slope * x / scale) / error) ** 2) / max(len(x) - 2, 1)
+    to_units = np.array([1.0, 1.0 / scale])
+    covariance = inverse * np.outer(to_units, to_units) * max(1.0, float(scatter))
+    return Line(float(start), float(slope) / scale, covariance)
+
+
+def _why_no_gain(mean: Floats, levels: Sequence[Level], line: Line) -> str:
+    """What speaks against the line as that of a sensor; empty if nothing does."""
+    correlation = float(np.mean([level.correlation for level in levels]))
+    chance = 4 / math.sqrt(2 * sum(level.pixels for level in levels))
+    if abs(correlation) > MOST_CORRELATED + chance:
+        return (
+            f"Neighbouring pixels share {100 * correlation:.0f} % of their noise: the file was "
+            "interpolated, smoothed or sharpened. Only a raw file has the noise of the cells."
+        )
+    if not line.slope > 0:
+        return "The noise does not rise with the light: the file was smoothed, or is saturated."
+    noise = np.array([level.noise_dn2 for level in levels])
+    expected = line.start + line.slope * mean
+    off = float(np.max(np.abs(noise - expected) / np.maximum(expected, line.slope)))
+    if off > MOST_OFF_LINE:
+        return (
+            f"The variances lie up to {100 * off:.0f} % off a line: the brightest pairs are "
+            "saturated, or the file has another tone curve."
+        )
+    share = math.sqrt(line.covariance[1, 1]) / line.slope
+    if share > LARGEST_ERROR:
+        return f"The exposures are too alike: they tell the gain to {100 * share:.0f} % only."
+    return ""
+
+
+def _read_noise(line: Line) -> Estimate:
+    start, slope = line.start, line.slope
+    error = math.sqrt(line.covariance[0, 0])
+    if start < SURE * error:
+        most = math.sqrt(max(start, 0.0) + SURE * error) / slope
+        return Estimate.unknown(
+            f"It is below {most:.2g} e⁻: take a pair with less light, or with the lens cap on."
+        )
+    root = math.sqrt(start)
+    by = np.array([0.5 / (root * slope), -root / slope**2])
+    return Estimate(root / slope, math.sqrt(by @ line.covariance @ by))
+
+
+def _saturation(mean: Floats, levels: Sequence[Level], line: Line, gain: Estimate) -> Estimate:
+    noise = np.array([level.noise_dn2 for level in levels])
+    full = noise < line.start + SATURATED_NOISE * line.slope * mean
+    full &= mean > 0
+    full &= mean == mean.max()
+    if not full.any():
+        most = gain.value * float(mean.max())
+        return Estimate.unknown(f"No pair is saturated; the brightest holds {most:.0f} e⁻.")
+    return Estimate(gain.value * float(mean.max()), gain.error * float(mean.max()))
+
+
+def _prnu(line: Line, pixels: int) -> Estimate:
+    found = _root_of(line.slope, math.sqrt(line.covariance[1, 1]), pixels)
+    if found.value > LARGEST_PATTERN:
+        return Estimate.unknown(
+            f"The frames share a pattern of {100 * found.value:.0f} % of the light: that is the "
+            "surface, so defocus, and move the camera away from it."
+        )
+    if found.reason:
+        return Estimate.unknown(f"It is below {100 * found.error:.2g} %.")
+    return found
+
+
+def _dsnu(line: Line, gain: float, pixels: int) -> Estimate:
+    found = _root_of(line.start, math.sqrt(line.covariance[0, 0]), pixels)
+    if found.reason:
+        return Estimate.unknown(f"It is below {gain * found.error:.2g} e⁻.")
+    return Estimate(gain * found.value, gain * found.error)
+
+
+def _root_of(variance: float, error: float, pixels: int) -> Estimate:
+    """A standard deviation among so many cells; where it cannot be told, the error is its limit."""
+    if variance < SURE * error:
+        return Estimate(math.nan, math.sqrt(max(variance, 0.0) + SURE * error), "small")
+    root = math.sqrt(variance)
+    return Estimate(root, math.hypot(0.5 * error / root, root / math.sqrt(2 * pixels)))

@@ -1,0 +1,102 @@
+"""Two frames of the same even light: what differs between them is noise, what they share is not.
+
+European Machine Vision Association, *Standard 1288: characterization of image sensors and cameras*,
+release 4.0, sections 6.5 (temporal noise from two frames) and 8 (nonuniformities). The light may
+fall off smoothly over the frame: a polynomial of second degree is taken off each.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.arrays import Floats
+from simulations.models.pixel_grid import centred
+
+TREND_TERMS = 6
+"""Of a polynomial of second degree in x and y."""
+FEWEST_PIXELS = 64
+"""Of a frame; fewer do not tell a variance to a fifth of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """What a pair of frames at one exposure says, in DN: steps of light, where the response of the
+    file is known, and otherwise codes."""
+
+    mean_dn: float
+    noise_dn2: float
+    """Variance of one frame in time, without that of rounding."""
+    noise_error_dn2: float
+    pattern_dn2: float
+    """Variance from cell to cell that both frames share. Below 0 if noise hides it."""
+    pattern_error_dn2: float
+    """One standard error, for these cells."""
+    noise_in_codes: float
+    """Variance in time in codes squared, with that of rounding."""
+    correlation: float
+    """Of the noise of two neighbours, along rows and columns: 0 for cells read one by one."""
+    clipped: float
+    """Share of the pixels at the lowest or the highest code."""
+    pixels: int
+
+
+def measure_pair(
+    frames: NDArray[np.unsignedinteger], highest: int, response: Floats | None = None
+) -> Level:
+    """The level of two frames (2, H, W) of codes from 0 to ``highest``.
+
+    ``response`` (highest + 1,) is the light of each code, in DN; without it, the codes are
+    proportional to the light. Raises `ValueError` for other shapes, and for frames of fewer than 64
+    pixels.
+    """
+    if frames.ndim != 3 or len(frames) != 2 or frames[0].size < FEWEST_PIXELS:
+        raise ValueError(f"frames {frames.shape}; legal: (2, H, W), of 64 pixels or more")
+    first, second = frames
+    light = np.arange(highest + 1.0) if response is None else np.asarray(response, float)
+    a, b = light[first], light[second]
+    rest_a, rest_b = _without_trend(a), _without_trend(b)
+    free = first.size - TREND_TERMS
+    difference = rest_a - rest_b
+    noise = float(np.sum(difference**2)) / (2 * free)
+    pattern = float(np.sum(rest_a * rest_b)) / free
+    step = np.gradient(light)
+    rounding = float(np.mean(step[first] ** 2) + np.mean(step[second] ** 2)) / 24
+    apart = first.astype(float) - second
+    at_an_end = np.count_nonzero((frames == 0) | (frames == highest))
+    return Level(
+        mean_dn=float(a.mean() + b.mean()) / 2,
+        noise_dn2=noise - rounding,
+        noise_error_dn2=noise * math.sqrt(2 / free),
+        pattern_dn2=pattern,
+        pattern_error_dn2=math.sqrt(noise * (noise + 2 * max(pattern, 0.0)) / free),
+        noise_in_codes=float(apart.var(ddof=1)) / 2,
+        correlation=_correlation(difference, 2 * noise),
+        clipped=at_an_end / frames.size,
+        pixels=first.size,
+    )
+
+
+def _without_trend(frame: Floats) -> Floats:
+    """The frame (H, W) without the polynomial of second degree nearest to it."""
+    height, width = frame.shape
+    y, x = np.meshgrid(centred(height) / height, centred(width) / width, indexing="ij")
+    terms = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y]).reshape(TREND_TERMS, -1)
+    values = frame.reshape(-1)
+    # Frames of one row or column have fewer terms.
+    share = np.linalg.lstsq(terms @ terms.T, terms @ values, rcond=1e-12)[0]
+    rest: Floats = (values - share @ terms).reshape(frame.shape)
+    return rest
+
+
+def _correlation(difference: Floats, variance: float) -> float:
+    """Of neighbours along rows and columns; 0 for frames that do not differ."""
+    if variance == 0:
+        return 0.0
+    products = [
+        product.mean()
+        for product in (difference[:, 1:] * difference[:, :-1], difference[1:] * difference[:-1])
+        if product.size
+    ]
+    return float(np.mean(products)) / variance
