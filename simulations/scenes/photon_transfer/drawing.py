@@ -19,10 +19,12 @@ from simulations.models.sensor.photon_transfer_fit import Line, SensorEstimate
 from simulations.scenes.photon_transfer.stages import Measured, Pair
 
 WIDTH, HEIGHT = 400.0, 300.0
-LEFT, RIGHT, FOOT, TOP = 50.0, 388.0, 236.0, 34.0
-SHOWN, GAP = 100, 4
-"""Side of the part of a frame that is shown, and the space between two, in px."""
-PAIR_WIDTH, PAIR_HEIGHT = 2.0 * (2 * SHOWN + GAP), 2.0 * SHOWN
+LEFT, RIGHT, FOOT, TOP = 50.0, 380.0, 236.0, 34.0
+ROWS, COLUMNS, GAP = 100, 66, 2
+"""Size of the part of a frame that is shown, and the space between two, in px."""
+CELL = 3.0
+"""Side of a pixel in the panel."""
+PAIR_WIDTH, PAIR_HEIGHT = CELL * (2 * COLUMNS + GAP), CELL * ROWS
 SPREAD = 3.5
 """Standard deviations from mid-grey to white."""
 BARS = 2.0
@@ -52,23 +54,23 @@ def transfer(
     error = np.array([level.noise_error_dn2 for level in measured.levels])
     plot = _plot(measured, noise + BARS * error, HIGHEST_DN2 if simulated else 0.0)
     end = 0.01 * most * measured.span_dn
-    told = not estimate.gain.reason
+    line = "error bold" if estimate.gain.reason else "ray bold"
     parts = [
         plot.region(x=(end, measured.span_dn)),
         plot.frame(
             Scale("mean above black", "DN", style="small", tick_style="muted small"),
             Scale("variance of the noise", "DN²", 4, (), "small", "muted small"),
         ),
-        *(_line(plot, estimate.noise, end, told) if estimate.noise else ()),
+        *(_line(plot, estimate.noise, end, line) if estimate.noise else ()),
         plot.upright(end, "camera dashed"),
         *_points(plot, mean, noise, error, estimate.fitted),
         *(_chosen(plot, mean, noise, shown) if shown >= 0 else ()),
-        *(() if told else _reason(estimate.gain.reason)),
+        *_reason(estimate.gain.reason),
         legend(
             (LEFT, HEIGHT - 8),
             (
                 Entry(f"pair ± {BARS:.0f} errors", "image", "dot"),
-                Entry("fitted line", "ray bold", shown=estimate.noise is not None),
+                Entry("fitted line", line, shown=estimate.noise is not None),
                 Entry("end of the fit", "camera dashed"),
             ),
             "small",
@@ -85,9 +87,8 @@ def _plot(measured: Measured, values: Floats, highest: float) -> Plot:
     return Plot(Axis(0.0, measured.span_dn, LEFT, RIGHT), Axis(0.0, highest, FOOT, TOP))
 
 
-def _line(plot: Plot, fit: Line, end: float, told: bool) -> Iterator[str]:
+def _line(plot: Plot, fit: Line, end: float, style: str) -> Iterator[str]:
     """Solid as far as it was fitted."""
-    style = "ray bold" if told else "error bold"
     mean = np.linspace(0.0, plot.x.high, 101)
     value = fit.start + fit.slope * mean
     yield plot.curve(mean[mean <= end], value[mean <= end], style)
@@ -161,21 +162,21 @@ def pattern(measured: Measured, estimate: SensorEstimate, simulated: bool) -> st
 
 
 def pair_pixels(pair: Pair | None) -> Raster:
-    """(100, 204, 4) the middle of the first frame, and of the difference, at the same contrast.
+    """(100, 134, 4) the middle of the first frame, and of the difference, at the same contrast.
 
     The difference is divided by √2, so that noise looks alike in both.
     """
-    shown = np.zeros((SHOWN, 2 * SHOWN + GAP, 4), np.uint8)
+    shown = np.zeros((ROWS, 2 * COLUMNS + GAP, 4), np.uint8)
     if pair is None:
         return shown
-    top, left = (max(side - SHOWN, 0) // 2 for side in pair.shape[1:])
-    first, second = pair[:, top : top + SHOWN, left : left + SHOWN].astype(float)
+    top, left = (max(pair.shape[1] - ROWS, 0) // 2, max(pair.shape[2] - COLUMNS, 0) // 2)
+    first, second = pair[:, top : top + ROWS, left : left + COLUMNS].astype(float)
     frame = first - first.mean()
     apart = (first - second - (first.mean() - second.mean())) / math.sqrt(2)
     unit = 2 * SPREAD * max(float(frame.std()), float(apart.std()), 0.1)
     height, width = frame.shape
     shown[:height, :width] = _grey(frame / unit)
-    shown[:height, SHOWN + GAP : SHOWN + GAP + width] = _grey(apart / unit)
+    shown[:height, COLUMNS + GAP : COLUMNS + GAP + width] = _grey(apart / unit)
     return shown
 
 
@@ -185,7 +186,7 @@ def _grey(share: Floats) -> Raster:
 
 def over_pair() -> str:
     """Names of both halves."""
-    right = PAIR_WIDTH - PAIR_HEIGHT
+    right = CELL * (COLUMNS + GAP)
     return text((8, 22), "one frame", "image strong ground") + text(
         (right + 8, 22), "difference / √2", "image strong ground"
     )

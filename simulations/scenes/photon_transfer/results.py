@@ -41,14 +41,13 @@ def readouts(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     sensor: SensorEstimate = outputs["sensor"][frames.main]
     gain = sensor.gain
     error = format_number(gain.error, 3) if not gain.reason else UNTOLD
-    known = not outputs["readings"]
     found = estimates_of(sensor)
     used = int(np.count_nonzero(sensor.fitted))
     return (
         Readout("gain", "Conversion gain, measured", _value(gain, 3), _unit(gain, "e⁻/DN"), "ray"),
-        Readout("gain_error", "Its standard error", error, _unit(gain, "e⁻/DN"), "ray"),
+        Readout("gain_error", "Standard error of the gain", error, _unit(gain, "e⁻/DN"), "ray"),
         readout("gain_true", "Conversion gain, true", GAIN_E_PER_DN, "e⁻/DN", digits=3)
-        if known
+        if frames.is_simulated
         else Readout("gain_true", "Conversion gain, true", "unknown"),
         *(
             Readout(name, label, with_error(found[name], scale), _unit(found[name], unit), "image")

@@ -18,7 +18,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     frames: Frames = outputs["frames"]
     sensor: SensorEstimate = outputs["sensor"][frames.main]
     measured, pairs = outputs["levels"][frames.main], frames.planes[frames.main]
-    simulated, shown = not outputs["readings"], looked_at(sensor, len(pairs))
+    simulated, shown = frames.is_simulated, looked_at(sensor, len(pairs))
     return Frame(
         panels=(
             Panel(

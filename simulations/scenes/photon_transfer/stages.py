@@ -55,6 +55,11 @@ class Frames:
     """(highest + 1,) light of each code in DN; ``None`` if they are in proportion."""
 
     @property
+    def is_simulated(self) -> bool:
+        """Whether they are the book's, whose truth is known."""
+        return SIMULATED in self.planes
+
+    @property
     def main(self) -> str:
         """The plane that the figure shows: green, or the second cell of a mosaic, green in most."""
         names = list(self.planes)
