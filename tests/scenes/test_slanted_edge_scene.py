@@ -29,6 +29,14 @@ def test_the_edge_says_what_lens_and_pixel_say(aperture: float, angle: float) ->
     assert float(shown["measured"]) == pytest.approx(float(shown["true"]), rel=0.03)
 
 
+def test_sharpening_raises_mtf50_and_is_named_once_it_leaves_halos() -> None:
+    plain, mild, strong = (frame(sharpening=much) for much in (0, 0.5, 1))
+    halves = [float(texts_of(each)["measured"]) for each in (plain, mild, strong)]
+    assert halves == sorted(halves)
+    units = [r.unit for f in (plain, mild, strong) for r in f.readouts if r.name == "overshoot"]
+    assert units == ["%", "%", "%, sharpened by software"]
+
+
 def photograph(width: int, height: int, angle: float = 5.0, **facts: float) -> Photograph:
     """An edge through the middle of a file."""
     light = 0.05 + 0.8 * gaussian_edge(height, width, angle, 1.5)

@@ -10,13 +10,14 @@ MOST_KEPT = 8
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """The settings of the figure. Slant, aperture and noise are those of the simulated picture; the
-    rectangle is in shares of the panel's width."""
+    """The settings of the figure. Slant, aperture, noise and sharpening are those of the simulated
+    picture; the rectangle is in shares of the panel's width."""
 
     angle: float = slider("Slant of the edge", 5, 0, 40, 0.5, unit="°")
     aperture: float = slider("Aperture", 8, 2.8, 22, 0.1, prefix="f/")
     pitch: float = slider("Pixel pitch p", 4, 0.5, 10, 0.1, unit="µm")
     noise: float = slider("Noise", 1, 0.3, 3, 0.1, unit="% of the step")
+    sharpening: float = slider("Sharpening", 0, 0, 1.5, 0.1)
     response: str = choice(
         "Codes of the file", {"srgb": "sRGB", "linear": "Proportional to the light"}
     )

@@ -11,6 +11,7 @@ from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens.diffraction import lens_transfer
+from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
 from simulations.models.sampling.slanted_edge import (
     FREQUENCIES,
     EdgeReading,
@@ -25,8 +26,10 @@ from simulations.scenes.slanted_edge.rectangle import HEIGHT, WIDTH, Box, box_in
 
 ROWS, COLUMNS = 120, 160
 """Size of the simulated picture."""
-DARK, STEP = 0.06, 0.8
-"""Light of its dark side, and how much lighter the other is."""
+DARK, STEP = 0.12, 0.7
+"""Light of its dark side, and how much lighter the other is: room for halos at both ends."""
+HALO_PX = 1.0
+"""Standard deviation of the blur whose difference from the picture sharpens it."""
 WAVELENGTH_UM = 0.55
 MOST_SHOWN = 1200
 """Largest side in px at which a photograph is shown. It is measured in full."""
@@ -67,12 +70,14 @@ def _light(angle: float, aperture: float, pitch: float) -> Floats:
     return DARK + STEP * edge
 
 
-def _codes(light: Floats, noise: float, photograph: Photograph | None) -> Codes:
+def _codes(light: Floats, noise: float, sharpening: float, photograph: Photograph | None) -> Codes:
     """(H, W, 3) the file: the reader's, or the simulated one, whose dice fall alike each time."""
     if photograph is not None:
         return photograph.codes
-    grain = np.random.default_rng(0).normal(0.0, 0.01 * noise * STEP, light.shape)
-    return to_rgba8(encode_srgb(np.clip(light + grain, 0.0, 1.0)))[..., :3]
+    taken = light + np.random.default_rng(0).normal(0.0, 0.01 * noise * STEP, light.shape)
+    soft = filter_and_sample(taken, 1, gaussian_kernel(HALO_PX))
+    taken += sharpening * (taken - soft)
+    return to_rgba8(encode_srgb(np.clip(taken, 0.0, 1.0)))[..., :3]
 
 
 def _shown(codes: Codes) -> Codes:
