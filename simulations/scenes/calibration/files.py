@@ -22,10 +22,10 @@ DIGITS = {"fx": 2, "fy": 2, "cx": 2, "cy": 2}
 """Decimals of the data sheet; coefficients of the lens have five."""
 UNITS = {"fx": "px", "fy": "px", "cx": "px", "cy": "px"}
 LABELS = {
-    "fx": "Focal length fₓ",
-    "fy": "Focal length f_y",
-    "cx": "Principal point cₓ",
-    "cy": "Principal point c_y",
+    "fx": "Focal length, across",
+    "fy": "Focal length, down",
+    "cx": "Principal point, across",
+    "cy": "Principal point, down",
     "k1": "k₁",
     "k2": "k₂",
     "p1": "p₁",
