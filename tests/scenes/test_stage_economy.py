@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, Value
+from simulations.engine.controls import Action, Choice, Control, Points, Slider, Toggle, Value
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
@@ -41,6 +41,8 @@ def others(control: Control) -> list[object]:
             return [option for option in options if option != default]
         case Action(labels=labels):
             return [1 % len(labels)]
+        case Points():
+            return [value for value in control.extremes() if value != control.default]
         case _:
             return [not control.default]
 
@@ -80,7 +82,7 @@ MOVES = [
 
 
 def named(move: object) -> str | None:
-    return move.name if isinstance(move, Slider | Choice | Action | Toggle) else None
+    return move.name if isinstance(move, Slider | Choice | Action | Toggle | Points) else None
 
 
 @pytest.mark.parametrize(("scene_id", "control"), MOVES, ids=named)
