@@ -132,13 +132,16 @@ def _in_panel(edge: EdgeLine, box: Box, x: float, y: float) -> Point:
 def light_across(pixels: EdgePixels | str, reading: EdgeReading | None) -> str:
     """Each pixel by its distance from the edge; those of one row; the slope of their curve."""
     reach = REACHES[0] if reading is None else _reach(reading)
-    plot = Plot(Axis(-reach, reach, 34.0, 388.0), Axis(-0.15, 1.15, 222.0, 40.0))
+    place = np.linspace(-1.0, 1.0, 161) * reach
+    slope = np.zeros(1) if reading is None else reading.curve.slope(place)
+    plot = Plot(
+        Axis(-reach, reach, 34.0, 388.0), Axis(-0.2, max(1.2, float(slope.max())), 222.0, 40.0)
+    )
     light = Scale(ticks=(0, 1), grid=(0, 1), tick_style="muted small")
     across = Scale("distance from the edge", "px", (-reach, 0, reach), style="small")
     parts = [plot.frame(across, light)]
     if reading is not None:
-        place = np.linspace(-1.0, 1.0, 161) * min(reach, reading.pixels.reach - 0.1)
-        parts.append(plot.curve(place, reading.curve.slope(place), "light"))
+        parts.append(plot.curve(place, slope, "light"))
         parts.append(plot.curve(place, reading.curve.spread(place), "image thin"))
     if isinstance(pixels, EdgePixels):
         parts.append(_specks(plot, pixels.distance, pixels.value))
@@ -153,8 +156,8 @@ def light_across(pixels: EdgePixels | str, reading: EdgeReading | None) -> str:
 
 
 def _reach(reading: EdgeReading) -> float:
-    wanted = RISES * reading.rise
-    return next((reach for reach in REACHES if reach >= wanted), REACHES[-1])
+    wanted = min(RISES * reading.rise, 0.5 * reading.pixels.reach)
+    return next(reach for reach in REACHES if reach >= wanted)
 
 
 def _specks(plot: Plot, distance: Floats, value: Floats) -> str:

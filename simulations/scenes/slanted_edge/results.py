@@ -66,7 +66,7 @@ def _halos(reading: EdgeReading | None) -> Readout:
         return Readout("overshoot", "Overshoot", NOT_MEASURABLE)
     size = format_number(100.0 * reading.overshoot, 1)
     if reading.sharpened:
-        return Readout("overshoot", "Overshoot", size, "%, sharpened by software", "error")
+        return Readout("overshoot", "Overshoot", f"{size} %, sharpened", "", "error")
     return Readout("overshoot", "Overshoot", size, "%")
 
 
