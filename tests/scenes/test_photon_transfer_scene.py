@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PIL import Image
+from support.flat_fields import FILE_GAIN, as_srgb, light_of
 from support.frames import computed_in, frame_of, texts_at
 
 from simulations.engine.frame import Frame
@@ -16,7 +17,6 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.stages import Outputs, StageCache
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic
 from simulations.scenes.photon_transfer.reading import read
@@ -24,8 +24,6 @@ from simulations.scenes.photon_transfer.results import sheet
 from simulations.scenes.photon_transfer.scene import SCENE
 
 texts = partial(texts_at, SCENE)
-GAIN = 20.0
-"""Electrons per 255th of white, of the simulated files: as at a high ISO."""
 
 
 @pytest.mark.parametrize("pairs", [4, 8, 12, 24])
@@ -55,16 +53,6 @@ def test_moving_the_end_of_the_fit_measures_no_frame_again() -> None:
     assert "electrons" not in computed_in(frame_of(SCENE, "", cache, read_noise=20))
 
 
-def light_of(level: float, seed: int, size: int = 200) -> Floats:
-    """Light (size, size, 3) in DN that cells count as whole electrons."""
-    rng = np.random.default_rng(seed)
-    return rng.poisson(level * GAIN, (size, size, 3)) / GAIN
-
-
-def as_srgb(light: Floats) -> NDArray[np.uint8]:
-    return np.rint(255 * encode_srgb(np.clip(light / 255, 0, 1))).astype(np.uint8)
-
-
 def reading_of(number: int, codes: NDArray[np.uint8], **facts: float | str) -> Reading:
     name = f"{number}.png"
     return Reading(number, name, read(Photograph(number, codes, name, facts)))
@@ -87,11 +75,11 @@ def test_a_file_of_single_cells_gives_the_gain_of_each_colour() -> None:
     )
     _, outputs = shown_of(readings)
     for name, sensor in outputs["sensor"].items():
-        assert sensor.gain.value == pytest.approx(GAIN, rel=0.02), name
-        assert sensor.gain.value == pytest.approx(GAIN, abs=3 * sensor.gain.error), name
+        assert sensor.gain.value == pytest.approx(FILE_GAIN, rel=0.02), name
+        assert sensor.gain.value == pytest.approx(FILE_GAIN, abs=3 * sensor.gain.error), name
     lines = {line.name: line for line in sheet(SCENE.check({}), outputs)}
     assert lines["pairs"].text == "6"
-    assert lines["plane"].text == "green"
+    assert lines["pixels"].text == "green"
 
 
 def test_a_grey_file_is_measured_cell_by_cell_above_its_darkest_pair() -> None:
@@ -121,7 +109,7 @@ def test_interpolated_colours_and_compressed_files_are_told_by_their_neighbours(
         sensor = outputs["sensor"]["green"]
         assert sensor.gain.reason
         if develop is demosaiced:  # half of the pixels are means of four
-            assert 1 / sensor.noise.slope == pytest.approx(1.6 * GAIN, rel=0.03)
+            assert 1 / sensor.noise.slope == pytest.approx(1.6 * FILE_GAIN, rel=0.03)
         lines = {line.name: line for line in sheet(SCENE.check({}), outputs)}
         assert float(lines["noise"].text) > 0
 

@@ -1,8 +1,10 @@
-"""Pairs of evenly lit frames of a sensor whose truth is known."""
+"""Pairs of evenly lit frames of a sensor whose truth is known, and files of such light."""
 
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_counting import Sensor
 from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
 from simulations.models.sensor.photon_transfer_frames import (
@@ -16,6 +18,9 @@ type Pairs = list[NDArray[np.uint16]]
 
 SENSOR = Sensor(full_well_e=15_000.0, read_noise_e=10.0, gain_e_per_dn=4.0)
 PRNU, DSNU_E = 0.01, 4.0
+
+FILE_GAIN = 20.0
+"""Electrons per 255th of white of the files: as at a high ISO."""
 
 
 def pairs_of(
@@ -32,3 +37,14 @@ def estimate_of(pairs: Pairs, sensor: Sensor = SENSOR, most: float = 0.7) -> Sen
     """The sensor, with the first pair as its black."""
     levels = [measure_pair(pair, sensor.highest_dn) for pair in pairs]
     return characterise(levels, levels[0].mean_dn, sensor.highest_dn, most)
+
+
+def light_of(level_dn: float, seed: int, size: int = 200) -> Floats:
+    """Light (size, size, 3), in 255ths of white, that cells count as whole electrons."""
+    rng = np.random.default_rng(seed)
+    return rng.poisson(level_dn * FILE_GAIN, (size, size, 3)) / FILE_GAIN
+
+
+def as_srgb(light_dn: Floats) -> NDArray[np.uint8]:
+    """The codes of a file."""
+    return np.rint(255 * encode_srgb(np.clip(light_dn / 255, 0, 1))).astype(np.uint8)

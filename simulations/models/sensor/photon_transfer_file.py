@@ -27,10 +27,10 @@ BLOCKS = 16
 """Along each side, whose means tell whether the light is even."""
 MOST_UNEVEN = 0.05
 """Standard deviation of the blocks' means, without a smooth fall-off, as a share of the mean."""
-ALIKE = 0.05
-"""Share of the light by which the pictures of a pair may differ ..."""
-ALIKE_DN = 0.5
-"""... or so many DN, in the dark."""
+ALIKE = 0.03
+"""Share of the mean code by which the pictures of a pair may differ ..."""
+ALIKE_CODES = 0.5
+"""... or so many codes, in the dark."""
 
 
 def is_grey(codes: Codes) -> bool:
@@ -67,8 +67,8 @@ def unevenness(plane: Codes) -> float:
 class Taken:
     """How a picture was taken."""
 
-    light_dn: float
-    """Mean of its green, or of all of a grey file."""
+    mean_code: float
+    """Of its green, or of all of a grey file."""
     camera: str = ""
     """Maker, model and ISO, and the size and kind of the file: what all pairs must share."""
     exposure_s: float = math.nan
@@ -86,7 +86,7 @@ def pair_up(taken: Sequence[Taken]) -> tuple[tuple[int, int], ...]:
     camera = Counter(one.camera for one in taken).most_common(1)[0][0]
     order = sorted(
         (k for k, one in enumerate(taken) if one.camera == camera),
-        key=lambda k: (taken[k].light_dn, k),
+        key=lambda k: (taken[k].mean_code, k),
     )
     pairs: list[tuple[int, int]] = []
     while order:
@@ -99,8 +99,8 @@ def pair_up(taken: Sequence[Taken]) -> tuple[tuple[int, int], ...]:
 
 
 def _are_alike(first: Taken, second: Taken) -> bool:
-    apart = abs(first.light_dn - second.light_dn)
-    near = apart <= max(ALIKE * max(first.light_dn, second.light_dn), ALIKE_DN)
+    apart = abs(first.mean_code - second.mean_code)
+    near = apart <= max(ALIKE * max(first.mean_code, second.mean_code), ALIKE_CODES)
     times = (first.exposure_s, second.exposure_s)
     unknown = any(map(math.isnan, times))
     return near and (unknown or math.isclose(*times, rel_tol=0.01))

@@ -7,7 +7,8 @@ pattern is ``DSNU² / g² + PRNU² μ²``, with the conversion gain g in electro
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -43,6 +44,8 @@ class Estimate:
     error: float = math.nan
     reason: str = ""
     """A sentence for the reader; empty if the number can be told."""
+    bound: Literal["", "below", "above"] = ""
+    """On which side of ``value`` the number lies, if that is all that can be told."""
 
     @classmethod
     def unknown(cls, reason: str) -> "Estimate":
@@ -211,9 +214,10 @@ def _read_noise(line: Line) -> Estimate:
     error = math.sqrt(line.covariance[0, 0])
     if start < SURE * error:
         most = math.sqrt(max(start, 0.0) + SURE * error) / slope
-        return Estimate.unknown(
-            f"It is below {most:.2g} e⁻: take a pair with less light, or with the lens cap on."
+        reason = (
+            "The noise in the dark is too small, or no pair is dark: take one with the lens cap on."
         )
+        return Estimate(most, math.nan, reason, "below")
     root = math.sqrt(start)
     by = np.array([0.5 / (root * slope), -root / slope**2])
     return Estimate(root / slope, math.sqrt(by @ line.covariance @ by))
@@ -225,33 +229,30 @@ def _saturation(mean: Floats, levels: Sequence[Level], line: Line, gain: Estimat
     full &= mean > 0
     full &= mean == mean.max()
     if not full.any():
-        most = gain.value * float(mean.max())
-        return Estimate.unknown(f"No pair is saturated; the brightest holds {most:.0f} e⁻.")
+        brightest = gain.value * float(mean.max())
+        return Estimate(brightest, math.nan, "No pair is saturated: take a brighter one.", "above")
     return Estimate(gain.value * float(mean.max()), gain.error * float(mean.max()))
 
 
 def _prnu(line: Line, pixels: int) -> Estimate:
     found = _root_of(line.slope, math.sqrt(line.covariance[1, 1]), pixels)
-    if found.value > LARGEST_PATTERN:
+    if found.value > LARGEST_PATTERN and not found.reason:
         return Estimate.unknown(
             f"The frames share a pattern of {100 * found.value:.0f} % of the light: that is the "
             "surface, so defocus, and move the camera away from it."
         )
-    if found.reason:
-        return Estimate.unknown(f"It is below {100 * found.error:.2g} %.")
     return found
 
 
 def _dsnu(line: Line, gain: float, pixels: int) -> Estimate:
     found = _root_of(line.start, math.sqrt(line.covariance[0, 0]), pixels)
-    if found.reason:
-        return Estimate.unknown(f"It is below {gain * found.error:.2g} e⁻.")
-    return Estimate(gain * found.value, gain * found.error)
+    return replace(found, value=gain * found.value, error=gain * found.error)
 
 
 def _root_of(variance: float, error: float, pixels: int) -> Estimate:
-    """A standard deviation among so many cells; where it cannot be told, the error is its limit."""
+    """A standard deviation among so many cells."""
     if variance < SURE * error:
-        return Estimate(math.nan, math.sqrt(max(variance, 0.0) + SURE * error), "small")
+        most = math.sqrt(max(variance, 0.0) + SURE * error)
+        return Estimate(most, math.nan, "The noise of two frames hides the pattern.", "below")
     root = math.sqrt(variance)
     return Estimate(root, math.hypot(0.5 * error / root, root / math.sqrt(2 * pixels)))

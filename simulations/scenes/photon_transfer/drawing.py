@@ -52,7 +52,8 @@ def transfer(
     mean = measured.mean_dn
     noise = np.array([level.noise_dn2 for level in measured.levels])
     error = np.array([level.noise_error_dn2 for level in measured.levels])
-    plot = _plot(measured, noise + BARS * error, HIGHEST_DN2 if simulated else 0.0)
+    room = 2.2 if estimate.gain.reason else 1.1
+    plot = _plot(measured, room * (noise + BARS * error), HIGHEST_DN2 if simulated else 0.0)
     end = 0.01 * most * measured.span_dn
     line = "error bold" if estimate.gain.reason else "ray bold"
     parts = [
@@ -83,7 +84,7 @@ def transfer(
 def _plot(measured: Measured, values: Floats, highest: float) -> Plot:
     """From 0 to the highest value, or a fixed one."""
     if not highest:
-        highest = 1.1 * float(np.max(values, initial=0.0)) or 1.0
+        highest = float(np.max(values, initial=0.0)) or 1.0
     return Plot(Axis(0.0, measured.span_dn, LEFT, RIGHT), Axis(0.0, highest, FOOT, TOP))
 
 
@@ -128,7 +129,7 @@ def pattern(measured: Measured, estimate: SensorEstimate, simulated: bool) -> st
     root = np.sqrt(np.maximum(variance, 0.0))
     top = np.sqrt(np.maximum(variance + BARS * error, 0.0))
     foot = np.sqrt(np.maximum(variance - BARS * error, 0.0))
-    plot = _plot(measured, top, HIGHEST_DN if simulated else 0.0)
+    plot = _plot(measured, 1.1 * top, HIGHEST_DN if simulated else 0.0)
     parts = [
         plot.frame(
             Scale("mean above black", "DN", style="small", tick_style="muted small"),

@@ -37,7 +37,7 @@ def read(photograph: Photograph) -> Mapping[str, Any]:
 
     Returns
     -------
-    ``codes``, base64 of ``shape`` (h, w, 3) codes; ``light``, the mean code of green;
+    ``codes``, base64 of ``shape`` (h, w, 3) codes; ``mean_code``, that of green;
     ``camera`` by the file; ``exposure_s`` or ``None``.
 
     Raises
@@ -57,7 +57,7 @@ def read(photograph: Photograph) -> Mapping[str, Any]:
     return {
         "codes": base64.b64encode(middle.tobytes()).decode(),
         "shape": list(middle.shape),
-        "light": round(float(middle[..., 1].mean()), 4),
+        "mean_code": round(float(middle[..., 1].mean()), 4),
         "camera": camera_of(facts),
         "exposure_s": float(facts["exposure_s"]) if "exposure_s" in facts else None,
     }
@@ -81,4 +81,4 @@ def taken_of(reading: Reading, grey: bool) -> Taken:
     data = reading.data
     camera = f"{data['camera']} {data['shape']} {grey}"
     exposure = math.nan if data["exposure_s"] is None else float(data["exposure_s"])
-    return Taken(float(data["light"]), camera, exposure)
+    return Taken(float(data["mean_code"]), camera, exposure)

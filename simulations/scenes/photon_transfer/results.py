@@ -62,11 +62,14 @@ def _value(estimate: Estimate, digits: int) -> str:
 
 
 def _unit(estimate: Estimate, unit: str) -> str:
-    return "" if estimate.reason else unit
+    return unit if estimate.bound or not estimate.reason else ""
 
 
 def with_error(estimate: Estimate, scale: float = 1.0) -> str:
-    """The number with its standard error, to two digits of the latter."""
+    """The number with its standard error, to two digits of the latter; or what bounds it."""
+    if estimate.bound:
+        digits = max(1 - math.floor(math.log10(scale * max(estimate.value, 1e-9))), 0)
+        return f"{estimate.bound} {format_number(scale * estimate.value, digits)}"
     if estimate.reason:
         return UNTOLD
     error = scale * estimate.error
@@ -82,7 +85,7 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     main = frames.main
     sensor: SensorEstimate = outputs["sensor"][main]
     return (
-        Readout("plane", "Plane", main),
+        Readout("pixels", "Pixels", main),
         *_lines(sensor),
         *_other_gains(outputs["sensor"], main),
         *_grain(outputs["levels"][main]),
@@ -97,7 +100,7 @@ def _lines(sensor: SensorEstimate) -> Iterator[Readout]:
     for name, label, unit, scale in QUANTITIES:
         estimate = found[name]
         words = with_error(estimate, scale)
-        if estimate.reason and estimate.reason not in said:
+        if estimate.reason and not estimate.bound and estimate.reason not in said:
             words = f"{UNTOLD}. {estimate.reason}"
             said.add(estimate.reason)
         yield Readout(name, label.partition(",")[0], words, _unit(estimate, unit))
@@ -168,6 +171,8 @@ def _json_file(settings: Settings, outputs: Outputs) -> str:
 
 
 def _as_json(estimate: Estimate) -> dict[str, float | str]:
+    if estimate.bound:
+        return {estimate.bound: estimate.value, "reason": estimate.reason}
     if estimate.reason:
         return {"cannot_be_told": estimate.reason}
     return {"value": estimate.value, "standard_error": estimate.error}

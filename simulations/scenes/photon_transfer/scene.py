@@ -35,7 +35,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 drawing.PAIR_WIDTH,
                 drawing.PAIR_HEIGHT,
                 drawing.pair_pixels(pairs[shown] if shown >= 0 else None),
-                drawing.over_pair(),
+                drawing.over_pair() if shown >= 0 else "",
                 pixelated=True,
             ),
             Panel(
