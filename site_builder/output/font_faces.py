@@ -65,7 +65,7 @@ ALWAYS_WITH_FORMULAE = FORMULAE & (
         (0x1D7CE, 0x1D7D7),  # bold digits
     )
     | _each("()/[]\\_{}|‖√∣∥∏∐∑∫∬∭∮⋀⋁⋂⋃⌈⌉⌊⌋⟨⟩⏜⏝⏞⏟⎴⎵‾¯")  # what stretches
-    | _each("←→↔⟶⇒⇔↑↓∈∉⊂⊆∪∩∀∃∧∨¬⊕⊗⟂⊤⊥⋅∘∙·×÷±∓−≈≠≤≥≲≳≪≫∗≡≃≅∼∝∂∇∞∆…⋯⋮⋱°′″⁻⁺\u2011\xa0µϵℎℓℝ\u20d7")
+    | _each("←→↔⟶⇒⇔↑↓∈∉⊂⊆∪∩∀∃∧∨¬⊕⊗⟂⊤⊥⋅∘∙·×÷±∓−≈≠≤≥≲≳≪≫∗≡≃≅∼∝∂∇∞∆…⋯⋮⋱°′″⁻⁺\u2011\xa0µϵℎℓℝ𝜹\u20d7")
 )
 """What the face that formulae need first holds: letters, common signs, and every sign that
 stretches. Browsers draw roots, fences, braces and big operators from the first face of a family
