@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 import pytest
 from support.edges import gaussian_edge, gaussian_half, grain
-from support.frames import frame_of, outputs_of, pixels_of, texts_of
+from support.frames import computed_in, frame_of, outputs_of, pixels_of, texts_of
 
 from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
@@ -157,3 +157,11 @@ def test_the_oldest_place_makes_room_for_a_ninth() -> None:
         kept = SCENE.pull(settings, "keep", (0.0, 0.0))
         settings = SCENE.check({**kept, "x": x})
     assert len(outputs_of(SCENE, kept=settings.kept)["places"]) == 8
+
+
+def test_with_a_photograph_nothing_is_simulated_and_the_pitch_measures_nothing_anew() -> None:
+    picture, cache = photograph(320, 240), StageCache()
+    SCENE.render(SCENE.check({}), "", cache, picture)
+    after = SCENE.render(SCENE.check({"pitch": 2}), "", cache, picture)
+    assert "light" not in computed_in(after)
+    assert "sharpness" not in computed_in(after)

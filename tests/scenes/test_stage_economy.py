@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from simulations.engine.controls import Action, Choice, Control, Points, Slider, Toggle, Value
+from simulations.engine.controls import Action, Choice, Control, Points, Slider, Toggle
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
-from simulations.engine.stages import Stage, StageCache
+from simulations.engine.stages import Parameter, Stage, StageCache
 from simulations.models.arrays import Floats
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.pictures.checker_room import checker_room
@@ -53,15 +53,16 @@ def show(
     return scene.render(scene.check(given), tier, cache)
 
 
-def parameters(scene: Scene[Any], given: Mapping[str, object]) -> dict[str, Value]:
-    """All that stages may read."""
+def parameters(scene: Scene[Any], given: Mapping[str, object]) -> dict[str, Parameter]:
+    """All that stages may read, without photographs."""
     settings, tier = scene.check(given), scene.default_tier
     worked_out = scene.parameters(settings, tier) if scene.parameters else {}
-    return {**values_of(settings), "tier": tier, **(worked_out or {})}
+    own: dict[str, Parameter] = {"photograph": None, "readings": ()}
+    return {**values_of(settings), "tier": tier, **own, **(worked_out or {})}
 
 
 def concerned(
-    stages: tuple[Stage, ...], before: Mapping[str, Value], after: Mapping[str, Value]
+    stages: tuple[Stage, ...], before: Mapping[str, Parameter], after: Mapping[str, Parameter]
 ) -> set[str]:
     """Stages that read what has changed, or are neutral no longer, and all that follow them."""
     changed = {name for name, value in after.items() if before.get(name) != value}

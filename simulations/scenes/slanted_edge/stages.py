@@ -70,14 +70,21 @@ def _light(angle: float, aperture: float, pitch: float) -> Floats:
     return DARK + STEP * edge
 
 
-def _codes(light: Floats, noise: float, sharpening: float, photograph: Photograph | None) -> Codes:
-    """(H, W, 3) the file: the reader's, or the simulated one, whose dice fall alike each time."""
-    if photograph is not None:
-        return photograph.codes
+def _simulated(light: Floats, noise: float, sharpening: float) -> Codes:
+    """(120, 160, 3) the file; its dice fall alike each time."""
     taken = light + np.random.default_rng(0).normal(0.0, 0.01 * noise * STEP, light.shape)
     soft = filter_and_sample(taken, 1, gaussian_kernel(HALO_PX))
     taken += sharpening * (taken - soft)
     return to_rgba8(encode_srgb(np.clip(taken, 0.0, 1.0)))[..., :3]
+
+
+def _own(photograph: Photograph) -> Codes:
+    """(H, W, 3) the reader's file."""
+    return photograph.codes
+
+
+def _none_given(photograph: Photograph | None) -> str:
+    return "" if photograph else "no photograph was chosen"
 
 
 def _shown(codes: Codes) -> Codes:
@@ -146,7 +153,8 @@ def _true(angle: float, aperture: float, pitch: float, photograph: Photograph | 
 
 STAGES = (
     Stage("light", _light),
-    Stage("codes", _codes, ("light",)),
+    Stage("simulated", _simulated, ("light",)),
+    Stage("codes", _own, neutral=_none_given, passes_on="simulated"),
     Stage("shown", _shown, ("codes",)),
     Stage("box", _box, ("codes",)),
     Stage("pixels", _pixels, ("codes", "box")),
