@@ -2,9 +2,10 @@
 
 import { SimulationFigure } from "../figure/element.ts";
 import { all, maybe, within } from "../page/dom.ts";
+import { recall } from "../page/storage.ts";
 import type { DataSheet } from "./data_sheet.ts";
 import type { Instrument } from "./instrument.ts";
-import { isKept } from "./session.ts";
+import { keyOf } from "./photo.ts";
 
 /** By the figure that has photographs, or had. */
 const instruments: WeakMap<SimulationFigure, Promise<Instrument>> = new WeakMap();
@@ -30,7 +31,7 @@ export function install() {
 export function arrive() {
   for (const box of all(document, ".intake", HTMLElement)) {
     const scene = figureOf(box)?.dataset.simulation ?? "";
-    if (isKept(scene)) instrumentOf(box).then((instrument) => instrument.restore());
+    if (recall(keyOf(scene))) instrumentOf(box).then((instrument) => instrument.restore());
   }
 }
 

@@ -16,3 +16,8 @@ export interface Photo extends Source {
   /** What its scene keeps of it. */
   data: unknown;
 }
+
+/** Key in storage of the settings of a scene's figure whose photographs are kept. */
+export function keyOf(scene: string) {
+  return `instrument:${scene}`;
+}

@@ -1,16 +1,10 @@
-/** The settings that kept photographs are measured with, and whether photographs are kept at all. */
+/** The settings that kept photographs are measured with. */
 
 import { moveControls, readValues } from "../figure/controls.ts";
 import type { SimulationFigure } from "../figure/element.ts";
 import { settingsOf } from "../figure/permalink.ts";
 import { recall, remember } from "../page/storage.ts";
-
-const keyOf = (scene: string) => `instrument:${scene}`;
-
-/** Whether photographs for the scene are kept on this device. */
-export function isKept(scene: string) {
-  return recall(keyOf(scene)) !== null;
-}
+import { keyOf } from "./photo.ts";
 
 export function keepSession(scene: string, figure: SimulationFigure) {
   const { form, controls } = settingsOf(figure);
