@@ -49,7 +49,7 @@ def test_full_cells_among_the_fitted_give_no_number() -> None:
 def test_moving_the_end_of_the_fit_measures_no_frame_again() -> None:
     cache = StageCache()
     frame_of(SCENE, "", cache)
-    assert computed_in(frame_of(SCENE, "", cache, most=40)) == ("sensor",)
+    assert computed_in(frame_of(SCENE, "", cache, most=40)) == ("sensor", "shown")
     assert "electrons" not in computed_in(frame_of(SCENE, "", cache, read_noise=20))
 
 
@@ -143,6 +143,18 @@ def test_pictures_of_other_cameras_and_sizes_are_left_over() -> None:
     _, outputs = shown_of(readings)
     assert outputs["frames"].names == (("1.png", "2.png"),)
     assert outputs["frames"].left_over == 2
+
+
+def test_the_pair_of_the_photograph_looked_at_is_ringed() -> None:
+    readings = tuple(
+        reading_of(2 * k + i, as_srgb(light_of(level, 2 * k + i)))
+        for k, level in enumerate(LEVELS[:3])
+        for i in (0, 1)
+    )
+    looked_at = Photograph(3, np.zeros((8, 8, 3), np.uint8))
+    outputs = SCENE.run(SCENE.check({}), "", StageCache(), looked_at, readings).outputs
+    assert outputs["shown"] == 1
+    assert SCENE.run(SCENE.check({}), "", StageCache(), None, readings).outputs["shown"] == 2
 
 
 def test_unfit_photographs_say_what_to_do() -> None:

@@ -3,6 +3,7 @@
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, format_number
 from simulations.engine.handles import Handle, Point
+from simulations.engine.photograph import Whole
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
@@ -10,7 +11,10 @@ from simulations.scenes.photon_transfer import drawing
 from simulations.scenes.photon_transfer.reading import read
 from simulations.scenes.photon_transfer.results import EXPORTS, readouts, sheet, with_error
 from simulations.scenes.photon_transfer.settings import Settings
-from simulations.scenes.photon_transfer.stages import STAGES, Frames, looked_at
+from simulations.scenes.photon_transfer.stages import STAGES, Frames
+
+SMALL = 0.1
+"""Megapixels of the photograph that is looked at: it only chooses the pair."""
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -18,7 +22,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     frames: Frames = outputs["frames"]
     sensor: SensorEstimate = outputs["sensor"][frames.main]
     measured, pairs = outputs["levels"][frames.main], frames.planes[frames.main]
-    simulated, shown = frames.is_simulated, looked_at(sensor, len(pairs))
+    simulated, shown = frames.is_simulated, outputs["shown"]
     return Frame(
         panels=(
             Panel(
@@ -72,7 +76,7 @@ def _end_pulled(_settings: Settings, place: Point) -> dict[str, Value]:
 
 SCENE = Scene(
     id="photon-transfer",
-    title="Photon Transfer",
+    title="A Sensor Measured by Its Noise",
     settings=Settings,
     draw=draw,
     formula=characterise,
@@ -82,6 +86,7 @@ SCENE = Scene(
             "end", "transfer", "End of the fit", ("most",), _end, _end_pulled, "press", "camera"
         ),
     ),
+    photograph=Whole(SMALL),
     read=read,
     exports=EXPORTS,
     sheet=sheet,

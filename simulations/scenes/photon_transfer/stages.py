@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Readings
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
@@ -47,6 +48,8 @@ class Frames:
     planes: Mapping[str, tuple[Pair, ...]]
     names: tuple[tuple[str, str], ...]
     """Of the two files of each pair."""
+    numbers: tuple[tuple[int, int], ...]
+    """Of the two photographs of each pair; none are simulated."""
     left_over: int
     """Photographs without a partner."""
     highest: int
@@ -114,7 +117,7 @@ def _codes(electrons: tuple[Floats, ...], cells: Cells, read_noise: float) -> tu
 def _frames(codes: tuple[Pair, ...], readings: Readings) -> Frames:
     if not readings:
         names = tuple((f"{k}a", f"{k}b") for k in range(len(codes)))
-        return Frames({SIMULATED: codes}, names, 0, sensor_of(0.0).highest_dn, None)
+        return Frames({SIMULATED: codes}, names, (), 0, sensor_of(0.0).highest_dn, None)
     kept = [codes_of(reading) for reading in readings]
     grey = [is_grey(photograph) for photograph in kept]
     pairs = pair_up([taken_of(*one) for one in zip(readings, grey, strict=True)])
@@ -126,6 +129,7 @@ def _frames(codes: tuple[Pair, ...], readings: Readings) -> Frames:
             for plane in planes
         },
         names=tuple((readings[i].name, readings[j].name) for i, j in pairs),
+        numbers=tuple((readings[i].number, readings[j].number) for i, j in pairs),
         left_over=len(readings) - 2 * len(pairs),
         highest=HIGHEST,
         response=None if pairs and grey[pairs[0][0]] else SRGB_DN,
@@ -155,11 +159,15 @@ def _sensor(levels: dict[str, Measured], most: int) -> dict[str, SensorEstimate]
     }
 
 
-def looked_at(estimate: SensorEstimate, count: int) -> int:
-    """Index of the pair that is shown: the brightest that was fitted, or else the middle one; −1 if
-    there is none."""
-    fitted = np.flatnonzero(estimate.fitted)
-    return int(fitted[-1]) if fitted.size else math.ceil(count / 2) - 1
+def _shown(frames: Frames, sensor: dict[str, SensorEstimate], photograph: Photograph | None) -> int:
+    """Index of the pair that is shown: that of the photograph looked at, or else the brightest that
+    was fitted, or the middle one; −1 if there is none."""
+    if photograph is not None:
+        for pair, numbers in enumerate(frames.numbers):
+            if photograph.number in numbers:
+                return pair
+    fitted = np.flatnonzero(sensor[frames.main].fitted)
+    return int(fitted[-1]) if fitted.size else math.ceil(len(frames.names) / 2) - 1
 
 
 STAGES = (
@@ -169,4 +177,5 @@ STAGES = (
     Stage("frames", _frames, ("codes",)),
     Stage("levels", _levels, ("frames",)),
     Stage("sensor", _sensor, ("levels",)),
+    Stage("shown", _shown, ("frames", "sensor")),
 )
