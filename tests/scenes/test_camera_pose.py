@@ -15,9 +15,9 @@ frame = partial(frame_of, SCENE)
 
 
 def test_the_figure_starts_with_the_worked_example() -> None:
-    expected = look_at((10, 0, 0), (0, 0, 0), (0, -1, 0))
-    np.testing.assert_allclose(standpoint(-90, 10, 0).pose, expected, atol=1e-12)
-    assert texts_of(frame())["t"] == "(0.0, 0.0, 10.0)"
+    expected = look_at((10, 0, 2), (0, 0, 2), (0, -1, 0))
+    np.testing.assert_allclose(standpoint(-90, 10, 2).pose, expected, atol=1e-12)
+    assert texts_of(frame())["t"] == "(−2.0, 0.0, 10.0)"
     assert texts_of(frame())["lamp"] == "(3.0, −1.0, 8.0)"
 
 
@@ -45,9 +45,10 @@ def test_the_field_of_view_is_ahead_of_the_camera_and_inside_the_room(pan: float
     assert (here.field <= WALLS[2] + 1e-9).all()
 
 
-def test_the_whole_room_of_the_worked_example_is_in_both_panels() -> None:
-    here = standpoint(-90, 10, 0)
-    for place in (in_world, to_camera(here)):
+@pytest.mark.parametrize("pan", [-150, -90, -55, 0, 35, 180])
+@pytest.mark.parametrize("corner", [(0, -2), (0, 6), (12, -2), (12, 6), (10, 2)])
+def test_the_whole_room_is_in_both_panels(pan: float, corner: tuple[float, float]) -> None:
+    for place in (in_world, to_camera(standpoint(pan, *corner))):
         corners = place(WALLS)
         assert (corners > 0.0).all()
         assert (corners < [WIDTH, HEIGHT]).all()

@@ -146,4 +146,4 @@ def test_a_point_that_leaves_the_photograph_is_held_inside_its_border() -> None:
     held = [place for place in render(k1=0.5, k2=0.3).handles if place.name != "crossing"]
     assert len(held) == 2
     for place in held:
-        assert min(place.x, 400 - place.x, place.y, 300 - place.y) == pytest.approx(13)
+        assert min(place.x, 400 - place.x, place.y, 300 - place.y) == pytest.approx(15)

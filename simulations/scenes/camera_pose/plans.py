@@ -1,6 +1,6 @@
 """The room from above, twice: in world coordinates, and in the camera's."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -15,7 +15,10 @@ UNITS_PER_M = 20.0
 """Scale of both panels, so that equal lengths look equal."""
 WORLD_ORIGIN = np.array([80.0, 215.0])
 CAMERA_ORIGIN = np.array([200.0, 242.0])
-"""The two origins in the view boxes; right is right, ahead or forward is up."""
+"""The two origins in the view boxes; right is right, ahead or forward is up. The camera's is moved
+where the room would not fit."""
+MARGIN = 4.0
+"""Least distance of the room from the border of the second panel, in view box units."""
 EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
 """The view box, as half planes a x + b y + c ≥ 0."""
 CAMERA_OUTLINE = np.array(
@@ -27,6 +30,8 @@ DOOR_NAME = np.array([0.0, 0.0, 0.7])
 """Distance of the door's label from the door, in metres."""
 NAME_M = (1.0, 0.5)
 """Distance of an axis's name back from its tip, and aside from the axis, in metres."""
+HANDLE_NAME = (38.0, 24.0)
+"""Distance of a handle's name from the handle, across and up, in view box units."""
 BESIDE = 12.0
 """Distance of a label from the lamp, and from the middle of t, in view box units."""
 
@@ -44,9 +49,18 @@ def metres_at(place: drawing.Point) -> tuple[float, float]:
     return float(X), float(Z)
 
 
-def in_camera(points: Floats) -> Floats:
-    """Points (..., 3) in camera coordinates in the second panel's view box (..., 2)."""
-    return CAMERA_ORIGIN + UNITS_PER_M * np.asarray(points)[..., [0, 2]] * [1.0, -1.0]
+def in_camera(standpoint: Standpoint) -> Place:
+    """Points (..., 3) in camera coordinates in the second panel's view box (..., 2), which shows
+    the whole room."""
+
+    def scaled(points: Floats) -> Floats:
+        return UNITS_PER_M * np.asarray(points)[..., [0, 2]] * [1.0, -1.0]
+
+    room = scaled(standpoint.seen(WALLS))
+    size = np.array([WIDTH, HEIGHT])
+    least, most = MARGIN - room.min(axis=0), size - MARGIN - room.max(axis=0)
+    origin = np.clip(CAMERA_ORIGIN, least, most)
+    return lambda points: origin + scaled(points)
 
 
 def from_camera(standpoint: Standpoint) -> Place:
@@ -56,7 +70,8 @@ def from_camera(standpoint: Standpoint) -> Place:
 
 def to_camera(standpoint: Standpoint) -> Place:
     """World coordinates to the second panel."""
-    return lambda points: in_camera(standpoint.seen(points))
+    place = in_camera(standpoint)
+    return lambda points: place(standpoint.seen(points))
 
 
 def world_panel(standpoint: Standpoint) -> Panel:
@@ -69,6 +84,7 @@ def world_panel(standpoint: Standpoint) -> Panel:
         _axes(in_world, "world", ("X", "Z")),
         _camera(from_camera(standpoint)),
         _axes(from_camera(standpoint), "camera", ("x", "z")),
+        *_handle_names(from_camera(standpoint)),
         _lamp(in_world, 1.0),
     )
     return Panel("world", "The room in world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
@@ -76,9 +92,8 @@ def world_panel(standpoint: Standpoint) -> Panel:
 
 def camera_panel(standpoint: Standpoint) -> Panel:
     """The room in camera coordinates, and the arrow t to the world's origin."""
-    place = to_camera(standpoint)
-    centre, origin = CAMERA_ORIGIN, place(np.zeros(3))
-    inside = bool(np.all(origin > 0.0) and origin[0] < WIDTH and origin[1] < HEIGHT)
+    place, own = to_camera(standpoint), in_camera(standpoint)
+    centre, origin = own(np.zeros(3)), place(np.zeros(3))
     apart = float(np.hypot(*(origin - centre))) > UNITS_PER_M
     along = (origin - centre) / max(float(np.hypot(*(origin - centre))), 1.0)
     aside = np.array([-along[1], along[0]])
@@ -86,11 +101,11 @@ def camera_panel(standpoint: Standpoint) -> Panel:
     name = (centre + origin) / 2.0 - np.copysign(BESIDE, to_lamp) * aside
     parts = (
         _furniture(place, standpoint),
-        _axes(place, "world", ("X", "Z")) if inside else "",
+        _axes(place, "world", ("X", "Z")),
         _segment(np.stack([centre, origin]), "ray bold") if apart else "",
         _name(name, "t", "ray strong") if apart else "",
-        _camera(in_camera),
-        _axes(in_camera, "camera", ("x", "z")),
+        _camera(own),
+        _axes(own, "camera", ("x", "z")),
         _lamp(place, aside[0] * to_lamp if apart else 1.0),
     )
     return Panel(
@@ -142,6 +157,16 @@ def _axes(place: Place, role: str, names: tuple[str, str]) -> str:
 
 def _camera(place: Place) -> str:
     return drawing.polygon(place(CAMERA_OUTLINE), "camera fill")
+
+
+def _handle_names(place: Place) -> Iterator[str]:
+    """What the two handles move: behind the camera, and beyond the tip of its forward axis."""
+    centre, tip = place(np.zeros(3)), place(np.array([0.0, 0.0, AXIS_M]))
+    along = (tip - centre) / (UNITS_PER_M * AXIS_M)
+    for spot, side, words in ((centre, -1.0, "camera"), (tip, 1.0, "direction")):
+        x, y = spot + side * along * HANDLE_NAME
+        if 30.0 < x < WIDTH - 30.0:
+            yield drawing.text((x, y + 4.0), words, "camera small ground", "middle")
 
 
 def _lamp(place: Place, side: float) -> str:

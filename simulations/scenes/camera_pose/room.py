@@ -14,13 +14,13 @@ from simulations.models.geometry.rotations import from_axis_angle
 from simulations.models.geometry.transforms import clip_half_plane
 from simulations.models.projection.pinhole import invert_pose, rigid_pose, world_to_camera
 
-LAMP = np.array([2.0, -1.0, 3.0])
+LAMP = np.array([2.0, -1.0, 5.0])
 """1 m above the camera."""
 WALLS = np.array([(-1.0, 0.0, -3.0), (13.0, 0.0, -3.0), (13.0, 0.0, 7.0), (-1.0, 0.0, 7.0)])
 TABLE = np.array([(5.0, 0.0, 4.0), (8.0, 0.0, 4.0), (8.0, 0.0, 5.5), (5.0, 0.0, 5.5)])
 FIELD_RAD = math.radians(60.0)
 """The camera's field of view."""
-DOOR = np.array([(3.0, 0.0, 7.0), (4.5, 0.0, 7.0)])
+DOOR = np.array([(5.0, 0.0, 7.0), (6.5, 0.0, 7.0)])
 """The door in the far wall."""
 AXIS_M = 2.5
 """Drawn length of axes."""

@@ -35,7 +35,7 @@ past the fold."""
 INNER, OUTER = (0.6, 0.45), (0.72, -0.54)
 """The ideal points marked in the photograph, towards corners. While k₂ is 0, the inner one
 is always in view."""
-BORDER = 13.0
+BORDER = 15.0
 """Least distance of a handle from the border of the photograph, in view box units."""
 VISIBLE_RADIUS_UNITS = 238.0
 """Radius above which too little of a circle is visible in the corners for a label."""
@@ -81,7 +81,7 @@ def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
         return limits
     named = ((INNER, "k₁"), (OUTER, "k₂"))
     return limits + "".join(
-        (_moved(ideal, lens) if in_view(ideal, lens) else "") + _name(ideal, lens, name)
+        _moved(ideal, lens) + _name(ideal, lens, name)
         for ideal, name in named
         if math.hypot(*ideal) < fold_radius(lens)
     )
@@ -100,12 +100,6 @@ def held(ideal: tuple[float, float], lens: Distortion) -> tuple[float, float]:
     return CENTRE[0] + x / beyond, CENTRE[1] + y / beyond
 
 
-def in_view(ideal: tuple[float, float], lens: Distortion) -> bool:
-    """Whether a point of the photograph is inside its border."""
-    x, y = image_of(ideal, lens)
-    return 0.0 <= x <= VIEW_WIDTH and 0.0 <= y <= VIEW_HEIGHT
-
-
 def _name(ideal: tuple[float, float], lens: Distortion, name: str) -> str:
     """The coefficient that a point moves, on the left of the point and off its radius."""
     x, y = held(ideal, lens)
@@ -114,8 +108,8 @@ def _name(ideal: tuple[float, float], lens: Distortion, name: str) -> str:
 
 
 def _moved(ideal: tuple[float, float], lens: Distortion) -> str:
-    """The shift of a marked point from its pinhole image."""
-    way = to_view(np.asarray(ideal)), image_of(ideal, lens)
+    """The shift of a marked point from its pinhole image, as far as the border."""
+    way = to_view(np.asarray(ideal)), held(ideal, lens)
     return line(*way, "casing") + line(*way, "image bold") + dot(way[1], "image")
 
 

@@ -39,7 +39,12 @@ def _readouts(settings: Settings) -> tuple[Readout, ...]:
         readout("straight", "Spot, straight rays", settings.hole, "mm", digits=2, role="camera"),
         readout("spread", "Spot, diffraction", spread(settings), "mm", digits=2),
         readout(
-            "light", f"Light, compared with {WIDEST_MM:g} mm", light, "%", digits=2, role="light"
+            "light",
+            f"Light, 100\u00a0% at {WIDEST_MM:g}\u00a0mm",
+            light,
+            "%",
+            digits=1,
+            role="light",
         ),
     )
 

@@ -11,5 +11,5 @@ NARROWEST_MM, WIDEST_MM = 0.1, 2.0
 class Settings:
     """The settings of the figure."""
 
-    hole: float = slider("Width of the hole", 1.0, NARROWEST_MM, WIDEST_MM, 0.01, unit="mm")
-    longer: bool = toggle("Expose a dim picture longer")
+    hole: float = slider("Hole width", 1.0, NARROWEST_MM, WIDEST_MM, 0.01, unit="mm")
+    longer: bool = toggle("Expose longer")
