@@ -91,7 +91,7 @@ def characterise(
 
     Lines are fitted to the levels up to the share ``most`` of the way from black to ``highest_dn``.
     Errors are those of random noise, enlarged where levels scatter more about the line. From twelve
-    even levels of 256 × 256 pixels the gain follows to about 0.3 %.
+    even levels of 256 × 256 pixels the gain follows to about 0.2 %.
     """
     require("most", most, 0 < most <= 1, "above 0, to 1")
     require("black_dn", black_dn, 0 <= black_dn < highest_dn, f"0 to below {highest_dn:g}")

@@ -7,6 +7,7 @@ fall off smoothly over the frame: a polynomial of second degree is taken off eac
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,18 +56,18 @@ def measure_pair(
         raise ValueError(f"frames {frames.shape}; legal: (2, H, W), of 64 pixels or more")
     first, second = frames
     light = np.arange(highest + 1.0) if response is None else np.asarray(response, float)
-    a, b = light[first], light[second]
-    rest_a, rest_b = _without_trend(a), _without_trend(b)
+    linear = light[frames]
+    rest_a, rest_b = _without_trend(linear)
     free = first.size - TREND_TERMS
     difference = rest_a - rest_b
     noise = float(np.sum(difference**2)) / (2 * free)
     pattern = float(np.sum(rest_a * rest_b)) / free
     step = np.gradient(light)
-    rounding = float(np.mean(step[first] ** 2) + np.mean(step[second] ** 2)) / 24
+    rounding = float(np.mean(step[frames] ** 2)) / 12
     apart = first.astype(float) - second
     at_an_end = np.count_nonzero((frames == 0) | (frames == highest))
     return Level(
-        mean_dn=float(a.mean() + b.mean()) / 2,
+        mean_dn=float(linear.mean()),
         noise_dn2=noise - rounding,
         noise_error_dn2=noise * math.sqrt(2 / free),
         pattern_dn2=pattern,
@@ -78,16 +79,21 @@ def measure_pair(
     )
 
 
-def _without_trend(frame: Floats) -> Floats:
-    """The frame (H, W) without the polynomial of second degree nearest to it."""
-    height, width = frame.shape
-    y, x = np.meshgrid(centred(height) / height, centred(width) / width, indexing="ij")
-    terms = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y]).reshape(TREND_TERMS, -1)
-    values = frame.reshape(-1)
+def _without_trend(frames: Floats) -> Floats:
+    """Frames (2, H, W), each without the polynomial of second degree nearest to it."""
+    terms = _terms(*frames.shape[1:])
+    values = frames.reshape(2, -1)
     # Frames of one row or column have fewer terms.
-    share = np.linalg.lstsq(terms @ terms.T, terms @ values, rcond=1e-12)[0]
-    rest: Floats = (values - share @ terms).reshape(frame.shape)
+    shares = np.linalg.lstsq(terms @ terms.T, terms @ values.T, rcond=1e-12)[0]
+    rest: Floats = (values - shares.T @ terms).reshape(frames.shape)
     return rest
+
+
+@lru_cache(4)
+def _terms(height: int, width: int) -> Floats:
+    """(6, H · W) the terms of the polynomial."""
+    y, x = np.meshgrid(centred(height) / height, centred(width) / width, indexing="ij")
+    return np.stack([np.ones_like(x), x, y, x * x, x * y, y * y]).reshape(TREND_TERMS, -1)
 
 
 def _correlation(difference: Floats, variance: float) -> float:
