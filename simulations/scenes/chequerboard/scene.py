@@ -173,5 +173,5 @@ SCENE = Scene(
             reversed=("down",),
         ),
     ),
-    exports=(Export("chequerboard", "the board at true scale, SVG", ".svg", _drawing),),
+    exports=(Export("chequerboard", "Board at true scale, SVG", ".svg", _drawing),),
 )
