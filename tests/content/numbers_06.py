@@ -5,6 +5,7 @@ from math import erf, sqrt
 
 import numpy as np
 from scipy.stats import norm
+from support.frames import outputs_of
 from support.worked_numbers import Says
 
 from simulations.models.arrays import Floats
@@ -22,6 +23,7 @@ from simulations.models.sensor.photon_counting import (
     ShotModel,
     shot_noise,
 )
+from simulations.scenes.photon_transfer.scene import SCENE as PHOTON_TRANSFER
 from simulations.scenes.sensor_noise.stages import PATCH_PX, patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
@@ -34,6 +36,19 @@ def patches_burnt_out_at_iso_800() -> Says:
     burnt = patch_means_e(0.0) > saturation_e(sensor_of(12, "800", 10))
     assert burnt.sum() == 8
     yield "eight patches are burnt out"
+
+
+def a_line_through_full_cells() -> Says:
+    outputs = outputs_of(PHOTON_TRANSFER, most=95)
+    gain = 1 / outputs["sensor"][outputs["frames"].main].noise.slope
+    assert np.isclose(gain / 4, 1.25, atol=0.02)
+    yield f"its slope would make the gain {gain:.2f}, a quarter too large"
+
+
+def half_of_the_greens_from_four() -> Says:
+    share = (1 + 1 / 4) / 2
+    yield f"$\\frac12(1 + \\frac14) = {share:.3f}$"
+    yield f"the gain comes out {1 / share:.1f} times too large"
 
 
 def a_gaussian_of_hardly_an_electron() -> Says:
