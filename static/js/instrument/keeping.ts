@@ -8,14 +8,19 @@ const STORE = "photographs";
 /** `order` in which they were added; `sources` of the Python that read it. */
 type Kept = Omit<Photo, "number"> & { scene: string; order: number; sources: string };
 
-/** Those of a scene, in order; what another version of its Python has read is to be read again. */
+/**
+ * Those of a scene, in order. What was not yet read when the page was left, or by another version of
+ * its Python, is to be read again.
+ */
 export async function keptPhotos(scene: string): Promise<Omit<Photo, "number">[]> {
   const kept: Kept[] = await within("readonly", (store) => store.index("scene").getAll(scene));
   const current = document.body.dataset.sources ?? "";
   return kept
     .toSorted((one, other) => one.order - other.order)
     .map(({ order: _order, scene: _scene, sources, ...photo }) =>
-      sources === current ? photo : { ...photo, state: "waiting", said: "", data: null },
+      sources === current && photo.state !== "reading"
+        ? photo
+        : { ...photo, state: "waiting", said: "", data: null },
     );
 }
 
