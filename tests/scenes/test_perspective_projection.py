@@ -10,6 +10,7 @@ from support.frames import frame_of, texts_at
 
 from simulations.scenes.perspective_projection.scene import SCENE
 from simulations.scenes.perspective_projection.settings import Settings
+from simulations.scenes.perspective_projection.top_view import FLOOR
 
 frame = partial(frame_of, SCENE)
 
@@ -169,3 +170,11 @@ def test_a_point_without_an_image_offers_none_to_the_hand() -> None:
         assert "image" not in {place.name for place in frame(**given).handles}
     parallel = frame(depth=-1, perspective=0)
     assert "image" in {place.name for place in parallel.handles}
+
+
+@pytest.mark.parametrize("point_x", [1.0, 1.9, 3.0])
+def test_the_equation_covers_nothing_of_the_view_from_above(point_x: float) -> None:
+    top = overlay("top", point_x=point_x)
+    outlines = re.findall(r'<polygon class="world[^"]*" points="([^"]+)"', top)
+    lowest = max(float(spot.split(",")[1]) for each in outlines for spot in each.split())
+    assert lowest <= FLOOR

@@ -21,44 +21,54 @@ LETTER = 8.2
 def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
     """P, its image P′ and their coordinates.
 
-    ``way`` (N, 3, 3) are the matrices of all amounts: P′ slides along a curve.
+    ``way`` (N, 3, 3) are the matrices of all amounts: P′ slides along a curve, of which the part on
+    its side of infinity is drawn. Without any there is no curve.
     """
     before = to_view(point)
     image, valid = apply_homography(H, point)
-    parts = [drawing.path(_track(way, point), "image thin faint")]
+    parts = [drawing.path(_track(way, point, H), "image thin faint")] if len(way) else []
     torn = sign_of_w(H, point) != sign_of_w(H, (0.0, 0.0))
     after = in_frame(image[None], closed=False) if valid else np.empty((0, 2))
     if len(after):
         if not torn:
             parts.append(drawing.line(before, after[0], "image thin dashed"))
         parts.append(drawing.dot(after[0], "image", 4.5))
-        parts.append(_label("P′", 1, image, after[0], "image"))
+        parts.append(_coordinates("P′", image, after[0]))
     parts.append(drawing.dot(before, "world", 4.5))
-    parts.append(_label("P", 0, point, before, "world"))
+    parts.append(_name("P", before))
     return "".join(parts)
 
 
-def _track(way: Floats, point: Floats) -> list[Floats]:
-    """Runs of places (n, 2) of P′, interrupted where it passes through infinity and out of view."""
+def _track(way: Floats, point: Floats, H: Floats) -> list[Floats]:
+    """Runs of places (n, 2) of P′ on its side of infinity, interrupted where it is out of view."""
     images, w = _images(way, point)
     places = to_view(images)
     seen = np.all((places >= -4.0) & (places <= [WIDTH + 4.0, HEIGHT + 4.0]), axis=1)
-    parted = np.flatnonzero(np.diff(seen * np.sign(w))) + 1
+    seen &= np.sign(w) == sign_of_w(H, point)
+    parted = np.flatnonzero(np.diff(seen)) + 1
     runs = zip(np.split(places, parted), np.split(seen, parted), strict=True)
     return [run for run, visible in runs if visible[0] and len(run) > 1]
 
 
-def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> str:
-    """Coordinates next to a point, below P and above P′: on the right, or at the right border and
-    further from the point's row."""
-    x, y = (format_number(float(value), digits) for value in point)
+def _name(name: str, place: Floats) -> str:
+    """The name of a point, above it on its left, or on its right at the left border."""
+    x, y = place
+    near = x < 2.0 * CLEAR
+    at = (x + (CLEAR if near else -CLEAR), y - 9.0 if y > 26.0 else y + 17.0)
+    return drawing.text(at, name, "world ground strong", "start" if near else "end")
+
+
+def _coordinates(name: str, point: Floats, place: Floats) -> str:
+    """Name and coordinates of an image, on its right, or at the right border and farther from its
+    row; away from the axis, on the side that its square is not on."""
+    x, y = (format_number(float(value), 1) for value in point)
     words = f"{name} ({x}, {y})"
     last = WIDTH - CLEAR - LETTER * len(words)
-    cramped = place[0] > last
-    above = (role == "image" and place[1] > 26.0) or place[1] > HEIGHT - 26.0
-    aside = CLEAR + 10.0 * cramped
-    corner = (min(place[0], last) + CLEAR, place[1] + (4.0 - aside if above else aside))
-    return drawing.text(corner, words, f"{role} ground strong")
+    above = place[1] > 26.0 and (point[1] >= 0.0 or place[1] > HEIGHT - 26.0)
+    aside = CLEAR + 10.0 * (place[0] > last)
+    row = place[1] + 4.0 - aside if above else min(place[1] + aside, HEIGHT - 6.0)
+    corner = (min(place[0], last) + CLEAR, row)
+    return drawing.text(corner, words, "image ground strong")
 
 
 def corners(kind: str, H: Floats) -> Iterator[str]:

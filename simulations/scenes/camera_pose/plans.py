@@ -30,8 +30,10 @@ DOOR_NAME = np.array([0.0, 0.0, 0.7])
 """Distance of the door's label from the door, in metres."""
 NAME_M = (1.0, 0.5)
 """Distance of an axis's name back from its tip, and aside from the axis, in metres."""
-HANDLE_NAME = (38.0, 24.0)
-"""Distance of a handle's name from the handle, across and up, in view box units."""
+HANDLE_NAMES = {"camera": 38.0, "direction": 45.0}
+"""Names of the handles, and how far from its handle each is, in view box units: across ..."""
+ABOVE = 24.0
+"""... and up."""
 BESIDE = 12.0
 """Distance of a label from the lamp, and from the middle of t, in view box units."""
 
@@ -78,10 +80,11 @@ def world_panel(standpoint: Standpoint) -> Panel:
     """The camera's place and its axes."""
     origin, centre = in_world(np.zeros(3)), in_world(standpoint.centre)
     apart = float(np.hypot(*(centre - origin))) > UNITS_PER_M
+    away = -1.0 if standpoint.centre[2] < 0.0 else 1.0
     parts = (
         _furniture(in_world, standpoint),
         drawing.line(origin, centre, "muted thin dashed") if apart else "",
-        _axes(in_world, "world", ("X", "Z")),
+        _axes(in_world, "world", ("X", "Z"), away),
         _camera(from_camera(standpoint)),
         _axes(from_camera(standpoint), "camera", ("x", "z")),
         *_handle_names(from_camera(standpoint)),
@@ -98,10 +101,11 @@ def camera_panel(standpoint: Standpoint) -> Panel:
     along = (origin - centre) / max(float(np.hypot(*(origin - centre))), 1.0)
     aside = np.array([-along[1], along[0]])
     to_lamp = float(aside @ (place(LAMP) - centre))
+    away = -1.0 if standpoint.centre[2] < 0.0 else 1.0
     name = (centre + origin) / 2.0 - np.copysign(BESIDE, to_lamp) * aside
     parts = (
         _furniture(place, standpoint),
-        _axes(place, "world", ("X", "Z")),
+        _axes(place, "world", ("X", "Z"), away),
         _segment(np.stack([centre, origin]), "ray bold") if apart else "",
         _name(name, "t", "ray strong") if apart else "",
         _camera(own),
@@ -142,13 +146,14 @@ def _ground(area: Floats, role: str) -> str:
     )
 
 
-def _axes(place: Place, role: str, names: tuple[str, str]) -> str:
-    """Right and ahead, from the origin of their own coordinates."""
+def _axes(place: Place, role: str, names: tuple[str, str], away: float = 1.0) -> str:
+    """Right and ahead, from the origin of their own coordinates. The first one's name is behind it,
+    or ahead of it if ``away`` is −1."""
     start = place(np.zeros(3))
     parts = []
     right, ahead = np.eye(3)[[0, 2]]
     back, beside = NAME_M
-    for name, axis, other in zip(names, (right, ahead), (ahead, right), strict=True):
+    for name, axis, other in zip(names, (right, ahead), (away * ahead, right), strict=True):
         parts.append(drawing.arrow(start, place(AXIS_M * axis), role, 7))
         at = place((AXIS_M - back) * axis - beside * other)
         parts.append(_name(at, name, f"{role} italic"))
@@ -163,8 +168,10 @@ def _handle_names(place: Place) -> Iterator[str]:
     """What the two handles move: behind the camera, and beyond the tip of its forward axis."""
     centre, tip = place(np.zeros(3)), place(np.array([0.0, 0.0, AXIS_M]))
     along = (tip - centre) / (UNITS_PER_M * AXIS_M)
-    for spot, side, words in ((centre, -1.0, "camera"), (tip, 1.0, "direction")):
-        x, y = spot + side * along * HANDLE_NAME
+    for spot, side, (words, aside) in zip(
+        (centre, tip), (-1.0, 1.0), HANDLE_NAMES.items(), strict=True
+    ):
+        x, y = spot + side * along * (aside, ABOVE)
         if 30.0 < x < WIDTH - 30.0:
             yield drawing.text((x, y + 4.0), words, "camera small ground", "middle")
 

@@ -143,6 +143,9 @@ def _stop(stop: float, f_number: float) -> Iterator[str]:
     aside = max(abs(UNITS_PER_MM * stop), BESIDE_LENS)
     column = LENS_X - (aside if stop >= 0 else -aside)
     yield text((column, AXIS_Y - 104), "stop", "ground", "middle")
+    x, y = opening_mark(stop, f_number)
+    aside, anchor = (-14.0, "end") if stop >= 0 else (14.0, "start")
+    yield text((x + aside, y + 10.0), "opening", "ground", anchor)
 
 
 def _rim(stop: float, rim: float) -> Iterator[str]:

@@ -12,14 +12,12 @@ from simulations.models.arrays import Floats
 from simulations.scenes.perspective_projection.view import Camera, View
 
 WIDTH_M, DEPTH_M, EAVES_M, RIDGE_M = 3.0, 4.0, 2.0, 3.2
-LAWN_M = 1.0
-"""How far the lawn reaches beyond the walls."""
 NEAR_M = 0.2
 """Parts nearer than this to the plane of the centre are not drawn: their image is too far off."""
 
 
 def _face(*corners: tuple[float, float, float]) -> Floats:
-    """Corners (n, 3) of a face from the point: X, height above the lawn, depth. Y points down."""
+    """Corners (n, 3) of a face from the point: X, height above the ground, depth. Y points down."""
     return np.array(corners) * (1.0, -1.0, 1.0)
 
 
@@ -50,12 +48,6 @@ OPENINGS = (
     (_rectangle(1.75, 2.5, 0.7, 1.45), 3),
 )
 """Door and window, in the front wall."""
-LAWN = _face(
-    (-LAWN_M, 0, -LAWN_M),
-    (-LAWN_M, 0, DEPTH_M + LAWN_M),
-    (WIDTH_M + LAWN_M, 0, DEPTH_M + LAWN_M),
-    (WIDTH_M + LAWN_M, 0, -LAWN_M),
-)
 
 
 def in_picture(view: View, place: drawing.Point, units_per_px: float) -> str:
@@ -66,8 +58,7 @@ def in_picture(view: View, place: drawing.Point, units_per_px: float) -> str:
         pixels = _image(view.camera, face + corner)
         return units_per_px * pixels + np.asarray(place) if len(pixels) else pixels
 
-    lawn = seen(LAWN)
-    parts = [drawing.polygon(lawn, "muted thin fill")] if len(lawn) else []
+    parts: list[str] = []
     outer = [(seen(face), washes) for face, washes in FACES]
     # Walls seen from inside lie behind those seen from outside.
     for outside in (False, True):

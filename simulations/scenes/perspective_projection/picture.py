@@ -21,6 +21,8 @@ CENTRE = np.array([200.0, 150.0])
 """Principal point in the image panel's view box."""
 LETTER_LEAST = 14.0
 """Side of a rectangle, in view box units, from which it is named."""
+PIXELS = (-50, 50)
+"""Columns and rows with a mark."""
 MESSAGE_Y, CLAIM_Y = 26.0, 44.0
 """Baselines of the text in place of a missing image."""
 SAME_PX = 0.05
@@ -50,24 +52,25 @@ def image_panel(view: View) -> Panel:
 
 
 def axes() -> str:
-    """The axes through the principal point, with their pixels along the edges of the picture."""
+    """The axes through the principal point, and their pixels and names along the edges of the
+    picture."""
     right, bottom = WIDTH - 8.0, HEIGHT - 8.0
-    ticks = [[(place(x, 0)[0], HEIGHT), (place(x, 0)[0], HEIGHT - 6.0)] for x in (-50, 50)]
-    ticks += [[(0.0, place(0, y)[1]), (6.0, place(0, y)[1])] for y in (-50, 50)]
+    ticks = [[(place(x, 0)[0], HEIGHT), (place(x, 0)[0], HEIGHT - 6.0)] for x in PIXELS]
+    ticks += [[(0.0, place(0, y)[1]), (6.0, place(0, y)[1])] for y in PIXELS]
     words = [
         drawing.text((place(x, 0)[0], HEIGHT - 11.0), format_number(x, 0), "muted small", "middle")
-        for x in (-50, 50)
+        for x in PIXELS
     ] + [
         drawing.text((10.0, place(0, y)[1] + 4.0), format_number(y, 0), "muted small")
-        for y in (-50, 50)
+        for y in PIXELS
     ]
     return (
         drawing.arrow((8.0, CENTRE[1]), (right, CENTRE[1]), "muted thin")
         + drawing.arrow((CENTRE[0], 8.0), (CENTRE[0], bottom), "muted thin")
         + drawing.path(ticks, "muted thin")
         + "".join(words)
-        + drawing.text((right, CENTRE[1] - 8.0), "x, px", "muted small ground", "end")
-        + drawing.text((CENTRE[0] + 8.0, bottom), "y, px", "muted small")
+        + drawing.text((right, HEIGHT - 11.0), "x, px", "muted small", "end")
+        + drawing.text((10.0, HEIGHT - 11.0), "y, px", "muted small")
     )
 
 

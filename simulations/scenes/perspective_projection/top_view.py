@@ -17,14 +17,16 @@ from simulations.scenes.perspective_projection.view import (
     metres,
 )
 
-WIDTH, HEIGHT = 400.0, 300.0
+WIDTH, HEIGHT = 400.0, 324.0
+FLOOR = 298.0
+"""Lower edge of the drawing; the equation is below it."""
 AXIS = np.array([58.0, 142.0])
 """Centre of full perspective in the view box: depth to the right, X downwards."""
 DEPTH_SCALE = 16.0
 """View box units per metre of depth."""
 SIDE_SCALE = 32.0
 """View box units per metre of X: stretched, so that the triangles open up."""
-LIMITS = ((1, 0, -4), (-1, 0, WIDTH - 4), (0, 1, -4), (0, -1, HEIGHT + 4))
+LIMITS = ((1, 0, -4), (-1, 0, WIDTH - 4), (0, 1, -4), (0, -1, FLOOR))
 """Where things may be drawn, as half planes a x + b y + c ≥ 0."""
 LEFT_M = (8.0 - AXIS[0]) / DEPTH_SCALE
 """Depth of the panel's left edge."""
@@ -209,7 +211,7 @@ def centre(view: View) -> str:
         return drawing.dot(spot, "camera", 5.0) + drawing.text(
             name, "centre", "camera small ground", "middle"
         )
-    return drawing.text((8.0, HEIGHT - 30.0), words, "camera small ground")
+    return drawing.text((8.0, FLOOR - 8.0), words, "muted small ground")
 
 
 def equation(view: View) -> str:
@@ -228,4 +230,6 @@ def equation(view: View) -> str:
         words = f"x = f X / Z = {f} · {X} / 0: undefined"
     else:
         words = "behind the camera: no image"
-    return drawing.text((WIDTH - 4.0, HEIGHT - 6.0), words, f"{role} ground", "end")
+    return drawing.line((0.0, FLOOR), (WIDTH, FLOOR), "muted thin faint") + drawing.text(
+        (WIDTH - 4.0, HEIGHT - 8.0), words, role, "end"
+    )

@@ -17,7 +17,7 @@ from simulations.models.lens.singlet import (
     sag_mm,
 )
 from simulations.scenes.real_lens.settings import Settings
-from simulations.scenes.real_lens.stages import Glass
+from simulations.scenes.real_lens.stages import Glass, fan_heights
 
 WIDTH, HEIGHT = 400.0, 300.0
 AXIS_Y = HEIGHT / 2
@@ -236,11 +236,17 @@ def _marks(view: View, settings: Settings, glass: Glass) -> Iterator[str]:
         if glass.rim_mm < MARK_MM:
             yield polyline(_beyond_rim(view, glass, front=front), "camera thin dashed")
         yield dot(mark, "camera", 5)
+        aside, anchor = (-13.0, "end") if front else (13.0, "start")
+        row = mark[1] + (14.0 if front else -6.0)
+        yield text((mark[0] + aside, row), "front" if front else "back", "camera small", anchor)
     entry = entry_mark(view, settings.height, glass.distance_mm)
     yield dot(entry, "ray", 5)
     foot = (entry[0], AXIS_Y)
     yield line(entry, foot, "ray thin")
-    yield text((entry[0] - 6, 0.5 * (entry[1] + AXIS_Y) + 4), "h", "ray italic ground", "end")
+    gaps = np.convolve(fan_heights(settings.opening), (0.5, 0.5), "valid")
+    gap = float(gaps[np.abs(gaps - 0.5 * settings.height).argmin()])
+    row = entry_mark(view, gap, glass.distance_mm)[1]
+    yield text((entry[0] - 5, row + 4), "h", "ray italic", "end")
     thing = object_mark(glass.distance_mm)
     if thing:
         yield dot(thing, "world", 5)

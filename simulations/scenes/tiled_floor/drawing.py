@@ -85,6 +85,7 @@ def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
             towards_vanishing(view, box, (0, 1), in_picture) if lines else "",
             horizon(view, in_picture, from_picture),
             upright(view, box),
+            handle_names(view, box),
             vanishing_points(view, in_picture),
         )
     )
@@ -189,6 +190,19 @@ def upright(view: Camera, box: Box) -> str:
         words = f"{format_number(view.height, 1)} m"
         parts.append(drawing.text(label, words, "camera small ground", anchor))
     return "".join(parts)
+
+
+def handle_names(view: Camera, box: Box) -> str:
+    """What the two handles of the box change, on their right."""
+    places = np.array([(box.x, box.y, height) for height in (0.0, box.height)])
+    pixels, seen = view.image(places)
+    named = zip(("place", "height"), pixels, seen, strict=True)
+    spots = [(name, in_picture(pixel)) for name, pixel, visible in named if visible]
+    return "".join(
+        drawing.text((x + 13.0, y + 4.0), name, "world small ground")
+        for name, (x, y) in spots
+        if inside((x, y), 3.0 * ROOM)
+    )
 
 
 def vanishing_points(view: Camera, place: Place) -> str:

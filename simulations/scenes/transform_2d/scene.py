@@ -42,7 +42,8 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
 
 def plane_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
     """Original and image on common axes."""
-    matrices = family.way(settings.transform, (settings.pull_x, settings.pull_y))
+    matrices = family.way(settings.transform)
+    pulled = settings.pull_x != 0.0 or settings.pull_y != 0.0
     overlay = "".join(
         (
             plane.axes(),
@@ -50,7 +51,7 @@ def plane_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
             plane.lines_at_infinity(H),
             plane.figure(H, "image"),
             *marks.corners(settings.transform, H),
-            marks.point_and_image(H, matrices[::4], point),
+            marks.point_and_image(H, matrices[: 0 if pulled else None : 4], point),
         )
     )
     return Panel(
