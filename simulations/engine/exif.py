@@ -11,13 +11,16 @@ PNG = b"\x89PNG\r\n\x1a\n"
 POINTER = 0x8769
 """Tag of the directory of the exposure."""
 TEXTS = {0x010F: "make", 0x0110: "model", 0xA434: "lens"}
+LONGEST = 80
+"""Characters of a text that are kept."""
 NUMBERS = {
-    0x829A: "exposure_s",
-    0x829D: "f_number",
-    0x8827: "iso",
-    0x920A: "focal_mm",
-    0xA405: "focal_35mm_mm",
+    0x829A: ("exposure_s", 1e-7, 1e5),
+    0x829D: ("f_number", 0.1, 1e3),
+    0x8827: ("iso", 1.0, 1e7),
+    0x920A: ("focal_mm", 0.1, 1e4),
+    0xA405: ("focal_35mm_mm", 1.0, 1e4),
 }
+"""Name, and the least and largest value that a camera can have."""
 SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 7: 1, 9: 4, 10: 8}
 """Bytes of one value, by type (TIFF 6.0, section 2)."""
 FORMATS = {3: "H", 4: "I", 5: "II", 9: "i", 10: "ii"}
@@ -28,19 +31,25 @@ def exif_facts(head: bytes) -> dict[str, float | str]:
     """Facts by name, as far as ``head``, the first bytes of a file, has them.
 
     Names and units are those of `simulations.engine.photograph.Photograph.facts`. Damaged data give
-    fewer facts, never an error.
+    fewer facts, never an error, and so do numbers that no camera has.
     """
     facts: dict[str, float | str] = {}
     try:
         for tag, value in _entries(_tiff(head)):
             if tag in TEXTS and isinstance(value, bytes):
-                text = value.split(b"\0")[0].decode("utf-8", "replace").strip()
+                text = _printable(value)
                 facts |= {TEXTS[tag]: text} if text else {}
-            elif tag in NUMBERS and isinstance(value, float) and value > 0.0:
-                facts[NUMBERS[tag]] = value
-    except (struct.error, IndexError):
+            elif tag in NUMBERS and isinstance(value, float):
+                name, least, most = NUMBERS[tag]
+                facts |= {name: value} if least <= value <= most else {}
+    except (struct.error, IndexError, OverflowError):  # the last where addresses have 32 bits
         pass
     return facts
+
+
+def _printable(value: bytes) -> str:
+    text = value.split(b"\0")[0].decode("utf-8", "replace")
+    return "".join(sign for sign in text if sign.isprintable())[:LONGEST].strip()
 
 
 def _tiff(head: bytes) -> bytes:

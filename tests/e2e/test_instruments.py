@@ -182,6 +182,29 @@ def test_without_storage_photographs_are_measured_all_the_same(
     expect(instrument.box.locator(".intake-said")).to_contain_text("keeps no photographs")
     expect(keep).not_to_be_checked()
     assert instrument.states()[0] == "ready"
+    frames = reader.frames(instrument.figure)
+    instrument.photographs.nth(1).locator(".intake-look").click()
+    reader.wait_frame(instrument.figure, frames)
+    expect(instrument.box.locator(".intake-said")).to_contain_text("ready")
+    expect(instrument.box.locator(".intake-said")).to_contain_text("keeps no photographs")
+
+
+def test_a_file_with_damaged_notes_of_the_camera_is_measured_all_the_same(
+    instrument: Instrument, tmp_path: Path
+) -> None:
+    path = tmp_path / "damaged.jpg"
+    beyond = b"Exif\0\0II*\0\xff\xff\xff\xff"  # where its directory would begin
+    Image.fromarray(EDGES["soft.png"]).save(path, quality=95, exif=beyond)
+    instrument.add([path])
+    assert float(instrument.readout("measured").inner_text()) > 0.0
+
+
+def test_a_file_that_is_here_already_is_named(instrument: Instrument, files: list[Path]) -> None:
+    instrument.add(files[:1])
+    instrument.box.locator("input[type=file]").set_input_files(files[:2])
+    expect(instrument.photographs).to_have_count(2)
+    said = instrument.box.locator(".intake-said")
+    expect(said).to_have_text("2 of 2 photographs are ready. “soft.png” is here already.")
 
 
 def noise() -> bytes:

@@ -111,7 +111,8 @@ def test_photographs_of_another_size_are_left_out() -> None:
     found = boards.boards(given)
     assert len(found.views) == 5
     assert found.size == SIZE
-    assert "3 of another size" in found.notes[0]
+    assert "3 of another size are" in found.notes[0]
+    assert "1 of another size is" in boards.boards(given[:6]).notes[0]
 
 
 def test_different_focal_lengths_in_the_files_and_too_many_photographs_are_noted() -> None:
@@ -122,12 +123,24 @@ def test_different_focal_lengths_in_the_files_and_too_many_photographs_are_noted
     assert "4 to 8 mm" in boards.boards((zoomed, *given)).notes[1]
 
 
+def test_different_cameras_are_noted() -> None:
+    given = readings(4)
+    other = {"make": "Maker", "model": "Two"}
+    facts = [{"make": "Maker", "model": "One"}, other, other, {}]
+    mixed = tuple(
+        replace(r, data={**r.data, "facts": f}) for r, f in zip(given, facts, strict=True)
+    )
+    (note,) = boards.boards(mixed).notes
+    assert "Maker One and Maker Two" in note
+    assert boards.boards(mixed[1:]).notes == ()
+
+
 @pytest.mark.parametrize("count", [1, 2])
 def test_too_few_photographs_say_so(count: int) -> None:
     given = readings(count)
     out = SCENE.render(Settings(), "", StageCache(), None, given)
     assert "At least 3" in out.description
-    assert texts_of(out)["focal"] == "undefined"
+    assert texts_of(out)["focal"] == "not determined"
     sheet = SCENE.sheet
     assert sheet is not None
     (line,) = sheet(Settings(), outputs_of(Settings(), given))

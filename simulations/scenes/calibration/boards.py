@@ -92,7 +92,8 @@ def _own(readings: Readings) -> Boards:
 
 def _notes(others: int, spare: int, facts: Sequence[Mapping[str, Any]]) -> Iterator[str]:
     if others:
-        yield f"{others} of another size are left out; calibrate each size by itself."
+        are = "is" if others == 1 else "are"
+        yield f"{others} of another size {are} left out; calibrate each size by itself."
     if spare:
         yield f"The first {MOST} are used."
     focal = sorted({float(f["focal_mm"]) for f in facts if f.get("focal_mm")})
@@ -100,6 +101,9 @@ def _notes(others: int, spare: int, facts: Sequence[Mapping[str, Any]]) -> Itera
         yield (
             f"They were taken at {focal[0]:g} to {focal[-1]:g} mm; calibrate each zoom by itself."
         )
+    cameras = sorted({f"{f['make']} {f['model']}" for f in facts if {"make", "model"} <= f.keys()})
+    if len(cameras) > 1:
+        yield f"They were taken by {' and '.join(cameras)}; calibrate each camera by itself."
 
 
 def _stated_focal_px(facts: Mapping[str, Any], size: tuple[int, int]) -> float | None:

@@ -1,5 +1,7 @@
 """Calibrate a Camera: from photographs of a chequerboard to the camera and its errors."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
@@ -16,6 +18,8 @@ from simulations.scenes.calibration.handles import HANDLES
 from simulations.scenes.calibration.reading import read
 from simulations.scenes.calibration.settings import LENSES, Settings
 from simulations.scenes.calibration.stages import DRAFT, STAGES, Errors, Looked, Result, Trials
+
+UNKNOWN = "not determined"
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -55,7 +59,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 else plots.said(problem),
             ),
         ),
-        readouts=_readouts(result, outputs["errors"]),
+        readouts=tuple(map(_known, _readouts(result, outputs["errors"]))),
         description=describe(settings, given, trials, result),
     )
 
@@ -126,10 +130,16 @@ def _readouts(result: Result | None, errors: Errors | None) -> tuple[Readout, ..
             digits=0,
         ),
         Readout(
-            "supported", "Model supported", LENSES[result.supported.lens] if result else "undefined"
+            "supported", "Model supported", LENSES[result.supported.lens] if result else UNKNOWN
         ),
-        Readout("advice", "Next photograph", result.advice if result else "undefined"),
+        Readout("advice", "Next photograph", result.advice if result else UNKNOWN),
     )
+
+
+def _known(shown: Readout) -> Readout:
+    """Without a number that the photographs do not determine."""
+    undefined = shown.text == format_number(float("nan"))
+    return replace(shown, text=UNKNOWN, unit="") if undefined else shown
 
 
 def describe(settings: Settings, given: Boards, trials: Trials, result: Result | None) -> str:

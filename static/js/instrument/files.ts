@@ -28,6 +28,7 @@ export async function makeFile(
   } catch (error) {
     say(words("instrument.broke_off", { reason: message(error) }));
   }
+  figure.addEventListener("painted", () => say(""), { once: true }); // it is of other results
 }
 
 async function saveText(figure: SimulationFigure, name: string, file: string) {

@@ -21,6 +21,8 @@ export class Instrument {
   #reader: Reader;
   #isWorking = false;
   #isStopped = false;
+  /** What is said beside the state of the work, until photographs come or go. */
+  #remark = "";
   #keeps = false;
   readonly scene: string;
   /** Absolute address of the runtime folder. */
@@ -60,13 +62,12 @@ export class Instrument {
   }
 
   add(files: Iterable<File>) {
-    let said = "";
+    this.#remark = "";
     for (const file of files) {
       if (this.photos.some(({ name, file: { size } }) => name === file.name && size === file.size))
-        said = words("instrument.twice", { name: file.name });
+        this.#remark = words("instrument.twice", { name: file.name });
       else this.#take({ id: `${Date.now()}-${nextNumber()}`, name: file.name, file, ...WAITING });
     }
-    this.#say(said);
     return this.work();
   }
 
@@ -110,6 +111,7 @@ export class Instrument {
   }
 
   remove(photos: Photo[]) {
+    this.#remark = "";
     this.photos = this.photos.filter((photo) => !photos.includes(photo));
     for (const photo of photos) this.list.remove(photo);
     if (this.chosen && photos.includes(this.chosen)) this.chosen = null;
@@ -156,7 +158,7 @@ export class Instrument {
       photo.state = "waiting";
       if (!(error instanceof ReaderEnded)) throw error;
       if (this.photos.includes(photo)) this.#isStopped = true;
-      if (error.message !== closed().message) this.#say(error.message);
+      if (error.message !== closed().message) this.#remark = error.message;
     }
     if (!this.photos.includes(photo)) return;
     this.list.show(photo);
@@ -189,12 +191,13 @@ export class Instrument {
     this.#keeps = false;
     forgetSession(this.scene);
     one(this.box, ".intake-keep", HTMLInputElement).checked = false;
-    this.#say(why);
+    this.#remark = why;
+    this.#showWork();
   }
 
   #showWork() {
     const count = this.photos.length;
-    const done = this.photos.filter(({ state }) => state === "ready" || state === "refused").length;
+    const done = this.#done;
     const waits = done < count;
     one(this.box, ".intake-foot", HTMLElement).hidden = count === 0;
     one(this.box, ".intake-work", HTMLElement).hidden = !waits;
@@ -203,25 +206,28 @@ export class Instrument {
     const goesOn = this.#isWorking && !this.#isStopped;
     one(this.box, ".intake-stop", HTMLElement).hidden = !goesOn;
     one(this.box, ".intake-go-on", HTMLElement).hidden = goesOn;
-    if (count === 0) this.#say("");
-    else if (waits && goesOn) this.#say(words("instrument.progress", { at: done + 1, count }));
-    else if (waits) this.#say(words("instrument.stopped"));
-    else if (this.isUsed && !this.figure.rests) this.#say(words("instrument.measuring"));
-    else {
-      const ready = this.photos.filter(({ state }) => state === "ready").length;
-      this.#say(words("instrument.ready_count", { ready, count }));
-    }
+    const line = maybe(this.box, ".intake-said", HTMLElement);
+    const said = [this.#state(count, waits && goesOn ? done + 1 : 0), this.#remark];
+    if (line) setText(line, said.filter(Boolean).join(" "));
   }
 
-  #say(text: string) {
-    const line = maybe(this.box, ".intake-said", HTMLElement);
-    if (line) setText(line, text);
+  get #done() {
+    return this.photos.filter(({ state }) => state === "ready" || state === "refused").length;
+  }
+
+  /** @param at The photograph that is read; 0 for none. */
+  #state(count: number, at: number) {
+    if (at) return words("instrument.progress", { at, count });
+    if (this.#done < count) return words("instrument.stopped");
+    if (this.isUsed && !this.figure.rests) return words("instrument.measuring");
+    const ready = this.photos.filter(({ state }) => state === "ready").length;
+    return count ? words("instrument.ready_count", { ready, count }) : "";
   }
 
   #leave() {
     this.#isStopped = true;
     this.#reader.close();
-    for (const photo of this.photos) this.list.remove(photo);
+    for (const photo of this.photos.splice(0)) this.list.remove(photo);
   }
 }
 

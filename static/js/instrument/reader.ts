@@ -6,7 +6,7 @@
 import { message } from "../errors.ts";
 import { open, take, thumbnailOf } from "../figure/photograph.ts";
 import { words } from "../page/words.ts";
-import { Runtime, RuntimeFailure } from "../runtime/runtime.ts";
+import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.ts";
 import type { Photo } from "./photo.ts";
 
 /** Larger photographs are scaled down before they are read. */
@@ -17,6 +17,8 @@ export class ReaderEnded extends Error {}
 
 export class Reader {
   #runtime: Runtime | null = null;
+  /** How often it was ended. */
+  #ends = 0;
 
   /**
    * @param url Absolute address of the runtime folder.
@@ -33,8 +35,10 @@ export class Reader {
    * @throws {ReaderEnded}
    */
   async read(photo: Photo) {
+    const ends = this.#ends;
     try {
       const picture = await this.#decode(photo);
+      if (ends !== this.#ends) throw closed();
       if (picture) {
         this.#runtime ??= new Runtime(this.url, () => [this.scene]);
         const { data, unfit } = await this.#runtime.call("read", { scene: this.scene, picture });
@@ -50,6 +54,7 @@ export class Reader {
 
   /** End the interpreter. */
   close() {
+    this.#ends += 1;
     this.#runtime?.close();
     this.#runtime = null;
   }

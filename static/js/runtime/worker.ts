@@ -201,6 +201,9 @@ function takeRaster(array: any): ArrayBuffer {
   }
 }
 
+/** Of an exception whose message is a sentence for the reader. */
+const UNFIT = /^simulations\.engine\.reading\.UnfitError: /;
+
 /**
  * A Python exception leaves the interpreter intact, and so does a file that does not arrive; anything
  * else does not, and exhausted memory needs a new interpreter.
@@ -214,7 +217,7 @@ function explain(error: unknown) {
   if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
     return { error: last, loadError: { kind: "memory" }, fatal: true };
   }
-  return { error: last, fatal: !raised };
+  return { error: last.replace(UNFIT, ""), fatal: !raised };
 }
 
 /** The line of a traceback that names the exception, with what follows it. */
