@@ -61,7 +61,7 @@ epub: $(VENV)/book.stamp
 # One thread in each process, since the processes share the cores already.
 test test-quick test-deep: export OPENBLAS_NUM_THREADS = 1
 
-test: $(VENV)/test.stamp $(VENV)/chromium.stamp
+test: $(VENV)/test.stamp $(VENV)/chromium.stamp $(VENV)/engines.stamp
 	@$(BIN)/python -m pytest $(PARALLEL)
 
 test-quick: $(VENV)/test.stamp
@@ -136,6 +136,11 @@ $(VENV)/mutation.stamp: .locks/mutation.txt $(VENV)/test.stamp
 
 $(VENV)/chromium.stamp: tests/support/chromium.py $(VENV)/test.stamp
 	@PYTHONPATH=tests $(BIN)/python -m support.chromium
+	@touch $@
+
+# Where they cannot be had, their tests are skipped.
+$(VENV)/engines.stamp: $(wildcard tests/support/engines/*.py) $(VENV)/test.stamp
+	@PYTHONPATH=tests $(BIN)/python -m support.engines.install
 	@touch $@
 
 $(BIN)/python:

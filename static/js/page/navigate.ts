@@ -15,7 +15,7 @@ import { words } from "./words.ts";
 const OF_A_PAGE = [
   'meta[name="description"]',
   'meta[property^="og:"]',
-  ...["icon", "apple-touch-icon", "canonical", "alternate", "manifest", "prev", "next"].map(
+  ...["icon", "apple-touch-icon", "canonical", "alternate", "manifest"].map(
     (rel) => `link[rel="${rel}"]`,
   ),
 ].join();

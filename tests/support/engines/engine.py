@@ -1,0 +1,74 @@
+"""What a test asks of a browser of any make: pages, scripts, hands and keys."""
+
+import json
+import time
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol
+
+START_S = 180
+"""Longest wait for the interpreter on a busy machine."""
+
+LEFT_BUTTON = 0
+
+type Action = Mapping[str, Any]
+"""One step of a pointer or of keys (W3C WebDriver, section 15)."""
+
+
+class Engine(Protocol):
+    """One window of a browser with a fresh profile."""
+
+    def open(self, url: str) -> None:
+        """Load a page, and wait until it has loaded."""
+
+    def ask(self, expression: str, /, *arguments: Any) -> Any:
+        """The JSON that a function answers in the page, or that its promise holds."""
+
+    def perform(self, sources: Sequence[Mapping[str, Any]]) -> None:
+        """Have pointers and keys act."""
+
+    def complaints(self) -> list[str]:
+        """What the browser wrote to its console as an error, as all that its policy refuses."""
+
+
+def wait_for(
+    engine: Engine, expression: str, /, *arguments: Any, within_s: float = START_S
+) -> None:
+    """Wait until a function of the page answers with what is true; raises `TimeoutError`."""
+    end = time.monotonic() + within_s
+    while not engine.ask(expression, *arguments):
+        if time.monotonic() > end:
+            raise TimeoutError(f"{expression} {json.dumps(arguments)}")
+        time.sleep(0.05)
+
+
+def press(engine: Engine, *keys: str) -> None:
+    """Press keys one after another, each let go before the next."""
+    steps = [{"type": kind, "value": key} for key in keys for kind in ("keyDown", "keyUp")]
+    engine.perform([{"type": "key", "id": "keyboard", "actions": steps}])
+
+
+def drag(engine: Engine, *places: tuple[float, float]) -> None:
+    """Take what is at the first of these places of the window along to the others."""
+    moves = [_move(place) for place in places]
+    down, up = ({"type": kind, "button": LEFT_BUTTON} for kind in ("pointerDown", "pointerUp"))
+    _point(engine, [moves[0], down, *moves[1:], up])
+
+
+def click(engine: Engine, place: tuple[float, float]) -> None:
+    drag(engine, place)
+
+
+def _move(place: tuple[float, float]) -> Action:
+    x, y = map(round, place)
+    return {"type": "pointerMove", "x": x, "y": y, "duration": 30, "origin": "viewport"}
+
+
+def _point(engine: Engine, steps: Sequence[Action]) -> None:
+    kind = {"pointerType": "mouse"}
+    engine.perform([{"type": "pointer", "id": "mouse", "parameters": kind, "actions": steps}])
+
+
+def call(expression: str, arguments: Sequence[Any]) -> str:
+    """A script that calls a function and answers with JSON."""
+    given = ", ".join(map(json.dumps, arguments))
+    return f"(async () => JSON.stringify(await ({expression})({given})) ?? 'null')()"
