@@ -29,3 +29,12 @@ def test_a_ray_meets_what_the_picture_shows_there(focal_mm: float) -> None:
             sure += 1
             assert depth_met(rays[row, column]) == pytest.approx(shown, rel=1e-9)
     assert sure > 100
+
+
+def test_edges_between_the_faces_of_a_box_are_shared_by_their_pixels() -> None:
+    """Otherwise a slanted edge inside a box is a staircase."""
+    box = surfaces(view(sensor_rays(50.0, 3.2).directions))[-2]
+    inside = box.coverage == 1
+    length = np.linalg.norm(box.normals, axis=-1)[inside]
+    assert length.max() == pytest.approx(1.0)
+    assert 30 < np.count_nonzero(length < 0.99) < 0.1 * length.size

@@ -168,7 +168,7 @@ def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
     final = {tier: off(tier) for tier in SCENE.tiers}
     filters = [final[tier] for tier in ("discs", "binned", "gather")]
     assert final["pinhole"] > 2.5 * max(filters)
-    assert min(filters) > final["layered"] > 2 * final["fibonacci-16"]
+    assert min(filters) > final["layered"] > 1.9 * final["fibonacci-16"]
     *_, last = SCENE.estimates(settings, "layered", stages)
     assert float(last.text) == pytest.approx(final["layered"], abs=0.01)
 

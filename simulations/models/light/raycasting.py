@@ -149,6 +149,19 @@ def _intersect_box(box: Box, origin: Floats, directions: Floats) -> Hit:
     return Hit(distance, points @ box.world_to_box + box.centre, normals @ box.world_to_box, margin)
 
 
+def face_margins(box: Box, origin: ArrayLike, directions: ArrayLike) -> Floats:
+    """For each axis of the box (3, ...), how much later a ray enters that slab than the others,
+    metres: positive on the axis's visible face, and continuous across the edges between faces.
+
+    ``origin`` (3,) is outside the box, ``directions`` (..., 3) are unit vectors.
+    """
+    start = box.world_to_box @ (np.asarray(origin, float) - box.centre)
+    towards = np.asarray(directions, float) @ box.world_to_box.T
+    entries, _ = slab_crossings(start, towards, np.asarray(box.size) / 2)
+    x, y, z = (entries[..., axis] for axis in range(3))
+    return np.stack([x - np.maximum(y, z), y - np.maximum(x, z), z - np.maximum(x, y)])
+
+
 def _silhouette_margin(eye: Floats, directions: Floats, half: Floats) -> Floats:
     """Sine of the angle to the nearest plane through the eye and a silhouette edge of the box.
 

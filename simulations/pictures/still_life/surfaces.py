@@ -10,9 +10,11 @@ import numpy as np
 
 from simulations.models.arrays import Floats, Mask, Planes
 from simulations.models.light.raycasting import (
+    Box,
     Sphere,
     Vector,
     edge_coverage,
+    face_margins,
     intersect,
     intersect_plane,
 )
@@ -67,7 +69,8 @@ class Surface:
     points: Floats
     """(h, w, 3) metres, world frame."""
     normals: Floats
-    """(h, w, 3) unit."""
+    """(h, w, 3) unit; on an edge between two faces of a box, the mean over the pixel, shorter than
+    that."""
     to_eye: Floats
     """(h, w, 3) unit."""
     coverage: Floats
@@ -102,13 +105,23 @@ def _thing_surface(thing: Thing, seen: View) -> Surface | None:
         top=window[0].start,
         left=window[1].start,
         points=hit.points,
-        normals=hit.normals,
+        normals=_mean_normals(thing.solid, seen.eye, directions, hit.normals),
         to_eye=-directions,
         coverage=coverage,
         albedo=_thing_albedo(thing, hit.normals),
         openness=openness,
         depth=np.full(coverage.shape, thing_depth(thing) + seen.back),
     )
+
+
+def _mean_normals(solid: Sphere | Box, eye: Vector, directions: Floats, normals: Floats) -> Floats:
+    """The normals (h, w, 3), where a pixel holds two faces of a box weighted by their areas."""
+    if isinstance(solid, Sphere):
+        return normals
+    shares = np.stack([edge_coverage(margin) for margin in face_margins(solid, eye, directions)])
+    axes = solid.world_to_box
+    facing = -np.sign(directions @ axes.T)
+    return (facing * np.moveaxis(shares / shares.sum(axis=0), 0, -1)) @ axes
 
 
 def _window(thing: Thing, seen: View) -> tuple[slice, slice] | None:

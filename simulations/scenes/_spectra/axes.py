@@ -32,6 +32,9 @@ COLUMNS = slice(FINE * round(PLOT.x.start), FINE * round(PLOT.x.end))
 """The columns of pixels between the ends of the axis."""
 GREY = 0.15
 """Grey added to the colours of the strip, which are all outside the display's gamut."""
+SOFTLY = np.array([1, 2, 3, 4, 3, 2, 1]) / 16
+"""Weights of wavelengths 5 nm apart: where a channel is clipped, the strip would show an edge that
+the spectrum does not have."""
 
 
 def curve(heights: Floats, style: str, plot: Plot = PLOT) -> str:
@@ -74,6 +77,8 @@ def colours_under(heights: Floats) -> Raster:
 def _rainbow() -> Raster:
     """(1, columns, 4)."""
     linear = np.clip(xyz_to_linear_rgb(OBSERVER) / 2.2 + GREY * OBSERVER.sum(1)[:, None] / 3, 0, 1)
+    ends = np.pad(encode_srgb(linear), ((len(SOFTLY) // 2,) * 2, (0, 0)), mode="edge")
     places = np.linspace(0.0, len(linear) - 1.0, COLUMNS.stop - COLUMNS.start)
-    strip = np.stack([np.interp(places, np.arange(len(linear)), c) for c in linear.T], axis=-1)
-    return to_rgba8(encode_srgb(strip[None]))
+    channels = (np.convolve(channel, SOFTLY, "valid") for channel in ends.T)
+    strip = [np.interp(places, np.arange(len(linear)), channel) for channel in channels]
+    return to_rgba8(np.stack(strip, axis=-1)[None])

@@ -46,7 +46,7 @@ class Chart:
         return picture
 
     def overlay(self, surface: str) -> str:
-        """The names of the rows, and a frame around the chosen surface."""
+        """The names and borders of the rows, and a frame around the chosen surface."""
         corner = (LEFT + NAMES.index(surface) * CELL, TOP - 4)
         size = (CELL, self.top(len(self.rows)) - self.gap - TOP + 8)
         knob = middle(surface)
@@ -56,7 +56,11 @@ class Chart:
         ]
         frame = rectangle(corner, *size, "ray bold")
         stem = line((knob[0], corner[1] + size[1]), knob, "ray bold")
-        return "".join((*names, frame, stem, dot(knob, "ray", 5)))
+        across, down = CELL * len(NAMES), self.top(len(self.rows)) - self.gap - TOP
+        tops = range(TOP, TOP + down, self.row + self.gap) if self.gap else (TOP,)
+        high = self.row if self.gap else down
+        borders = [rectangle((LEFT, top), across, high, "muted thin faint") for top in tops]
+        return "".join((*names, *borders, frame, stem, dot(knob, "ray", 5)))
 
     def top(self, row: int) -> int:
         """Upper edge of a row."""

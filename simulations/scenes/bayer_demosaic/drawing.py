@@ -32,9 +32,11 @@ def quad(pattern: str) -> str:
 
 
 def worst_pixel(row: int, column: int) -> str:
-    """A cross-hair at the pixel of the largest error."""
+    """A cross-hair at the pixel of the largest error, with its name on the side with more room."""
     x, y = (column + 0.5) * PIXEL, (row + 0.5) * PIXEL
-    parts = []
+    right = x < WIDTH / 2
+    name = (x + (20 if right else -20), min(max(y + 5, 20), HEIGHT - 8))
+    parts = [text(name, "largest error", "error small ground", "start" if right else "end")]
     for style in ("casing", "error"):
         corners = [
             (x + 9 * math.cos(turn * math.pi / 2), y + 9 * math.sin(turn * math.pi / 2))

@@ -59,6 +59,6 @@ def _ground() -> str:
             PLOT.region(y=(1.0, 1.5), style="error fill faint"),
             PLOT.level(1.0, "error thin dashed"),
             PLOT.frame(ANGLES, SHARES),
-            text((x + 8, y - 7), "more than came", "error small ground"),
+            text((x + 8, y - 7), "more than arrives", "error small ground"),
         )
     )

@@ -60,7 +60,7 @@ def _readouts(exchange: Exchange, seen: float) -> tuple[Readout, ...]:
         readout("back", "BRDF, camera to light", exchange.back, "1/sr", digits=3, role="camera"),
         readout("seen", "Brightness seen", seen, digits=3, role="image"),
         readout("sent", "Total reflected", exchange.sent, "of the light", digits=3, role="light"),
-        Readout("reciprocal", "Both ways alike", "yes" if _alike(exchange) else "no"),
+        Readout("reciprocal", "Reciprocal", "yes" if _alike(exchange) else "no"),
     )
 
 

@@ -23,7 +23,7 @@ CLOSE_SIDE = BLOCK * WIDTH / CLOSE_COLUMNS
 CELL_WIDTH, CELL_HEIGHT = WIDTH / BLOCK, HEIGHT / BLOCK
 """Sides of a cell of the table of coefficients."""
 KNOB_INSIDE = 14.0
-"""Least distance of the handle from the edges of the table, which would cut its ring."""
+"""Least distance of the handle from the lower edge of the table, which would cut its ring."""
 
 
 def block_in_picture(row: int, column: int) -> str:
@@ -50,10 +50,10 @@ def code_table(codes: NDArray[np.integer], first: int) -> str:
 
 
 def knob(first: int) -> tuple[float, float]:
-    """Handle in a corner of the last coefficient's cell, below its number."""
+    """Handle in the middle of the lower edge of the last coefficient's cell, below its number."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
     x, y = _corner(row, column)
-    return (max(x + 6, KNOB_INSIDE), min(y + CELL_HEIGHT - 5, HEIGHT - KNOB_INSIDE))
+    return (x + CELL_WIDTH / 2, min(y + CELL_HEIGHT, HEIGHT - KNOB_INSIDE))
 
 
 def cell_at(place: Point) -> tuple[int, int]:

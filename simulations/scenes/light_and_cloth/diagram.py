@@ -81,10 +81,10 @@ def _ground() -> str:
         text((corner[0] - 8, PLOT.y.end + 2), "y", "italic", "end"),
         polygon([at(xy) for xy in edge], "world thin"),
         polygon([at(xy) for xy in SRGB_PRIMARIES_XY], "image fill thin"),
-        text(at((0.30, 0.615)), "sRGB", "image small ground", "middle"),
+        text(at((0.33, 0.235)), "sRGB", "image small", "middle"),
     ]
     for nm, xy in zip(MARKED_NM, marked, strict=True):
         x, y = at(xy)
         parts.append(dot((x, y), "world", 2))
-        parts.append(text((x + 7, y - 3), f"{nm} nm", "world small ground"))
+        parts.append(text((x + 9, y - 4), f"{nm} nm", "world small"))
     return "".join(parts)

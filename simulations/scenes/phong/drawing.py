@@ -21,6 +21,7 @@ from simulations.engine.drawing import (
     polyline,
     text,
 )
+from simulations.engine.plotting.legend import Entry, legend
 from simulations.models.arrays import Floats
 from simulations.scenes._ball.marks import (
     HEIGHT,
@@ -31,6 +32,7 @@ from simulations.scenes._ball.marks import (
     probed_point,
     shadow_edge,
 )
+from simulations.scenes.phong.gloss import MODELS
 
 type Direction = tuple[str, float, str]
 """Letter, angle from the normal in radians, colour role."""
@@ -42,7 +44,7 @@ LAMP_DISTANCE = 150.0
 """Drawn distance of the lamp from the foot, above the surface; it is far away."""
 DEEPEST = HEIGHT - FOOT[1] - 20.0
 """Largest drawn depth of the lamp below the surface."""
-AROUND_HIGHLIGHT = 15.0
+AROUND_HIGHLIGHT = 9.0
 """Radius of the mark of a highlight, large enough for a sharp highlight inside it."""
 ABOVE_HIGHLIGHT = 56.0
 """Distance of its handle from its centre, so that the finger does not hide it, nor the probed
@@ -61,6 +63,8 @@ def over_ball(light_rad: float, probe_rad: float) -> str:
         rim, end = (spot[0], spot[1] - AROUND_HIGHLIGHT), (spot[0], spot[1] - STEM)
         for style in ("casing", "ray"):
             parts += [circle(spot, AROUND_HIGHLIGHT, style), line(rim, end, style)]
+        name = (spot[0] + 14, spot[1] - ABOVE_HIGHLIGHT + 4)
+        parts.append(text(name, "highlight", "ray small ground"))
     return "".join(
         (
             *parts,
@@ -82,14 +86,16 @@ def lobe_plot(
     brightness: Floats,
     other: Floats,
     matte: float,
+    model: str,
 ) -> str:
     """Directions and lobe, all relative to the normal.
 
     ``brightness`` and ``other`` (181,) are the brightness to cameras at −90°…90° by the chosen
-    model and by the other one; ``matte`` is the part that is equal for all.
+    ``model`` and by the other one; ``matte`` is the part that is equal for all.
     """
     parts = [
         _scale(),
+        curve_names(model, Entry("matte", "world dashed")),
         line((24, FOOT[1]), (WIDTH - 24, FOOT[1]), "world bold"),
         text((26, FOOT[1] + 20), "surface", "world small"),
     ]
@@ -107,6 +113,17 @@ def lobe_plot(
         ]
     parts += _vectors(light_rad, view_rad, seen)
     return "".join(parts)
+
+
+def curve_names(model: str, *more: Entry) -> str:
+    """The legend above a plot of both models, the chosen one first."""
+    other = next(name for name in MODELS if name != model)
+    entries = (
+        Entry(MODELS[model].name, "ray bold"),
+        Entry(MODELS[other].name, "muted dashed"),
+        *more,
+    )
+    return legend((46.0, 24.0), entries, "small")
 
 
 @cache

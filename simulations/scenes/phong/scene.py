@@ -128,7 +128,7 @@ def lobes(settings: Settings, matte: float) -> str:
         lobe(settings.light_angle - settings.probe, name, settings.shininess, settings.specular)
         for name in (settings.model, other)
     )
-    return lobe_plot(light_rad - probe_rad, -probe_rad, chosen, other_lobe, matte)
+    return lobe_plot(light_rad - probe_rad, -probe_rad, chosen, other_lobe, matte, settings.model)
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:

@@ -8,6 +8,7 @@ from simulations.engine.drawing import Point, circle, dot, text
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
+from simulations.scenes.phong.drawing import curve_names
 from simulations.scenes.phong.gloss import MODELS, fading, half_width_rad, shininess_of_width
 
 PLOT = Plot(Axis(0.0, 60.0, 46.0, 384.0), Axis(0.0, 1.0, 282.0, 44.0))
@@ -29,6 +30,7 @@ def width_plot(model: str, shininess: float) -> str:
     return "".join(
         (
             PLOT.frame(TURN, STRENGTH),
+            curve_names(model),
             PLOT.level(0.5, "muted thin"),
             text((x, y - 7), "half", "muted small", "end"),
             PLOT.curve(DEGREES, fading(other, shininess, turns), "muted thin dashed"),

@@ -121,6 +121,9 @@ def _limits(settings: Settings, nyquist: float) -> Iterator[str]:
 
 def _marked(settings: Settings, lens: Lens) -> Iterator[str]:
     yield PLOT.upright(settings.frequency, "world thin")
+    x, late = PLOT.x.place(settings.frequency), settings.frequency > 0.9 * HIGHEST
+    name = (x - 6 if late else x + 6, PLOT.y.start - 7)
+    yield text(name, "f", "world small ground", "end" if late else "start")
     yield dot(wave_at(settings, lens), "world", 5)
 
 
@@ -129,6 +132,7 @@ def _legend(settings: Settings) -> str:
         Entry("lens", "ray dashed"),
         Entry("pixel", "camera"),
         Entry("together", "image bold"),
+        Entry("false", "error bold"),
         Entry("plate", "muted", shown=settings.plate),
     ]
     return legend((PLOT.x.start, 282), entries, "small", PLOT.x.end - PLOT.x.start)

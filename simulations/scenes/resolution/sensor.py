@@ -20,6 +20,8 @@ from simulations.scenes.resolution.stages import (
 
 WIDTH, HEIGHT = 400.0, 300.0
 MIDDLE = (WIDTH / 2, HEIGHT / 2)
+ROOM_FOR_NAME = 32.0
+"""Radius from which on a circle of the star holds its name, in units."""
 PER_UM = WIDTH / CLOSE_UM[0]
 """Units of the first panel."""
 
@@ -41,18 +43,23 @@ def f_number_of(place: Point, settings: Settings) -> float:
 
 
 def star_overlay(settings: Settings) -> str:
-    """Circles in the star of Nyquist's frequency and of the cut-off, and their handles."""
+    """Circles in the star of Nyquist's frequency and of the cut-off, and their handles. The name
+    of the inner one is inside it, or else below both."""
     per_um = _star_scale(settings)
-    rings = (
-        ("Nyquist", nyquist_per_mm(settings.pitch), "camera"),
-        ("cut-off", cutoff(settings), "ray"),
-    )
+    rings = [
+        (per_um * radius_um(nyquist_per_mm(settings.pitch)), "Nyquist", "camera"),
+        (per_um * radius_um(cutoff(settings)), "cut-off", "ray"),
+    ]
     parts = []
-    for name, frequency, role in rings:
-        radius = per_um * radius_um(frequency)
+    for radius, _, role in rings:
         parts += [circle(MIDDLE, radius, "casing"), circle(MIDDLE, radius, f"{role} dashed")]
-        if 16.0 < radius < HEIGHT / 2 - 18:
-            row = MIDDLE[1] - radius - 7 if name == "Nyquist" else MIDDLE[1] + radius + 16
+    (inner, *inside), (outer, *around) = sorted(rings)
+    if inner > ROOM_FOR_NAME:
+        rows = (MIDDLE[1] + 5, inside), (MIDDLE[1] - outer - 7, around)
+    else:
+        rows = (MIDDLE[1] + outer + 16, inside), (MIDDLE[1] - outer - 7, around)
+    for row, (name, role) in rows:
+        if 12.0 < row < HEIGHT - 4:
             parts.append(text((MIDDLE[0], row), name, f"{role} small ground", "middle"))
     parts += [dot(nyquist_mark(settings), "camera", 5), dot(cutoff_mark(settings), "ray", 5)]
     return "".join((*parts, *_scale(100 * per_um, "0.1 mm")))

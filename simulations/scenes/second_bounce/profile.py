@@ -6,6 +6,7 @@ import numpy as np
 
 from simulations.engine.drawing import Point, text
 from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
@@ -14,6 +15,11 @@ from simulations.scenes.second_bounce.stages import PLACES, Planes
 PLOT = Plot(Axis(-1.0, 1.0, 42.0, 386.0), Axis(0.0, 1.2, 262.0, 44.0))
 """Places along the wall from −1 to 0, along the floor from 0 to 1."""
 FROM_EDGE = Scale(ticks=[(place, f"{abs(place):g}") for place in (-1, 0, 1)])
+LEGEND = (
+    Entry("lamp alone", "light dashed"),
+    Entry("all: red light", "ray bold"),
+    Entry("all: blue light", "image"),
+)
 BRIGHTNESS = Scale(ticks=(0, 1))
 ALONG = np.concatenate([-PLACES[::-1], PLACES])
 
@@ -57,11 +63,9 @@ def _axes() -> str:
         (
             PLOT.frame(FROM_EDGE, BRIGHTNESS),
             PLOT.upright(0.0, "world thin dashed"),
-            text((wall, foot + 38), "wall", "world", "middle"),
-            text((floor, foot + 38), "floor", "world", "middle"),
+            text((wall, foot + 38), "← along the wall", "world small", "middle"),
+            text((floor, foot + 38), "along the floor →", "world small", "middle"),
             text((edge, foot + 38), "edge", "world small", "middle"),
-            text((PLOT.x.start, 22), "lamp alone", "light strong"),
-            text((PLOT.x.start + 100, 22), "all: red light", "ray strong"),
-            text((PLOT.x.start + 218, 22), "blue light", "image strong"),
+            legend((PLOT.x.start, 22), LEGEND, "small", PLOT.x.end - PLOT.x.start),
         )
     )

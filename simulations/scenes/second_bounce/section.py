@@ -58,6 +58,8 @@ def section(settings: Settings) -> str:
             "middle",
         ),
     ]
+    rim = towards(settings.opening, LENGTH)
+    parts.append(text((rim[0] - 14, rim[1] + 5), "opening", "world small ground", "end"))
     name = towards(settings.opening, 0.3 * LENGTH)
     parts.append(text((name[0] - 9, name[1]), "wall", "world ground", "end"))
     return "".join(parts)

@@ -145,7 +145,8 @@ def _names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) ->
     begin = max(low, LOWEST_DN2 * gain)
     middle, *lower = (full * (begin / full) ** share for share in (0.5, 0.65, 0.8))
     labels = [
-        Label(plot.clamped(low, floor), "floor", "error small ground", distance=8.0),
+        Label(plot.clamped(high, floor), "floor", "error small ground", "below left", 6.0),
+        Label(plot.clamped(low, floor), "floor + shot noise", "ray small ground", distance=8.0),
         Label(plot.clamped(full, plot.y.high), "full", "muted small ground", "below left", 5.0),
         Label(
             plot.clamped(middle, middle / gain),

@@ -37,7 +37,7 @@ def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw:
 
 def _letters(curves: Floats, letters: tuple[str, ...]) -> Iterator[str]:
     """The name of each curve above its peak."""
-    for each, letter in zip(curves.T, letters, strict=True):
+    for each, letter, colour in zip(curves.T, letters, CHANNELS, strict=True):
         peak = int(each.argmax())
         x, y = PLOT.at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
-        yield text((x, y - 6), letter, "strong ground", "middle")
+        yield tinted([text((x, y - 6), letter, "strong ground", "middle")], colour)

@@ -17,6 +17,7 @@ from simulations.scenes.stability.settings import LOWEST, STEP, Settings
 
 WIDTH, HEIGHT = 400.0, 316.0
 PLOT = Plot(Axis(10.0**LOWEST, 1.0, 54.0, 388.0, log=True), Axis(1e-17, 1.0, 232.0, 30.0, log=True))
+LEGEND_LEFT = 14.0
 ACROSS: Mapping[str, str] = {
     "angle": "angle θ, in rad",
     "blur": "distance from the focus, |Z − s| / s",
@@ -25,7 +26,7 @@ ACROSS: Mapping[str, str] = {
 }
 CURVE_NAMES: Mapping[str, tuple[str, str]] = {
     "angle": ("arccosine", "atan2 of two lengths"),
-    "blur": ("1/Z − 1/s", "s − Z first"),
+    "blur": ("1/Z − 1/s", "(s − Z) / s Z"),
     "origin": ("R p + t", "R (p − c)"),
     "fold": ("5 Newton steps", "60 steps"),
 }
@@ -75,7 +76,7 @@ def draw(settings: Settings, errors: Errors) -> str:
     entries = [
         Entry(written, "error bold"),
         Entry(rearranged, "image bold"),
-        Entry("κ u", "muted dashed"),
+        Entry("rounded inputs", "muted dashed"),
     ]
     rounding = UNITS_OF_ROUNDING * unit_of(settings.digits)
     return "".join(
@@ -93,6 +94,6 @@ def draw(settings: Settings, errors: Errors) -> str:
             PLOT.upright(float(DISTANCES[place_of(settings)]), "world thin"),
             dot(place, "world", 5) if place else "",
             label((PLOT.x.end - 6, PLOT.y.start - 6), "rounding", "muted small ground", "end"),
-            legend((PLOT.x.start, 304), entries, "small", PLOT.x.end - PLOT.x.start),
+            legend((LEGEND_LEFT, 304), entries, "small", PLOT.x.end - LEGEND_LEFT),
         )
     )

@@ -10,7 +10,7 @@ FORMULAS = {
     "origin": "Pixel, far from the origin",
     "fold": "Ideal radius, near the fold",
 }
-FORMATS = {"float64": "float64", "float32": "float32"}
+FORMATS = {"float64": "float64: 16 digits", "float32": "float32: 7 digits"}
 LOWEST, STEP = -15.0, 0.25
 """Power of ten of the smallest distance from the singularity, and the step of distances."""
 
@@ -21,4 +21,4 @@ class Settings:
 
     formula: str = choice("Formula", FORMULAS)
     digits: str = choice("Numbers", FORMATS)
-    power: float = slider("Distance, power of ten", -4.0, LOWEST, 0.0, STEP)
+    power: float = slider("Distance, log₁₀", -4.0, LOWEST, 0.0, STEP)

@@ -7,6 +7,7 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.drafting import swatch_polygon
 from simulations.engine.frame import Panel
+from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.geometry.transforms import clip_half_plane
@@ -15,9 +16,9 @@ from simulations.scenes.two_views.view import HALF_WIDTH_PX, View
 
 WIDTH, HEIGHT = 400.0, 300.0
 TITLE = "From above, widths stretched"
-CENTRE = np.array([30.0, 128.0])
+CENTRE = np.array([30.0, 144.0])
 """The left camera, seen from above: depth to the right, X downwards."""
-DEPTH_SCALE, SIDE_SCALE = 17.5, 32.0
+DEPTH_SCALE, SIDE_SCALE = 17.5, 28.5
 """View box units per metre."""
 AXIS_ROW = HEIGHT - 24.0
 """Height of the axis of depths, whose ticks are named below it."""
@@ -26,6 +27,8 @@ LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, LIMIT_ROW))
 """The drawing area, as half planes a x + b y + c ≥ 0."""
 FAR_M = 60.0
 """Length of drawn rays, beyond the panel."""
+INSIDE = Rectangle(4.0, 4.0, WIDTH - 4.0, AXIS_ROW - 4.0)
+"""Room for labels."""
 AXIS_M = 4.0
 """Distance of the handle on the right camera's axis."""
 
@@ -47,7 +50,15 @@ def axis_end(view: View) -> Floats:
 
 
 def plan_panel(view: View) -> Panel:
-    parts = (_blocks(), _depth_axis(), _cameras(view), _doubt(view), _rays(view), _point(view))
+    parts = (
+        _blocks(),
+        _depth_axis(),
+        _cameras(view),
+        _doubt(view),
+        _rays(view),
+        _point(view),
+        _names(view),
+    )
     return Panel("plan", TITLE, WIDTH, HEIGHT, overlay="".join(parts), lead=True)
 
 
@@ -143,3 +154,25 @@ def _point(view: View) -> str:
     at = (min(max(spot[0] + 10.0, 16.0), WIDTH - 20.0), spot[1] + (-14.0 if up else 24.0))
     name = drawing.text(at, "lamp", "world small ground", "middle")
     return drawing.dot(spot, "world", 5.0) + name
+
+
+def _names(view: View) -> str:
+    """The names of the handle on the right camera's axis and of the range of depths, clear of the
+    rays and the lamp."""
+    right, axis = above(0.0, view.pair.baseline), axis_end(view)
+    spot = above(view.depth, float(view.point[0]))
+    labels = [Label(axis, "turn", "camera small ground", "below", 14.0)]
+    if view.nearest < view.farthest:
+        near, far = (
+            min(float(above(depth, 0.0)[0]), WIDTH) for depth in (view.nearest, view.farthest)
+        )
+        bar = (far, AXIS_ROW - 10.0)
+        others = [(near, AXIS_ROW - 10.0)]
+        labels.append(Label(bar, "depths that fit", "error small ground", "right", others=others))
+    curves = [
+        (above(0.0, 0.0), spot),
+        (right, spot),
+        (right, axis),
+        (spot, (spot[0], spot[1] + 30)),
+    ]
+    return place_labels(labels, INSIDE, curves)

@@ -49,7 +49,11 @@ def wheel(spokes: int, angle_rad: float, speed: float) -> str:
         dot(marked_spoke(angle_rad), "ray", 6),
         circle(CENTRE, 14, "world fill"),
     ]
-    return "".join((*parts, *_dial(), _arrow(speed, "world bold"), dot(on_dial(speed), "world", 5)))
+    mark = on_dial(speed)
+    right = mark[0] >= CENTRE[0]
+    name = (mark[0] + (14 if right else -14), mark[1] - 4)
+    parts += [*_dial(), _arrow(speed, "world bold"), dot(mark, "world", 5)]
+    return "".join((*parts, text(name, "speed", "world small ground", "start" if right else "end")))
 
 
 def marked_spoke(angle_rad: float) -> tuple[float, float]:
@@ -96,8 +100,6 @@ def _dial() -> Iterator[str]:
         for x, y in whole
     ]
     yield path(ticks, "muted thin")
-    x, y = arc[0]
-    yield text((x - 16, y + 24), "speed", "world small", "middle")
 
 
 def _arrow(speed: float, style: str) -> str:

@@ -8,7 +8,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.rays import AHEAD, ORIGIN, rays_around, unit
 
-from simulations.models.light.raycasting import Box, Sphere, intersect, intersect_plane
+from simulations.models.light.raycasting import (
+    Box,
+    Sphere,
+    face_margins,
+    intersect,
+    intersect_plane,
+)
 
 BALL, CUBE = Sphere((0, 5, 0), 2.0), Box((0, 5, 0), (2, 4, 2))
 
@@ -134,3 +140,11 @@ def test_a_plane_is_met_at_the_distance_of_similar_triangles() -> None:
 @pytest.mark.parametrize(("slant", "valid"), [(1e-10, True), (1e-13, False)])
 def test_a_ray_runs_along_a_plane_to_rounding(slant: float, valid: bool) -> None:
     assert intersect_plane((0, 0, 0), (0, 0, 1), (0, 0, 1), [1.0, 0, -slant])[1] == valid
+
+
+def test_the_margin_of_a_box_s_face_is_positive_there_alone_and_zero_on_its_edges() -> None:
+    box, eye = Box((0.0, 4.0, 0.0), (2.0, 2.0, 2.0)), (3.0, 0.0, 2.0)
+    points = np.array([[0.2, 3.0, 0.1], [1.0, 4.2, -0.3], [0.1, 3.9, 1.0], [1.0, 3.0, 0.5]])
+    margins = face_margins(box, eye, unit(points - eye))
+    np.testing.assert_array_equal(margins[:, :3] > 0, np.eye(3, dtype=bool)[[1, 0, 2]])
+    np.testing.assert_allclose(margins[:2, 3], 0.0, atol=1e-12)
