@@ -59,7 +59,9 @@ def section(settings: Settings) -> str:
         ),
     ]
     rim = towards(settings.opening, LENGTH)
-    parts.append(text((rim[0] - 14, rim[1] + 5), "opening", "world small ground", "end"))
+    beside = rim[0] > 90.0
+    spot = (rim[0] - 20, rim[1] + 5) if beside else (max(rim[0], 32.0), rim[1] + 34)
+    parts.append(text(spot, "opening", "world small ground", "end" if beside else "middle"))
     name = towards(settings.opening, 0.3 * LENGTH)
     parts.append(text((name[0] - 9, name[1]), "wall", "world ground", "end"))
     return "".join(parts)

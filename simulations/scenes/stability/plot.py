@@ -25,7 +25,7 @@ ACROSS: Mapping[str, str] = {
     "fold": "short of the largest radius, 1 − r_d / r_{d,max}",
 }
 CURVE_NAMES: Mapping[str, tuple[str, str]] = {
-    "angle": ("arccosine", "atan2 of two lengths"),
+    "angle": ("arccosine", "arctangent"),
     "blur": ("1/Z − 1/s", "(s − Z) / s Z"),
     "origin": ("R p + t", "R (p − c)"),
     "fold": ("5 Newton steps", "60 steps"),

@@ -169,10 +169,7 @@ def _names(view: View) -> str:
         bar = (far, AXIS_ROW - 10.0)
         others = [(near, AXIS_ROW - 10.0)]
         labels.append(Label(bar, "depths that fit", "error small ground", "right", others=others))
-    curves = [
-        (above(0.0, 0.0), spot),
-        (right, spot),
-        (right, axis),
-        (spot, (spot[0], spot[1] + 30)),
-    ]
+    below = spot + np.array([0.0, 30.0])
+    rays = [(above(0.0, 0.0), spot), (right, spot), (right, axis), (spot, below)]
+    curves: list[list[drawing.Point]] = [list(ends) for ends in rays]
     return place_labels(labels, INSIDE, curves)
