@@ -60,7 +60,8 @@ def star_overlay(settings: Settings) -> str:
         rows = (MIDDLE[1] + outer + 16, inside), (MIDDLE[1] - outer - 7, around)
     for row, (name, role) in rows:
         if 12.0 < row < HEIGHT - 4:
-            parts.append(text((MIDDLE[0], row), name, f"{role} small ground", "middle"))
+            aside = 5 if name == "Nyquist" else -5  # away from its handle
+            parts.append(text((MIDDLE[0] + aside, row), name, f"{role} small ground", "middle"))
     parts += [dot(nyquist_mark(settings), "camera", 5), dot(cutoff_mark(settings), "ray", 5)]
     return "".join((*parts, *_scale(100 * per_um, "0.1 mm")))
 
