@@ -114,9 +114,12 @@ def _marks(trace: Floats) -> Iterator[str]:
 
 
 def _ends(trace: Floats) -> Iterator[str]:
-    for point, label in ((trace[0], "start"), (trace[-1], "end")):
+    """Start and end, the upper one with its name above it and the lower one with it below."""
+    start, end = trace[0], trace[-1]
+    for point, label, other in ((start, "start", end), (end, "end", start)):
         yield circle(point, 5.5, "camera")
-        yield text((point[0], point[1] - 11), label, "camera small ground", "middle")
+        row = point[1] + (-11.0 if point[1] <= other[1] else 21.0)
+        yield text((point[0], row), label, "camera small ground", "middle")
 
 
 def _legend(chosen: str) -> Iterator[str]:
