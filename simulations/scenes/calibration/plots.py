@@ -140,7 +140,7 @@ def growth(grown: Growth, count: int, truth: float | None) -> str:
         ),
         plot.curve(counts, value, "image bold"),
         "" if truth is None else plot.level(truth, "world dashed"),
-        plot.upright(float(count), "muted thin"),
+        plot.upright(_at(grown, count)[0], "muted thin"),
         plot.mark(*_at(grown, count), "image", 4.5),
     ]
     entries = [Entry("± one standard error", "image fill faint", "area")]

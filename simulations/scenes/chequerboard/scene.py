@@ -109,7 +109,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
                 WIDTH,
                 HEIGHT,
                 picture_of(board, sheet),
-                text((LEFT, foot), f"{paper}, {size} mm", "small")
+                text((LEFT, foot), f"{paper}, {size} mm; ruler {board.ruler_mm} mm", "small")
                 + dimension(*_first_side(board, sheet), "world"),
                 lead=True,
             ),
