@@ -146,6 +146,21 @@ def test_what_is_kept_is_there_again_after_a_reload_and_gone_once_it_is_not_kept
     expect(instrument.photographs).to_have_count(0)
 
 
+def test_a_photograph_that_was_being_read_when_the_page_was_left_is_read_after_a_reload(
+    instrument: Instrument, tmp_path: Path
+) -> None:
+    reader, path = instrument.reader, tmp_path / "large.png"
+    path.write_bytes(noise())
+    # The browser is slow to open the picture.
+    reader.page.evaluate("() => { createImageBitmap = () => new Promise(() => {}); }")
+    instrument.box.locator("input[type=file]").set_input_files(path)
+    expect(instrument.photographs).to_have_attribute("data-state", "reading")
+    instrument.box.get_by_label("Keep on this device").check()
+    wait_stored(reader, 1)
+    reader.open(PAGE)
+    expect(instrument.photographs).to_have_attribute("data-state", "ready")
+
+
 def wait_stored(reader: Reader, count: int) -> None:
     """Until the browser keeps so many photographs."""
     for _ in range(200):

@@ -1,6 +1,7 @@
 """The calibration figure: simulated photographs, the reader's, and the files that it makes."""
 
 import json
+import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from functools import partial
@@ -121,6 +122,18 @@ def test_different_focal_lengths_in_the_files_and_too_many_photographs_are_noted
     notes = boards.boards((*given, zoomed)).notes
     assert notes == ("The first 20 are used.",)
     assert "4 to 8 mm" in boards.boards((zoomed, *given)).notes[1]
+
+
+def test_too_few_of_one_size_name_those_of_another() -> None:
+    given = readings(4, size=(480, 640))[2:] + readings(1)
+    out = SCENE.render(Settings(), "", StageCache(), None, given)
+    for panel in out.panels[1:]:
+        assert "At least 3" in panel.overlay
+        assert "another size" in " ".join(re.findall(r">([^<]+)<", panel.overlay))
+    assert SCENE.sheet
+    problem, note = SCENE.sheet(Settings(), outputs_of(Settings(), given))
+    assert "At least 3" in problem.text
+    assert "another size" in note.text
 
 
 def test_different_cameras_are_noted() -> None:

@@ -1,6 +1,6 @@
 """What can be taken away: files for other programs, the data sheet, the undistorted photograph."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -107,7 +107,7 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     result: Result | None = outputs["result"]
     if result is None:
         trials: Trials = outputs["trials"]
-        return (Readout("problem", "Calibration", trials.problem or OPEN),)
+        return (Readout("problem", "Calibration", trials.problem or OPEN), *_notes(given))
     trial = result.trial
     values = trial.fit.camera.values(trial.free).tolist()
     width, height = given.size
@@ -134,5 +134,9 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         Readout("covered", "Covered by corners", format_number(100 * result.covered.share, 0), "%"),
         Readout("supported", "Model supported", LENSES[result.supported.lens]),
         Readout("advice", "Next photograph", result.advice),
-        *(Readout(f"note{n}", "Note", note) for n, note in enumerate(given.notes, 1)),
+        *_notes(given),
     )
+
+
+def _notes(given: Boards) -> Iterator[Readout]:
+    return (Readout(f"note{n}", "Note", note) for n, note in enumerate(given.notes, 1))

@@ -27,7 +27,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     given: Boards = outputs["boards"]
     trials: Trials = outputs["trials"]
     result: Result | None = outputs["result"]
-    problem = trials.problem or OPEN
+    problem = ". ".join((trials.problem or OPEN, *given.notes))
     width, height = drawing.view_box(given.size)
     return Frame(
         panels=(

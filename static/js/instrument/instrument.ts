@@ -157,8 +157,10 @@ export class Instrument {
     } catch (error) {
       photo.state = "waiting";
       if (!(error instanceof ReaderEnded)) throw error;
-      if (this.photos.includes(photo)) this.#isStopped = true;
-      if (error.message !== closed().message) this.#remark = error.message;
+      if (error.message !== closed().message) {
+        this.#isStopped = true;
+        this.#remark = error.message;
+      }
     }
     if (!this.photos.includes(photo)) return;
     this.list.show(photo);
