@@ -34,7 +34,7 @@ const libraries = await Promise.all(
 const pyodideFile = (name) => import(pathToFileURL(`${pyodideFolder}/${name}`).href);
 const { loadPyodide } = await pyodideFile("pyodide.mjs");
 const { default: createPyodideModule } = await pyodideFile("pyodide.asm.mjs");
-let base, heap;
+let base, heap, table;
 const pyodide = await loadPyodide({
   indexURL: `${pyodideFolder}/`,
   stdLibURL: `${pyodideFolder}/python.zip`,
@@ -54,6 +54,7 @@ const pyodide = await loadPyodide({
     });
     settings.onRuntimeInitialized = () => {
       [base, heap] = [settings.HEAPU8.slice(), settings._sbrk(0)];
+      table = settings.wasmTable.length;
     };
     return createPyodideModule(settings);
   },
@@ -74,4 +75,4 @@ const [, begins, length] = new Uint32Array(snapshot.buffer, 0, 3);
 const references = JSON.parse(new TextDecoder().decode(snapshot.subarray(48, 48 + length)));
 await writeFile(`${out}/memory`, snapshot.subarray(begins));
 await writeFile(`${out}/base`, base);
-await writeFile(`${out}/about.json`, JSON.stringify({ references, heap }));
+await writeFile(`${out}/about.json`, JSON.stringify({ references, heap, table }));

@@ -16,6 +16,7 @@ pytestmark = pytest.mark.browser
 
 CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
 SNAPSHOT = "/snapshot.wasm"
+IPHONE = "Mozilla/5.0 (iPhone; CPU iPhone OS 18_5 like Mac OS X) AppleWebKit/605.1.15"
 BUILT_ON = ("python", "numpy", "core")
 """The parts that a snapshot holds, so that they can come later."""
 
@@ -55,6 +56,19 @@ def test_figures_live_before_what_the_snapshot_holds_has_come_and_machine_code_t
     needed = {*table["scenes"][SCENE]} - {*table["machine_code"]}
     assert needed <= {*fetched}
     assert len({*fetched}) == len(fetched), "nothing twice"
+
+
+def test_figures_live_where_python_has_no_trampoline(
+    brisk_chromium: Browser, server: StaticServer
+) -> None:
+    """On iPhones CPython does without, so its table of functions is shorter by one."""
+    with visit(brisk_chromium, server, FRUGAL, user_agent=IPHONE) as someone:
+        said: list[str] = []
+        someone.page.on("console", lambda message: said.append(message.text))
+        open_live(someone)
+        moved(someone)
+    someone.assert_no_complaints()
+    assert not said, "it would say that it starts plainly"
 
 
 def test_figures_show_what_they_show_after_a_plain_start_without_a_snapshot(

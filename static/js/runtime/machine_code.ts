@@ -42,6 +42,8 @@ export function preload(
 ): Promise<never> {
   return new Promise((_, reject) => {
     const load = async () => {
+      const hasTrampoline = settings.HEAP32[trampolineAt(settings) / 4] !== 0;
+      if (!hasTrampoline) settings.wasmTable.grow(1); // libraries have their places after it
       for (const [path, module] of libraries) {
         const options = { loadAsync: true, nodelete: true };
         const loaded = await settings.loadWebAssemblyModule(module, options, path, {});
@@ -54,4 +56,16 @@ export function preload(
       load().catch(reject);
     });
   });
+}
+
+/**
+ * Where in memory the place of Python's trampoline in the table of functions is kept. CPython has one
+ * where the browser can compile it, and on no iPhone or iPad, where it keeps zero
+ * (`Python/emscripten_trampoline.c`).
+ *
+ * @param module Emscripten's.
+ */
+export function trampolineAt(module: any): number {
+  const offset = module.HEAP32[module.__PyEM_EMSCRIPTEN_TRAMPOLINE_OFFSET / 4];
+  return module.__PyRuntime + offset;
 }
