@@ -53,7 +53,7 @@ def knob(first: int) -> tuple[float, float]:
     """Handle in the middle of the lower edge of the last coefficient's cell, below its number."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
     x, y = _corner(row, column)
-    return (x + CELL_WIDTH / 2, min(y + CELL_HEIGHT, HEIGHT - KNOB_INSIDE))
+    return (x + CELL_WIDTH / 2, min(y + CELL_HEIGHT - 1, HEIGHT - KNOB_INSIDE))
 
 
 def cell_at(place: Point) -> tuple[int, int]:
