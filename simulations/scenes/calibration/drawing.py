@@ -16,6 +16,8 @@ ARROW, STROKE = 13.0, 7.0
 HEAD = 4.0
 NAMES = ("photograph", "without distortion")
 MARGIN = 10.0
+LINE_AT = 0.9
+"""Place of the handle on the dividing line, as a share of the height from the top."""
 
 
 def view_box(size: tuple[int, int]) -> tuple[float, float]:
@@ -76,7 +78,7 @@ def dividing_line(share: float, size: tuple[int, int]) -> str:
     width, height = view_box(size)
     x, foot = share * width, height - MARGIN
     if share == 1.0:
-        return ""
+        return text((width - 30.0, LINE_AT * height + 4.0), NAMES[1], "small ground", "end")
     parts = [line((x, 0), (x, height), style) for style in ("casing", "image bold")]
     if x > width_of(NAMES[0], "small") + 2 * MARGIN:
         parts.append(text((MARGIN, foot), NAMES[0], "small ground"))

@@ -7,12 +7,10 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.scenes.calibration import plots
 from simulations.scenes.calibration.boards import Boards
-from simulations.scenes.calibration.drawing import WIDTH, view_box
+from simulations.scenes.calibration.drawing import LINE_AT, WIDTH, view_box
 from simulations.scenes.calibration.settings import Settings
 from simulations.scenes.calibration.stages import Result
 
-LINE_AT = 0.9
-"""Place of the handle on the dividing line, as a share of the height from the top."""
 INSIDE = 12.0
 """Least distance of that handle from the right border."""
 

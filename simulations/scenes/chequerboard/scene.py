@@ -8,7 +8,7 @@ import numpy as np
 
 from simulations.engine.controls import Slider, Value
 from simulations.engine.drafting import dimension
-from simulations.engine.drawing import text
+from simulations.engine.drawing import rectangle, text
 from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number
 from simulations.engine.handles import Handle, Point
@@ -109,8 +109,10 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
                 WIDTH,
                 HEIGHT,
                 picture_of(board, sheet),
-                text((LEFT, foot), f"{paper}, {size} mm; ruler {board.ruler_mm} mm", "small")
-                + dimension(*_first_side(board, sheet), "world"),
+                rectangle((LEFT, TOP), *_size_of(sheet), "muted thin")
+                + text((LEFT, foot), f"{paper}, {size} mm; ruler {board.ruler_mm} mm", "small")
+                + dimension(*_first_side(board, sheet), "world")
+                + text(_beside_first_side(board, sheet), f"{settings.side} mm", "world small"),
                 lead=True,
             ),
         ),
@@ -130,6 +132,16 @@ def _first_side(board: Board, sheet: Sheet) -> tuple[Point, Point]:
     x = LEFT + sheet.scale * sheet.left_mm
     y = TOP + sheet.scale * sheet.top_mm - 8.0
     return (x, y), (x + sheet.scale * board.side_mm, y)
+
+
+def _beside_first_side(board: Board, sheet: Sheet) -> Point:
+    _, (x, y) = _first_side(board, sheet)
+    return x + 6.0, y + 4.0
+
+
+def _size_of(sheet: Sheet) -> Point:
+    """Of the sheet, in units."""
+    return sheet.scale * sheet.width_mm, sheet.scale * sheet.height_mm
 
 
 def _corner_of(board: Board) -> Point:

@@ -19,7 +19,7 @@ from simulations.models.sensor.photon_transfer_fit import Line, SensorEstimate
 from simulations.scenes.photon_transfer.stages import Measured, Pair
 
 WIDTH, HEIGHT = 400.0, 300.0
-LEFT, RIGHT, FOOT, TOP = 50.0, 380.0, 236.0, 34.0
+LEFT, RIGHT, FOOT, TOP = 50.0, 380.0, 228.0, 34.0
 ROWS, COLUMNS, GAP = 100, 66, 2
 """Size of the part of a frame that is shown, and the space between two, in px."""
 CELL = 3.0

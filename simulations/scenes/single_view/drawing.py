@@ -146,28 +146,29 @@ def _horizon(field: Field, view: SingleView | None, plane: str, style: str, name
 def _remark(found: Found) -> str:
     """Why there is no camera, or what cannot be known."""
     if found.problem:
-        lines = _wrapped(found.problem)
-    elif found.misfits:
-        lines = (
-            "The lines miss each other: check their",
-            "directions, or raise the error of an end.",
-        )
+        return _in_lines(_wrapped(found.problem, 40), WIDTH / 2.0, "middle")
+    if found.misfits:
+        words = "The lines miss each other: check their directions, or raise the error of an end."
     elif not found.knows_focal:
-        lines = ("The focal length cannot be told:", "lengths in depth stay unknown.")
+        words = "The focal length cannot be told: lengths in depth stay unknown."
     else:
         return ""
+    return _in_lines(_wrapped(words, 20), 8.0, "start")  # clear of lines that meet below
+
+
+def _in_lines(lines: tuple[str, ...], x: float, anchor: str) -> str:
     base = HEIGHT - 10.0 - LINE * (len(lines) - 1)
     return "".join(
-        drawing.text((WIDTH / 2.0, base + LINE * row), words, "error ground", "middle")
+        drawing.text((x, base + LINE * row), words, "error ground", anchor)
         for row, words in enumerate(lines)
     )
 
 
-def _wrapped(words: str) -> tuple[str, ...]:
-    """In lines of some 40 letters."""
+def _wrapped(words: str, letters: int) -> tuple[str, ...]:
+    """In lines of at most so many letters."""
     lines = [""]
     for word in words.split():
-        if len(lines[-1]) + len(word) > 40:
+        if len(lines[-1]) + len(word) > letters:
             lines.append("")
         lines[-1] = f"{lines[-1]} {word}".strip()
     return tuple(lines)
