@@ -7,6 +7,7 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import format_number
+from simulations.engine.plotting.clipping import clipped
 from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.projection.single_view import SingleView
@@ -30,6 +31,7 @@ from simulations.scenes.single_view.stages import UNKNOWN, Found, Lengths
 STYLES = ("world", "ray", "light", "image", "image")
 """Colour role of each list."""
 NAMES = ("v₁", "v₂", "v₃")
+PANEL = (0.0, WIDTH), (0.0, HEIGHT)
 LINE = 17.0
 """Height of a line of text, in units."""
 LARGEST = 60.0
@@ -98,7 +100,7 @@ def _prolonged(field: Field, ends: Floats, point: Floats | None, style: str) -> 
         yield drawing.line(start, end, f"{style} bold")
         if point is not None:
             near = min(line, key=lambda each: math.dist(each, point))
-            if (part := _clipped(field.place(near), field.place(point))) is not None:
+            if (part := clipped(field.place(near), field.place(point), *PANEL)) is not None:
                 yield drawing.line(*part, f"{style} thin dashed")
 
 
@@ -188,27 +190,10 @@ def in_loupe(lines: Drawn, settings: Settings) -> str:
     at, other = (x, y), (u, v)
     style = STYLES[number]
     parts = [drawing.circle(at, 12.0, "casing"), drawing.circle(at, 12.0, style)]
-    if (part := _clipped(at, other)) is not None:
+    if (part := clipped(at, other, *PANEL)) is not None:
         parts.append(drawing.line(*part, style))
     return "".join((*parts, drawing.dot(at, style, 2.5)))
 
 
 def _inside(place: Point) -> bool:
     return 0.0 <= place[0] <= WIDTH and 0.0 <= place[1] <= HEIGHT
-
-
-def _clipped(start: Point, end: Point) -> tuple[Point, Point] | None:
-    """The part of a segment in the panel (Liang and Barsky), or None."""
-    (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
-    low, high = 0.0, 1.0
-    for step, room in ((-dx, x), (dx, WIDTH - x), (-dy, y), (dy, HEIGHT - y)):
-        if step == 0.0:
-            if room < 0.0:
-                return None
-        elif step < 0.0:
-            low = max(low, room / step)
-        else:
-            high = min(high, room / step)
-    if low >= high:
-        return None
-    return (x + low * dx, y + low * dy), (x + high * dx, y + high * dy)

@@ -6,6 +6,7 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import format_number
+from simulations.engine.plotting.clipping import clipped
 from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.projection.pinhole import world_to_camera
@@ -21,6 +22,7 @@ from simulations.scenes.tiled_floor.view import (
 )
 
 WIDTH, HEIGHT = float(WIDTH_PX), float(HEIGHT_PX)
+PANEL = (0.0, WIDTH), (0.0, HEIGHT)
 NAMES = ("v₁", "v₂", "v₃")
 NEAREST_M = 0.05
 """Parts nearer to the plane of the camera's centre are not drawn."""
@@ -59,23 +61,6 @@ def inside(place: Point, margin: float = 0.0) -> bool:
     """Whether a place lies in the panel."""
     x, y = place
     return margin <= x <= WIDTH - margin and margin <= y <= HEIGHT - margin
-
-
-def clipped(start: Point, end: Point) -> tuple[Point, Point] | None:
-    """The part of a segment in the panel (Liang and Barsky), or None."""
-    (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
-    low, high = 0.0, 1.0
-    for step, room in ((-dx, x), (dx, WIDTH - x), (-dy, y), (dy, HEIGHT - y)):
-        if step == 0.0:
-            if room < 0.0:
-                return None
-        elif step < 0.0:
-            low = max(low, room / step)
-        else:
-            high = min(high, room / step)
-    if low >= high:
-        return None
-    return (x + low * dx, y + low * dy), (x + high * dx, y + high * dy)
 
 
 def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
@@ -120,8 +105,8 @@ def towards_vanishing(view: Camera, box: Box, axes: tuple[int, ...], place: Plac
             if ends[:, 2].min() < NEAREST_M:
                 continue
             near, far = ends if (ends[1] - ends[0]) @ away > 0.0 else ends[::-1]
-            edges.append(clipped(place(_pixel(view, near)), place(_pixel(view, far))))
-            produced.append(clipped(place(_pixel(view, far)), place(_end(view, far, away))))
+            edges.append(clipped(place(_pixel(view, near)), place(_pixel(view, far)), *PANEL))
+            produced.append(clipped(place(_pixel(view, far)), place(_end(view, far, away)), *PANEL))
     return drawing.path([line for line in produced if line], "ray thin dashed") + drawing.path(
         [line for line in edges if line], "world"
     )
@@ -177,7 +162,7 @@ def upright(view: Camera, box: Box) -> str:
     if not seen.all():
         return ""
     start, crossing = (in_picture(pixel) for pixel in pixels)
-    line = clipped(start, crossing)
+    line = clipped(start, crossing, *PANEL)
     if line is None:
         return ""
     parts = [drawing.line(*line, "camera thin dashed")]
