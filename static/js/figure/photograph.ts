@@ -4,6 +4,7 @@
  */
 
 import { words } from "../page/words.ts";
+import { free } from "../runtime/free.ts";
 import type { Picture } from "../runtime/messages.ts";
 
 /** A file, and what it is called. */
@@ -27,6 +28,8 @@ const HEAD = 128 * 1024;
 const THUMBNAIL_PX = 192;
 
 let pictures = 0;
+/** Ends when the picture that is open, and all that wait for it, are closed. */
+let turn: Promise<unknown> = Promise.resolve();
 
 /** A number that no other picture has. */
 export function nextNumber() {
@@ -38,21 +41,29 @@ export function nextNumber() {
  *
  * @throws {Error} With words for the reader: what is wrong, and what would do.
  */
-export async function decode(source: Source, number: number, size: Size): Promise<Picture> {
-  const bitmap = await open(source);
-  try {
-    return await take(source, bitmap, number, size);
-  } finally {
-    bitmap.close();
-  }
+export function decode(source: Source, number: number, size: Size): Promise<Picture> {
+  return opened(source, (bitmap) => take(source, bitmap, number, size));
 }
 
 /**
- * A file's picture, to be closed after use.
+ * What is made of a file's picture. A page opens one picture at a time: each takes much memory.
  *
  * @throws {Error} With words for the reader.
  */
-export async function open({ name, file }: Source): Promise<ImageBitmap> {
+export function opened<T>(source: Source, use: (bitmap: ImageBitmap) => Promise<T>): Promise<T> {
+  const made = turn.then(async () => {
+    const bitmap = await open(source);
+    try {
+      return await use(bitmap);
+    } finally {
+      bitmap.close();
+    }
+  });
+  turn = made.catch(() => {});
+  return made;
+}
+
+async function open({ name, file }: Source): Promise<ImageBitmap> {
   const mb = file.size / 1e6;
   if (mb > LARGEST_MB) {
     const sizes = { size: mb.toFixed(0), most: LARGEST_MB };
@@ -138,7 +149,9 @@ function pixelsOf(bitmap: ImageBitmap, width: number, height: number) {
       pixels[to++] = data[from + 1];
       pixels[to++] = data[from + 2];
     }
+    free(data);
   }
+  canvas.width = 0; // which frees it
   return pixels;
 }
 

@@ -4,7 +4,7 @@
  */
 
 import { message } from "../errors.ts";
-import { open, take, thumbnailOf } from "../figure/photograph.ts";
+import { opened, take, thumbnailOf } from "../figure/photograph.ts";
 import { words } from "../page/words.ts";
 import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.ts";
 import type { Photo } from "./photo.ts";
@@ -59,15 +59,11 @@ export class Reader {
     this.#runtime = null;
   }
 
-  /** One decoded picture at a time is in the memory of the page. */
-  async #decode(photo: Photo) {
-    const bitmap = await open(photo);
-    try {
+  #decode(photo: Photo) {
+    return opened(photo, async (bitmap) => {
       photo.thumbnail ??= await thumbnailOf(bitmap);
       return this.scene ? await take(photo, bitmap, photo.number, MOST_MEGAPIXELS) : null;
-    } finally {
-      bitmap.close();
-    }
+    });
   }
 }
 

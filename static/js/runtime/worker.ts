@@ -2,6 +2,7 @@
 
 import { message } from "../errors.ts";
 import { SOURCES, type Chunks } from "./chunks.ts";
+import { free } from "./free.ts";
 import { startInterpreter } from "./interpreter.ts";
 import { LoadError } from "./load_error.ts";
 import type { CallName, Replies, Requests } from "./messages.ts";
@@ -118,6 +119,8 @@ self.onmessage = async ({ data }) => {
     self.postMessage({ id, ok: true, ...reply }, { transfer });
   } catch (error) {
     self.postMessage({ id, ok: false, ...explain(error) });
+  } finally {
+    if (data.picture) free(data.picture.pixels);
   }
 };
 
