@@ -67,7 +67,7 @@ test: $(VENV)/test.stamp $(VENV)/chromium.stamp $(VENV)/engines.stamp
 test-quick: $(VENV)/test.stamp
 	@$(BIN)/python -m pytest $(PARALLEL) -m "not (browser or deep)"
 
-test-deep: $(VENV)/test.stamp $(VENV)/chromium.stamp
+test-deep: $(VENV)/test.stamp $(VENV)/chromium.stamp $(VENV)/engines.stamp
 	@$(BIN)/python -m pytest $(PARALLEL) -m deep
 	@$(BIN)/python -m pytest $(PARALLEL) --hypothesis-profile=deep tests/properties
 

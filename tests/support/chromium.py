@@ -50,15 +50,15 @@ def install_commands() -> list[list[str]]:
     return [[sys.executable, "-m", "playwright", "install", "chromium"], *packaged("chromium")]
 
 
-def packaged(name: str) -> list[list[str]]:
-    """How to install a package of the system's, where that is ours to do."""
+def packaged(*names: str) -> list[list[str]]:
+    """How to install packages of the system's, where that is ours to do."""
     if not shutil.which("apt-get"):
         return []
     elevate = [] if os.geteuid() == 0 else ["sudo", "-n"]
     if elevate and not shutil.which("sudo"):
         return []
     apt = [*elevate, "apt-get"]
-    return [[*apt, "update", "-qq"], [*apt, "install", "-y", "-qq", name]]
+    return [[*apt, "update", "-qq"], [*apt, "install", "-y", "-qq", *names]]
 
 
 def main() -> int:

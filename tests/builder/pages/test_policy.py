@@ -47,7 +47,8 @@ def test_inline_scripts_and_styles_are_allowed_by_their_hash_alone(
     assert styles
     assert allowed["script-src"] == ["'self'", "'wasm-unsafe-eval'", *map(hashed, scripts)]
     assert allowed["style-src"] == ["'self'", *map(hashed, styles)]
-    assert allowed["default-src"] == ["'none'"]
+    assert allowed["default-src"] == ["'self'"]
+    assert allowed["object-src"] == allowed["frame-src"] == ["'none'"]
 
 
 def test_html_that_the_author_is_trusted_with_runs(make_book: MakeBook) -> None:

@@ -6,8 +6,12 @@ from pathlib import Path
 
 from support.engines.engine import Engine
 from support.engines.firefox import find_firefox, open_firefox
+from support.engines.webkit import find_webkit, open_webkit
 
-HOW_TO = "its tests are skipped; install it, for example by `apt-get install firefox-esr`"
+HOW_TO = (
+    "its tests are skipped; install it, for example by "
+    "`apt-get install firefox-esr webkit2gtk-driver xvfb`"
+)
 
 
 def _firefox(folder: Path) -> AbstractContextManager[Engine] | None:
@@ -15,7 +19,13 @@ def _firefox(folder: Path) -> AbstractContextManager[Engine] | None:
     return open_firefox(found, folder) if found else None
 
 
+def _webkit(folder: Path) -> AbstractContextManager[Engine] | None:
+    found = find_webkit()
+    return open_webkit(found, folder) if found else None
+
+
 ENGINES: Mapping[str, Callable[[Path], AbstractContextManager[Engine] | None]] = {
     "Firefox": _firefox,
+    "WebKitGTK": _webkit,
 }
 """How to open one with an empty folder for its profile; None where it is not installed."""

@@ -1,0 +1,127 @@
+"""WebKitGTK by WebDriver: its driver, a window, and a screen in memory."""
+
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any
+from urllib.error import HTTPError, URLError
+from urllib.request import Request, urlopen
+
+from support.engines.engine import START_S, call
+
+PACKAGES = ("webkit2gtk-driver", "gir1.2-webkit2-4.1", "python3-gi", "xvfb")
+"""Of Debian."""
+DRIVER, SCREEN, PYTHON = "WebKitWebDriver", "Xvfb", "/usr/bin/python3"
+WINDOW = Path(__file__).with_name("webkit_window.py")
+KNOWS = "import gi; gi.require_version('WebKit2', '4.1'); gi.require_version('Gtk', '3.0')"
+CONSOLE = "console.txt"
+
+
+def find_webkit() -> Path | None:
+    """Its driver, where there are a screen and a window for it too."""
+    found = shutil.which(DRIVER)
+    if not (found and shutil.which(SCREEN) and Path(PYTHON).exists()):
+        return None
+    window = subprocess.run([PYTHON, "-c", KNOWS], stderr=subprocess.DEVNULL, check=False)
+    return Path(found) if window.returncode == 0 else None
+
+
+class WebKit:
+    """One window; see `Engine`."""
+
+    def __init__(self, driver: str, profile: Path) -> None:
+        """``driver``: its address. ``profile``: a folder."""
+        self._address = f"{driver}/session"
+        self._console = profile / CONSOLE
+        options = {"binary": PYTHON, "args": [str(WINDOW), str(profile)]}
+        wanted = {"alwaysMatch": {"webkitgtk:browserOptions": options}}
+        session = self._send("", capabilities=wanted)["sessionId"]
+        self._address += f"/{session}"
+        self._send("/timeouts", script=START_S * 1000, pageLoad=START_S * 1000)
+
+    def open(self, url: str) -> None:
+        self._send("/url", url=url)
+
+    def ask(self, expression: str, /, *arguments: Any) -> Any:
+        script = f"return {call(expression, arguments)}"
+        return json.loads(self._send("/execute/sync", script=script, args=[]))
+
+    def perform(self, sources: Sequence[Mapping[str, Any]]) -> None:
+        self._send("/actions", actions=sources)
+
+    def complaints(self) -> list[str]:
+        written = self._console.read_text(encoding="utf-8", errors="replace").splitlines()
+        return [line for line in written if "CONSOLE" in line and " ERROR " in line]
+
+    def _send(self, command: str, **parameters: Any) -> Any:
+        request = Request(
+            self._address + command,
+            json.dumps(parameters).encode(),
+            {"Content-Type": "application/json"},
+        )
+        try:
+            with urlopen(request, timeout=START_S) as reply:
+                return json.load(reply)["value"]
+        except HTTPError as error:
+            told = json.load(error)["value"]
+            raise RuntimeError(f"{command}: {told['error']}: {told['message']}") from error
+
+
+@contextmanager
+def open_webkit(driver: Path, profile: Path) -> Iterator[WebKit]:
+    """Start it with this empty folder as its profile."""
+    port = _free_port()
+    command = [str(driver), f"--port={port}"]
+    with _screen() as display, (profile / CONSOLE).open("w", encoding="utf-8") as console:
+        environment = {**os.environ, "HOME": str(profile), "DISPLAY": display, "GDK_BACKEND": "x11"}
+        with subprocess.Popen(
+            command,
+            stdout=console,
+            stderr=subprocess.STDOUT,
+            env=environment,
+            start_new_session=True,
+        ) as process:
+            try:
+                address = f"http://127.0.0.1:{port}"
+                _wait_for_driver(address)
+                yield WebKit(address, profile)
+            finally:
+                os.killpg(process.pid, signal.SIGTERM)  # with the window, its child
+
+
+@contextmanager
+def _screen() -> Iterator[str]:
+    """The name of a screen that nobody looks at."""
+    command = [SCREEN, "-displayfd", "1", "-screen", "0", "1600x1200x24", "-nolisten", "tcp"]
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    ) as process:
+        try:
+            assert process.stdout
+            yield f":{process.stdout.readline().strip()}"  # written once it can be used
+        finally:
+            process.terminate()
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
+def _wait_for_driver(address: str) -> None:
+    """Until it answers; raises `TimeoutError`."""
+    end = time.monotonic() + START_S
+    while time.monotonic() < end:
+        with suppress(URLError), urlopen(f"{address}/status", timeout=START_S):
+            return
+        time.sleep(0.05)
+    raise TimeoutError("the driver of WebKit does not answer")
