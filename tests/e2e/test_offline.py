@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 from playwright.sync_api import Error as PlaywrightError
 from support.reader import Reader, visit
-from support.static_server import StaticServer, serving
+from support.static_server import Fault, StaticServer, serving
 
 from site_builder.files import folder_files
 from site_builder.offline.release import LIST, WORKER, no_release, release_files
@@ -122,6 +122,31 @@ def test_a_release_with_a_wrong_file_is_not_taken_up(
     reader.page.goto(reader.root + OTHER)
     assert reader.page.title().startswith("References")
     assert not is_new(reader.page)
+
+
+@pytest.mark.parametrize("file", [WORKER, OTHER])
+def test_why_the_book_is_not_stored_is_said_once_and_the_page_works_on(
+    reader: Reader, host: StaticServer, file: str
+) -> None:
+    host.faults[f"/{file}"] = Fault(status=404)
+    reader.open(PAGE, live=False)
+    said = reader.page.locator(".notice")
+    said.wait_for()
+    assert file in said.inner_text()
+    assert "404" in said.inner_text()
+    reader.page.reload()
+    assert search(reader.page, "vignetting")
+    assert not said.count()
+
+
+def test_a_service_worker_without_its_storage_leaves_pages_to_the_network(
+    reader: Reader,
+) -> None:
+    keep(reader)
+    (worker,) = reader.page.context.service_workers
+    worker.evaluate("void (caches.open = () => Promise.reject(new Error('broken')))")
+    reader.open(OTHER, live=False)
+    assert search(reader.page, "vignetting")
 
 
 def test_who_asks_for_the_browsers_own_copy_gets_that_and_a_film_is_wound_forward_without_a_network(

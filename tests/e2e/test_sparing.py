@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator
+from support.page_scripts import SILENT_WORKER
 from support.reader import Reader, chapter_of, visit
 from support.static_server import StaticServer
 
@@ -15,6 +16,8 @@ SCENE, CONTROL = "lens-distortion", "k1"
 PYTHON = ("/runtime.json", "/worker.js", ".wasm", ".zip")
 SAVES_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}});"
 SLOW_LINK = "Object.defineProperty(navigator, 'connection', {value: {effectiveType: '2g'}});"
+LOST = "addEventListener('pagehide', (event) => event.stopImmediatePropagation());"
+"""A tab that crashes hears nothing of its end."""
 LITTLE_MEMORY = "Object.defineProperty(navigator, 'deviceMemory', {value: 0.5});"
 
 
@@ -73,3 +76,25 @@ def test_a_waiting_figure_keeps_what_is_set_and_draws_it_once_asked(
         reader.turn_to(book["chapters"][0]["url"])  # the rest of the visit is as any other
         reader.page.reload()
         reader.wait_live()
+
+
+def test_where_the_tab_was_lost_twice_while_python_started_the_third_start_waits_to_be_asked(
+    brisk_chromium: Browser, server: StaticServer, book: Any
+) -> None:
+    with sparing(brisk_chromium, server, SILENT_WORKER + LOST) as (reader, _):
+        states = []
+        for _ in range(4):
+            reader.open(chapter_of(book, SCENE), live=False)
+            states.append(reader.figure(SCENE).get_attribute("data-state"))
+        assert states == ["starting", "starting", "waiting", "waiting"]
+        begin_button(reader.figure(SCENE)).click()
+        assert reader.figure(SCENE).get_attribute("data-state") == "starting"
+
+
+def test_who_leaves_a_page_before_python_has_started_is_not_taken_for_lost(
+    brisk_chromium: Browser, server: StaticServer, book: Any
+) -> None:
+    with sparing(brisk_chromium, server, SILENT_WORKER) as (reader, _):
+        for _ in range(3):
+            reader.open(chapter_of(book, SCENE), live=False)
+        assert reader.figure(SCENE).get_attribute("data-state") == "starting"

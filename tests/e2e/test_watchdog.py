@@ -14,9 +14,11 @@ pytestmark = pytest.mark.browser
 BEGIN = """async () => {
   const {Runtime} = (await customElements.whenDefined('simulation-figure')).inside;
   window.ended = 0;
+  window.plain = [];
   window.Worker = class {
-    postMessage({id, call}) {
+    postMessage({id, call, plain}) {
       window.answer = (more) => this.onmessage({data: {id, ok: true, ...more}});
+      if (call === 'start') window.plain.push(plain);
       if (call === 'start') setTimeout(() => this.onmessage({data: {id, ok: true}}));
     }
     terminate() { window.ended += 1; }
@@ -91,3 +93,16 @@ def test_a_slow_download_is_not_a_slow_frame(page: Page) -> None:
     told(page, None)
     page.evaluate("answer({fetching: false})")
     is_waited_for(page)
+
+
+def test_after_a_fatal_error_in_the_first_import_python_starts_without_the_snapshot(
+    page: Page,
+) -> None:
+    page.evaluate(BEGIN)
+    page.evaluate(ASK, ["prepare", FRAME])
+    page.clock.run_for(100)
+    page.evaluate("answer({ok: false, fatal: true, error: 'table index is out of bounds'})")
+    told(page, "lost")
+    ask(page)
+    page.clock.run_for(100)
+    assert page.evaluate("plain") == [False, True]

@@ -8,7 +8,7 @@
  */
 
 import { message } from "../errors.ts";
-import { isSparing, stopSparing } from "../page/data_saver.ts";
+import { isSparing, sparingReason, startSurvived, stopSparing } from "../page/data_saver.ts";
 import { all, data, one, within } from "../page/dom.ts";
 import { offerRelease } from "../page/release.ts";
 import { words } from "../page/words.ts";
@@ -136,7 +136,7 @@ export class LiveFigure {
   /** Ask for the first frame as soon as it is known whether the figure is in view. */
   #startInView() {
     this.figure.dataset.state = isSparing() ? "waiting" : "starting";
-    if (this.#waits) say(this.figure, words("figure.data_saver"), { begin: true, lasting: true });
+    if (this.#waits) say(this.figure, sparingReason(), { begin: true, lasting: true });
     const observer = new IntersectionObserver(
       ([entry]) => {
         this.#near = entry.isIntersecting;
@@ -294,7 +294,7 @@ export class LiveFigure {
 
   /** What a pull at a handle means for the controls: the hand waits for it before all else. */
   async #pull(pull: Pull) {
-    if (this.#waits) throw new RuntimeFailure("start", words("figure.data_saver"));
+    if (this.#waits) throw new RuntimeFailure("start", sparingReason());
     const request = this.#request(pull.values, this.figure.dataset.tier ?? "");
     return this.runtime.call("pull", { ...request, ...pull }, () => URGENCY.held);
   }
@@ -318,7 +318,10 @@ export class LiveFigure {
     figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
     if (figure.dataset.tier !== job.tier) figure.dataset.tier = job.tier;
     figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
-    if (figure.dataset.state !== "live") figure.dataset.state = "live";
+    if (figure.dataset.state !== "live") {
+      figure.dataset.state = "live";
+      startSurvived();
+    }
     figure.dispatchEvent(new Event("painted"));
   }
 

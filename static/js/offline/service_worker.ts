@@ -27,7 +27,8 @@ const TURN = 1000;
 const assetsOf: Map<string, string> = new Map();
 
 worker.addEventListener("install", (event) => {
-  event.waitUntil((release ? takeUp() : Promise.resolve()).then(() => worker.skipWaiting()));
+  const taking = release ? takeUp() : Promise.resolve();
+  event.waitUntil(taking.then(() => worker.skipWaiting(), complain));
 });
 worker.addEventListener("activate", (event) => event.waitUntil(release ? tidy() : leave()));
 worker.addEventListener("message", (event) => {
@@ -40,7 +41,7 @@ worker.addEventListener("fetch", (event) => {
   const { method, url, cache } = event.request;
   if (cache === "only-if-cached") return; // the browser's own copy, with what it compiled of it
   if (release && method === "GET" && url.startsWith(root)) {
-    event.respondWith(answer(event.request));
+    event.respondWith(answer(event.request).catch(() => fetch(event.request)));
   }
 });
 
@@ -67,6 +68,13 @@ async function takeUp() {
     }
     throw error;
   }
+}
+
+/** Tell open pages why the book is not stored; throws that again. */
+async function complain(error: Error) {
+  const pages = await worker.clients.matchAll({ type: "window", includeUncontrolled: true });
+  for (const page of pages) page.postMessage({ problem: error.message });
+  throw error;
 }
 
 /**

@@ -1,9 +1,11 @@
 /**
  * Readers who pay for what is fetched, or wait long for it, or whose device has little memory, as the
- * page's head found: for them Python waits to be asked for, once in a visit.
+ * page's head found: for them Python waits to be asked for, once in a visit. So it does where the tab
+ * crashed twice in a row while Python started, each time.
  */
 
 import { STORAGE } from "../book.js";
+import { words } from "./words.ts";
 
 const { dataset } = document.documentElement;
 
@@ -15,6 +17,20 @@ export function isMetered() {
 /** Whether Python must not start before the reader asks. */
 export function isSparing() {
   return "saving" in dataset;
+}
+
+/** Why Python waits, in words. */
+export function sparingReason() {
+  return words(dataset.saving === "crashed" ? "figure.crashed" : "figure.data_saver");
+}
+
+/** Python runs, and the tab with it. */
+export function startSurvived() {
+  try {
+    sessionStorage.removeItem(`${STORAGE}starts`);
+  } catch {
+    // Nothing was counted.
+  }
 }
 
 /** The reader has asked: until the visit ends, pages start Python as for others. */

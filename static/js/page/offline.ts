@@ -1,6 +1,12 @@
 /** Has the whole book stored on the device, once the page is at rest and where that costs nothing. */
 
+import { message } from "../errors.ts";
+import { STORAGE } from "../book.js";
+import { findLoadError } from "../runtime/load_error.ts";
 import { isMetered } from "./data_saver.ts";
+import { maybe } from "./dom.ts";
+import { notice } from "./notice.ts";
+import { words } from "./words.ts";
 
 /** Milliseconds between two looks at whether the figures have started. */
 const LOOK = 1000;
@@ -18,6 +24,7 @@ export function installOffline() {
   const announce = () => workers.controller?.postMessage({ assets: release });
   const address = new URL(`${root}sw.js`, location.href);
   workers.addEventListener("controllerchange", announce);
+  workers.addEventListener("message", ({ data }) => complain(workers, data.problem));
   announce();
   const begun = performance.now();
   const look = () => {
@@ -42,7 +49,22 @@ async function store(workers: ServiceWorkerContainer, address: URL) {
   try {
     const registration = await workers.register(address);
     setInterval(() => registration.update().catch(() => {}), AGAIN); // the network may be away
-  } catch {
-    // Storage is denied, or the file does not arrive: the book is read from the network as before.
+  } catch (error) {
+    const { data } = await findLoadError(address.href);
+    const isFound = data.kind !== "other";
+    complain(workers, isFound ? words(`runtime.${data.kind}`, data) : message(error));
   }
+}
+
+/** Say once in a visit why the book can only be read from the network. */
+function complain({ controller }: ServiceWorkerContainer, reason: string) {
+  if (controller || maybe(document, ".notice", HTMLElement)) return;
+  const key = `${STORAGE}not-stored`;
+  try {
+    if (sessionStorage.getItem(key)) return;
+    sessionStorage.setItem(key, "said");
+  } catch {
+    // It is said of each page that is loaded.
+  }
+  notice(words("page.not_stored", { reason }));
 }

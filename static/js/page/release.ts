@@ -6,12 +6,17 @@ import { words } from "./words.ts";
 /** What browsers say of a script that is requested late and does not arrive. */
 const MISSING = /dynamically imported module|[Ii]mporting a module script/;
 
+/** Whether a script that was requested late did not arrive, or is none. */
+function isMissing(reason: unknown) {
+  return reason instanceof SyntaxError || (reason instanceof Error && MISSING.test(reason.message));
+}
+
 /** Whatever a press asks for may have gone with its release, or its host: called once. */
 export function watchScripts() {
   addEventListener("unhandledrejection", async (event) => {
-    if (!MISSING.test(event.reason?.message)) return;
+    if (!isMissing(event.reason)) return;
     event.preventDefault();
-    if (!(await offerRelease())) notice(words("page.missing"));
+    if (!(await offerRelease())) offerReload("page.missing");
   });
 }
 
@@ -28,8 +33,13 @@ export async function offerRelease(): Promise<boolean> {
   } catch {
     return false;
   }
-  notice(words("page.renewed"), { label: words("page.reload"), act: () => location.reload() });
+  offerReload("page.renewed");
   return true;
+}
+
+/** Some browsers request a script that did not arrive only once in a page. */
+function offerReload(key: string) {
+  notice(words(key), { label: words("page.reload"), act: () => location.reload() });
 }
 
 /**

@@ -1,6 +1,7 @@
 /** Starts the Python interpreter, with the simulations imported. */
 
 import { Chunks } from "./chunks.ts";
+import { LoadError } from "./load_error.ts";
 import { compileFile, preload } from "./machine_code.ts";
 import type { StartRequest } from "./messages.ts";
 import { SnapshotError, fetchSnapshot, restore } from "./snapshot.ts";
@@ -18,11 +19,12 @@ const LIBRARY = "python.zip";
 export async function startInterpreter(
   request: StartRequest,
 ): Promise<{ chunks: Chunks; python: any }> {
+  const fromSnapshot = !request.fresh && !request.plain;
   try {
-    return await start(request, !request.fresh);
+    return await start(request, fromSnapshot);
   } catch (error) {
-    if (!(error instanceof SnapshotError)) throw error;
-    console.warn(error.cause);
+    if (!fromSnapshot || error instanceof LoadError) throw error;
+    console.warn(error instanceof SnapshotError ? error.cause : error);
     return start(request, false);
   }
 }

@@ -22,6 +22,8 @@ export interface StartRequest {
   cached?: boolean;
   /** Whether these may be damaged. */
   fresh?: boolean;
+  /** Whether to start without the snapshot. */
+  plain?: boolean;
 }
 
 export type Readout = { name: string; label: string; text: string; unit: string; role: string };

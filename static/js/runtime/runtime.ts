@@ -69,6 +69,8 @@ export class Runtime {
   #watchdog = new Watchdog();
   #lastId = 0;
   #failedStarts = 0;
+  /** Whether an interpreter that continued from the snapshot broke as it imported its first scene. */
+  #plain = false;
   /** Number of the interpreter: a new one has nothing of what was sent to the last. */
   generation = 0;
 
@@ -150,7 +152,8 @@ export class Runtime {
     worker.onmessageerror = () => this.#lose(words("runtime.unreadable"));
     const { table } = document.body.dataset;
     const fresh = this.#failedStarts > 0;
-    const request: Requests["start"] = { url: this.url, table, scenes: this.scenes(), fresh };
+    const scenes = this.scenes();
+    const request: Requests["start"] = { url: this.url, table, scenes, fresh, plain: this.#plain };
     this.#send({
       id: ++this.#lastId,
       name: "start",
@@ -183,6 +186,7 @@ export class Runtime {
     const message = reply.loadError ? inWords(reply.loadError) : reply.error;
     const more = { loadError: reply.loadError?.kind };
     if (!reply.ok && (reply.fatal || call.name === "start")) {
+      this.#plain ||= call.name === "prepare";
       this.#lose(message, more);
       return;
     }
