@@ -15,7 +15,7 @@ import numpy as np
 from simulations.engine.exif import exif_facts
 from simulations.engine.frame import Frame, Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
-from simulations.engine.photograph import Photograph
+from simulations.engine.photograph import Mosaic, Photograph
 from simulations.engine.raster import opaque
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.scene import Scene
@@ -183,16 +183,30 @@ def _photograph(picture: Any) -> Photograph:
 
     Its fields are ``number``, ``name``, ``pixels`` (bytes, three each), their ``width`` and
     ``height``, the ``full_width`` and ``full_height`` before it was scaled down, and ``head``, the
-    first bytes of the file. Raises `ValueError` for a wrong count of bytes.
+    first bytes of the file; those of a raw file also ``facts``, JSON in place of the head's, and
+    where wanted ``mosaic``. Raises `ValueError` for a wrong count of bytes.
     """
     codes = np.frombuffer(picture.pixels.to_bytes(), np.uint8)
     full = {"full_width": picture.full_width, "full_height": picture.full_height}
+    told = getattr(picture, "facts", None)
     return Photograph(
         picture.number,
         codes.reshape(picture.height, picture.width, 3),
         picture.name,
-        {**exif_facts(picture.head.to_bytes()), **full},
+        {**(json.loads(told) if told else exif_facts(picture.head.to_bytes())), **full},
+        _mosaic(getattr(picture, "mosaic", None)),
     )
+
+
+def _mosaic(given: Any) -> Mosaic | None:
+    """Its fields are ``codes`` (two bytes each), their ``width`` and ``height``, and ``about``."""
+    if given is None:
+        return None
+    codes = np.frombuffer(given.codes.to_bytes(), "<u2").reshape(given.height, given.width)
+    about = json.loads(given.about)
+    first, second, third, fourth = map(float, about["black"])
+    black = (first, second, third, fourth)
+    return Mosaic(codes, about["colours"], black, int(about["white"]))
 
 
 def read(scene_id: str, picture: Any) -> str:

@@ -1,5 +1,5 @@
-"""What pages load besides their assets: Python, the code editor, and the search. One that cannot be
-fetched is left out, with a warning."""
+"""What pages load besides their assets: Python, the code editor, the search, and the decoder of raw
+files. One that cannot be fetched is left out, with a warning."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,6 +12,7 @@ from site_builder.editor.scene_code import scene_sources
 from site_builder.npm import NodeError
 from site_builder.output.assets import hashed_folder
 from site_builder.pages.environment import render_template
+from site_builder.raw.decoder import RawDecoder, fetch_decoder
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import Versions
 from site_builder.search.library import SearchLibrary, fetch_library
@@ -33,6 +34,7 @@ class BrowserParts:
     bundle: RuntimeBundle
     editor: EditorBundle
     search: SearchLibrary
+    decoder: RawDecoder
 
 
 def browser_parts(
@@ -43,7 +45,12 @@ def browser_parts(
         bundle or RuntimeBundle({}, Versions()),
         _editor(warn) if bundle and book.scenes else EditorBundle(),
         _search_library(book, warn) if search else SearchLibrary({}),
+        _decoder(warn) if bundle and _measures_photographs(book) else RawDecoder({}),
     )
+
+
+def _measures_photographs(book: Book) -> bool:
+    return any(scene.measures_photographs for scene in book.scenes)
 
 
 def _or_without[T](make: Callable[[], T], without: T, part: str, message: str, warn: Warn) -> T:
@@ -76,6 +83,11 @@ def _search_library(book: Book, warn: Warn) -> SearchLibrary:
     message = "the book cannot be searched"
     fetch = partial(fetch_library, book.words.language)
     return _or_without(fetch, SearchLibrary({}), "search", message, warn)
+
+
+def _decoder(warn: Warn) -> RawDecoder:
+    message = "instruments open no raw files"
+    return _or_without(fetch_decoder, RawDecoder({}), "raw", message, warn)
 
 
 def scene_files(book: Book, editor: EditorBundle) -> Files:

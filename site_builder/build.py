@@ -37,6 +37,7 @@ from site_builder.publishing.compressed import compressed_copies
 from site_builder.publishing.hosting import host_files
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
+from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of, indexing
@@ -194,6 +195,7 @@ def render(
     made = {
         **(scene_files(book, parts.editor) if options.runtime else {}),
         **{f"{LIBRARY}/{name}": path for name, path in parts.search.scripts.items()},
+        **{f"{FOLDER}{name}": path for name, path in parts.decoder.files.items()},
         **author_files(book, root),
         **prerendered_files(initial_frames),
         **make_icons(root),
@@ -285,7 +287,8 @@ PROCESSORS: tuple[Processor, ...] = (_listed, _published, _searched, _released, 
 
 
 def _licences(root: Path, parts: BrowserParts, book: Book) -> tuple[Licence, ...]:
-    given = (parts.bundle.versions, parts.editor.packages, parts.search.packages)
+    packages = (parts.editor.packages, parts.search.packages, parts.decoder.packages)
+    given = (parts.bundle.versions, *packages)
 
     def gather() -> tuple[Licence, ...]:
         return gather_licences(root, *given, book.settings, book.words)

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
 type Codes = NDArray[np.uint8]
 type Facts = Mapping[str, float | str]
+type CellCodes = NDArray[np.uint16]
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,10 +20,33 @@ class Whole:
 
     most_megapixels: float = 24.0
     """Photographs of more pixels are scaled down to as many."""
+    mosaic: bool = False
+    """Whether `read` wants the cells of raw files. These photographs' pictures are small."""
 
     def __post_init__(self) -> None:
         if not 0.0 < self.most_megapixels <= 24.0:
             raise ValueError(f"{self.most_megapixels:g} megapixels; legal: above 0, at most 24")
+
+
+@dataclass(frozen=True, slots=True)
+class Mosaic:
+    """What the cells of a sensor behind a Bayer filter counted, as a raw file has it."""
+
+    codes: CellCodes
+    """(H, W) in proportion to the light above ``black``, as the sensor lies."""
+    colours: str
+    """Letters of the four cells of a quad, row by row: ``RGGB``."""
+    black: tuple[float, float, float, float]
+    """Code without light of each of these."""
+    white: int
+    """Largest code."""
+
+    def __post_init__(self) -> None:
+        codes = self.codes
+        if codes.ndim != 2 or codes.dtype != np.uint16 or min(codes.shape) < 2:
+            raise ValueError(f"mosaic {codes.shape} {codes.dtype}; legal: (H, W) uint16")
+        if not 0 <= max(self.black) < self.white < 1 << 16:
+            raise ValueError(f"black {self.black}, white {self.white}; legal: 0 ≤ black < white")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +64,8 @@ class Photograph:
     """What is known of the file: ``full_width`` and ``full_height`` in px, upright, before it was
     scaled down; and from EXIF, where given, ``focal_mm``, ``focal_35mm_mm``, ``make``, ``model``,
     ``lens``, ``exposure_s``, ``f_number`` and ``iso``."""
+    mosaic: Mosaic | None = field(default=None, compare=False, repr=False)
+    """Of a raw file, if the scene reads those."""
 
     def __post_init__(self) -> None:
         codes = self.codes

@@ -105,6 +105,11 @@ class Scene[S]:
         """Whether it is an instrument: it works on whole photographs of the reader's."""
         return self.read is not None or isinstance(self.photograph, Whole)
 
+    @property
+    def reads_mosaics(self) -> bool:
+        """Whether it takes the cells of raw files in place of their pictures."""
+        return isinstance(self.photograph, Whole) and self.photograph.mosaic
+
     def check(self, given: Mapping[str, object]) -> S:
         """The settings with an author's values; anything illegal raises `ControlError`."""
         return check_settings(self.settings, given)

@@ -5,21 +5,26 @@ from collections.abc import Mapping
 
 from site_builder.files import integrity
 from site_builder.output.assets import Content, content_bytes
+from site_builder.raw.decoder import FOLDER
 
 LIST = "offline.json"
 WORKER = "sw.js"
 SCRIPT = "js/offline/service_worker.js"
 """Of the worker, among the assets."""
+LEFT_OUT = (FOLDER,)
+"""Folders of the assets that few readers need. These come from the network when they are."""
 
 
 def release_files(files: Mapping[str, Content], assets: str) -> dict[str, bytes]:
-    """The list of all ``files`` by address and hash, and a worker that caches them.
+    """The list of ``files`` by address and hash, and a worker that caches them.
 
     Each hash is written as the ``integrity`` of a request (W3C Subresource Integrity), so that the
     browser itself refuses a file of another release. A page is listed by the address that links
     lead to, as some hosts send readers on from ``index.html``.
     """
-    hashes = {address(name): integrity(content_bytes(files[name])) for name in sorted(files)}
+    left_out = tuple(assets + folder for folder in LEFT_OUT)
+    stored = sorted(name for name in files if not name.startswith(left_out))
+    hashes = {address(name): integrity(content_bytes(files[name])) for name in stored}
     listed = json.dumps(hashes, indent=0).encode()
     return {LIST: listed, WORKER: worker(assets, integrity(listed))}
 

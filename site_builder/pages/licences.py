@@ -41,13 +41,15 @@ def gather_licences(
     versions: Versions,
     editor: Sequence[Package] = (),
     search: Sequence[Package] = (),
+    decoder: Sequence[Package] = (),
     settings: Settings = UNSET,
     words: Words = ENGLISH,
 ) -> tuple[Licence, ...]:
     """Licences of the book and of what it ships.
 
     The versions are the browser runtime's; ``editor`` are the packages in the code editor,
-    ``search`` those that search the pages; ``settings`` are the book's, ``words`` its language's.
+    ``search`` those that search the pages, ``decoder`` those that decode raw files; ``settings``
+    are the book's, ``words`` its language's.
     """
     terms = words("licences.book", code=settings.licence.code, text=settings.licence.text)
     text = _text_of(root / "LICENSE")
@@ -56,6 +58,7 @@ def gather_licences(
         *(_of_the_runtime(versions, words) if versions.pyodide else ()),
         *_of_the_editor(editor, words),
         *(_of_the_search(package, words) for package in search),
+        *(_of_the_decoder(package, words) for package in decoder),
         *_of_the_fonts(words),
     )
 
@@ -90,6 +93,12 @@ def _of_the_search(package: Package, words: Words) -> Licence:
     name, use, home = SEARCH[package.name]
     address = f"https://github.com/{home}"
     return Licence(name, package.version, package.license, words(use), address, package.text)
+
+
+def _of_the_decoder(package: Package, words: Words) -> Licence:
+    use = words("licences.decoder", name=package.name)
+    home = "https://github.com/LibRaw/LibRaw"
+    return Licence("LibRaw", package.version, package.license, use, home, package.text)
 
 
 def _of_the_fonts(words: Words) -> Iterator[Licence]:

@@ -1,15 +1,18 @@
-"""Pairs of even photographs go in by the file picker; the sheet is that of this Python."""
+"""Pairs of even photographs, and raw files, go in by the file picker; the sheet is that of this
+Python."""
 
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import expect
-from support.flat_fields import as_srgb, light_of
+from playwright.sync_api import Page, expect
+from support.dng import dng
+from support.flat_fields import as_srgb, light_of, pairs_of
 from support.reader import Reader
 
-from simulations.engine.photograph import Photograph
+from simulations.engine.photograph import Mosaic, Photograph
 from simulations.engine.reading import Reading
 from simulations.engine.stages import StageCache
 from simulations.scenes.photon_transfer.reading import read
@@ -35,31 +38,71 @@ def files(tmp_path: Path) -> list[Path]:
     return paths
 
 
-def lines_of_sheet() -> list[list[str]]:
-    readings = tuple(
-        Reading(index, f"{index}.png", read(Photograph(index, codes)))
-        for index, codes in enumerate(PHOTOGRAPHS)
-    )
+BLACK = (64.0, 70.0, 67.0, 73.0)
+RAW = [
+    np.minimum(frame + np.tile(np.array([[0, 6], [3, 9]], np.uint16), (75, 75)), 4095)
+    for pair in pairs_of(150, 5, count=8)[1:5]
+    for frame in pair
+]
+
+
+@pytest.fixture
+def raw_files(tmp_path: Path) -> list[Path]:
+    """Four pairs, and a file that was cut off."""
+    files = [dng(codes, black=BLACK, exposure_s=0.01 * (k // 2)) for k, codes in enumerate(RAW, 2)]
+    paths = [tmp_path / f"{index}.dng" for index in range(len(files) + 1)]
+    for path, data in zip(paths, [*files, files[0][:5000]], strict=True):
+        path.write_bytes(data)
+    return paths
+
+
+def lines_of_sheet(photographs: list[Photograph]) -> list[list[str]]:
+    readings = tuple(Reading(one.number, one.name, read(one)) for one in photographs)
     settings = SCENE.check({})
     outputs = SCENE.run(settings, "", StageCache(), None, readings).outputs
     return [[line.label, line.text] for line in sheet(settings, outputs)]
 
 
+def saved_lines(page: Page) -> list[list[str]]:
+    with page.expect_download() as saved:
+        page.locator(".data-sheet").get_by_role("button", name="Save as JSON").click()
+    (part,) = json.loads(saved.value.path().read_text(encoding="utf-8"))["instruments"]
+    return [[line["label"], line["text"]] for line in part["lines"]]
+
+
 def test_the_reader_s_pairs_measure_the_sensor_as_in_this_python(
-    reader: Reader, files: list[Path]
+    reader: Reader, files: list[Path], raw_files: list[Path]
 ) -> None:
+    asked = reader.note_requests(".wasm")
     reader.open("measure-your-camera/")
-    figure = reader.page.locator("simulation-figure[data-simulation=photon-transfer]")
-    box = reader.page.locator("figure", has=figure).locator(".intake")
+    page = reader.page
+    figure = page.locator("simulation-figure[data-simulation=photon-transfer]")
+    box = page.locator("figure", has=figure).locator(".intake")
     reader.bring(box)
     reader.settle(figure)
     box.locator("input[type=file]").set_input_files(files)
     expect(box.locator(".intake-said")).to_contain_text(f"{len(PHOTOGRAPHS)} of {len(files)}")
     expect(box.locator(".intake-photo").last).to_contain_text("not evenly lit")
     expect(figure.locator("output[name=gain_true]")).to_contain_text("unknown")
-    page = reader.page
     expect(page.locator(".data-sheet tbody")).to_contain_text("Conversion gain")
-    with page.expect_download() as saved:
-        page.locator(".data-sheet").get_by_role("button", name="Save as JSON").click()
-    (part,) = json.loads(saved.value.path().read_text(encoding="utf-8"))["instruments"]
-    assert [[line["label"], line["text"]] for line in part["lines"]] == lines_of_sheet()
+    assert saved_lines(page) == lines_of_sheet(
+        [Photograph(index, codes) for index, codes in enumerate(PHOTOGRAPHS)]
+    )
+    assert not any("libraw" in url for url in asked)
+
+    box.get_by_role("button", name="Remove all").click()
+    box.locator("input[type=file]").set_input_files(raw_files)
+    expect(box.locator(".intake-said")).to_contain_text(
+        f"{len(RAW)} of {len(raw_files)} photographs are ready"
+    )
+    expect(box.locator(".intake-photo").last).to_contain_text("damaged or cut off")
+    expect(page.locator(".data-sheet tbody")).to_contain_text("green, row 0")
+    reader.settle(figure)
+    assert any("libraw" in url for url in asked)
+    picture = np.zeros((8, 8, 3), np.uint8)
+    assert saved_lines(page) == lines_of_sheet(
+        [
+            Photograph(k, picture, mosaic=Mosaic(codes, "RGGB", BLACK, 4095))
+            for k, codes in enumerate(RAW)
+        ]
+    )

@@ -111,6 +111,29 @@ def test_a_photograph_is_read_with_the_facts_of_its_file() -> None:
     assert read(40, file.getvalue()) == {"data": {"mean": 40.0, "model": "Model", "width": 20}}
 
 
+def test_a_raw_file_brings_its_facts_and_its_cells(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen: list[Photograph] = []
+
+    def look(photograph: Photograph) -> dict[str, Any]:
+        seen.append(photograph)
+        return {}
+
+    scene = scene_of(**WHOLE | {"read": look})
+    monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
+    raw = picture(40)
+    raw.facts = '{"iso": 400}'
+    raw.mosaic = SimpleNamespace(
+        codes=SimpleNamespace(to_bytes=lambda: bytes(range(8))), width=2, height=2,
+        about='{"colours": "RGGB", "black": [1, 2, 3, 4], "white": 9000}',
+    )  # fmt: skip
+    browser.read("s", raw)
+    (photograph,) = seen
+    assert photograph.facts == {"iso": 400, "full_width": 20, "full_height": 10}
+    assert photograph.mosaic is not None
+    assert photograph.mosaic.codes.tolist() == [[0x0100, 0x0302], [0x0504, 0x0706]]
+    assert photograph.mosaic.black == (1, 2, 3, 4)
+
+
 def test_a_photograph_that_cannot_be_used_is_refused_in_a_sentence() -> None:
     assert read(255) == {"unfit": "All white; photograph with less light."}
 

@@ -1,7 +1,8 @@
 """Picture files of an even surface: their light, and which two make a pair.
 
 A colour file is read as sRGB. A grey file is taken for the mosaic itself, as raw converters and
-industrial cameras write it, with codes in proportion to the light.
+industrial cameras write it, with codes in proportion to the light. A raw file has that mosaic, and
+says which colours its cells see.
 """
 
 import math
@@ -23,6 +24,7 @@ SRGB_DN: Floats = HIGHEST * decode_srgb(np.linspace(0.0, 1.0, HIGHEST + 1))
 CELLS = ("row 0, column 0", "row 0, column 1", "row 1, column 0", "row 1, column 1")
 """Names of the planes of a grey file: the cells of a mosaic's quad."""
 COLOURS = ("red", "green", "blue")
+NAMES = dict(zip("RGB", COLOURS, strict=True))
 BLOCKS = 16
 """Along each side, whose means tell whether the light is even."""
 MOST_UNEVEN = 0.05
@@ -48,11 +50,23 @@ def planes_of(codes: Codes) -> dict[str, Codes]:
     return {name: mosaic[k // 2 :: 2, k % 2 :: 2] for k, name in enumerate(CELLS)}
 
 
-def unevenness(plane: Codes) -> float:
-    """How much the means of blocks vary about a plane, as a share of their mean.
+def cells_of[T: np.generic](mosaic: NDArray[T], colours: str) -> dict[str, NDArray[T]]:
+    """The four cells (h, w) of a raw file's quads, named by the colours that they see.
 
-    Fewer codes than half a code do not count.
+    >>> list(cells_of(np.zeros((2, 2)), "RGGB"))
+    ['red', 'green, row 0', 'green, row 1', 'blue']
     """
+    height, width = (side // 2 * 2 for side in mosaic.shape)
+    cells: dict[str, NDArray[T]] = {}
+    for k, letter in enumerate(colours):
+        name = NAMES.get(letter, letter) + (f", row {k // 2}" if colours.count(letter) > 1 else "")
+        cells[name] = mosaic[k // 2 : height : 2, k % 2 : width : 2]
+    return cells
+
+
+def unevenness(plane: NDArray[np.generic], least: float = 0.5) -> float:
+    """How much the means of blocks vary about a plane, as a share of their mean plus ``least``,
+    which is for dark pictures."""
     rows, columns = (max(side // BLOCKS, 1) for side in plane.shape)
     cut = plane[: rows * (plane.shape[0] // rows), : columns * (plane.shape[1] // columns)]
     means = cut.reshape(cut.shape[0] // rows, rows, cut.shape[1] // columns, columns).mean((1, 3))
@@ -60,7 +74,7 @@ def unevenness(plane: Codes) -> float:
     terms = np.stack([np.ones(x.size), x, y, x * x, x * y, y * y], axis=1)
     values = means.reshape(-1)
     rest = values - terms @ np.linalg.lstsq(terms, values)[0]
-    return float(rest.std()) / (float(values.mean()) + 0.5)
+    return float(rest.std()) / (float(values.mean()) + least)
 
 
 @dataclass(frozen=True, slots=True)

@@ -86,12 +86,20 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     sensor: SensorEstimate = outputs["sensor"][main]
     return (
         Readout("pixels", "Pixels", main),
+        *_scale(frames),
         *_lines(sensor),
         *_other_gains(outputs["sensor"], main),
         *_grain(outputs["levels"][main]),
         Readout("pairs", "Pairs", str(len(frames.names))),
         Readout("left_over", "Pictures without a partner", str(frames.left_over)),
     )
+
+
+def _scale(frames: Frames) -> Iterator[Readout]:
+    """What a raw file says."""
+    if frames.black:
+        black = format_number(frames.black[frames.main], 0)
+        yield Readout("scale", "Black and white", f"{black} and {frames.highest}", "DN")
 
 
 def _lines(sensor: SensorEstimate) -> Iterator[Readout]:

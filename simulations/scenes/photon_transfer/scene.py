@@ -86,7 +86,7 @@ SCENE = Scene(
             "end", "transfer", "End of the fit", ("most",), _end, _end_pulled, "press", "camera"
         ),
     ),
-    photograph=Whole(SMALL),
+    photograph=Whole(SMALL, mosaic=True),
     read=read,
     exports=EXPORTS,
     sheet=sheet,

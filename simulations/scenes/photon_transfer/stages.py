@@ -16,9 +16,7 @@ from simulations.models.sensor.photon_transfer_file import (
     COLOURS,
     HIGHEST,
     SRGB_DN,
-    is_grey,
     pair_up,
-    planes_of,
 )
 from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
 from simulations.models.sensor.photon_transfer_frames import (
@@ -28,7 +26,7 @@ from simulations.models.sensor.photon_transfer_frames import (
     unequal_cells,
 )
 from simulations.models.sensor.photon_transfer_pair import Level, measure_pair
-from simulations.scenes.photon_transfer.reading import codes_of, taken_of
+from simulations.scenes.photon_transfer.reading import kept_of, taken_of
 
 SIDE = 100
 """Of a simulated frame: its 10 000 cells tell a variance to 1.4 %."""
@@ -56,6 +54,8 @@ class Frames:
     """The largest code."""
     response: Floats | None
     """(highest + 1,) light of each code in DN; ``None`` if they are in proportion."""
+    black: Mapping[str, float]
+    """Code without light of each plane, where the files say."""
 
     @property
     def is_simulated(self) -> bool:
@@ -66,7 +66,8 @@ class Frames:
     def main(self) -> str:
         """The plane that the figure shows: green, or the second cell of a mosaic, green in most."""
         names = list(self.planes)
-        return COLOURS[1] if COLOURS[1] in names else names[min(1, len(names) - 1)]
+        greens = [name for name in names if name.startswith(COLOURS[1])]
+        return greens[0] if greens else names[min(1, len(names) - 1)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +76,8 @@ class Measured:
 
     levels: tuple[Level, ...]
     black_dn: float
-    """Code without light: 0 in an sRGB file, and otherwise the mean of the darkest pair."""
+    """Code without light: 0 in an sRGB file, in a raw file what that says, and otherwise the mean
+    of the darkest pair."""
     span_dn: float
     """Codes above black."""
 
@@ -117,33 +119,37 @@ def _codes(electrons: tuple[Floats, ...], cells: Cells, read_noise: float) -> tu
 def _frames(codes: tuple[Pair, ...], readings: Readings) -> Frames:
     if not readings:
         names = tuple((f"{k}a", f"{k}b") for k in range(len(codes)))
-        return Frames({SIMULATED: codes}, names, (), 0, sensor_of(0.0).highest_dn, None)
-    kept = [codes_of(reading) for reading in readings]
-    grey = [is_grey(photograph) for photograph in kept]
-    pairs = pair_up([taken_of(*one) for one in zip(readings, grey, strict=True)])
-    chosen = [(planes_of(kept[i]), planes_of(kept[j])) for i, j in pairs]
-    planes = list(chosen[0][0]) if chosen else [COLOURS[1]]
+        return Frames({SIMULATED: codes}, names, (), 0, sensor_of(0.0).highest_dn, None, {})
+    kept = [kept_of(reading) for reading in readings]
+    pairs = pair_up([taken_of(*one) for one in zip(readings, kept, strict=True)])
+    chosen = [(kept[i], kept[j]) for i, j in pairs]
+    first = chosen[0][0] if chosen else kept[0]
     return Frames(
         planes={
-            plane: tuple(np.stack([first[plane], second[plane]]) for first, second in chosen)
-            for plane in planes
+            plane: tuple(np.stack([one.planes[plane] for one in pair]) for pair in chosen)
+            for plane in (first.planes if chosen else COLOURS[1:2])
         },
         names=tuple((readings[i].name, readings[j].name) for i, j in pairs),
         numbers=tuple((readings[i].number, readings[j].number) for i, j in pairs),
         left_over=len(readings) - 2 * len(pairs),
-        highest=HIGHEST,
-        response=None if pairs and grey[pairs[0][0]] else SRGB_DN,
+        highest=first.highest if chosen else HIGHEST,
+        response=SRGB_DN if first.kind == "colour" or not chosen else None,
+        black={
+            plane: float(np.mean([one.black[plane] for pair in chosen for one in pair]))
+            for plane in first.black
+            if chosen
+        },
     )
 
 
 def _levels(frames: Frames) -> dict[str, Measured]:
-    return {plane: _measured(frames, pairs) for plane, pairs in frames.planes.items()}
+    return {plane: _measured(frames, plane, pairs) for plane, pairs in frames.planes.items()}
 
 
-def _measured(frames: Frames, pairs: tuple[Pair, ...]) -> Measured:
+def _measured(frames: Frames, plane: str, pairs: tuple[Pair, ...]) -> Measured:
     levels = tuple(measure_pair(pair, frames.highest, frames.response) for pair in pairs)
-    black = 0.0
-    if frames.response is None and levels:
+    black = frames.black.get(plane, 0.0)
+    if frames.response is None and levels and plane not in frames.black:
         black = min(level.mean_dn for level in levels)
     if black >= frames.highest:  # all white
         black = 0.0

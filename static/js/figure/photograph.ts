@@ -4,14 +4,32 @@
  */
 
 import { words } from "../page/words.ts";
+import { isRaw } from "../raw/is_raw.ts";
 import { free } from "../runtime/free.ts";
-import type { Picture } from "../runtime/messages.ts";
+import type { Mosaic, Picture } from "../runtime/messages.ts";
 
 /** A file, and what it is called. */
 export type Source = { name: string; file: Blob };
 
 /** Width and height to which a picture is cut, or the most megapixels of one that is not. */
 export type Size = [number, number] | number;
+
+/** A file's picture, to be closed after use; of a raw file with what the decoder says of it. */
+export interface Opened {
+  bitmap: ImageBitmap;
+  /** Before it was scaled down. */
+  full: [width: number, height: number];
+  facts?: string;
+  mosaic?: Mosaic;
+}
+
+/** What is wanted of a raw file: its cells, or a picture of some megapixels. */
+export interface Wanted {
+  mosaic: boolean;
+  megapixels: number;
+  /** Told what takes time. */
+  say: (text: string) => void;
+}
 
 /** Larger files, and pictures of more pixels, are refused before they fill the memory. */
 const LARGEST_MB = 60;
@@ -42,7 +60,9 @@ export function nextNumber() {
  * @throws {Error} With words for the reader: what is wrong, and what would do.
  */
 export function decode(source: Source, number: number, size: Size): Promise<Picture> {
-  return opened(source, (bitmap) => take(source, bitmap, number, size));
+  const megapixels = typeof size === "number" ? size : (size[0] * size[1]) / 1e6;
+  const wanted = { mosaic: false, megapixels, say: () => {} };
+  return opened(source, wanted, (picture) => take(source, picture, number, size));
 }
 
 /**
@@ -50,20 +70,39 @@ export function decode(source: Source, number: number, size: Size): Promise<Pict
  *
  * @throws {Error} With words for the reader.
  */
-export function opened<T>(source: Source, use: (bitmap: ImageBitmap) => Promise<T>): Promise<T> {
+export function opened<T>(
+  source: Source,
+  wanted: Wanted,
+  use: (picture: Opened) => Promise<T>,
+): Promise<T> {
   const made = turn.then(async () => {
-    const bitmap = await open(source);
+    const picture = await open(source, wanted);
     try {
-      return await use(bitmap);
+      return await use(picture);
     } finally {
-      bitmap.close();
+      picture.bitmap.close();
     }
   });
   turn = made.catch(() => {});
   return made;
 }
 
-async function open({ name, file }: Source): Promise<ImageBitmap> {
+async function open(source: Source, { say, ...wanted }: Wanted): Promise<Opened> {
+  const { name, file } = source;
+  if (await isRaw(file)) {
+    const { openRaw } = await import("../raw/raw_file.ts");
+    const picture = await openRaw(name, { file, ...wanted }, say);
+    if (picture) return picture;
+    return await openCoded(source, "raw.unknown"); // some browsers know more kinds
+  }
+  return await openCoded(source, "photograph.unreadable");
+}
+
+/** By the browser itself. */
+async function openCoded(
+  { name, file }: Source,
+  refusal: "raw.unknown" | "photograph.unreadable",
+): Promise<Opened> {
   const mb = file.size / 1e6;
   if (mb > LARGEST_MB) {
     const sizes = { size: mb.toFixed(0), most: LARGEST_MB };
@@ -71,7 +110,7 @@ async function open({ name, file }: Source): Promise<ImageBitmap> {
   }
   const upright = { imageOrientation: "from-image" } as const;
   const bitmap = await createImageBitmap(file, upright).catch(() => {
-    throw new Error(words("photograph.unreadable", { file: name }));
+    throw new Error(words(refusal, { file: name }));
   });
   try {
     refuseSize(name, bitmap);
@@ -79,13 +118,13 @@ async function open({ name, file }: Source): Promise<ImageBitmap> {
     bitmap.close();
     throw error;
   }
-  return bitmap;
+  return { bitmap, full: [bitmap.width, bitmap.height] };
 }
 
 /** The pixels of an open picture, and what Python must know of it. */
 export async function take(
   { name, file }: Source,
-  bitmap: ImageBitmap,
+  { bitmap, full, facts, mosaic }: Opened,
   number: number,
   size: Size,
 ): Promise<Picture> {
@@ -96,9 +135,11 @@ export async function take(
     pixels: pixelsOf(bitmap, width, height),
     width,
     height,
-    full_width: bitmap.width,
-    full_height: bitmap.height,
+    full_width: full[0],
+    full_height: full[1],
     head: new Uint8Array(await file.slice(0, HEAD).arrayBuffer()),
+    facts,
+    mosaic,
   };
 }
 

@@ -38,7 +38,7 @@ export class Instrument {
     this.scene = figure.dataset.simulation ?? "";
     const reads = "reads" in box.dataset ? this.scene : "";
     this.url = new URL(runtime, location.href).href;
-    this.#reader = new Reader(this.url, reads);
+    this.#reader = new Reader(this.url, reads, "mosaic" in box.dataset);
     this.list = new PhotoList(box, {
       look: (photo) => this.look(photo),
       remove: (photo) => this.remove([photo]),
@@ -153,7 +153,7 @@ export class Instrument {
     this.#showWork();
     this.list.show(photo);
     try {
-      await this.#reader.read(photo);
+      await this.#reader.read(photo, (text) => this.list.say(photo, text));
     } catch (error) {
       photo.state = "waiting";
       if (!(error instanceof ReaderEnded)) throw error;

@@ -32,6 +32,12 @@ export class PhotoList {
     one(item, ".intake-look", HTMLButtonElement).disabled = !photo.thumbnail;
   }
 
+  /** Say what takes time, until it is shown again. */
+  say(photo: Photo, text: string) {
+    const item = this.#items.get(photo);
+    if (item) setText(one(item, ".intake-state", HTMLElement), text);
+  }
+
   /** Mark the one that is looked at. */
   mark(chosen: Photo | null) {
     for (const [photo, item] of this.#items) {

