@@ -1,13 +1,15 @@
 /**
  * Answers each line of its input, a request as JSON, with a line of its own, until the input ends.
- * Called with the folder of the packages.
+ * Called with the folder of the packages. A formula that is spoken has words as its `alttext`.
  *
- *   {"tex": "…", "display": true, "macros": {"\\R": "…"}}   {"mathml": "…"} or {"error": "…"}
+ *   {"tex": "…", "display": true, "spoken": true, "macros": {"\\R": "…"}}
+ *   {"mathml": "…"} or {"error": "…"}
  */
 
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
+import { speaker } from "./speech.mjs";
 
 const require = createRequire(join(process.argv[2], "node_modules", "/"));
 const temml = require("temml/dist/temml.cjs");
@@ -28,10 +30,23 @@ const OURS = [
 ];
 
 /** @param {{tex: string, display: boolean, macros: Record<string, string>}} request */
-function answer({ tex, display, macros }) {
+function set({ tex, display, macros }) {
+  const mathml = temml.renderToString(tex, { ...OPTIONS, displayMode: display, macros });
+  return OURS.reduce((text, [found, other]) => text.replaceAll(found, other), mathml);
+}
+
+let say;
+/** With words, unless the engine has none. @param {string} mathml */
+async function spoken(mathml) {
+  say ??= await speaker(require);
+  const words = say(mathml).replace(/[&"<]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+  return words ? mathml.replace("<math", () => `<math alttext="${words}"`) : mathml;
+}
+
+async function answer(request) {
   try {
-    const mathml = temml.renderToString(tex, { ...OPTIONS, displayMode: display, macros });
-    return { mathml: OURS.reduce((text, [found, other]) => text.replaceAll(found, other), mathml) };
+    const mathml = set(request);
+    return { mathml: request.spoken ? await spoken(mathml) : mathml };
   } catch (error) {
     if (error.name !== "ParseError") return { error: "a part of it is missing" };
     const [reason] = error.message.trim().split(/ at (?:position \d|end of input)/);
@@ -40,5 +55,5 @@ function answer({ tex, display, macros }) {
 }
 
 for await (const line of createInterface({ input: process.stdin })) {
-  process.stdout.write(`${JSON.stringify(answer(JSON.parse(line)))}\n`);
+  process.stdout.write(`${JSON.stringify(await answer(JSON.parse(line)))}\n`);
 }

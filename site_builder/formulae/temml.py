@@ -1,4 +1,5 @@
-"""Temml, which sets TeX as MathML: a process of Node that answers line by line.
+"""Temml, which sets TeX as MathML, and the Speech Rule Engine, which says it in words: a process of
+Node that answers line by line.
 
 It starts with the first formula that is not cached. Each process of a build has its own.
 """
@@ -15,7 +16,8 @@ from site_builder.npm import NODE, NodeError, installed_packages
 
 HERE = Path(__file__).parent
 PROGRAM = HERE / "set.mjs"
-LOCK = HERE / "package-lock.json"
+SOURCES = (HERE / "package-lock.json", *sorted(HERE.glob("*.mjs")))
+"""All that a formula's markup depends on."""
 
 
 class TemmlError(RuntimeError):
@@ -26,14 +28,14 @@ class TexError(ValueError):
     """Temml refuses the formula; the message is its own."""
 
 
-def set_tex(tex: str, *, display: bool, macros: Mapping[str, str]) -> str:
-    """A ``<math>`` element; the names of ``macros`` have their backslashes. Raises `TexError` and
-    `TemmlError`."""
+def set_tex(tex: str, *, display: bool, spoken: bool, macros: Mapping[str, str]) -> str:
+    """A ``<math>`` element, with English words as ``alttext`` where it is ``spoken``; the names of
+    ``macros`` have their backslashes. Raises `TexError` and `TemmlError`."""
     process = _process(os.getpid())
     assert process.stdin
     assert process.stdout
     try:
-        request = {"tex": tex, "display": display, "macros": dict(macros)}
+        request = {"tex": tex, "display": display, "spoken": spoken, "macros": dict(macros)}
         process.stdin.write(f"{json.dumps(request)}\n")
         process.stdin.flush()
         line = process.stdout.readline()

@@ -8,12 +8,12 @@ from simulations.engine.expressions import ExpressionError
 from site_builder.diagnostics import unknown
 from site_builder.markdown.calculation import BLOCK, compute_formula, define_names
 from site_builder.markdown.headings import list_headings
-from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import UnknownLanguageError, check_language
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
-from site_builder.markdown.text.math import Macros, UnsupportedTexError, to_mathml
+from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
 from site_builder.markdown.text.tokens import located, plain_text
 from site_builder.page_model.passage import Passage, passage
 from site_builder.page_model.places import Link, chapter_id
@@ -50,15 +50,18 @@ def _set_formula(token: Token, line: int, context: ParseContext) -> None:
         return
     context.formulae.append((line, tex, token.type != "math_inline"))
     try:
-        token.meta["mathml"] = _mathml(token, context.shared.macros)
+        token.meta["mathml"] = _mathml(token, context.shared)
     except UnsupportedTexError as error:
         context.problem(line, str(error))
 
 
-def _mathml(formula: Token, macros: Macros) -> str:
+def _mathml(formula: Token, shared: Shared) -> str:
     tex, display = formula.content.strip(), formula.type != "math_inline"
     parts = displayed_parts(tex) if display else [tex]
-    return "".join(to_mathml(part, display=display, macros=macros) for part in parts or [tex])
+    return "".join(
+        to_mathml(part, display=display, macros=shared.macros, language=shared.words.language)
+        for part in parts or [tex]
+    )
 
 
 def _set_code(token: Token, line: int, context: ParseContext) -> None:

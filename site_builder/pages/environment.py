@@ -27,7 +27,7 @@ from site_builder.pages.views.control import FOLDER as CONTROL_KINDS
 from site_builder.pages.views.glossary import marked_terms
 from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
 from site_builder.pages.views.question import kind_view, question_data
-from site_builder.render.screen import PassageRenderer, screen_renderer
+from site_builder.render.screen import PassageRenderer, named, screen_renderer
 from site_builder.settings.reading import storage_prefix
 
 
@@ -51,6 +51,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "milliseconds": milliseconds,
     "marked_terms": marked_terms,
     "passage": passage_html,
+    "named": named,
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """Functions of templates, for what is computed from the page model."""

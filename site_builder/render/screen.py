@@ -1,5 +1,6 @@
 """Passages as HTML for the screen. Only tokens that markdown-it renders otherwise have a rule."""
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -19,6 +20,8 @@ from site_builder.page_model.places import Target
 
 type Rules = Mapping[str, Callable[[Token], str]]
 """HTML of a token by its type."""
+LINK = re.compile(r"<a\b[^>]*>.*?</a>", re.DOTALL)
+SPOKEN = re.compile(r'(?<=<math )alttext=("[^"]*")')
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +32,14 @@ class PassageRenderer:
 
     def __call__(self, passage: Passage) -> Markup:
         tokens, options = list(passage.tokens), self.markdown.options
-        return Markup(str(self.markdown.renderer.render(tokens, options, {})).strip())
+        html = str(self.markdown.renderer.render(tokens, options, {})).strip()
+        return Markup(LINK.sub(lambda link: named(link[0]), html))
+
+
+def named(html: str) -> Markup:
+    """Words that name something, with labels on their formulae: of MathML, browsers put nothing
+    into a name."""
+    return Markup(SPOKEN.sub(r"aria-label=\1 \g<0>", html))
 
 
 def screen_renderer(words: Words) -> PassageRenderer:

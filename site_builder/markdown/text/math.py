@@ -7,7 +7,7 @@ from simulations.engine import frame
 from site_builder.cache import cached
 from site_builder.diagnostics import unknown
 from site_builder.files import file_hash
-from site_builder.formulae.temml import LOCK, PROGRAM, TexError, set_tex
+from site_builder.formulae.temml import SOURCES, TexError, set_tex
 
 COLOURS = (*frame.ROLES[1:], "muted")
 """Roles of colours that a formula may name; frames also have the empty role."""
@@ -20,19 +20,24 @@ UNKNOWN = re.compile(r"(?:Unsupported function name|Undefined control sequence):
 type Macros = Mapping[str, str]
 """TeX commands of the book's own, without their backslashes, and what each stands for."""
 NO_MACROS: Macros = {}
+SPOKEN = "en"
+"""The language in which formulae have words."""
 
 
 class UnsupportedTexError(ValueError):
     """The formula cannot be set; the message names the part."""
 
 
-def to_mathml(tex: str, *, display: bool, macros: Macros = NO_MACROS) -> str:
-    """A ``<math>`` element. Raises `UnsupportedTexError`."""
-    return _to_mathml(tex, display, macros, (file_hash(LOCK), file_hash(PROGRAM)))
+def to_mathml(
+    tex: str, *, display: bool, macros: Macros = NO_MACROS, language: str = SPOKEN
+) -> str:
+    """A ``<math>`` element, in English with words as ``alttext``. Raises `UnsupportedTexError`."""
+    sources = tuple(file_hash(file) for file in SOURCES)
+    return _to_mathml(tex, display, language == SPOKEN, macros, sources)
 
 
 @cached
-def _to_mathml(tex: str, display: bool, macros: Macros, _temml: object) -> str:
+def _to_mathml(tex: str, display: bool, spoken: bool, macros: Macros, _sources: object) -> str:
     if not tex.strip():
         raise UnsupportedTexError(EMPTY)
     for name, legal in INSTEAD.items():
@@ -40,7 +45,7 @@ def _to_mathml(tex: str, display: bool, macros: Macros, _temml: object) -> str:
             raise UnsupportedTexError(rf"\{name} in {quoted(tex)}; legal: {legal}")
     bodies = {f"\\{name}": _for_temml(body) for name, body in macros.items()}
     try:
-        mathml = set_tex(_for_temml(tex), display=display, macros=bodies)
+        mathml = set_tex(_for_temml(tex), display=display, spoken=spoken, macros=bodies)
     except TexError as error:
         raise UnsupportedTexError(_in_words(str(error), tex)) from error
     if not re.search(r">[^<\s]", mathml):

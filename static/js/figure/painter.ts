@@ -121,11 +121,10 @@ export function takeStills(figure: HTMLElement) {
 function putInPlace(view: HTMLElement, canvas: HTMLCanvasElement) {
   canvas.classList.add("live");
   const title = view.closest(".panel")?.querySelector(".panel-title");
-  if (title) {
-    canvas.role = "img";
-    canvas.setAttribute("aria-labelledby", title.id);
-  }
-  const still = view.querySelector("img.still");
+  const still = maybe(view, "img.still", HTMLImageElement);
+  canvas.role = "img";
+  if (title) canvas.setAttribute("aria-labelledby", title.id);
+  else canvas.setAttribute("aria-label", still?.alt ?? "");
   if (still) still.replaceWith(canvas);
   else view.prepend(canvas);
 }

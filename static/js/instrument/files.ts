@@ -17,7 +17,7 @@ export async function makeFile(
   instrument: Instrument | null,
 ) {
   const say = (text: string) => {
-    const line = button.parentElement && maybe(button.parentElement, "[role=status]", HTMLElement);
+    const line = button.parentElement && maybe(button.parentElement, "[aria-live]", HTMLElement);
     if (line) line.textContent = text;
   };
   try {

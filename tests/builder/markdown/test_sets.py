@@ -65,7 +65,7 @@ def test_words_that_set_may_hold_emphasis_and_formulae(
     body = f"Set *now {{set}}`**the** $k_1$ so <k1=0>` at* once.\n\n{FIGURE}"
     page = rendered(make_book(body))["first/index.html"].decode()
     assert "<p>Set <em>now <a " in page
-    assert "<strong>the</strong> <math>" in page
+    assert '<strong>the</strong> <math aria-label="k sub 1" alttext="k sub 1">' in page
     assert "</math> so</a> at</em> once.</p>" in page
 
 
