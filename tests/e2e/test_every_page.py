@@ -72,6 +72,11 @@ PRESSED_ON_PAPER = """() => [...document.querySelectorAll("button, select, [type
   .filter((one) => one.checkVisibility()).map((one) => one.outerHTML.slice(0, 80))"""
 SHUT_ON_PAPER = """() => [...document.querySelectorAll(":is(.extremes, .ladder-table) tbody tr")]
   .filter((one) => !one.checkVisibility()).map((one) => one.textContent.slice(0, 40))"""
+UNSAID = """() => [...document.querySelectorAll(
+    "canvas.live, :is(a, label, legend, summary, button, h1, h2, h3, .figure-caption) math")]
+  .filter((thing) => !(thing.ariaLabel ?? thing.getAttribute("aria-labelledby")))
+  .map((thing) => thing.parentElement.textContent.slice(0, 60))"""
+"""Pictures, and formulae in names; axe asks it of what else has a name."""
 OUTSIDE = """() => {
   const outside = [];
   for (const figure of document.querySelectorAll("simulation-figure")) {
@@ -130,7 +135,11 @@ REACH = Look("scrolls, but not by keyboard", OUT_OF_REACH)
 LABELS = Look("a label is too small", SMALL_LABELS, 12.5)
 LONGEST = Look("a value at its longest is cut, or moves what is around it", MOVED)
 AT_A_DESK = {
-    1440: [*fits(1440), REACH, LABELS, Look("a leading picture is small", SMALL_LEADS)],
+    1440: [
+        *(*fits(1440), REACH, LABELS),
+        Look("a leading picture is small", SMALL_LEADS),
+        Look("has no name for a screen reader", UNSAID),
+    ],
     1280: [
         Look("lies under the contents", COVERED),
         Look("shows more than three controls or readouts at first", CROWDED),
