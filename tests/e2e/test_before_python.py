@@ -11,6 +11,13 @@ from support.reader import Reader, chapter_of
 pytestmark = pytest.mark.browser
 
 SCENE, CONTROL = "lens-distortion", "k1"
+MOVED = f"""document.addEventListener('readystatechange', () => {{
+  const figure = document.getElementById('figure-{SCENE}');
+  if (figure && document.readyState === 'interactive') {{
+    figure.querySelector('input[name={CONTROL}]').value = '0.3';
+  }}
+}})"""
+"""In every page: moves the slider before the first script of the book runs."""
 MOVE = """(figure, [name, value]) => {
   const slider = figure.querySelector(`input[name="${name}"]`);
   slider.value = value;
@@ -46,3 +53,16 @@ def test_the_nearest_frame_is_shown_until_the_live_one_takes_its_place(
     assert reader.shown(figure) != early, "not the frame of just this value"
     assert figure.locator(".early-mark").count() == 0
     assert reader.bring(figure) == box
+
+
+def test_a_slider_that_was_moved_before_any_script_ran_is_followed(
+    reader: Reader, book: Any
+) -> None:
+    page = reader.page
+    page.context.route("**/runtime.json", lambda _: None)
+    page.add_init_script(MOVED)
+    reader.open(chapter_of(book, SCENE), live=False)
+    figure = reader.figure(SCENE)
+    figure.scroll_into_view_if_needed()
+    figure.locator(".early-mark").wait_for()
+    assert figure.get_attribute("data-early") == "0.3"

@@ -67,18 +67,19 @@ def refine(
     poses: Poses,
     free: tuple[str, ...],
     most_steps: int = MOST_STEPS,
+    draft: bool = False,
 ) -> Adjusted:
     """The minimum near a starting value, over the parameters ``free`` and all poses.
 
-    With nothing free, only the poses are fitted. Raises `UndeterminedError` if the sum has no
-    minimum within ``most_steps``.
+    With nothing free, only the poses are fitted. A draft is where ``most_steps`` lead to. Raises
+    `UndeterminedError` if they lead to no minimum, unless it is a draft.
     """
     try:
         steps = list(islice(descend(views, camera, poses, free), most_steps))
     except np.linalg.LinAlgError:
         raise UndeterminedError(TILT) from None
     last = steps[-1]
-    if not last.settled and steps[-2].cost - last.cost > CREEPING * last.cost:
+    if not draft and not last.settled and steps[-2].cost - last.cost > CREEPING * last.cost:
         raise UndeterminedError(TILT)
     return last
 

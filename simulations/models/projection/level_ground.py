@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_array, as_vectors
+from simulations.models.geometry.cross_products import cross
 from simulations.models.projection.pinhole import camera_matrix, look_at, rigid_pose
 from simulations.models.require import require, require_positive
 
@@ -75,7 +76,7 @@ def height_by_horizon(
     vanishing = as_array("vertical", vertical, 3)
     b, t = (_homogeneous(name, points) for name, points in (("foot", foot), ("top", top)))
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        upwards, rest = np.cross(b, t), np.cross(vanishing, t)
+        upwards, rest = cross(b, t), cross(vanishing, t)
         below = (b @ line) * (rest * rest).sum(axis=-1)
         ratio = (vanishing @ line) * (upwards * rest).sum(axis=-1) / below
     valid = np.isfinite(ratio)

@@ -29,8 +29,9 @@ from simulations.scenes.calibration.settings import LEAST
 type Codes = NDArray[np.uint8]
 
 DRAFT = "quick"
-"""The draft while the choice of the photograph is dragged: small, and without finding corners."""
-DRAFT_SCALE = 0.5
+"""The draft while the count of photographs or the choice of one is dragged: a small photograph,
+no search for corners, and fits of few steps."""
+DRAFT_SCALE = 0.375
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,13 +99,13 @@ def _every(given: Boards) -> Trials:
         return Trials(given.views, problem=str(problem))
 
 
-def _trials(every: Trials, photographs: int) -> Trials:
+def _trials(every: Trials, photographs: int, tier: str) -> Trials:
     """From the first ones; the search starts from the result for all of them."""
     views = every.views.take(slice(photographs))
     if every.problem or len(views) == len(every.views):
         return every
     try:
-        return Trials(views, compare_first(every.found, views))
+        return Trials(views, compare_first(every.found, views, tier == DRAFT))
     except UndeterminedError as problem:
         return Trials(views, problem=str(problem))
 

@@ -11,7 +11,7 @@ from simulations.scenes.photon_transfer import drawing
 from simulations.scenes.photon_transfer.reading import read
 from simulations.scenes.photon_transfer.results import EXPORTS, readouts, sheet, with_error
 from simulations.scenes.photon_transfer.settings import Settings
-from simulations.scenes.photon_transfer.stages import STAGES, Frames
+from simulations.scenes.photon_transfer.stages import DRAFT, STAGES, Frames
 
 SMALL = 0.1
 """Megapixels of the photograph that is looked at: it only chooses the pair."""
@@ -88,6 +88,7 @@ SCENE = Scene(
     ),
     photograph=Whole(SMALL, mosaic=True),
     read=read,
+    own_drafts={DRAFT: ("pairs",)},
     exports=EXPORTS,
     sheet=sheet,
 )

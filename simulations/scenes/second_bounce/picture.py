@@ -28,6 +28,8 @@ those between which it is interpolated."""
 class View:
     """What the picture shows of floor and wall, and what these see of the ball."""
 
+    fine: float
+    """Pixels per unit of the view box."""
     pixels: NDArray[np.intp]
     """(N,) indices of the pixels that show the planes."""
     cover: Floats
@@ -61,13 +63,13 @@ class BallView:
 
 
 @cache
-def ball_view() -> BallView:
-    """Found once."""
-    ways = room.rays().reshape(-1, 3)
+def ball_view(fine: float) -> BallView:
+    """Found once for each count of pixels per unit."""
+    ways = room.rays(fine).reshape(-1, 3)
     middle = room.CENTRE - room.EYE
     along = ways @ middle
     off = np.sqrt(np.maximum(middle @ middle - along * along, 0.0))
-    cover = np.clip((room.RADIUS - off) * room.FOCAL * room.FINE / along + 0.5, 0.0, 1.0)
+    cover = np.clip((room.RADIUS - off) * room.FOCAL * fine / along + 0.5, 0.0, 1.0)
     pixels = np.flatnonzero(cover)
     inside = np.sqrt(np.maximum(room.RADIUS**2 - off[pixels] ** 2, 0.0))
     normals = ways[pixels] * (along[pixels] - inside)[:, None] - middle
@@ -75,11 +77,12 @@ def ball_view() -> BallView:
     return BallView(pixels, cover[pixels, None], normals, ball.basis(normals))
 
 
-def view_of(opening: float) -> View:
-    """The planes at an angle, in degrees, to each other."""
+def view_of(opening: float, tier: str) -> View:
+    """The planes at an angle, in degrees, to each other; in a draft by a quarter of the pixels."""
+    fine = room.DRAFT_FINE if tier == room.DRAFT else room.FINE
     angle = math.radians(opening)
     along, off = room.wall_axes(angle)
-    ways = room.rays()
+    ways = room.rays(fine)
     shown = room.struck(np.broadcast_to(room.EYE, ways.shape), ways, angle)
     floor = shown.floor
     from_edge = np.where(floor, shown.places[..., 0], shown.places @ along)
@@ -101,10 +104,11 @@ def view_of(opening: float) -> View:
     index = (nearer + np.where(floor, 0, room.PARTS + 1)).ravel()[pixels]
     starts = np.broadcast_to(grid[:, None], (len(grid), 16, 3))
     return View(
+        fine=fine,
         pixels=pixels,
         cover=cover.ravel()[pixels],
         shown=Surface(index, on_floor, places),
-        across=np.maximum(0.5 - _from_edge()[pixels, None], 0.0),
+        across=np.maximum(0.5 - _from_edge(fine)[pixels, None], 0.0),
         share=share[:, None],
         cell=cell,
         weights=ball.seen_side(grid),
@@ -133,14 +137,14 @@ def _spread() -> Floats:
 
 
 @cache
-def _from_edge() -> Floats:
+def _from_edge(fine: float) -> Floats:
     """(H · W,) distance of the pixels from the picture of the edge, in pixels."""
-    high, wide = room.rays().shape[:2]
+    high, wide = room.rays(fine).shape[:2]
     near, far = (np.array(room.project((0.0, 0.0, z))) for z in (room.FRONT, room.BACK))
-    x, y = (np.arange(wide) + 0.5) / room.FINE, (np.arange(high)[:, None] + 0.5) / room.FINE
+    x, y = (np.arange(wide) + 0.5) / fine, (np.arange(high)[:, None] + 0.5) / fine
     along = (far - near) / np.linalg.norm(far - near)
     off = (x - near[0]) * along[1] - (y - near[1]) * along[0]
-    return np.asarray(room.FINE * np.abs(off), np.float32).ravel()
+    return np.asarray(fine * np.abs(off), np.float32).ravel()
 
 
 def _within(inside: Floats) -> Floats:
@@ -163,8 +167,8 @@ def _grid(along: Floats) -> Floats:
 def paint(view: View, planes: Floats, on_ball: Floats) -> Raster:
     """Bytes (H, W, 4) from the brightness in red and blue of the planes' pixels (N, 2) and of
     the ball's (M, 2)."""
-    of_ball = ball_view()
-    picture = np.zeros((*room.rays().shape[:2], 4), np.uint8)
+    of_ball = ball_view(view.fine)
+    picture = np.zeros((*room.rays(view.fine).shape[:2], 4), np.uint8)
     flat = picture.reshape(-1, 4)
     flat[view.pixels] = _coded(planes, view.cover)
     behind = np.zeros((len(flat), 2), np.float32)

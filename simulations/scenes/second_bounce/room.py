@@ -15,7 +15,9 @@ from simulations.engine.drawing import Point
 from simulations.models.arrays import Floats, Mask
 
 WIDTH, HEIGHT = 400, 320
-FINE = 1.4
+DRAFT = "coarse"
+"""The draft while lamp, opening or albedo is dragged."""
+FINE, DRAFT_FINE = 1.4, 0.7
 """Raster pixels per unit of the view box."""
 RADIUS = 0.17
 CENTRE: Floats = np.array([0.5, RADIUS, -0.15], np.float32)
@@ -86,11 +88,11 @@ def nearest_angle(point: Point) -> float:
 
 
 @cache
-def rays() -> Floats:
-    """(H, W, 3) unit vectors from the camera through the pixels."""
-    high, wide = round(HEIGHT * FINE), round(WIDTH * FINE)
-    across = (np.arange(wide) + 0.5) / FINE - WIDTH / 2
-    up = HEIGHT / 2 - (np.arange(high) + 0.5) / FINE
+def rays(fine: float) -> Floats:
+    """(H, W, 3) unit vectors from the camera through the pixels, ``fine`` to a unit."""
+    high, wide = round(HEIGHT * fine), round(WIDTH * fine)
+    across = (np.arange(wide) + 0.5) / fine - WIDTH / 2
+    up = HEIGHT / 2 - (np.arange(high) + 0.5) / fine
     right_axis, up_axis, forward = _axes()
     found = FOCAL * forward + across[:, None] * right_axis + up[:, None, None] * up_axis
     return np.asarray(found / np.linalg.norm(found, axis=-1, keepdims=True), np.float32)

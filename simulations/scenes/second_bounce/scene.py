@@ -13,6 +13,7 @@ from simulations.scenes.second_bounce import section
 from simulations.scenes.second_bounce.handles import HANDLES
 from simulations.scenes.second_bounce.picture import marks
 from simulations.scenes.second_bounce.profile import profile
+from simulations.scenes.second_bounce.room import DRAFT
 from simulations.scenes.second_bounce.settings import BOUNCES, Settings
 from simulations.scenes.second_bounce.shown import Shown, shown_at
 from simulations.scenes.second_bounce.stages import STAGES
@@ -75,7 +76,6 @@ def describe(settings: Settings, shown: Shown) -> str:
     )
 
 
-# The picture takes a dozen milliseconds, and thirty for a new opening: no tiers.
 SCENE = Scene(
     id="second-bounce",
     title="A Shadow and a Second Bounce",
@@ -84,4 +84,5 @@ SCENE = Scene(
     formula=bounced,
     stages=STAGES,
     handles=HANDLES,
+    own_drafts={DRAFT: ("opening", "light_angle", "albedo")},
 )

@@ -175,7 +175,7 @@ def _picture(
     other = np.where(view.shown.floor[mixed], room.PARTS + 1, 0)
     beyond_edge = lit.shown[other] - dark[mixed] * lit.lamp[other]
     planes[mixed] += view.across[mixed] * (beyond_edge - planes[mixed])
-    of_ball = ball_view()
+    of_ball = ball_view(view.fine)
     by_lamp = ball.lamp_on(of_ball.normals, light, angle)[:, None]
     by_planes = np.maximum(of_ball.basis @ lit.ball_bounced, 0.0)
     return paint(view, np.maximum(planes, 0.0), albedo * (by_lamp + by_planes))

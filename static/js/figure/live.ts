@@ -47,6 +47,8 @@ export class LiveFigure {
   #near = false;
   /** What the last frame was requested for. */
   #asked = "";
+  /** Of an initial frame that was taken for the live one, and is not computed yet. */
+  #uncached: Job | null = null;
 
   /** What the stages of the shown frame did. */
   stages: Stage[] = [];
@@ -142,6 +144,7 @@ export class LiveFigure {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
         if (this.#near) this.prerendered.near();
+        this.#cache();
         const isNew = !this.#asked && this.figure.dataset.state !== "failed";
         if (isNew) this.#ask(performance.now(), "", URGENCY.far);
       },
@@ -263,7 +266,7 @@ export class LiveFigure {
 
   /**
    * Take the page's initial frame for the live one where it is that, as soon as the worker could
-   * draw others; then compute it at leisure, so that its stages are cached.
+   * draw others; compute it once the figure is near, so that its stages are cached.
    */
   async #adopt(job: Job) {
     const runtime = sharedRuntime();
@@ -278,12 +281,22 @@ export class LiveFigure {
       takeStills(this.figure);
       clearFailure(this.figure);
       this.#painted(job, 0);
-      this.#cache(job).catch(() => {}); // reported when the figure is touched
+      this.#uncached = job;
+      this.#cache();
     }
     return true;
   }
 
-  async #cache(job: Job) {
+  /** Of a figure that is near: on a slow device others would keep the hand waiting for seconds. */
+  #cache() {
+    const job = this.#near ? this.#uncached : null;
+    if (!job) return;
+    this.#uncached = null;
+    this.#compute(job).catch(() => {}); // reported when the figure is touched
+  }
+
+  async #compute(job: Job) {
+    if (this.figure.dataset.frames !== "1" || !this.rests) return;
     const request = this.#request(job.values, job.tier);
     const { meta, computeMs } = await this.runtime.call("render", request, () => URGENCY.idle);
     if (this.figure.dataset.frames !== "1" || !this.rests) return;

@@ -1,7 +1,7 @@
 /**
  * What a figure shows until Python has started: of frames drawn when the book was built, along its
  * main control, the one nearest to where the control stands. They are fetched when the reader points
- * at the figure; on a slow link as soon as it is near.
+ * at the figure; on a slow link or device as soon as it is near.
  */
 
 import { maybe, one } from "../page/dom.ts";
@@ -19,6 +19,10 @@ type Frames = { control: string; frames: Frame[] };
 
 const HINTS = ["pointerenter", "focusin", "touchstart"];
 const SLOW = ["slow-2g", "2g", "3g"];
+/** Milliseconds from a click to this script, from which a device is slow. */
+const LATE = 1500;
+
+const begun = performance.now();
 
 export class Prerendered {
   #frames: Promise<Frames | null> | null = null;
@@ -46,9 +50,12 @@ export class Prerendered {
     form.addEventListener("change", () => this.#follow(), { signal });
   }
 
-  /** The figure is near the window. */
+  /** The figure is near the window; its controls may have been moved before any script ran. */
   near() {
-    if (this.figure.dataset.prerendered && isSlow()) this.#fetch();
+    if (!this.figure.dataset.prerendered || this.#listeners.signal.aborted) return;
+    const [values, initial] = [readValues(this.form, this.schema.controls), this.schema.values];
+    if (Object.keys(initial).some((name) => values[name] !== initial[name])) this.#follow();
+    else if (isSlow()) this.#fetch();
   }
 
   /** A live frame is there, or the figure has left the page. */
@@ -118,8 +125,8 @@ function nearest(frames: Frame[], value: Value): Frame | undefined {
   return frames.toSorted((first, second) => distance(first) - distance(second))[0];
 }
 
-/** Whether the browser says that the link is slow; some say nothing of it. */
+/** Whether the link or the device is slow; some browsers say nothing of the link. */
 function isSlow() {
   const { connection } = navigator as { connection?: any };
-  return !connection?.saveData && SLOW.includes(connection?.effectiveType);
+  return !connection?.saveData && (begun > LATE || SLOW.includes(connection?.effectiveType));
 }

@@ -55,6 +55,17 @@ def test_the_first_photographs_are_judged_alike_from_either_start() -> None:
         assert one.aic == pytest.approx(other.aic)
 
 
+@pytest.mark.parametrize("count", [3, 6, 9])
+def test_a_draft_of_few_steps_has_the_same_models_and_supports_the_same(count: int) -> None:
+    views = photographs(10, seed=2).views(0.1)
+    first, every = views.take(slice(count)), compare(views, SIZE)
+    whole, draft = compare_first(every, first), compare_first(every, first, draft=True)
+    assert [trial.lens for trial in draft] == [trial.lens for trial in whole]
+    assert supported(draft).lens == supported(whole).lens
+    for one, other in zip(draft, whole, strict=True):
+        assert abs(one.fit.camera.fx - other.fit.camera.fx) < other.uncertainty.errors["fx"]
+
+
 def test_akaike_charges_two_for_each_parameter() -> None:
     assert akaike(100, 25.0, 7) - akaike(100, 25.0, 5) == pytest.approx(4.0)
     assert akaike(100, 50.0, 5) - akaike(100, 25.0, 5) == pytest.approx(100 * np.log(2))
