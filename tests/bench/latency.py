@@ -73,7 +73,9 @@ def line(found: Latency) -> str:
     )
 
 
-def measure(page: Page, address: str, book: Any, wanted: Sequence[str]) -> Iterator[Latency]:
+def measure(
+    page: Page, address: str, book: Any, wanted: Sequence[str], rounds: int = ROUNDS
+) -> Iterator[Latency]:
     """Each scene in the first chapter that shows it."""
     controls = {each["id"]: each["controls"] for each in book["simulations"]}
     waiting = set(wanted)
@@ -89,7 +91,7 @@ def measure(page: Page, address: str, book: Any, wanted: Sequence[str]) -> Itera
             page.wait_for_timeout(READ_MS)
             for control in controls[scene]:
                 if control["kind"] == "slider":
-                    hand = {"name": control["name"], "moves": MOVES, "rounds": ROUNDS}
+                    hand = {"name": control["name"], "moves": MOVES, "rounds": rounds}
                     yield row(scene, control["name"], **page.evaluate(DRAG, [drag, figure, hand]))
 
 

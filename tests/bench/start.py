@@ -46,7 +46,7 @@ KEPT = "navigator.serviceWorker.controller !== null"
 
 type Run = dict[str, float]
 """Milliseconds by what was measured."""
-type Start = Callable[[], AbstractContextManager[BrowserContext]]
+type Start = Callable[..., AbstractContextManager[BrowserContext]]
 
 NOTE = """(() => {
   const Plain = globalThis.Worker;
@@ -182,11 +182,14 @@ def opened(browser: BrowserContext, address: str) -> float:
 
 
 @contextmanager
-def profile(chromium: BrowserType, executable: str) -> Iterator[BrowserContext]:
+def profile(
+    chromium: BrowserType, executable: str, *arguments: str, **device: Any
+) -> Iterator[BrowserContext]:
     """A browser that has seen nothing yet, and keeps what it sees as a reader's does."""
+    given = [*launch_arguments(), *arguments]
     with tempfile.TemporaryDirectory() as folder:
         context = chromium.launch_persistent_context(
-            folder, executable_path=executable, args=launch_arguments(), viewport=DESK
+            folder, executable_path=executable, args=given, **{"viewport": DESK, **device}
         )
         try:
             context.set_default_timeout(LONGEST_MS)

@@ -7,7 +7,7 @@
  */
 
 /** Longest wait for a frame, in milliseconds. */
-const PATIENCE = 5000;
+const PATIENCE = 20_000;
 /** From a hand's first move to its hold on a slider: nothing new is computed ahead meanwhile. */
 const APPROACH = 400;
 

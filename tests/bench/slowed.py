@@ -1,0 +1,49 @@
+"""Run a program at a fraction of its speed: ``python slowed.py TIMES PROGRAM ARGUMENTS...``.
+
+All its threads are stopped again and again, so that what the busiest one does takes ``TIMES`` as
+long; time in which it waits for a processor counts, so that other work on the machine matters
+little. Chromium's own throttle (``Emulation.setCPUThrottlingRate``) slows a page and refuses its
+workers. Needs Linux.
+"""
+
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+
+RUN_S = 0.002
+"""How long it runs at a time."""
+
+
+def main() -> None:
+    times, program = float(sys.argv[1]), sys.argv[2:]
+    slowed = os.getpid()
+    if os.fork():
+        os.execv(program[0], program)
+    os.closerange(0, 1024)  # its pipes, which are to close when it ends
+    last = run_s(slowed)
+    while os.getppid() == slowed:
+        begun = time.perf_counter()
+        os.kill(slowed, signal.SIGCONT)
+        time.sleep(RUN_S)
+        os.kill(slowed, signal.SIGSTOP)
+        now = run_s(slowed)
+        ran = max((now[thread] - last.get(thread, 0.0) for thread in now), default=0.0)
+        last = now
+        time.sleep(max(begun + times * ran - time.perf_counter(), 0.0))
+
+
+def run_s(process: int) -> dict[str, float]:
+    """How long each of its threads has run."""
+    found = {}
+    for task in Path(f"/proc/{process}/task").glob("*/schedstat"):
+        try:
+            found[task.parent.name] = int(task.read_text().split()[0]) / 1e9
+        except OSError:
+            continue  # it has ended
+    return found
+
+
+if __name__ == "__main__":
+    main()
