@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
-from support.page_scripts import SHOWN
+from support.page_scripts import TRY_CONTROLS
 from support.reader import Reader
 from support.reading_order import SAMPLED
 
@@ -76,56 +76,6 @@ def test_every_control_can_be_reached_and_draws_another_frame(scene: Any, figure
         assert control["focused"], f"{control['name']} cannot be focused"
         assert control["frames"] > 0, f"{control['name']} asks for no frame"
         assert control["changed"] or number >= len(firsts), f"{control['name']} changes nothing"
-
-
-TRY_CONTROLS = f"""async (figure, controls) => {{
-  const shown = {SHOWN};
-  const frame = () => new Promise(requestAnimationFrame);
-  const rest = async () => {{ do await frame(); while (!figure.rests); }};
-  const count = () => Number(figure.dataset.frames);
-  const put = {{
-    slider(input, attempt) {{
-      const share = [0.2, 0.8, 0.4, 0.6][attempt];
-      const [min, max] = [Number(input.min), Number(input.max)];
-      input.value = min + share * (max - min);
-    }},
-    choice(menu) {{ menu.selectedIndex = (menu.selectedIndex + 1) % menu.options.length; }},
-    toggle(box) {{ box.checked = !box.checked; }},
-  }};
-  const told = [];
-  for (const control of controls) {{
-    const element = figure.querySelector(`.controls [name="${{control.name}}"]`);
-    for (let fold = element; (fold = fold.parentElement.closest('details')); ) fold.open = true;
-    element.scrollIntoView({{block: 'center', behavior: 'instant'}});
-    const {{x, y, width, height}} = element.getBoundingClientRect();
-    const top = document.elementFromPoint(x + width / 2, y + height / 2);
-    element.focus({{preventScroll: true}});
-    const focused = document.activeElement === element && !element.disabled;
-    const [before, frames] = [JSON.stringify(await shown(figure)), count()];
-    let changed = false;
-    for (let attempt = 0; attempt < 4 && !changed; attempt += 1) {{
-      if (control.kind === 'action') {{
-        element.click();
-        if (control.effect === 'play') {{
-          for (let waited = 0; count() === frames && waited < 300; waited += 1) await frame();
-          if (element.dataset.state === '1') element.click();
-        }}
-      }} else {{
-        put[control.kind](element, attempt);
-        for (const told of ['input', 'change']) {{
-          element.dispatchEvent(new Event(told, {{bubbles: true}}));
-        }}
-      }}
-      await rest();
-      changed = JSON.stringify(await shown(figure)) !== before;
-    }}
-    told.push({{
-      name: control.name, hit: element.contains(top), cover: top?.outerHTML.slice(0, 99), focused,
-      frames: count() - frames, changed,
-    }});
-  }}
-  return told;
-}}"""
 
 
 @pytest.fixture(params=KINDS, ids=" ".join, scope="module")

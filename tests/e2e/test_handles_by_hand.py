@@ -3,7 +3,8 @@
 from typing import Any
 
 import pytest
-from support.hands import drag, middle
+from support.hands import PULLS, drag, middle
+from support.page_scripts import GRASP
 from support.reader import Reader
 from support.reading_order import SAMPLED
 
@@ -11,9 +12,6 @@ from simulations.registry import load_scene
 
 pytestmark = pytest.mark.browser
 
-PULLS = ((41.0, 32.0), (-34.0, 26.0), (40.0, -60.0), (120.0, 0.0))
-"""CSS pixels by which a handle is pulled until something moves: it may be at an end, or its next
-place far."""
 KEYS = ("ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown")
 
 
@@ -46,48 +44,6 @@ def test_every_handle_moves_its_settings_and_goes_along(
                 break
         assert led["values"] != pulled["values"], f"{handle.name} by keyboard"
         assert led["told"] == led["words"], handle.name
-
-
-PULLED = """async () => {
-  const {inside} = await customElements.whenDefined('simulation-figure');
-  const runtime = inside.sharedRuntime();
-  for (let pull = 0; pull < 3; pull += 1) await runtime.call('forget', {figure: ''}, () => 3);
-}"""
-"""Wait until all pulls are answered: one that is asked, the one that waits for it, and the last
-word on them; what is as urgent as they are is asked in its turn."""
-
-GRASP = """async (grip) => {
-  const figure = grip.closest('simulation-figure');
-  await (PULLED)();
-  while (!figure.rests) await new Promise(requestAnimationFrame);
-  grip.scrollIntoView({block: 'center', behavior: 'instant'});
-  const {x, y, width, height} = grip.getBoundingClientRect();
-  const driven = grip.dataset.drives.split(' ').map((name) => {
-    const control = figure.querySelector(`.control [name="${name}"]`);
-    const box = control.closest('.control');
-    if (box.matches('.points')) {
-      const share = (axis) => Math.round(parseFloat(grip.style.getPropertyValue(axis)));
-      const words = `${box.ariaLabel} x ${share('--x')}, y ${share('--y')}`;
-      return {value: control.value, words};
-    }
-    const said = control.selectedOptions
-      ? control.selectedOptions[0].text.trim()
-      : box.querySelector('.control-value').textContent;
-    const label = box.querySelector('label').textContent.trim();
-    return {value: control.value, words: `${label} ${said}`};
-  });
-  return {
-    shown: grip.checkVisibility() && width > 0,
-    x: x + width / 2,
-    y: y + height / 2,
-    values: driven.map(({value}) => value).join(' '),
-    words: driven.map(({words}) => words).join(', '),
-    told: grip.getAttribute('aria-valuetext'),
-    frames: Number(figure.dataset.frames),
-  };
-}""".replace("PULLED", PULLED)
-"""A handle once nothing moves it, in the middle of the window; what the page's controls say of what
-it drives."""
 
 
 def test_a_handle_stays_under_the_pointer_and_ends_at_the_last_of_many_moves(

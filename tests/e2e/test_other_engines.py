@@ -13,13 +13,14 @@ pytestmark = pytest.mark.browser
 
 SCENE = "lens-distortion"
 CHAPTER = "lens-distortion/"
-HANDLE = f"#figure-{SCENE} [data-handle=point]"
-SLIDER = f"#figure-{SCENE} input[name=k1]"
+FIGURE = f"#figure-{SCENE}"
+HANDLE, SLIDER = f"{FIGURE} [data-handle=point]", f"{FIGURE} input[name=k1]"
+PART, LINE = f"{FIGURE} .workshop-part", f"{FIGURE} .cm-line"
 QUESTION, PREDICTION = "#quiz-outward-bow", "#predict-corner-of-a-barrel"
 
 
 @pytest.mark.parametrize("name", ENGINES)
-def test_a_reader_plays_answers_searches_turns_the_page_comes_back_and_goes_offline(
+def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goes_offline(
     name: str, built_site: Path, tmp_path: Path
 ) -> None:
     opened = ENGINES[name](tmp_path)
@@ -29,6 +30,7 @@ def test_a_reader_plays_answers_searches_turns_the_page_comes_back_and_goes_offl
         engine.open(host.url + CHAPTER)
         wait_for(engine, f"() => {LIVE}")
         moves_a_figure(engine)
+        edits_its_python(engine)
         answers(engine)
         searches(engine)
         turns_the_page(engine)
@@ -51,6 +53,18 @@ def moves_a_figure(engine: Engine) -> None:
     engine.ask("(handle) => document.querySelector(handle).focus()", HANDLE)
     press(engine, ARROW_LEFT)
     wait_for(engine, MOVED, SCENE, start)
+
+
+def edits_its_python(engine: Engine) -> None:
+    """And has it run, in an interpreter of its own."""
+    click(engine, middle(engine, f"{FIGURE} .open-python"))
+    wait_for(engine, "(part) => Boolean(document.querySelector(part))", PART)
+    click(engine, middle(engine, PART))
+    wait_for(engine, "(line) => document.querySelector(line)?.innerText.startsWith('def')", LINE)
+    click(engine, middle(engine, LINE))
+    press(engine, HOME, *"print(6*7)", ENTER)
+    click(engine, middle(engine, f"{FIGURE} .workshop .run"))
+    wait_for(engine, PRINTED, f"{FIGURE} .workshop-printed", "42")
 
 
 def answers(engine: Engine) -> None:
@@ -77,13 +91,13 @@ def searches(engine: Engine) -> None:
 def turns_the_page(engine: Engine) -> None:
     click(engine, middle(engine, ".pager a[rel=next]"))
     wait_for(engine, "(left) => !location.pathname.endsWith(left)", CHAPTER)
-    wait_for(engine, f"() => document.activeElement.id === 'main' && {LIVE}")
+    wait_for(engine, f"() => document.activeElement.id === 'main' && {ONE_LIVES}")
 
 
 def comes_back(engine: Engine, host: StaticServer) -> None:
     """What was answered before is there still."""
     engine.open(host.url + CHAPTER)
-    wait_for(engine, f"() => {LIVE}")
+    wait_for(engine, f"() => {ONE_LIVES}")
     wait_for(engine, ANSWERED, PREDICTION, "correct")
 
 
@@ -91,7 +105,7 @@ def goes_offline(engine: Engine, host: StaticServer) -> None:
     wait_for(engine, "() => Boolean(navigator.serviceWorker.controller)")
     host.gone = True
     engine.open(host.url + "perspective-projection/")
-    wait_for(engine, f"() => document.querySelector('simulation-figure') && {LIVE}")
+    wait_for(engine, f"() => {ONE_LIVES}")
 
 
 def middle(engine: Engine, selector: str) -> tuple[float, float]:
@@ -104,8 +118,9 @@ def state(engine: Engine) -> Any:
     return engine.ask(STATE, SCENE)
 
 
-ARROW_LEFT, ESCAPE = "\ue012", "\ue00c"
+ARROW_LEFT, ENTER, ESCAPE, HOME = "\ue012", "\ue007", "\ue00c", "\ue011"
 
+ONE_LIVES = "document.querySelector('simulation-figure[data-state=live]') !== null"
 MIDDLE = """async (selector) => {
   const element = document.querySelector(selector);
   element.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});
@@ -127,4 +142,5 @@ MOVED = f"""(scene, [value, frames]) => {{
   return now !== value && painted > frames
     && document.querySelector(`#figure-${{scene}} simulation-figure`).rests;
 }}"""
+PRINTED = "(place, words) => document.querySelector(place)?.textContent.trim() === words"
 ANSWERED = """(form, verdict) => document.querySelector(form).dataset.answered === verdict"""

@@ -3,6 +3,10 @@
 from playwright.sync_api import Locator
 from support.reader import Reader
 
+PULLS = ((41.0, 32.0), (-34.0, 26.0), (40.0, -60.0), (120.0, 0.0))
+"""CSS pixels by which a handle is pulled until something moves: it may be at an end, or its next
+place far."""
+
 
 def middle(grip: Locator) -> tuple[float, float]:
     place = grip.bounding_box()

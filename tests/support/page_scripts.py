@@ -89,3 +89,94 @@ SHOWN = """async (figure) => ({
   drawings: [...figure.querySelectorAll('svg.overlay')].map((svg) => svg.innerHTML),
   readouts: [...figure.querySelectorAll('output')].map((output) => output.textContent),
 })"""
+
+TRY_CONTROLS = f"""async (figure, controls) => {{
+  const shown = {SHOWN};
+  const frame = () => new Promise(requestAnimationFrame);
+  const rest = async () => {{ do await frame(); while (!figure.rests); }};
+  const count = () => Number(figure.dataset.frames);
+  const put = {{
+    slider(input, attempt) {{
+      const share = [0.2, 0.8, 0.4, 0.6][attempt];
+      const [min, max] = [Number(input.min), Number(input.max)];
+      input.value = min + share * (max - min);
+    }},
+    choice(menu) {{ menu.selectedIndex = (menu.selectedIndex + 1) % menu.options.length; }},
+    toggle(box) {{ box.checked = !box.checked; }},
+  }};
+  const told = [];
+  for (const control of controls) {{
+    const element = figure.querySelector(`.controls [name="${{control.name}}"]`);
+    for (let fold = element; (fold = fold.parentElement.closest('details')); ) fold.open = true;
+    element.scrollIntoView({{block: 'center', behavior: 'instant'}});
+    const {{x, y, width, height}} = element.getBoundingClientRect();
+    const top = document.elementFromPoint(x + width / 2, y + height / 2);
+    element.focus({{preventScroll: true}});
+    const focused = document.activeElement === element && !element.disabled;
+    const [before, frames] = [JSON.stringify(await shown(figure)), count()];
+    let changed = false;
+    for (let attempt = 0; attempt < 4 && !changed; attempt += 1) {{
+      if (control.kind === 'action') {{
+        element.click();
+        if (control.effect === 'play') {{
+          for (let waited = 0; count() === frames && waited < 300; waited += 1) await frame();
+          if (element.dataset.state === '1') element.click();
+        }}
+      }} else {{
+        put[control.kind](element, attempt);
+        for (const told of ['input', 'change']) {{
+          element.dispatchEvent(new Event(told, {{bubbles: true}}));
+        }}
+      }}
+      await rest();
+      changed = JSON.stringify(await shown(figure)) !== before;
+    }}
+    told.push({{
+      name: control.name, hit: element.contains(top), cover: top?.outerHTML.slice(0, 99), focused,
+      frames: count() - frames, changed,
+    }});
+  }}
+  return told;
+}}"""
+"""Moves each control until something else is shown; tells what became of it."""
+
+PULLED = """async () => {
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
+  for (let pull = 0; pull < 3; pull += 1) await runtime.call('forget', {figure: ''}, () => 3);
+}"""
+"""Wait until all pulls are answered: one that is asked, the one that waits for it, and the last
+word on them; what is as urgent as they are is asked in its turn."""
+
+GRASP = """async (grip) => {
+  const figure = grip.closest('simulation-figure');
+  await (PULLED)();
+  while (!figure.rests) await new Promise(requestAnimationFrame);
+  grip.scrollIntoView({block: 'center', behavior: 'instant'});
+  const {x, y, width, height} = grip.getBoundingClientRect();
+  const driven = grip.dataset.drives.split(' ').map((name) => {
+    const control = figure.querySelector(`.control [name="${name}"]`);
+    const box = control.closest('.control');
+    if (box.matches('.points')) {
+      const share = (axis) => Math.round(parseFloat(grip.style.getPropertyValue(axis)));
+      const words = `${box.ariaLabel} x ${share('--x')}, y ${share('--y')}`;
+      return {value: control.value, words};
+    }
+    const said = control.selectedOptions
+      ? control.selectedOptions[0].text.trim()
+      : box.querySelector('.control-value').textContent;
+    const label = box.querySelector('label').textContent.trim();
+    return {value: control.value, words: `${label} ${said}`};
+  });
+  return {
+    shown: grip.checkVisibility() && width > 0,
+    x: x + width / 2,
+    y: y + height / 2,
+    values: driven.map(({value}) => value).join(' '),
+    words: driven.map(({words}) => words).join(', '),
+    told: grip.getAttribute('aria-valuetext'),
+    frames: Number(figure.dataset.frames),
+  };
+}""".replace("PULLED", PULLED)
+"""A handle once nothing moves it, in the middle of the window; what the page's controls say of what
+it drives."""
