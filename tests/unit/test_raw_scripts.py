@@ -11,7 +11,7 @@ from support.scripts import write_scripts
 ROOT = Path(__file__).parents[2]
 PROGRAM = """
 import { isRaw } from "./js/raw/is_raw.js";
-import { isBayer, mosaicOf } from "./js/raw/cells.js";
+import { isBayer, isCutOff, mosaicOf } from "./js/raw/cells.js";
 import { unshare } from "./js/raw/unshared.js";
 import { FunctionOfParts } from "./js/raw/without_eval.js";
 
@@ -44,6 +44,11 @@ const cells = {
 };
 const linear = {width: 2, height: 1, colors: 4, data: Uint16Array.from([3, 1, 4, 0, 6, 3, 5, 0])};
 const mosaic = mosaicOf(about, cells, linear);
+const rows = [[33, 44, 35, 46], [0, 0, 0, 0], [7, 9, 7, 9], [98, 99, 98, 99], [999, 999, 999, 999]];
+const cutOff = rows.map((row) => {
+  const data = Uint16Array.from([...cells.data.slice(0, 11), ...row]);
+  return isCutOff(about, {...cells, data});
+});
 
 const add = new FunctionOfParts(
   ["invoker", "fn", "runDestructors", "fromRetWire", "toClassParamWire", "toArg0Wire"],
@@ -57,7 +62,7 @@ console.log(JSON.stringify({
   isShared: m.buffer instanceof SharedArrayBuffer, pages: m.buffer.byteLength / 65536, raw,
   bayer: [0xb4b4b4b4, 0x94949494, 9, 0, 0x49249249].map((filters) => isBayer({filters})),
   mosaic: {...mosaic, codes: [...mosaic.codes], about: JSON.parse(mosaic.about)},
-  sum: add.call({ten: 10}, "1"),
+  cutOff, sum: add.call({ten: 10}, "1"),
 }));
 """
 FILES = {
@@ -105,6 +110,12 @@ def test_black_is_what_was_subtracted_and_margins_are_cut_off(said: dict[str, An
     assert (mosaic["width"], mosaic["height"]) == (4, 2), "as the sensor lies"
     assert mosaic["codes"] == [11, 22, 12, 24, 33, 44, 35, 47]
     assert mosaic["about"] == {"colours": "BGGR", "black": [7, 21, 32, 41], "white": 99}
+
+
+def test_a_last_row_of_one_code_was_not_in_the_file_unless_it_is_white(
+    said: dict[str, Any],
+) -> None:
+    assert said["cutOff"] == [False, True, True, False, True]
 
 
 def test_functions_of_the_bindings_are_made_without_evaluating_text(said: dict[str, Any]) -> None:

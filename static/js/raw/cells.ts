@@ -41,8 +41,7 @@ function colourOf({ filters }: Metadata, row: number, column: number) {
  */
 export function mosaicOf(about: Metadata, cells: Cells, linear: Developed): Mosaic {
   const { cdesc, color_data } = about;
-  const isOnSide = about.flip >= 5;
-  const [width, height] = isOnSide ? [about.height, about.width] : [about.width, about.height];
+  const [width, height] = asSensorLies(about);
   const codes = visible(cells, width, height);
   const quad = [0, 1, 2, 3].map((k) => [k >> 1, k & 1] as const);
   const colours = quad.map(([row, column]) => colourOf(about, row, column));
@@ -52,6 +51,24 @@ export function mosaicOf(about: Metadata, cells: Cells, linear: Developed): Mosa
   });
   const told = { colours: colours.map((k) => cdesc[k]).join(""), black, white: color_data.maximum };
   return { codes, width, height, about: JSON.stringify(told) };
+}
+
+function asSensorLies({ width, height, flip }: Metadata) {
+  return flip >= 5 ? [height, width] : [width, height];
+}
+
+/**
+ * Whether the last row was not in the file: decoders fill it with one code for each of its two
+ * colours. One near white may be that of light.
+ */
+export function isCutOff(about: Metadata, { data, raw_width, top_margin, left_margin }: Cells) {
+  const [width, height] = asSensorLies(about);
+  const first = (top_margin + height - 1) * raw_width + left_margin;
+  const [even, odd] = data.slice(first, first + 2);
+  const row = data.subarray(first, first + width);
+  if (!row.every((code, at) => code === (at % 2 ? odd : even))) return false;
+  const share = Math.max(even, odd) / about.color_data.maximum;
+  return share < 0.5 || share > 1.5;
 }
 
 /** Without the margins of the sensor. */
@@ -68,7 +85,10 @@ function visible(
   return codes;
 }
 
-/** What was subtracted of one of four colours: the median over quads where anything was left. */
+/**
+ * What was subtracted of one of four colours: the median over quads where anything was left. LibRaw
+ * puts the mean of neighbours in place of the zero of a bad cell.
+ */
 function levelOf(
   linear: Developed,
   colour: number,
@@ -80,7 +100,7 @@ function levelOf(
   for (let quad = 0; quad < width * height; quad += step) {
     const left = data[colors * quad + colour];
     const whole = code(Math.floor(quad / width), quad % width);
-    if (left > 0 && whole !== undefined) levels.push(whole - left);
+    if (left > 0 && whole && whole >= left) levels.push(whole - left);
   }
   return levels.sort((one, other) => one - other)[levels.length >> 1] ?? 0;
 }

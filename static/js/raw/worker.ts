@@ -1,7 +1,8 @@
 /** Decodes one raw file. It ends afterwards, so that the browser has its memory back. */
 
-import { LINEAR, isBayer, mosaicOf, pictureOf } from "./cells.ts";
+import { LINEAR, isBayer, isCutOff, mosaicOf, pictureOf } from "./cells.ts";
 import { NoDecoder, loadLibRaw, type Developed, type LibRaw, type Metadata } from "./libraw.ts";
+import { free } from "../runtime/free.ts";
 import type { Mosaic } from "../runtime/messages.ts";
 
 export interface RawRequest {
@@ -62,16 +63,30 @@ self.onmessage = async ({ data }: MessageEvent<RawRequest>) => {
   }
 };
 
-function decode(libraw: LibRaw, file: Uint8Array, { mosaic, megapixels }: RawRequest): Decoded {
-  const about = opened(libraw, file, {});
+function decode(
+  libraw: LibRaw,
+  file: Uint8Array<ArrayBuffer>,
+  { mosaic, megapixels }: RawRequest,
+): Decoded {
+  const about = opened(libraw, file, mosaic ? LINEAR : {});
   const { width, height } = about;
   const pixels = (width * height) / 1e6;
   if (pixels > MOST_MEGAPIXELS) throw new Refused("huge", { width, height, most: MOST_MEGAPIXELS });
   const told = { full: [width, height] as [number, number], facts: factsOf(about) };
-  if (mosaic) return { ...told, ...cellsOf(libraw, file) };
+  if (mosaic) return { ...told, ...cellsOf(libraw, about) };
   const half = pixels > MOST_IN_FULL || pixels / 4 >= megapixels;
   opened(libraw, file, { ...AS_SHOT, halfSize: Number(half) });
-  return { ...told, picture: required(libraw.imageData(), "damaged") };
+  free(file);
+  const picture = required(libraw.imageData(), "damaged");
+  wholeCells(libraw, about);
+  return { ...told, picture };
+}
+
+/** Those that the file has, if any; some have developed colours only. */
+function wholeCells(libraw: LibRaw, about: Metadata) {
+  const cells = libraw.rawImageData();
+  if (cells && isCutOff(about, cells)) throw new Refused("damaged");
+  return cells;
 }
 
 function opened(libraw: LibRaw, file: Uint8Array, settings: object): Metadata {
@@ -83,11 +98,11 @@ function opened(libraw: LibRaw, file: Uint8Array, settings: object): Metadata {
   return libraw.metadata(true);
 }
 
-function cellsOf(libraw: LibRaw, file: Uint8Array) {
-  const about = opened(libraw, file, LINEAR);
+/** Of a file opened for `LINEAR`. */
+function cellsOf(libraw: LibRaw, about: Metadata) {
   if (!isBayer(about)) throw new Refused("no_mosaic");
   const linear = required(libraw.imageData(), "damaged");
-  const cells = required(libraw.rawImageData(), "no_mosaic");
+  const cells = required(wholeCells(libraw, about), "no_mosaic");
   const { data, width, height } = pictureOf(about, linear);
   const picture = { width, height, colors: 4, data: new Uint8Array(data.buffer) };
   return { picture, mosaic: mosaicOf(about, cells, linear) };
