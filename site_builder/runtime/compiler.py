@@ -15,6 +15,7 @@ from collections.abc import Iterable, Mapping
 from importlib import import_module
 from importlib._bootstrap_external import _code_to_hash_pyc  # type: ignore[attr-defined]
 from pathlib import Path
+from types import CodeType
 
 FREEZER = Path("/freezer")
 OUT = FREEZER / "out"
@@ -22,6 +23,8 @@ SITE = Path("/lib/traced")
 ITS_OWN = ("_pyodide", "pyodide")
 """Packages of the interpreter's own: in a browser it imports more of them than here, and their
 docstrings are read."""
+DISPENSABLE = ("ssl", "bz2", "lzma", "compression", "ctypes")
+"""What Python's library imports where it is there, and does without where it is not."""
 EPOCH = (2020, 1, 1, 0, 0, 0)
 
 type Members = Mapping[str, bytes]
@@ -45,8 +48,9 @@ def cut_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:
     """Python's library and numpy, in chunks.
 
     ``python`` and ``numpy``: what the interpreter itself and the modules ``at_once`` import; of
-    Python's library also what the modules ``later`` import. ``numpy-PACKAGE``: each package that
-    is named in ``later`` only. These are compiled. ``python-rest`` and ``numpy-rest``: all else.
+    Python's library also what the modules ``later`` import, but nothing `DISPENSABLE`.
+    ``numpy-PACKAGE``: each package that is named in ``later`` only. These are compiled.
+    ``python-rest`` and ``numpy-rest``: all else.
     """
     python, numpy = read_archive(FREEZER / "python.zip"), read_folder(FREEZER / "numpy")
     install(numpy)
@@ -71,6 +75,8 @@ def cut_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:
 
 def is_needed(member: str, imported: set[str]) -> bool:
     name = module_name(member)
+    if any(name == each or name.startswith(each + ".") for each in DISPENSABLE):
+        return False
     return name in imported or name.split(".")[0] in ITS_OWN
 
 
@@ -134,9 +140,21 @@ def byte_code(name: str, source: bytes) -> bytes:
     if name.rpartition("/")[2].startswith("_add_newdocs"):
         tree.body = [each for each in tree.body if not adds_docs(each)]
     optimize = 0 if name.split("/")[0] in ITS_OWN else 2
-    code = compile(tree, name, "exec", dont_inherit=True, optimize=optimize)
+    code = without_lines(compile(tree, name, "exec", dont_inherit=True, optimize=optimize))
     content: bytes = _code_to_hash_pyc(code, importlib.util.source_hash(source), False)
     return content
+
+
+def without_lines(code: CodeType) -> CodeType:
+    """Every instruction in the first line of its function (CPython,
+    ``InternalDocs/code_objects.md``, "Source code locations"), as the page shows no other."""
+    units = len(code.co_code) // 2
+    lengths = [8] * (units // 8) + [units % 8] * (units % 8 > 0)
+    table = b"".join(bytes([0x80 | 13 << 3 | length - 1, 0]) for length in lengths)
+    consts = tuple(
+        without_lines(each) if isinstance(each, CodeType) else each for each in code.co_consts
+    )
+    return code.replace(co_linetable=table, co_consts=consts)
 
 
 def adds_docs(statement: ast.stmt) -> bool:

@@ -21,6 +21,8 @@ SITE = ROOT / "build" / "site"
 NEEDED = re.compile(r'<link rel="(?:preload" as="font|stylesheet)"[^>]* href="([^"]+)"')
 """What a head names that the first paint waits for, or is fetched before what it does not."""
 KB = 1000
+KEEP = {"/*": {"Cache-Control": "max-age=600"}}
+"""As GitHub Pages says of every file, so that browsers do not fetch one twice."""
 LIVED = "404.html"
 SETTLED_MS = 500
 """After which all is sent that was asked for until then."""
@@ -73,7 +75,7 @@ def measure(browser: Browser, host: Host) -> Iterator[tuple[str, int, int | None
 
 @contextmanager
 def browser_and_host(site: Path = SITE) -> Iterator[tuple[Browser, Host]]:
-    with open_chromium() as browser, hosting(site, packed_copies(site)) as host:
+    with open_chromium() as browser, hosting(site, packed_copies(site), KEEP) as host:
         yield browser, host
 
 

@@ -1,7 +1,7 @@
 /**
  * What the worker loads beside the interpreter: the simulations, Python's library and numpy, in
- * chunks that `runtime.json` lists. What the page's scenes import is fetched while the interpreter
- * starts; anything else when Python asks for it.
+ * chunks that `runtime.json` lists. What the page's first scene imports is fetched while the
+ * interpreter starts, what its others import once that is drawn; anything else when Python asks for it.
  */
 
 import { LoadError, fetchWhole, findLoadError } from "./load_error.ts";
@@ -32,6 +32,8 @@ export class Chunks {
   pyodide: any = null;
   /** Whether the interpreter continued from a snapshot, which has the modules but not their files. */
   hasSnapshot = false;
+  /** What further scenes of the page import: fetched once a figure is drawn. */
+  later: string[] = [];
   /** Why Python's last import of a module failed. */
   missed: LoadError | null = null;
 

@@ -55,7 +55,9 @@ async function start(request: StartRequest, fromSnapshot: boolean) {
   const snapshot = fromSnapshot ? fetchSnapshot(chunks) : null;
   chunks.hasSnapshot = snapshot !== null;
   if (!snapshot) chunks.prefetch(chunks.toRun([]));
-  chunks.prefetch(scenes.flatMap((scene) => chunks.toImport(scene)));
+  const [first, ...others] = scenes.map((scene) => chunks.toImport(scene));
+  chunks.prefetch(first ?? []);
+  chunks.later = others.flat();
   const library = snapshot ? new Response() : await chunks.reply(LIBRARY);
   const [[{ loadPyodide }, { default: createPyodideModule }], machineCode, loaded] = await files;
   answerPyodide({ [url + MACHINE_CODE]: new Response(), [url + LIBRARY]: library }, machineCode);

@@ -49,6 +49,7 @@ def test_what_is_needed_at_once_is_told_from_what_can_wait(frozen: Frozen) -> No
     assert {"numpy.ma", "numpy.f2py"} <= {*frozen.modules["numpy-rest"]}
     assert {"os", "json", "asyncio", "_pyodide._base"} <= {*frozen.modules["python"]}
     assert "turtle" not in frozen.modules["python"]
+    assert {"ssl", "compression.zstd"} <= {*frozen.modules["python-rest"]}
 
 
 def test_nothing_is_lost_but_tests(frozen: Frozen) -> None:
