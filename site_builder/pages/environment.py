@@ -37,6 +37,13 @@ def passage_html(context: Context, passage: Passage) -> Markup:
     return renderer(passage)
 
 
+@pass_context
+def spoken_html(context: Context, passage: Passage) -> Markup:
+    """Of words that name something; paper has formulae without labels."""
+    html = passage_html(context, passage)
+    return html if context.get("paper") else named(html)
+
+
 TEMPLATES = Path(__file__).parents[1] / "templates"
 FOLDERS = (TEMPLATES, QUESTION_KINDS.parent, CONTROL_KINDS.parent)
 """Where templates lie: those of kinds in the folders of these."""
@@ -51,7 +58,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "milliseconds": milliseconds,
     "marked_terms": marked_terms,
     "passage": passage_html,
-    "named": named,
+    "spoken": spoken_html,
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """Functions of templates, for what is computed from the page model."""
