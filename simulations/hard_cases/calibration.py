@@ -4,10 +4,10 @@ import numpy as np
 
 from simulations.engine.hard_cases import HardCase, HardCases, near, refused
 from simulations.models.calibration import bundle_adjustment, standard_errors, zhang
-from simulations.models.calibration.board import Board
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.simulated import Sitting, sitting
 from simulations.models.calibration.views import Views
+from simulations.models.chequerboard.board import Board
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.geometry.rotations import exponential
 

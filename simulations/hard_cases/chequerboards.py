@@ -3,8 +3,8 @@
 import numpy as np
 
 from simulations.engine.hard_cases import HardCase, HardCases, exactly, refused
-from simulations.models.calibration import find_board
-from simulations.models.calibration.board import Board
+from simulations.models.chequerboard import find_board
+from simulations.models.chequerboard.board import Board
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.geometry.rotations import exponential
 from simulations.models.projection.pinhole import intrinsics

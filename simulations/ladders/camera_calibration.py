@@ -9,12 +9,12 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
-from simulations.models.calibration.board import Board
 from simulations.models.calibration.bundle_adjustment import FIRST_DAMPING, MOST_STEPS, descend
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses, predicted
 from simulations.models.calibration.simulated import sitting
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import closed_form, homographies, linear_lens, poses_of
+from simulations.models.chequerboard.board import Board
 from simulations.models.distortion.lens_model import Distortion
 
 SIZE = (640, 480)

@@ -8,11 +8,11 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
-from simulations.models.calibration.board import Board
-from simulations.models.calibration.corner_fit import fit_corners
-from simulations.models.calibration.corner_windows import cone, windows
-from simulations.models.calibration.local_lattice import lattice_of, predict
-from simulations.models.calibration.quadratic_saddle import quadratic_saddle
+from simulations.models.chequerboard.board import Board
+from simulations.models.chequerboard.corner_fit import fit_corners
+from simulations.models.chequerboard.corner_windows import cone, windows
+from simulations.models.chequerboard.local_lattice import lattice_of, predict
+from simulations.models.chequerboard.quadratic_saddle import quadratic_saddle
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.error_measures import root_mean_square
 from simulations.models.geometry.rotations import exponential

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats, as_array
-from simulations.models.calibration.blurred_corner import FAR, blurred_corner, blurred_edge
-from simulations.models.calibration.board import Board
+from simulations.models.chequerboard.blurred_corner import FAR, blurred_corner, blurred_edge
+from simulations.models.chequerboard.board import Board
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort, undistort
 from simulations.models.projection.pinhole import project

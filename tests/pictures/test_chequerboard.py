@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from support.boards import facing_board
 
-from simulations.models.calibration.board import Board
+from simulations.models.chequerboard.board import Board
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.distortion.lens_model import Distortion, undistort
 from simulations.models.geometry.rotations import logarithm

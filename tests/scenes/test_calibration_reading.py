@@ -8,7 +8,7 @@ from support.boards import facing_board
 
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import UnfitError
-from simulations.models.calibration.board import Board
+from simulations.models.chequerboard.board import Board
 from simulations.pictures.chequerboard import Look, photograph_of, true_corners
 from simulations.scenes.calibration.reading import read
 

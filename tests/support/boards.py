@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simulations.models.calibration.board import Board
+from simulations.models.chequerboard.board import Board
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.geometry.rotations import exponential
 from simulations.models.projection.pinhole import intrinsics

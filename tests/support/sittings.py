@@ -1,8 +1,8 @@
 """Simulated photographs of a chequerboard for the tests of calibration."""
 
-from simulations.models.calibration.board import Board
 from simulations.models.calibration.camera import Camera
 from simulations.models.calibration.simulated import Sitting, sitting
+from simulations.models.chequerboard.board import Board
 from simulations.models.distortion.lens_model import Distortion
 
 SIZE = (640, 480)

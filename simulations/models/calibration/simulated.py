@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.calibration.board import Board
 from simulations.models.calibration.camera import Camera, Poses, predicted
 from simulations.models.calibration.views import Views
+from simulations.models.chequerboard.board import Board
 from simulations.models.geometry import rotations
 
 MOST_TILT, MOST_ROLL = 0.75, 0.5

@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.reading import Readings
-from simulations.models.calibration.board import Board
 from simulations.models.calibration.camera import Camera
 from simulations.models.calibration.simulated import Sitting, sitting
 from simulations.models.calibration.views import Views
+from simulations.models.chequerboard.board import Board
 from simulations.models.distortion.lens_model import Distortion
 from simulations.pictures.chequerboard import Look, View, photograph_of
 from simulations.scenes.calibration.settings import MOST

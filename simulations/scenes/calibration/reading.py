@@ -9,8 +9,8 @@ from typing import Any
 
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import UnfitError
-from simulations.models.calibration.board_search import NoBoardError
-from simulations.models.calibration.find_board import find_board
+from simulations.models.chequerboard.board_search import NoBoardError
+from simulations.models.chequerboard.find_board import find_board
 
 DIGITS = 4
 """Decimals of the corners in px."""

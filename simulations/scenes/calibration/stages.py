@@ -10,9 +10,7 @@ from simulations.engine.reading import Readings
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
-from simulations.models.calibration.board_search import NoBoardError
 from simulations.models.calibration.bundle_adjustment import refine, residuals
-from simulations.models.calibration.find_board import find_board
 from simulations.models.calibration.left_out import Growth, growth
 from simulations.models.calibration.model_choice import (
     Trial,
@@ -23,6 +21,8 @@ from simulations.models.calibration.model_choice import (
 from simulations.models.calibration.undistorted import undistorted
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import UndeterminedError, homographies, poses_of
+from simulations.models.chequerboard.board_search import NoBoardError
+from simulations.models.chequerboard.find_board import find_board
 from simulations.scenes.calibration.boards import Boards, boards, rendered
 from simulations.scenes.calibration.settings import LEAST
 

@@ -15,7 +15,7 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
 from simulations.engine.settings import controls_of, slider
 from simulations.engine.stages import Outputs
-from simulations.models.calibration.board import FOOT_MM, Board, board_svg
+from simulations.models.chequerboard.board import FOOT_MM, Board, board_svg
 
 WIDTH, HEIGHT = 400, 300
 PIXELS = 2

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from support.sittings import SIZE, TRUTH, photographs
 
-from simulations.models.calibration.board import Board
 from simulations.models.calibration.bundle_adjustment import calibrate
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.simulated import Sitting
 from simulations.models.calibration.standard_errors import uncertainty
 from simulations.models.calibration.zhang import UndeterminedError, closed_form, linear_lens
+from simulations.models.chequerboard.board import Board
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.geometry import rotations
 

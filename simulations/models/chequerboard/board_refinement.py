@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats, Mask
-from simulations.models.calibration.corner_fit import Fit, fit_corners
-from simulations.models.calibration.corner_windows import Picture, windows
-from simulations.models.calibration.grid_recovery import corners_of, in_squares
-from simulations.models.calibration.local_lattice import Lattice, Prediction, predict
-from simulations.models.calibration.quadratic_saddle import quadratic_saddle
+from simulations.models.chequerboard.corner_fit import Fit, fit_corners
+from simulations.models.chequerboard.corner_windows import Picture, windows
+from simulations.models.chequerboard.grid_recovery import corners_of, in_squares
+from simulations.models.chequerboard.local_lattice import Lattice, Prediction, predict
+from simulations.models.chequerboard.quadratic_saddle import quadratic_saddle
 from simulations.models.quantiles import quantile_of
 
 WINDOW, SMALLEST_WINDOW, LARGEST_WINDOW = 0.45, 2, 10

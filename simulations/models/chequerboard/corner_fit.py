@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats, Mask
-from simulations.models.calibration.blurred_corner import blurred_corner, blurred_edge
-from simulations.models.calibration.corner_windows import Picture, cone, windows
+from simulations.models.chequerboard.blurred_corner import blurred_corner, blurred_edge
+from simulations.models.chequerboard.corner_windows import Picture, cone, windows
 
 STEPS, ENOUGH_PX = 8, 0.002
 """Most steps; they end when no corner moves farther than this."""

@@ -9,8 +9,8 @@ import pytest
 from PIL import Image
 from support.boards import facing_board
 
-from simulations.models.calibration.board import Board
-from simulations.models.calibration.find_board import find_board
+from simulations.models.chequerboard.board import Board
+from simulations.models.chequerboard.find_board import find_board
 from simulations.models.error_measures import root_mean_square
 from simulations.models.geometry.rotations import exponential, logarithm
 from simulations.pictures.chequerboard import Look, View, photograph_of, true_corners

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import multivariate_normal, norm
 
-from simulations.models.calibration.blurred_corner import blurred_corner, blurred_edge
+from simulations.models.chequerboard.blurred_corner import blurred_corner, blurred_edge
 
 
 @pytest.mark.parametrize("correlation", [0.0, 0.3, -0.7, 0.9])

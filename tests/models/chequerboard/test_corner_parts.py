@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from simulations.models.calibration import corner_fit
-from simulations.models.calibration.board import Board
-from simulations.models.calibration.corner_fit import fit_corners
-from simulations.models.calibration.find_board import numbered
-from simulations.models.calibration.flatness import flat_residuals
-from simulations.models.calibration.local_lattice import Lattice, lattice_of, predict
-from simulations.models.calibration.quadratic_saddle import quadratic_saddle
-from simulations.models.calibration.reduction import reduced
-from simulations.models.calibration.saddle_points import find_saddles, sample, smoothed
+from simulations.models.chequerboard import corner_fit
+from simulations.models.chequerboard.board import Board
+from simulations.models.chequerboard.corner_fit import fit_corners
+from simulations.models.chequerboard.find_board import numbered
+from simulations.models.chequerboard.flatness import flat_residuals
+from simulations.models.chequerboard.local_lattice import Lattice, lattice_of, predict
+from simulations.models.chequerboard.quadratic_saddle import quadratic_saddle
+from simulations.models.chequerboard.reduction import reduced
+from simulations.models.chequerboard.saddle_points import find_saddles, sample, smoothed
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.error_measures import root_mean_square
 from simulations.models.geometry.transforms import apply_homography

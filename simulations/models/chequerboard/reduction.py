@@ -3,7 +3,7 @@
 import numpy as np
 
 from simulations.models.arrays import Planes
-from simulations.models.calibration.corner_windows import LUMA, Picture
+from simulations.models.chequerboard.corner_windows import LUMA, Picture
 
 STRIP = 64
 """Rows of the result that are made at once, which bounds the memory for large photographs."""

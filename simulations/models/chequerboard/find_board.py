@@ -16,8 +16,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.calibration.board_refinement import refine_board
-from simulations.models.calibration.board_search import (
+from simulations.models.chequerboard.board_refinement import refine_board
+from simulations.models.chequerboard.board_search import (
     FEW,
     FEWEST,
     NONE,
@@ -25,10 +25,10 @@ from simulations.models.calibration.board_search import (
     full_size,
     search_board,
 )
-from simulations.models.calibration.corner_windows import Picture
-from simulations.models.calibration.flatness import flat_residuals
-from simulations.models.calibration.grid_recovery import corners_of
-from simulations.models.calibration.local_lattice import Lattice, Whole
+from simulations.models.chequerboard.corner_windows import Picture
+from simulations.models.chequerboard.flatness import flat_residuals
+from simulations.models.chequerboard.grid_recovery import corners_of
+from simulations.models.chequerboard.local_lattice import Lattice, Whole
 from simulations.models.error_measures import root_mean_square
 from simulations.models.quantiles import quantile_of
 

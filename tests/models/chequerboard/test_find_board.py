@@ -10,9 +10,9 @@ import skimage.data
 from PIL import Image
 from support.boards import facing_board
 
-from simulations.models.calibration.board import Board
-from simulations.models.calibration.board_search import NoBoardError
-from simulations.models.calibration.find_board import FoundBoard, find_board
+from simulations.models.chequerboard.board import Board
+from simulations.models.chequerboard.board_search import NoBoardError
+from simulations.models.chequerboard.find_board import FoundBoard, find_board
 from simulations.models.error_measures import root_mean_square
 from simulations.pictures.chequerboard import (
     Codes,

@@ -9,7 +9,7 @@ corner, whatever the blur and the response curve are.
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.calibration.corner_windows import Picture, cone, windows
+from simulations.models.chequerboard.corner_windows import Picture, cone, windows
 
 
 def quadratic_saddle(picture: Picture, places: Floats, radius: int, steps: int = 4) -> Floats:

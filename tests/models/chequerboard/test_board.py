@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from simulations.models.calibration.board import Board, board_svg
+from simulations.models.chequerboard.board import Board, board_svg
 
 
 def test_corners_are_inside_the_squares_and_count_row_by_row() -> None:

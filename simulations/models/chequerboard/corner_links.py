@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats, Mask, Planes
-from simulations.models.calibration.saddle_points import Saddles, sample
+from simulations.models.chequerboard.saddle_points import Saddles, sample
 
 NEAREST = 24
 """Candidates about each that are tried as its neighbours."""

@@ -9,13 +9,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from simulations.models.arrays import Floats, Planes
-from simulations.models.calibration.corner_links import link_corners, walk
-from simulations.models.calibration.corner_windows import Picture
-from simulations.models.calibration.grid_recovery import FEWEST as SEED
-from simulations.models.calibration.grid_recovery import MOST, corners_of, recover_grid
-from simulations.models.calibration.local_lattice import Lattice, lattice_of, predict
-from simulations.models.calibration.reduction import reduced
-from simulations.models.calibration.saddle_points import find_saddles, smoothed
+from simulations.models.chequerboard.corner_links import link_corners, walk
+from simulations.models.chequerboard.corner_windows import Picture
+from simulations.models.chequerboard.grid_recovery import FEWEST as SEED
+from simulations.models.chequerboard.grid_recovery import MOST, corners_of, recover_grid
+from simulations.models.chequerboard.local_lattice import Lattice, lattice_of, predict
+from simulations.models.chequerboard.reduction import reduced
+from simulations.models.chequerboard.saddle_points import find_saddles, smoothed
 from simulations.models.quantiles import quantile_of
 
 MEGAPIXELS = 2.2

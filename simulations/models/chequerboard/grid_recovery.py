@@ -7,15 +7,15 @@ further corners are expected: in gaps, such as glare leaves, and beyond the bord
 import numpy as np
 
 from simulations.models.arrays import Floats, Mask, Planes
-from simulations.models.calibration.local_lattice import (
+from simulations.models.chequerboard.local_lattice import (
     Lattice,
     Prediction,
     Whole,
     lattice_of,
     predict,
 )
-from simulations.models.calibration.quadratic_saddle import quadratic_saddle
-from simulations.models.calibration.saddle_points import sample
+from simulations.models.chequerboard.quadratic_saddle import quadratic_saddle
+from simulations.models.chequerboard.saddle_points import sample
 from simulations.models.quantiles import quantile_of
 
 ASTRAY = 0.2
