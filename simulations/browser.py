@@ -181,17 +181,18 @@ def photograph(figure: str, picture: Any) -> None:
 def _photograph(picture: Any) -> Photograph:
     """A picture as the page hands it over: an object of JavaScript.
 
-    Its fields are ``number``, ``name``, ``pixels`` (bytes, three each), their ``width`` and
-    ``height``, the ``full_width`` and ``full_height`` before it was scaled down, and ``head``, the
-    first bytes of the file; those of a raw file also ``facts``, JSON in place of the head's, and
-    where wanted ``mosaic``. Raises `ValueError` for a wrong count of bytes.
+    Its fields are ``number``, ``name``, ``width`` and ``height``, the ``full_width`` and
+    ``full_height`` before it was scaled down, ``draw``, which fills an array with its codes, and
+    ``head``, the first bytes of the file; those of a raw file also ``facts``, JSON in place of the
+    head's, and where wanted ``mosaic``.
     """
-    codes = np.frombuffer(picture.pixels.to_bytes(), np.uint8)
+    codes = np.empty((picture.height, picture.width, 3), np.uint8)
+    picture.draw(codes)
     full = {"full_width": picture.full_width, "full_height": picture.full_height}
     told = getattr(picture, "facts", None)
     return Photograph(
         picture.number,
-        codes.reshape(picture.height, picture.width, 3),
+        codes,
         picture.name,
         {**(json.loads(told) if told else exif_facts(picture.head.to_bytes())), **full},
         _mosaic(getattr(picture, "mosaic", None)),
@@ -244,10 +245,16 @@ def export(figure: str, scene_id: str, values: str, tier: str, name: str) -> str
 
 
 def sheet(figure: str, scene_id: str, values: str, tier: str) -> str:
-    """The lines of the data sheet: a JSON list of `Readout`; empty if the scene has none."""
+    """JSON of ``lines``, the `Readout`s of the data sheet, and of ``measured``.
+
+    ``lines`` is empty if the scene has no sheet; ``measured``, the numbers of the readings that the
+    lines are of, is ``null`` if they are of all.
+    """
     scene, request = _request(figure, scene_id, values, tier)
-    lines = scene.sheet(request[0], scene.run(*request).outputs) if scene.sheet else ()
-    return json.dumps([asdict(line) for line in lines], ensure_ascii=False)
+    outputs = scene.run(*request).outputs
+    lines = scene.sheet(request[0], outputs) if scene.sheet else ()
+    measured = scene.measured(outputs) if scene.measured else None
+    return json.dumps({"lines": [asdict(line) for line in lines], "measured": measured})
 
 
 def develop(figure: str, scene_id: str, values: str, tier: str, picture: Any) -> Raster:

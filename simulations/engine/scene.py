@@ -1,7 +1,7 @@
 """The scene: the interface between a figure and everything that shows it."""
 
 import itertools
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -52,6 +52,8 @@ class Scene[S]:
     """Files to save, a button each."""
     sheet: Callable[[S, Outputs], tuple[Readout, ...]] | None = None
     """The lines of the data sheet: what was measured of the reader's camera, with errors."""
+    measured: Callable[[Outputs], Sequence[int]] | None = None
+    """Numbers of the readings that the lines are of, for a scene that may leave some out."""
     parameters: Callable[[S, str], Mapping[str, Value] | None] | None = None
     """Computes further parameters of the stages from the settings and the tier; they may replace a
     setting. If it returns ``None``, no stage runs and none is reported."""

@@ -99,9 +99,14 @@ def test_photographs_go_in_and_the_data_sheet_comes_out(
     assert instrument.states() == ["ready", "ready", "refused", "refused"]
     expect(instrument.photographs.nth(2)).to_contain_text("it needs at least 16 each way")
     expect(instrument.photographs.nth(3)).to_contain_text("Use JPEG or PNG")
+    expect(instrument.box.locator(".intake-said")).to_contain_text("2 are refused")
     expect(instrument.reader.page.locator(".data-sheet tbody")).to_contain_text("soft.png")
+    frames = instrument.reader.frames(instrument.figure)
+    instrument.figure.get_by_role("button", name="Keep this place").click()
+    instrument.reader.wait_frame(instrument.figure, frames)
     part = saved_part(instrument)
     assert part["photographs"] == ["soft.png"]
+    assert part["settings"]["kept"]
     assert part["lines"] == measured("soft.png", part["settings"])
 
 

@@ -14,7 +14,7 @@ from support.sittings import SIZE, TRUTH, photographs
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.stages import StageCache
-from simulations.models.calibration.find_board import find_board
+from simulations.models.chequerboard.find_board import find_board
 from simulations.models.error_measures import root_mean_square
 from simulations.scenes.calibration import boards
 from simulations.scenes.calibration.boards import SIGMA_PX, rendered, simulated_sitting
@@ -114,6 +114,10 @@ def test_photographs_of_another_size_are_left_out() -> None:
     assert found.size == SIZE
     assert "3 of another size are" in found.notes[0]
     assert "1 of another size is" in boards.boards(given[:6]).notes[0]
+    assert SCENE.measured
+    assert SCENE.measured(outputs_of(Settings(), given)) == found.numbers
+    three = replace(Settings(), photographs=3)
+    assert SCENE.measured(outputs_of(three, given)) == found.numbers[:3]
 
 
 def test_different_focal_lengths_in_the_files_and_too_many_photographs_are_noted() -> None:

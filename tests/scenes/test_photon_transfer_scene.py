@@ -143,6 +143,8 @@ def test_pictures_of_other_cameras_and_sizes_are_left_over() -> None:
     _, outputs = shown_of(readings)
     assert outputs["frames"].names == (("1.png", "2.png"),)
     assert outputs["frames"].left_over == 2
+    assert SCENE.measured
+    assert SCENE.measured(outputs) == (1, 2)
 
 
 def test_the_pair_of_the_photograph_looked_at_is_ringed() -> None:

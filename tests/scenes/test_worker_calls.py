@@ -59,10 +59,9 @@ def test_a_scene_shows_the_reader_s_picture_and_then_the_book_s_again(scene_id: 
 
 def black(width: int, height: int) -> SimpleNamespace:
     """A picture as JavaScript hands it over."""
-    pixels = bytes(3 * width * height)
     return SimpleNamespace(
         number=1, name="", width=width, height=height, full_width=width, full_height=height,
-        pixels=SimpleNamespace(to_bytes=lambda: pixels),
+        draw=lambda codes: codes.fill(0),
         head=SimpleNamespace(to_bytes=lambda: b""),
     )  # fmt: skip
 

@@ -81,10 +81,9 @@ def _figure(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 def picture(level: int, file: bytes = b"") -> SimpleNamespace:
     """Two pixels of one level, as JavaScript hands them over."""
-    pixels = bytes((level, level, level)) * 2
     return SimpleNamespace(
         number=1, name="a.jpg", width=2, height=1, full_width=20, full_height=10,
-        pixels=SimpleNamespace(to_bytes=lambda: pixels),
+        draw=lambda codes: codes.fill(level),
         head=SimpleNamespace(to_bytes=lambda: file),
     )  # fmt: skip
 
@@ -150,7 +149,8 @@ def test_files_sheet_and_development_follow_from_what_was_read() -> None:
     keep(10, 30)
     request = (FIGURE, "s", '{"gain": 2}', "")
     assert browser.export(*request, "mean") == "mean 20"
-    assert json.loads(browser.sheet(*request))[0]["text"] == "20.00"
+    told = json.loads(browser.sheet(*request))
+    assert (told["lines"][0]["text"], told["measured"]) == ("20.00", None)
     made = browser.develop(*request, picture(40))
     np.testing.assert_array_equal(made, [[[80, 80, 80, 255]] * 2])
 

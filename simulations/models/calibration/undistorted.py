@@ -14,7 +14,7 @@ from simulations.models.distortion.lens_model import distort, fold_radius
 
 type Codes = NDArray[np.uint8]
 
-BAND = 1 << 18
+BAND = 1 << 16
 """Pixels that are done at once."""
 UNSEEN = 128
 """Code of pixels whose light the photograph does not have."""

@@ -101,6 +101,12 @@ def _worst(given: Boards, outputs: Outputs) -> Readout:
     return Readout("worst", "Largest error of a photograph", words)
 
 
+def measured(outputs: Outputs) -> tuple[int, ...]:
+    """Numbers of the photographs that the camera was fitted to."""
+    given: Boards = outputs["boards"]
+    return given.numbers[: len(outputs["trials"].views)]
+
+
 def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """The camera's parameters with standard errors, and how well they predict corners."""
     given: Boards = outputs["boards"]

@@ -13,7 +13,7 @@ from simulations.models.calibration.bundle_adjustment import descend
 from simulations.scenes._wipe.wipe import wiped
 from simulations.scenes.calibration import drawing, plots
 from simulations.scenes.calibration.boards import Boards
-from simulations.scenes.calibration.files import EXPORTS, OPEN, develop, sheet
+from simulations.scenes.calibration.files import EXPORTS, OPEN, develop, measured, sheet
 from simulations.scenes.calibration.handles import HANDLES
 from simulations.scenes.calibration.reading import read
 from simulations.scenes.calibration.settings import LENSES, Settings
@@ -176,4 +176,5 @@ SCENE = Scene(
     develop=develop,
     exports=EXPORTS,
     sheet=sheet,
+    measured=measured,
 )

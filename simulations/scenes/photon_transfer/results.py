@@ -77,6 +77,12 @@ def with_error(estimate: Estimate, scale: float = 1.0) -> str:
     return f"{format_number(scale * estimate.value, digits)} ± {format_number(error, digits)}"
 
 
+def measured(outputs: Outputs) -> tuple[int, ...]:
+    """Numbers of the photographs that have a partner."""
+    frames: Frames = outputs["frames"]
+    return tuple(number for pair in frames.numbers for number in pair)
+
+
 def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """The lines of the data sheet: all numbers of the plane shown, and the gains of the others."""
     frames: Frames = outputs["frames"]

@@ -9,7 +9,13 @@ from simulations.engine.stages import Outputs
 from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
 from simulations.scenes.photon_transfer import drawing
 from simulations.scenes.photon_transfer.reading import read
-from simulations.scenes.photon_transfer.results import EXPORTS, readouts, sheet, with_error
+from simulations.scenes.photon_transfer.results import (
+    EXPORTS,
+    measured,
+    readouts,
+    sheet,
+    with_error,
+)
 from simulations.scenes.photon_transfer.settings import Settings
 from simulations.scenes.photon_transfer.stages import DRAFT, STAGES, Frames
 
@@ -91,4 +97,5 @@ SCENE = Scene(
     own_drafts={DRAFT: ("pairs",)},
     exports=EXPORTS,
     sheet=sheet,
+    measured=measured,
 )

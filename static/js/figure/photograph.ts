@@ -5,8 +5,8 @@
 
 import { words } from "../page/words.ts";
 import { isRaw } from "../raw/is_raw.ts";
-import { free } from "../runtime/free.ts";
 import type { Mosaic, Picture } from "../runtime/messages.ts";
+import { contextOf } from "../runtime/pixels.ts";
 
 /** A file, and what it is called. */
 export type Source = { name: string; file: Blob };
@@ -38,15 +38,13 @@ const LARGEST_MEGAPIXELS = 120;
 const UNSEEN = 0.01;
 /** A side of fewer pixels shows nothing worth a lens. */
 const SMALLEST_PX = 16;
-/** Rows that are drawn at a time: phones have no canvas as large as their photographs. */
-const BAND = 512;
 /** Bytes at the beginning of a file in which a camera says how it took the picture. */
 const HEAD = 128 * 1024;
 /** Longer side of a thumbnail. */
 const THUMBNAIL_PX = 192;
 
 let pictures = 0;
-/** Ends when the picture that is open, and all that wait for it, are closed. */
+/** Ends when all acts of `inTurn` have. */
 let turn: Promise<unknown> = Promise.resolve();
 
 /** A number that no other picture has. */
@@ -62,32 +60,22 @@ export function nextNumber() {
 export function decode(source: Source, number: number, size: Size): Promise<Picture> {
   const megapixels = typeof size === "number" ? size : (size[0] * size[1]) / 1e6;
   const wanted = { mosaic: false, megapixels, say: () => {} };
-  return opened(source, wanted, (picture) => take(source, picture, number, size));
+  return inTurn(async () => await take(source, await open(source, wanted), number, size));
+}
+
+/** A page opens, or reads, one picture after another: each takes much memory. */
+export function inTurn<T>(act: () => Promise<T>): Promise<T> {
+  const done = turn.then(act);
+  turn = done.catch(() => {});
+  return done;
 }
 
 /**
- * What is made of a file's picture. A page opens one picture at a time: each takes much memory.
+ * A file's picture, to be closed or sent away.
  *
  * @throws {Error} With words for the reader.
  */
-export function opened<T>(
-  source: Source,
-  wanted: Wanted,
-  use: (picture: Opened) => Promise<T>,
-): Promise<T> {
-  const made = turn.then(async () => {
-    const picture = await open(source, wanted);
-    try {
-      return await use(picture);
-    } finally {
-      picture.bitmap.close();
-    }
-  });
-  turn = made.catch(() => {});
-  return made;
-}
-
-async function open(source: Source, { say, ...wanted }: Wanted): Promise<Opened> {
+export async function open(source: Source, { say, ...wanted }: Wanted): Promise<Opened> {
   const { name, file } = source;
   if (await isRaw(file)) {
     const { openRaw } = await import("../raw/raw_file.ts");
@@ -121,7 +109,7 @@ async function openCoded(
   return { bitmap, full: [bitmap.width, bitmap.height] };
 }
 
-/** The pixels of an open picture, and what Python must know of it. */
+/** An open picture to be sent to Python, and what that must know of it. */
 export async function take(
   { name, file }: Source,
   { bitmap, full, facts, mosaic }: Opened,
@@ -132,7 +120,7 @@ export async function take(
   return {
     number,
     name,
-    pixels: pixelsOf(bitmap, width, height),
+    bitmap,
     width,
     height,
     full_width: full[0],
@@ -153,7 +141,9 @@ export async function thumbnailOf(bitmap: ImageBitmap): Promise<Blob> {
   const scale = Math.min(1, THUMBNAIL_PX / Math.max(bitmap.width, bitmap.height));
   const sides = [bitmap.width, bitmap.height].map((side) => Math.max(1, Math.round(side * scale)));
   const canvas = new OffscreenCanvas(sides[0], sides[1]);
-  contextOf(canvas).drawImage(bitmap, 0, 0, sides[0], sides[1]);
+  const context = contextOf(canvas);
+  if (!context) throw new Error(words("photograph.no_canvas"));
+  context.drawImage(bitmap, 0, 0, sides[0], sides[1]);
   return await canvas.convertToBlob({ type: "image/jpeg", quality: 0.8 });
 }
 
@@ -171,35 +161,4 @@ function refuseSize(name: string, { width, height }: ImageBitmap) {
 function fitted({ width, height }: ImageBitmap, most: number) {
   const scale = Math.min(1, Math.sqrt((most * 1e6) / (width * height)));
   return [Math.max(1, Math.floor(width * scale)), Math.max(1, Math.floor(height * scale))];
-}
-
-/** The middle of a picture, in the shape of `width` × `height`, scaled to that size, on white. */
-function pixelsOf(bitmap: ImageBitmap, width: number, height: number) {
-  const pixels = new Uint8Array(3 * width * height);
-  const canvas = new OffscreenCanvas(width, Math.min(height, BAND));
-  const context = contextOf(canvas);
-  const scale = Math.max(width / bitmap.width, height / bitmap.height);
-  const [across, down] = [bitmap.width * scale, bitmap.height * scale];
-  for (let first = 0; first < height; first += BAND) {
-    const rows = Math.min(BAND, height - first);
-    context.fillRect(0, 0, width, rows);
-    context.drawImage(bitmap, (width - across) / 2, (height - down) / 2 - first, across, down);
-    const { data } = context.getImageData(0, 0, width, rows);
-    for (let from = 0, to = 3 * width * first; from < data.length; from += 4) {
-      pixels[to++] = data[from];
-      pixels[to++] = data[from + 1];
-      pixels[to++] = data[from + 2];
-    }
-    free(data);
-  }
-  canvas.width = 0; // which frees it
-  return pixels;
-}
-
-function contextOf(canvas: OffscreenCanvas) {
-  const context = canvas.getContext("2d", { alpha: false, willReadFrequently: true });
-  if (!context) throw new Error(words("photograph.no_canvas"));
-  context.imageSmoothingQuality = "high";
-  context.fillStyle = "white";
-  return context;
 }

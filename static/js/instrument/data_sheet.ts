@@ -77,14 +77,17 @@ export class DataSheet {
 }
 
 /** What one instrument measured; null where it cannot say. */
-async function partOf({ figure, scene, names }: Instrument): Promise<Part | null> {
-  const { live } = figure;
+async function partOf(instrument: Instrument): Promise<Part | null> {
+  const { scene } = instrument;
+  const { live } = instrument.figure;
   if (!live) return null;
   const request = live.request();
-  const { lines } = await live.runtime.call("sheet", request).catch(() => ({ lines: [] }));
+  const none = { lines: [], measured: null };
+  const { lines, measured } = await live.runtime.call("sheet", request).catch(() => none);
   if (lines.length === 0) return null;
+  const photographs = instrument.names(measured);
   const settings = JSON.parse(request.values);
-  return { scene, title: live.schema.title, photographs: names, settings, lines };
+  return { scene, title: live.schema.title, photographs, settings, lines };
 }
 
 function bodyOf({ title, photographs, lines }: Part) {

@@ -11,7 +11,7 @@ import { words } from "../page/words.ts";
 import { closed } from "../runtime/runtime.ts";
 import { erase, keep, keptPhotos } from "./keeping.ts";
 import { PhotoList } from "./list.ts";
-import type { Photo } from "./photo.ts";
+import type { Photo, State } from "./photo.ts";
 import { Reader, ReaderEnded } from "./reader.ts";
 import { forgetSession, keepSession, restoreSession } from "./session.ts";
 
@@ -56,9 +56,15 @@ export class Instrument {
     return this.#used.length > 0;
   }
 
-  /** The photographs that the figure measures, by name. */
-  get names() {
-    return this.#used.map(({ name }) => name);
+  /**
+   * The names of the photographs that the figure has.
+   *
+   * @param numbers Only of these.
+   */
+  names(numbers: number[] | null) {
+    return this.#used
+      .filter(({ number }) => numbers?.includes(number) ?? true)
+      .map(({ name }) => name);
   }
 
   add(files: Iterable<File>) {
@@ -214,7 +220,11 @@ export class Instrument {
   }
 
   get #done() {
-    return this.photos.filter(({ state }) => state === "ready" || state === "refused").length;
+    return this.#count("ready") + this.#count("refused");
+  }
+
+  #count(wanted: State) {
+    return this.photos.filter(({ state }) => state === wanted).length;
   }
 
   /** @param at The photograph that is read; 0 for none. */
@@ -222,8 +232,10 @@ export class Instrument {
     if (at) return words("instrument.progress", { at, count });
     if (this.#done < count) return words("instrument.stopped");
     if (this.isUsed && !this.figure.rests) return words("instrument.measuring");
-    const ready = this.photos.filter(({ state }) => state === "ready").length;
-    return count ? words("instrument.ready_count", { ready, count }) : "";
+    if (!count) return "";
+    const [ready, refused] = [this.#count("ready"), this.#count("refused")];
+    const said = words("instrument.ready_count", { ready, count });
+    return refused ? `${said} ${words("instrument.refused_count", { count: refused })}` : said;
   }
 
   #leave() {

@@ -4,7 +4,7 @@
  */
 
 import { message } from "../errors.ts";
-import { opened, take, thumbnailOf } from "../figure/photograph.ts";
+import { inTurn, open, take, thumbnailOf } from "../figure/photograph.ts";
 import { words } from "../page/words.ts";
 import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.ts";
 import type { Photo } from "./photo.ts";
@@ -40,14 +40,7 @@ export class Reader {
   async read(photo: Photo, say: (text: string) => void) {
     const ends = this.#ends;
     try {
-      const picture = await this.#decode(photo, say);
-      if (ends !== this.#ends) throw closed();
-      if (picture) {
-        this.#runtime ??= new Runtime(this.url, () => [this.scene]);
-        const { data, unfit } = await this.#runtime.call("read", { scene: this.scene, picture });
-        if (unfit) throw new Error(unfit);
-        photo.data = data;
-      }
+      await inTurn(() => this.#read(photo, ends, say));
       photo.state = "ready";
     } catch (error) {
       photo.said = refusal(photo.name, error);
@@ -62,12 +55,20 @@ export class Reader {
     this.#runtime = null;
   }
 
-  #decode(photo: Photo, say: (text: string) => void) {
+  /** @param ends How often the interpreter had been ended when the photograph was to be read. */
+  async #read(photo: Photo, ends: number, say: (text: string) => void) {
     const wanted = { mosaic: this.mosaic, megapixels: this.scene ? MOST_MEGAPIXELS : 0, say };
-    return opened(photo, wanted, async (picture) => {
-      photo.thumbnail ??= await thumbnailOf(picture.bitmap);
-      return this.scene ? await take(photo, picture, photo.number, MOST_MEGAPIXELS) : null;
-    });
+    const opened = await open(photo, wanted);
+    photo.thumbnail ??= await thumbnailOf(opened.bitmap);
+    if (this.scene && ends === this.#ends) {
+      const picture = await take(photo, opened, photo.number, MOST_MEGAPIXELS);
+      this.#runtime ??= new Runtime(this.url, () => [this.scene]);
+      const { data, unfit } = await this.#runtime.call("read", { scene: this.scene, picture });
+      if (unfit) throw new Error(unfit);
+      photo.data = data;
+    }
+    opened.bitmap.close();
+    if (ends !== this.#ends) throw closed();
   }
 }
 

@@ -28,13 +28,14 @@ export interface StartRequest {
 
 export type Readout = { name: string; label: string; text: string; unit: string; role: string };
 
-/** A picture of the reader's, on its way to Python; `pixels` are transferred. */
+/** A picture of the reader's, on its way to Python. */
 export interface Picture {
   number: number;
   /** Of its file. */
   name: string;
-  /** Three bytes each, row by row. */
-  pixels: Uint8Array<ArrayBuffer>;
+  /** Transferred; the worker draws and closes it. */
+  bitmap: ImageBitmap;
+  /** At which Python gets it. */
   width: number;
   height: number;
   /** Before it was scaled down. */
@@ -111,7 +112,8 @@ export interface Replies {
   exportFile: { text: string };
   /** Pixels of a canvas, transferred. */
   develop: { rasters: ArrayBuffer[] };
-  sheet: { lines: Readout[] };
+  /** `measured`: numbers of the photographs that the lines are of; null: of all. */
+  sheet: { lines: Readout[]; measured: number[] | null };
   forget: {};
   measure: { result: string };
 }

@@ -168,7 +168,7 @@ export class Runtime {
     this.#active = call;
     this.#watch(call.request.limit ?? TIMEOUTS[call.name]);
     const { picture } = call.request;
-    const transfer = picture ? [picture.pixels.buffer] : [];
+    const transfer: Transferable[] = picture ? [picture.bitmap] : [];
     if (picture?.mosaic) transfer.push(picture.mosaic.codes.buffer);
     this.#worker?.postMessage({ id: call.id, call: call.name, ...call.request }, { transfer });
   }

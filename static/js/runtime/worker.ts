@@ -5,7 +5,8 @@ import { SOURCES, type Chunks } from "./chunks.ts";
 import { free } from "./free.ts";
 import { startInterpreter } from "./interpreter.ts";
 import { LoadError } from "./load_error.ts";
-import type { CallName, Replies, Requests } from "./messages.ts";
+import type { CallName, Picture, Replies, Requests } from "./messages.ts";
+import { draw } from "./pixels.ts";
 
 /** Functions of `simulations.browser`. */
 let python: any = null;
@@ -75,7 +76,7 @@ const CALLS: {
   },
 
   async photograph({ figure, picture }) {
-    python.photograph(figure, picture ?? undefined); // which is None
+    python.photograph(figure, picture ? drawable(picture) : undefined); // which is None
     return {};
   },
 
@@ -85,7 +86,7 @@ const CALLS: {
   },
 
   async read({ scene, picture }) {
-    return JSON.parse(python.read(scene, picture));
+    return JSON.parse(python.read(scene, drawable(picture)));
   },
 
   async exportFile({ figure, scene, values, tier, name }) {
@@ -93,11 +94,12 @@ const CALLS: {
   },
 
   async develop({ figure, scene, values, tier, picture }) {
-    return { rasters: [takeRaster(python.develop(figure, scene, values, tier, picture))] };
+    const raster = python.develop(figure, scene, values, tier, drawable(picture));
+    return { rasters: [takeRaster(raster)] };
   },
 
   async sheet({ figure, scene, values, tier }) {
-    return { lines: JSON.parse(python.sheet(figure, scene, values, tier)) };
+    return JSON.parse(python.sheet(figure, scene, values, tier));
   },
 
   async forget({ figure }) {
@@ -121,7 +123,6 @@ self.onmessage = async ({ data }) => {
   } catch (error) {
     self.postMessage({ id, ok: false, ...explain(error) });
   } finally {
-    if (data.picture) free(data.picture.pixels);
     if (data.picture?.mosaic) free(data.picture.mosaic.codes);
   }
 };
@@ -181,6 +182,22 @@ function functionsOf(module: any) {
     sheet,
     forget,
     measure,
+  };
+}
+
+/** A picture that Python has drawn into an array of its own: there is no room for it twice. */
+function drawable({ bitmap, ...about }: Picture) {
+  return {
+    ...about,
+    draw(array: any) {
+      const view = array.getBuffer("u8");
+      try {
+        draw(bitmap, view.data, about.width, about.height);
+      } finally {
+        view.release();
+        bitmap.close();
+      }
+    },
   };
 }
 
