@@ -39,6 +39,18 @@ def test_back_returns_to_the_place_that_was_left(plain_reader: Reader, book: Any
     plain_reader.page.wait_for_function("top => Math.abs(scrollY - top) < 3", arg=left_at)
 
 
+def test_back_to_a_page_of_another_folder_turns_to_it(plain_reader: Reader, book: Any) -> None:
+    plain_reader.open("", live=False)
+    page = plain_reader.page
+    page.evaluate("window.stays = true")
+    plain_reader.turn_to(book["chapters"][1]["url"], live=False)
+    page.evaluate("history.back()")
+    page.wait_for_function(
+        "title => !document.title.includes(title)", arg=book["chapters"][1]["title"]
+    )
+    assert page.evaluate("window.stays")
+
+
 def test_what_a_head_says_of_its_page_turns_with_it(plain_reader: Reader, book: Any) -> None:
     plain_reader.open("", live=False)
     plain_reader.turn_to(book["chapters"][1]["url"], live=False)

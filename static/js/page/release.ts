@@ -11,6 +11,12 @@ function isMissing(reason: unknown) {
   return reason instanceof SyntaxError || (reason instanceof Error && MISSING.test(reason.message));
 }
 
+/**
+ * Of the page that was loaded; those that were turned to are of the same release. (On the way back to
+ * a page the address is that one's before its text has come.)
+ */
+const OWN = folders(document, location.href);
+
 /** Whatever a press asks for may have gone with its release, or its host: called once. */
 export function watchScripts() {
   addEventListener("unhandledrejection", async (event) => {
@@ -49,7 +55,10 @@ function offerReload(key: string) {
  * @param address The page's own.
  */
 export function isOfRelease(page: Document, address: string = location.href) {
-  const folders = ({ dataset }: HTMLElement, base: string) =>
-    [dataset.assets, dataset.runtime].map((folder) => folder && new URL(folder, base).href).join();
-  return folders(page.body, address) === folders(document.body, location.href);
+  return folders(page, address) === OWN;
+}
+
+function folders({ body: { dataset } }: Document, address: string) {
+  const all = [dataset.assets, dataset.runtime];
+  return all.map((folder) => folder && new URL(folder, address).href).join();
 }
