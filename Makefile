@@ -90,6 +90,7 @@ bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.memory || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.twins || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.latency || :)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.slow_phone || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.costs)
 
 # Needs a quiet machine.

@@ -121,9 +121,12 @@ def measure_frames(page: Page, address: str, book: Any) -> dict[str, dict[str, f
         page.evaluate(EXERCISE, [drag, figure, hand])
         seconds = (page.evaluate("performance.now()") - begun) / 1000
         found[kind] = {"rate": significant(FRAMES / seconds, 2)}
-    memory = held(page, 0)
-    megabytes = {name.replace(" MB", "_mb"): mb for name, mb in memory.items() if " MB" in name}
-    return {**found, "memory": {name: significant(mb, 3) for name, mb in megabytes.items()}}
+    megabytes = {
+        name.replace(" MB", "_mb"): significant(size * 2**20 / 1e6, 3)
+        for name, size in held(page, 0).items()
+        if " MB" in name
+    }
+    return {**found, "memory": megabytes}
 
 
 def drag_summary(rows: Sequence[Latency]) -> dict[str, float]:
