@@ -36,10 +36,11 @@ const FOLDER = new URL("../../raw", import.meta.url).href;
 const MOST_MEGAPIXELS = 120;
 /** Larger pictures are developed at half their size, which takes a quarter of the memory. */
 const MOST_IN_FULL = 30;
-/** sRGB, balanced as the camera says, and no brighter than it was exposed. */
+/** sRGB, balanced as the camera says, and no brighter than it was exposed: white is the sensor's. */
 const AS_SHOT = {
   useCameraWb: 1,
   noAutoBright: 1,
+  adjustMaximumThr: 0,
   outputBps: 8,
   outputColor: 1,
   gamm: [1 / 2.4, 12.92, 0, 0, 0, 0],
