@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Page, expect
 from support.dng import dng
+from support.edges import gaussian_edge, gaussian_half
 from support.flat_fields import as_srgb, light_of, pairs_of
 from support.reader import Reader
 
@@ -70,7 +71,7 @@ def saved_lines(page: Page) -> list[list[str]]:
     return [[line["label"], line["text"]] for line in part["lines"]]
 
 
-def test_the_reader_s_pairs_measure_the_sensor_as_in_this_python(
+def test_the_reader_s_pairs_and_raw_files_are_measured_as_in_this_python(
     reader: Reader, files: list[Path], raw_files: list[Path]
 ) -> None:
     asked = reader.note_requests(".wasm")
@@ -106,3 +107,19 @@ def test_the_reader_s_pairs_measure_the_sensor_as_in_this_python(
             for k, codes in enumerate(RAW)
         ]
     )
+    measures_the_edge_of_a_raw_file(reader, raw_files[0].with_name("edge.dng"))
+
+
+def measures_the_edge_of_a_raw_file(reader: Reader, path: Path) -> None:
+    """The other instruments get the developed picture, which clips no white."""
+    light = 0.05 + 0.85 * gaussian_edge(360, 480, 5.0, 1.0)
+    grain = np.random.default_rng(2).normal(0.0, 3.0, light.shape)
+    path.write_bytes(dng(np.rint(64 + 4031 * light + grain).astype(np.uint16), black=BLACK[:1]))
+    figure = reader.page.locator("simulation-figure[data-simulation=slanted-edge]")
+    box = reader.page.locator("figure", has=figure).locator(".intake")
+    reader.bring(box)
+    box.locator("input[type=file]").set_input_files(path)
+    expect(box.locator(".intake-said")).to_contain_text("1 of 1 photograph is ready")
+    reader.settle(figure)
+    measured = figure.locator("output[name=per_px]").inner_text().split()[0]
+    assert float(measured) == pytest.approx(gaussian_half(1.0), rel=0.01)
