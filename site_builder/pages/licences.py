@@ -96,9 +96,9 @@ def _of_the_search(package: Package, words: Words) -> Licence:
 
 
 def _of_the_decoder(package: Package, words: Words) -> Licence:
-    use = words("licences.decoder", name=package.name)
+    use = words("licences.decoder", name=f"{package.name} {package.version}")
     home = "https://github.com/LibRaw/LibRaw"
-    return Licence("LibRaw", package.version, package.license, use, home, package.text)
+    return Licence("LibRaw", "", package.license, use, home, package.text)
 
 
 def _of_the_fonts(words: Words) -> Iterator[Licence]:
