@@ -83,7 +83,7 @@ screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 # One thread, as in the browser, so that the two sides can be compared. Exceeded budgets are
 # reported at the end.
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
-	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m site_builder bench $(LADDER:%=--ladder %)
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.start --keep)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.bytes)
@@ -154,9 +154,8 @@ LOCK := $(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.1
 
 lock: | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check uv
-	$(LOCK) --group book --output-file .locks/book.txt >/dev/null
+	$(LOCK) --output-file .locks/book.txt >/dev/null
 	$(LOCK) --group test --output-file .locks/test.txt >/dev/null
-	$(LOCK) --group author --constraints .locks/test.txt --output-file .locks/author.txt >/dev/null
 	$(LOCK) --group mutation --constraints .locks/test.txt --output-file .locks/mutation.txt >/dev/null
 	$(LOCK) --group links --constraints .locks/test.txt --output-file .locks/links.txt >/dev/null
 

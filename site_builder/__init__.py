@@ -2,11 +2,17 @@
 
 import os
 import time
+from pathlib import Path
+
+from site_builder.engine_files import hidden_parts
 
 # Each core has a process of the build's own: threads of OpenBLAS beside them would wait for them.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from site_builder.book_root import ROOT as ROOT  # before anything looks for scenes: whose
+__version__ = "0.2.0"
+
+if hidden := hidden_parts(Path.cwd()):  # before anything of it is imported
+    raise SystemExit("\n".join(hidden))
 
 STARTED_NS = time.time_ns()
 """Before any module was imported whose results are cached."""

@@ -1,4 +1,4 @@
-"""The command line: ``python -m site_builder build|check|serve|guide|pdf|epub|new``."""
+"""The command line: ``python -m site_builder build|check|serve|bench|guide|pdf|epub|new``."""
 
 import argparse
 import gc
@@ -7,16 +7,19 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from simulations.registry import LADDER_MODULES
+from site_builder import __version__
 from site_builder.addresses import site_address, source_address
 from site_builder.benchmarks.loading import import_figures
 from site_builder.book import Book
-from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
 from site_builder.cache import Cache, source_hash, using
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.output.writer import advice
 from site_builder.sandbox import Limits, limited
 
+ROOT = Path.cwd()
+"""The book's folder."""
 NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
 """What ``new`` makes."""
 
@@ -27,6 +30,10 @@ def main(arguments: list[str] | None = None) -> int:
     Warnings are printed and change nothing else.
     """
     given = _parser().parse_args(arguments)
+    anywhere = given.command == "guide" or (given.command == "new" and given.kind == "book")
+    if not (anywhere or (ROOT / "content").is_dir()):
+        print(f"{ROOT} is no book; legal: a folder that holds content/", file=sys.stderr)
+        return 1
     warnings: list[Diagnostic] = []
 
     def warn(warning: Diagnostic) -> None:
@@ -87,6 +94,10 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
 
             composed = compose(Options(ROOT, runtime=False, warn=warn))
             written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
+        case "bench":
+            from site_builder.bench.command import bench
+
+            return bench(ROOT, given.ladder)
         case "guide":
             from site_builder.guide.command import run_guide
 
@@ -118,6 +129,7 @@ def _and_count(warnings: Sequence[Diagnostic]) -> str:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="site_builder", description="Build the book.")
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
 
     def add(name: str, purpose: str, *options: argparse.ArgumentParser) -> argparse.ArgumentParser:
@@ -144,6 +156,8 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("--json", action="store_true", help="for editors and programs")
     guide = add("guide", "show the guide for authors, a book of its own", runtime, place)
     guide.add_argument("--build-only", action="store_true", help="do not serve it")
+    bench = add("bench", "time and judge the ladders, here and in Chromium")
+    bench.add_argument("--ladder", action="append", choices=[*LADDER_MODULES], default=[])
     new = add("new", "make a book, or a skeleton in this one, with its tests")
     new.add_argument("kind", choices=NEW)
     new.add_argument("name", help="such as falling-ball; of a book, its folder")

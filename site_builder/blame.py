@@ -4,6 +4,8 @@ import sysconfig
 import traceback
 from pathlib import Path
 
+import simulations
+
 HERE = Path(__file__).resolve().parent
 REMEMBERED = "place_and_words"
 LIBRARIES = tuple(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib"))
@@ -41,18 +43,19 @@ def place_of(error: BaseException) -> str:
 
 
 def _is_authors(file: Path) -> bool:
-    is_packed = (file.parent / "__init__.py").is_file()
+    others = (HERE, *LIBRARIES)
+    is_simulation = any(file.is_relative_to(folder) for folder in _folders())
     is_engine = file.parent.name == "engine"
-    return (
-        is_packed
-        and not is_engine
-        and not any(file.is_relative_to(folder) for folder in (HERE, *LIBRARIES))
-    )
+    return is_simulation and not is_engine and not any(map(file.is_relative_to, others))
 
 
 def _relative(file: Path) -> str:
-    """Its path from the folder that holds its outermost package."""
-    folder = file.resolve().parent
-    while (folder / "__init__.py").is_file():
-        folder = folder.parent
-    return file.resolve().relative_to(folder).as_posix()
+    """Its path from the folder that holds ``simulations``."""
+    file = file.resolve()
+    base = next((each for each in _folders() if file.is_relative_to(each)), file.parent / "_")
+    return file.relative_to(base.parent).as_posix()
+
+
+def _folders() -> list[Path]:
+    """Of ``simulations``: the book's, and the engine's."""
+    return [Path(folder).resolve() for folder in simulations.__path__]

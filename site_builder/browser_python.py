@@ -6,9 +6,9 @@ from pathlib import Path
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.blame import place_of
 from site_builder.book import Book
-from site_builder.book_root import ENGINE
 from site_builder.cache import cached_result
 from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.engine_files import ENGINE
 from site_builder.files import folder_hash
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.page_model.blocks import contents

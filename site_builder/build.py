@@ -16,7 +16,6 @@ from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
 from site_builder.benchmarks.measurements import read_measurements
 from site_builder.book import Book
-from site_builder.book_root import own_or_engine
 from site_builder.browser_parts import BrowserParts, browser_parts, scene_files
 from site_builder.browser_python import pack_for_browser
 from site_builder.cache import cached_result
@@ -24,6 +23,7 @@ from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
 from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
+from site_builder.engine_files import static_files
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
 from site_builder.files import file_hash
 from site_builder.offline.manifest import MANIFEST, manifest
@@ -168,7 +168,7 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     initial_frames, pictures = render_initial_frames(
         book, problems, prerendered=options.runtime and not options.reload
     )
-    check_frames(book, initial_frames, own_or_engine(options.root, "static"), problems)
+    check_frames(book, initial_frames, static_files(options.root), problems)
     for warning in sorted(set(problems.doubts)):
         options.warn(warning)
     if problems:
@@ -191,7 +191,7 @@ def render(
     book, initial_frames, pictures = checked
     root, reload = options.root, options.reload
     parts = browser_parts(book, bundle, options.warn, search=options.search, reload=reload)
-    search_index = threads.submit(_search_index, checked, root, parts.search)
+    search_index = threads.submit(_search_index, checked, parts.search)
     made = {
         **(scene_files(book, parts.editor) if options.runtime else {}),
         **{f"{LIBRARY}/{name}": path for name, path in parts.search.scripts.items()},
@@ -228,10 +228,10 @@ def render(
     )
 
 
-def _search_index(checked: CheckedBook, root: Path, library: SearchLibrary) -> Files:
+def _search_index(checked: CheckedBook, library: SearchLibrary) -> Files:
     if not library.scripts:
         return {}
-    means = indexing(library, own_or_engine(root, "static"), checked.book.words)
+    means = indexing(library, checked.book.words)
     records = make_records(checked.book, describing(checked.initial_frames))
     return {SEARCH_INDEX: index_of(records, means)}
 

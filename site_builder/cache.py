@@ -16,7 +16,6 @@ import platform
 import re
 import sqlite3
 import sys
-import sysconfig
 import threading
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
@@ -36,10 +35,12 @@ from simulations.engine.hard_cases import HardCases
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from site_builder import STARTED_NS
-from site_builder.book_root import ENGINE, is_engine
 from site_builder.diagnostics import Diagnostics
+from site_builder.engine_files import DISTRIBUTION, ENGINE
 from site_builder.files import SIZE
 
+OWN = DISTRIBUTION.replace("-", "_") + "-"
+"""With which the engine's own entry among the installed packages begins."""
 FILE = "results-2.sqlite"
 """With the version of its format."""
 MOST_BYTES = 400_000_000
@@ -278,10 +279,11 @@ def _source(module: str) -> tuple[bytes, tuple[str, ...]] | None:
     package = module.partition(".")[0]
     if package not in ("simulations", "site_builder"):
         return None
-    is_book = package == "simulations" and not is_engine(module)
-    root = Path(simulations.__path__[0]).parent if is_book else ENGINE
-    place = root.joinpath(*module.split("."))
-    file = next((f for f in (place.with_suffix(".py"), place / "__init__.py") if f.is_file()), None)
+    is_shared = package == "simulations"
+    roots = [Path(folder).parent for folder in simulations.__path__] if is_shared else [ENGINE]
+    places = [root.joinpath(*module.split(".")) for root in roots]
+    files = (file for each in places for file in (each.with_suffix(".py"), each / "__init__.py"))
+    file = next((file for file in files if file.is_file()), None)
     if file is None:
         return None
     text = file.read_bytes().decode("utf-8", "replace")
@@ -304,9 +306,9 @@ def _changed_sources() -> bool:
 
 @functools.cache
 def _versions() -> tuple[object, ...]:
-    folders = {sysconfig.get_path(name) for name in ("purelib", "platlib")}
-    packages = {file.name for folder in folders for file in Path(folder).glob("*.dist-info")}
-    return sys.version, platform.machine(), packages
+    found = {file.name for folder in sys.path for file in Path(folder).glob("*.dist-info")}
+    ours = {name for name in found if name.startswith(OWN)}  # known by their sources
+    return sys.version, platform.machine(), found - ours
 
 
 def _held(module: str, name: str) -> Any:

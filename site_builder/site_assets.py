@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from site_builder.book import Book
-from site_builder.book_root import own_or_engine
+from site_builder.engine_files import static_files
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_files, integrity
 from site_builder.markdown.files.content_files import PICTURES
@@ -48,7 +48,7 @@ def gather_assets(
     and what searches, in one folder: ``folder``, or one that is named by what is in it. Raises
     `BuildError`."""
     content = folder_files(root / "content")
-    static = {**folder_files(own_or_engine(root, "static")), **kind_files(book)}
+    static = {**static_files(root), **kind_files(book)}
     scripts = _scripts(book, static)
     files: Files = {
         **scripts.files,

@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from subprocess import CompletedProcess
 from typing import Any
@@ -14,12 +15,12 @@ from hypothesis import HealthCheck, settings
 from playwright.sync_api import Browser, expect, sync_playwright
 from support.built import built_once
 from support.chromium import HOW_TO, find_chromium, find_headless_shell, launch_arguments
+from support.engine import Engine, make_engine
+from support.places import ROOT
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
 
 from site_builder.runtime.imports import Table, read_imports
-
-ROOT = Path(__file__).resolve().parents[1]
 
 # The same examples in every run: a change is judged by its own failures. `make test-deep` looks
 # for new ones.
@@ -61,6 +62,13 @@ def built_site(
         return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
 
     return built_once(tmp_path_factory, worker_id, "book", build)
+
+
+@pytest.fixture(scope="session")
+def engine(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Engine:
+    """What authors install, for books that are not this one."""
+    make = partial(make_engine, ROOT)
+    return Engine(built_once(tmp_path_factory, worker_id, "engine", make))
 
 
 @pytest.fixture(scope="session")

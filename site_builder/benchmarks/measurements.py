@@ -1,6 +1,6 @@
 """What the ladders were measured to cost and to get wrong: ``content/measurements.json``.
 
-``make bench`` writes the file::
+``python -m site_builder bench`` writes the file::
 
     {"machine": {"processor", "cores", "system", "python", "numpy", "browser", "pyodide"},
      "ladders": {LADDER: {
@@ -27,6 +27,8 @@ from site_builder.benchmarks.loading import loaded
 from site_builder.diagnostics import Diagnostics, cause
 
 DATA = "content/measurements.json"
+COMMAND = "python -m site_builder bench"
+"""Which writes it."""
 SIDES = ("native", "browser")
 ROUNDING = 1e-12
 """Errors below this, in the units of any metric, are rounding: none is better than another."""
@@ -138,7 +140,7 @@ class Measurements:
         Raises `MeasurementError` if it is unknown, not measured or no longer as it was.
         """
         ladder = loaded("ladder", ladder_id, self.load_ladder, MeasurementError)
-        again = f"run `make bench LADDER={ladder_id}`"
+        again = f"run `{COMMAND} --ladder {ladder_id}`"
         entry = self.ladders.get(ladder_id)
         if entry is None:
             raise MeasurementError(f"ladder {ladder_id!r} is not in {DATA}; {again}")
@@ -153,7 +155,7 @@ class Measurements:
             tiers = tuple(_read_tier(ladder, tier, entry["tiers"]) for tier in ladder.tiers)
         except (KeyError, TypeError) as error:
             raise MeasurementError(
-                f"{DATA}: ladder {ladder_id!r} is not as `make bench` writes it "
+                f"{DATA}: ladder {ladder_id!r} is not as `{COMMAND}` writes it "
                 f"({cause(error)}); {again}"
             ) from error
         return MeasuredLadder(ladder, tiers, metric, self.machine)
@@ -174,9 +176,9 @@ def read_measurements(
         data = json.loads(file.read_text(encoding="utf-8"))
         return Measurements(data["machine"], data["ladders"], load)
     except json.JSONDecodeError as error:
-        problems.add(DATA, error.lineno, f"malformed JSON: {error.msg}; run `make bench`")
+        problems.add(DATA, error.lineno, f"malformed JSON: {error.msg}; run `{COMMAND}`")
     except (KeyError, TypeError):
-        problems.add(DATA, 1, "no 'machine' or no 'ladders'; run `make bench`")
+        problems.add(DATA, 1, f"no 'machine' or no 'ladders'; run `{COMMAND}`")
     return Measurements(load_ladder=load)
 
 

@@ -2,7 +2,7 @@
 it is no larger than a page can carry."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -31,7 +31,7 @@ class _Overlay:
 
 
 def check_frames(
-    book: Book, initial_frames: InitialFrames, static: Path, problems: Diagnostics
+    book: Book, initial_frames: InitialFrames, static: Mapping[str, Path], problems: Diagnostics
 ) -> None:
     """Those of the figures as they first appear, and the illustrations."""
     known = known_classes(static)
@@ -57,9 +57,10 @@ def check_frames(
                     _check("illustration", panel, 0, known, (chapter.path, line), problems)
 
 
-def known_classes(static: Path) -> frozenset[str]:
+def known_classes(static: Mapping[str, Path]) -> frozenset[str]:
     """Classes in the style sheets; none where these have no rules for drawings."""
-    texts = [file.read_text(encoding="utf-8") for file in sorted((static / "css").glob("*.css"))]
+    sheets = [file for name, file in static.items() if name.startswith("css/")]
+    texts = [file.read_text(encoding="utf-8") for file in sheets]
     names = frozenset(name for text in texts for name in CLASS.findall(text))
     return names if "overlay" in names else frozenset()
 

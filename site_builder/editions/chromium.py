@@ -32,16 +32,16 @@ def launch_arguments() -> list[str]:
     return [*arguments, "--no-sandbox"] if os.geteuid() == 0 else arguments
 
 
-def require_chromium() -> Path:
-    """Raises `MissingChromiumError`."""
+def require_chromium(what: str) -> Path:
+    """For ``what``, such as ``the PDF``. Raises `MissingChromiumError`."""
     try:
         found = find_chromium()
     except ModuleNotFoundError as error:
-        message = f"the PDF needs the package {error.name!r}; `make pdf` installs it"
+        message = f"{what} needs the package {error.name!r}; `pip install {error.name}` installs it"
         raise MissingChromiumError(message) from None
     if found is None:
         raise MissingChromiumError(
-            "the PDF needs Chromium, and none was found; install one (for example "
+            f"{what} needs Chromium, and none was found; install one (for example "
             "`apt-get install chromium`), or run `playwright install chromium`"
         )
     return found

@@ -12,7 +12,6 @@ from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
 from site_builder.book import Book
-from site_builder.book_root import own_or_engine
 from site_builder.editions.compose import Composed, Section
 from site_builder.editions.epub_style import book_style
 from site_builder.editions.links import Place, bind_links, is_external
@@ -48,7 +47,7 @@ def make_epub(composed: Composed, root: Path) -> bytes:
     images = _take_images(trees, composed)
     files: dict[str, bytes] = {
         **{name: xhtml(tree) for name, tree in trees.items()},
-        "style/book.css": book_style(own_or_engine(root, "static/css")).encode(),
+        "style/book.css": book_style(root).encode(),
         **{
             f"fonts/{Path(name).name}": content_bytes(content)
             for name, content in composed.files.items()

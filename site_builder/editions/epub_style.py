@@ -4,6 +4,7 @@ e-books lack."""
 import re
 from pathlib import Path
 
+from site_builder.engine_files import own_or_engine
 from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
 
@@ -12,13 +13,12 @@ FACE = re.compile(r"^@font-face \{\n(?:(?!\}).*\n)*?  src: url\((?:.*\n)*?\}\n",
 FAMILIES = {"--serif": '"Book Serif", serif', "--sans": '"Book Sans", sans-serif'}
 
 
-def book_style(folder: Path) -> str:
-    """``folder`` holds the site's style sheets. Variables are resolved, to the light theme."""
-    tokens = light_tokens(_read(folder / "tokens.css")) | FAMILIES
-    faces = "".join((*FACE.findall(_read(folder / "fonts.css")), *map(face_rule, MATHS_FACES)))
-    drawings = without_containers(_read(folder / "overlay.css"))
-    return faces + resolve(drawings + _read(OWN), tokens)
-
-
-def _read(file: Path) -> str:
-    return file.read_text(encoding="utf-8") if file.exists() else ""
+def book_style(root: Path) -> str:
+    """``root`` is the book's folder. Variables are resolved, to the light theme."""
+    tokens, fonts, overlay = (
+        own_or_engine(root, f"static/css/{name}.css").read_text(encoding="utf-8")
+        for name in ("tokens", "fonts", "overlay")
+    )
+    faces = "".join((*FACE.findall(fonts), *map(face_rule, MATHS_FACES)))
+    drawings = without_containers(overlay) + OWN.read_text(encoding="utf-8")
+    return faces + resolve(drawings, light_tokens(tokens) | FAMILIES)

@@ -32,7 +32,7 @@ class UnsettledError(RuntimeError):
 
 def make_pdf(composed: Composed) -> bytes:
     """Raises `MissingChromiumError` without a browser."""
-    chromium = require_chromium()
+    chromium = require_chromium("the PDF")
     from playwright.sync_api import Route, sync_playwright  # installed, as Chromium was found by it
 
     files: dict[str, bytes] = {"volume.css": STYLE.read_bytes()}

@@ -1,9 +1,9 @@
-"""The guide as a book's folder: text written for it, pages made of declarations, and the figures
+"""The guide as a book's folder: text written for it, pages made of declarations, and the figure
 that every new book begins with."""
 
 from pathlib import Path
 
-from site_builder.book_root import ENGINE
+from site_builder.engine_files import STATIC
 from site_builder.guide.classes import read_classes
 from site_builder.guide.controls import MARK, controls_table
 from site_builder.guide.pages import directive_page, drawing_page, role_page, settings_page
@@ -12,13 +12,13 @@ from site_builder.scaffold.files import SUFFIX, filled
 
 OWN = Path(__file__).with_name("book")
 SCENE = "content/06-a-scene.md"
-TAKEN = ("simulations", "content/measurements.json")
-"""Files that the guide takes from the template of a new book."""
+TAKEN = "simulations/"
+"""The folder that the guide takes from the template of a new book."""
 
 
 def guide_files() -> dict[str, bytes]:
     """Every file of the guide by its path. Raises `NoExampleError`."""
-    classes = read_classes(ENGINE / "static" / "css" / "overlay.css")
+    classes = read_classes(STATIC / "css" / "overlay.css")
     made = {
         "content/03-directives.md": directive_page(),
         "content/04-roles.md": role_page(),

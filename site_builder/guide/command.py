@@ -5,18 +5,18 @@ import subprocess
 import sys
 from pathlib import Path
 
-from site_builder.book_root import ENGINE, VARIABLE
+from site_builder.engine_files import ENGINE
 from site_builder.guide.book import write_guide
 
-FOLDER = ENGINE / "build" / "guide"
+FOLDER = Path("build", "guide")
 
 
 def run_guide(place: tuple[str, int] | None, *, runtime: bool = True, folder: Path = FOLDER) -> int:
     """Serve it at ``place``, host and port, or only build it; the exit code of that."""
-    book, site = folder / "book", folder / "site"
+    book, site = folder.resolve() / "book", folder.resolve() / "site"
     write_guide(book)
     how = ["serve", "--host", place[0], "--port", str(place[1])] if place else ["build"]
     command = [sys.executable, "-m", "site_builder", *how, "--out", str(site)]
     given = [] if runtime else ["--no-runtime"]
-    environment = {**os.environ, VARIABLE: str(book)}
-    return subprocess.run([*command, *given], cwd=ENGINE, env=environment, check=False).returncode
+    environment = {**os.environ, "PYTHONPATH": str(ENGINE)}  # from the folder of another book
+    return subprocess.run([*command, *given], cwd=book, env=environment, check=False).returncode

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from simulations.engine.controls import KINDS as CONTROLS
 from site_builder.book import Book
-from site_builder.book_root import ENGINE
+from site_builder.engine_files import ENGINE
 from site_builder.markdown.questions.kind import HERE as QUESTION_FOLDER
 from site_builder.markdown.questions.kinds import KINDS as QUESTIONS
 from site_builder.markdown.questions.kinds import kind_of

@@ -8,8 +8,8 @@ from typing import Any
 from markupsafe import Markup
 
 from site_builder.book import Book, Chapter
-from site_builder.book_root import own_or_engine
 from site_builder.cache import cached_result, hash_of
+from site_builder.engine_files import own_or_engine
 from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.files import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from simulations.engine.frame import Panel
 from site_builder.book import Book, Chapter
-from site_builder.book_root import own_or_engine
+from site_builder.engine_files import own_or_engine
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
@@ -47,7 +47,7 @@ def make_cards(
     ``pictures`` are the files of the stills; ``root`` is the book's folder.
     """
     fonts = whole_fonts()
-    style = card_style(own_or_engine(root, "static/css"), fonts)
+    style = card_style(root, fonts)
     cover = _still(book.hero, initial_frames, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
@@ -66,13 +66,15 @@ def make_cards(
     }
 
 
-def card_style(styles: Path, fonts: Fonts) -> str:
+def card_style(root: Path, fonts: Fonts) -> str:
     """How cards and the drawings on them look, in plain CSS."""
-    sheets = {name: _read(styles / name) for name in ("tokens.css", "overlay.css")}
+    tokens, overlay = (
+        own_or_engine(root, f"static/css/{name}.css").read_text(encoding="utf-8")
+        for name in ("tokens", "overlay")
+    )
     families = {"--serif": f"'{fonts.serif}'", "--sans": f"'{fonts.sans}'"}
-    tokens = light_tokens(sheets["tokens.css"]) | families
-    sheet = without_containers(sheets["overlay.css"]) + _read(OWN)
-    return resolve(sheet, tokens) if sheets["tokens.css"] else ""
+    sheet = without_containers(overlay) + OWN.read_text(encoding="utf-8")
+    return resolve(sheet, light_tokens(tokens) | families)
 
 
 def _figures(
@@ -105,7 +107,3 @@ def _placed(panel: Panel, picture: str) -> Placed:
     scale = min(width / panel.width, height / panel.height)
     w, h = panel.width * scale, panel.height * scale
     return Placed(panel, picture, left + (width - w) / 2, top + (height - h) / 2, w, h)
-
-
-def _read(file: Path) -> str:
-    return file.read_text(encoding="utf-8") if file.exists() else ""

@@ -71,10 +71,11 @@ def outside(table: Table, modules: Iterable[str]) -> dict[str, str]:
 
 def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
     inside, others = set[str](), dict[str, str]()
+    ours = {each.partition(".")[0] for each in files}
     for name, line, certain in _mentions(file.read_bytes(), path):
         if name in files:
             inside.add(name)
-        elif name.partition(".")[0] not in files and (certain or is_module(name)):
+        elif name.partition(".")[0] not in ours and (certain or is_module(name)):
             others.setdefault(name, f"{path}:{line}")
     return Imports(frozenset(inside), others)
 

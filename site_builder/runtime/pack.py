@@ -7,8 +7,8 @@ from pathlib import Path
 from types import MappingProxyType
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
-from site_builder.book_root import ENGINE, is_engine
 from site_builder.cache import cached_result
+from site_builder.engine_files import ENGINE, is_engine
 from site_builder.files import file_hash, integrity
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
@@ -140,8 +140,7 @@ def pack_runtime(
 def book_modules(simulations: Path) -> dict[str, Path]:
     """The file of every module, by full name: the engine's, and those of a book's folder."""
     engine = {n: f for n, f in module_files(ENGINE / "simulations").items() if is_engine(n)}
-    own = {name: file for name, file in module_files(simulations).items() if not is_engine(name)}
-    return dict(sorted({**own, **engine}.items()))
+    return dict(sorted({**engine, **module_files(simulations)}.items()))
 
 
 def page_modules(

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from site_builder.engine_files import SHARED
 from site_builder.scaffold.names import ScaffoldError
 
 HERE = Path(__file__).parent
@@ -45,7 +46,8 @@ def write_new(root: Path, files: Mapping[str, str]) -> None:
 
 
 def packages(root: Path, module: str) -> dict[str, str]:
-    """An empty ``__init__.py`` for each folder from ``simulations`` to ``module`` without one."""
-    folders = Path(module).parents
-    paths = [f"{folder.as_posix()}/__init__.py" for folder in folders if len(folder.parts) > 1]
+    """An empty ``__init__.py`` for each folder around ``module`` that lacks one, but for those that
+    a book and the engine share."""
+    folders = [folder.as_posix() for folder in Path(module).parents]
+    paths = [f"{folder}/__init__.py" for folder in folders if folder not in (".", *SHARED)]
     return {path: "" for path in paths if not (root / path).exists()}

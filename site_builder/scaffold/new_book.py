@@ -1,28 +1,17 @@
-"""A new book in a folder of its own, with a copy of the engine inside."""
+"""A new book in a folder of its own, which names the engine that made it among its dependencies."""
 
-import subprocess
-import tomllib
+import json
+import sys
+from importlib.metadata import distribution
 from pathlib import Path
 
-from site_builder.book_root import ENGINE, ENGINE_PARTS
+from site_builder import __version__
+from site_builder.engine_files import DISTRIBUTION, ENGINE, PACKED, own_or_engine
 from site_builder.scaffold.files import HERE, SUFFIX, filled
 from site_builder.scaffold.names import ScaffoldError, read_name
 
-TOOLS = (
-    ".github/workflows/publish.yml",
-    ".locks/author.txt",
-    ".locks/book.txt",
-    ".python-version",
-    "simulations/__init__.py",
-    "tests/bench/__main__.py",
-    "tests/bench/browser_side.py",
-    "tests/bench/record.py",
-    "tests/support/chromium.py",
-    "tests/support/scripts.py",
-    "tests/support/static_server.py",
-)
-"""What every book needs besides the engine: pins, the bench, and a way to publish."""
-LEFT_OUT = ("__pycache__", "node_modules")
+WORKFLOW = ".github/workflows/publish.yml"
+"""Publishes this repository's book, and any other."""
 
 
 def make_book(folder: Path) -> list[str]:
@@ -33,16 +22,16 @@ def make_book(folder: Path) -> list[str]:
     name = read_name("book", folder.resolve().name)
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise ScaffoldError(f"{folder} is not empty; legal: a folder that is empty or not there")
-    project = tomllib.loads((ENGINE / "pyproject.toml").read_text(encoding="utf-8"))
     given = {
         "name": name.text,
         "title": name.title,
-        "engine": _version(project["project"]["version"]),
-        "licence": _licence(),
-        "numpy": project["project"]["dependencies"],
-        "groups": {group: project["dependency-groups"][group] for group in ("book", "author")},
+        "engine": _requirement(),
+        "version": __version__,
     }
-    files = {path: (ENGINE / path).read_bytes() for path in _engine_files()}
+    files = {
+        ".python-version": f"{sys.version_info.major}.{sys.version_info.minor}\n".encode(),
+        WORKFLOW: own_or_engine(ENGINE, WORKFLOW).read_bytes(),
+    }
     for template in sorted((HERE / "book").rglob("*")):
         if template.is_file():
             path = template.relative_to(HERE / "book").as_posix()
@@ -55,30 +44,15 @@ def make_book(folder: Path) -> list[str]:
     return sorted(files)
 
 
-def _engine_files() -> list[str]:
-    """Builder, templates, scripts, style sheets, and the engine's parts of ``simulations``."""
-    parts = [f"simulations/{part}" for part in ENGINE_PARTS]
-    folders = ["site_builder", "static", *(part for part in parts if (ENGINE / part).is_dir())]
-    files = [f"{part}.py" for part in parts if not (ENGINE / part).is_dir()]
-    for folder in folders:
-        for file in sorted((ENGINE / folder).rglob("*")):
-            path = file.relative_to(ENGINE)
-            if file.is_file() and not set(path.parts) & set(LEFT_OUT) and file.suffix != ".pyc":
-                files.append(path.as_posix())
-    return [*files, *TOOLS]
-
-
-def _licence() -> str:
-    """The engine's: what stands in ``LICENSE`` from the licence's own name on."""
-    text = (ENGINE / "LICENSE").read_text(encoding="utf-8")
-    return text[text.index("MIT License\n") :].rstrip()
-
-
-def _version(declared: str) -> str:
-    """With the commit, where it is known."""
-    command = ["git", "-C", str(ENGINE), "rev-parse", "--short", "HEAD"]
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-    except OSError:
-        return declared
-    return f"{declared} ({done.stdout.strip()})" if done.returncode == 0 else declared
+def _requirement() -> str:
+    """The engine that runs, as pip is told of it: this repository or, where it is installed, what
+    it came from."""
+    if not PACKED.is_dir():
+        return f"{DISTRIBUTION} @ {ENGINE.as_uri()}"
+    origin = distribution(DISTRIBUTION).read_text("direct_url.json")
+    if origin is None:
+        return f"{DISTRIBUTION}=={__version__}"
+    found = json.loads(origin)
+    vcs = found.get("vcs_info")
+    address = f"{vcs['vcs']}+{found['url']}@{vcs['commit_id']}" if vcs else found["url"]
+    return f"{DISTRIBUTION} @ {address}"

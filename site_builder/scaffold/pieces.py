@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from site_builder.benchmarks.measurements import COMMAND
 from site_builder.book import OUTLINE
 from site_builder.scaffold.files import filled, packages, write_new
 from site_builder.scaffold.names import Name, ScaffoldError, read_name
@@ -66,16 +67,17 @@ def ladder(root: Path, text: str) -> Made:
         f"tests/ladders/test_{name.module}_ladder.py": "ladder/test.py",
     }
     made = _write(root, name, files)
-    return made, f"make bench LADDER={name.text}; then show it: :::{{ladder}} {name.text}"
+    measure = f"{COMMAND} --ladder {name.text}"
+    return made, f"{measure}; then show it: :::{{ladder}} {name.text}"
 
 
 def directive(root: Path, text: str) -> Made:
-    """In the builder's own folder: a book that shares its engine gives it to all."""
+    """In the engine's repository alone."""
     name = read_name("directive", text)
     folder = "site_builder/markdown/directives"
     index = root / folder / "__init__.py"
     if not index.is_file():
-        raise ScaffoldError(f"{root} has no builder of its own; legal: where {folder}/ is")
+        raise ScaffoldError(f"{root} has no builder of its own; legal: in the engine's repository")
     listed = _listed(index.read_text(encoding="utf-8"), name)
     files = {
         f"{folder}/{name.module}.py": "directive/directive.py",

@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 from site_builder.cache import cached_result
+from site_builder.engine_files import STATIC
 from site_builder.files import file_hash
 from site_builder.languages.words import Words
 from site_builder.npm import NODE
@@ -31,10 +32,10 @@ class Means:
     """Stop words and synonyms."""
 
 
-def indexing(library: SearchLibrary, static: Path, words: Words) -> Means:
+def indexing(library: SearchLibrary, words: Words) -> Means:
     """For pages in the language of ``words``."""
     return Means(
-        (*(library.scripts[name] for name in LIBRARY), *(static / name for name in SHARED)),
+        (*(library.scripts[name] for name in LIBRARY), *(STATIC / name for name in SHARED)),
         (words("script.search.stop_words"), words("script.search.synonyms")),
     )
 

@@ -10,7 +10,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from site_builder.book_root import ENGINE, VARIABLE
+from site_builder.engine_files import ENGINE, STATIC
 from site_builder.output.writer import replace_file
 from site_builder.server.news import News
 from site_builder.site_assets import NOW, STYLE_SHEET
@@ -70,7 +70,7 @@ class Builds:
         return await asyncio.create_subprocess_exec(
             sys.executable, "-m", "site_builder", "build", "--reload", "--wait",
             "--out", self.out, *runtime, stdin=PIPE, stdout=PIPE, stderr=PIPE,
-            cwd=ENGINE, env={**os.environ, VARIABLE: str(self.root)}, start_new_session=True,
+            cwd=self.root, start_new_session=True,
         )  # fmt: skip
 
     def replace_styles(self, changed: Collection[Path]) -> bool:
@@ -106,8 +106,8 @@ async def end(process: Process) -> None:
 
 
 def style_sheets(root: Path) -> Iterator[tuple[Path, str]]:
-    for base in {root, ENGINE}:
-        for path in (base / "static" / "css").glob("*.css"):
+    for static in {root / "static", STATIC}:
+        for path in (static / "css").glob("*.css"):
             yield path, path.read_text(encoding="utf-8", errors="replace")
 
 

@@ -9,13 +9,12 @@ from pathlib import Path
 import uvicorn
 from watchfiles import DefaultFilter, awatch
 
-from site_builder.book_root import ENGINE
+from site_builder.engine_files import ENGINE, STATIC
 from site_builder.server.app import make_app
 from site_builder.server.builds import Builds, is_code
 from site_builder.server.news import News
 
 LOOPBACK = "127.0.0.1"
-WATCHED = ("content", "simulations", "static", "site_builder")
 DEBOUNCE_MS = 100
 STEP_MS = 10
 """How long nothing more must change before a change is reported."""
@@ -73,7 +72,8 @@ async def _build_on_change(builds: Builds) -> None:
 
 async def _changes(root: Path) -> AsyncIterator[set[Path]]:
     ignore = DefaultFilter(ignore_entity_patterns=(*DefaultFilter.ignore_entity_patterns, r"^\."))
-    folders = {base / name for base in (root, ENGINE) for name in WATCHED}
-    present = sorted(folder for folder in folders if folder.is_dir())
+    own = {root / name for name in ("content", "simulations", "static")}
+    engine = {ENGINE / "simulations", ENGINE / "site_builder", STATIC}
+    present = sorted(folder for folder in own | engine if folder.is_dir())
     async for changes in awatch(*present, watch_filter=ignore, debounce=DEBOUNCE_MS, step=STEP_MS):
         yield {Path(path) for _change, path in changes}

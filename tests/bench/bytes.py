@@ -11,8 +11,8 @@ from bench.costs import keep
 from playwright.sync_api import Browser
 from support.chromium import open_chromium
 from support.host import Host, hosting
+from support.places import ROOT
 
-from site_builder.book_root import ROOT
 from site_builder.cache import Cache, using
 from site_builder.files import folder_files
 from site_builder.publishing.compressed import compressed_copies

@@ -9,10 +9,10 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from bench.record import write
+from support.places import ROOT
 
+from site_builder.bench.record import write
 from site_builder.benchmarks.costs import DATA
-from site_builder.book_root import ROOT
 
 BUDGETS = Path(__file__).with_name("budgets.toml")
 

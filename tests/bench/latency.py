@@ -20,8 +20,7 @@ from typing import Any
 from bench.built_book import figure_at_rest, open_book, script
 from bench.costs import keep
 from playwright.sync_api import Page
-
-from site_builder.book_root import ROOT
+from support.places import ROOT
 
 FRAME_MS = 1000 / 60
 BOUND_FRAMES = 2

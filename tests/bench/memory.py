@@ -16,8 +16,7 @@ from pathlib import Path
 from bench.built_book import figure_at_rest, open_book, script
 from bench.costs import keep
 from playwright.sync_api import Page
-
-from site_builder.book_root import ROOT
+from support.places import ROOT
 
 FRAMES, TURNS, PARTS = 2000, 100, 4
 SCENE, CONTROL = "lens-distortion", "k1"

@@ -20,10 +20,11 @@ from bench.costs import keep
 from bench.latency import Latency
 from bench.latency import measure as measure_drags
 from bench.memory import EXERCISE, held
-from bench.record import significant
 from bench.start import SITE, Run, Start, laid_out, measure_book, measure_plain, profile, summary
 from playwright.sync_api import Page, sync_playwright
 from support.chromium import HOW_TO, find_chromium
+
+from site_builder.bench.record import significant
 
 TIMES = 6
 SLOWED = f"{sys.executable} {Path(__file__).with_name('slowed.py')} {TIMES}"

@@ -9,12 +9,11 @@ import time
 from pathlib import Path
 from typing import Any
 
-from bench.record import write
-
 from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.registry import load_scene
+from site_builder.bench.record import write
 
 DATA = Path(__file__).resolve().parents[2] / "content" / "stage-costs.json"
 PAIRS = 9

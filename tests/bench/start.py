@@ -22,14 +22,14 @@ from statistics import median
 from typing import Any
 
 from bench.costs import keep
-from bench.record import significant
 from playwright.sync_api import BrowserContext, BrowserType, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
+from support.places import ROOT
 from support.reader import DESK
 from support.static_server import serving
 
 from simulations.registry import scene_module
-from site_builder.book_root import ROOT
+from site_builder.bench.record import significant
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.imports import imports_of, reach
 from site_builder.runtime.pack import book_modules, chunk_archive

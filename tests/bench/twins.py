@@ -22,6 +22,7 @@ from bench.costs import keep
 from bench.latency import DRAG, MOVES, ROUNDS
 from numpy.typing import NDArray
 from playwright.sync_api import JSHandle, Page
+from support.places import ROOT
 
 from simulations.engine.controls import Slider
 from simulations.engine.frame import Raster
@@ -31,7 +32,6 @@ from simulations.scenes._ball.ball import PIXELS_PER_UNIT, RADIUS_PX
 from simulations.scenes._ball.marks import CENTRE, HEIGHT, WIDTH
 from simulations.scenes.lens_distortion.radii import FOCAL_PX, HEIGHT_PX, WIDTH_PX
 from simulations.scenes.lens_distortion.stages import MARGIN_PX
-from site_builder.book_root import ROOT
 
 MOST = 3.0
 """Times as long as plain JavaScript, at the median."""

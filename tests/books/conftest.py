@@ -7,13 +7,14 @@ from typing import Any
 
 import pytest
 from support.built import built_once
-from support.waves import on_waves
+from support.engine import Engine
+from support.places import WAVES
 
 
 @pytest.fixture(scope="session")
-def waves_site(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+def waves_site(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
     def build(out: Path) -> CompletedProcess[str]:
-        done = on_waves("-m", "site_builder", "build", "--out", str(out))
+        done = engine.run(WAVES, "-m", "site_builder", "build", "--out", str(out))
         assert "warning" not in done.stderr
         return done
 

@@ -1,11 +1,9 @@
 """``serve``, as an author has it: a small book is edited while a page of it is open."""
 
-import os
 import re
 import shutil
 import socket
 import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -13,10 +11,9 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
+from support.engine import Engine
 from support.page_scripts import SILENT_WORKER
-from support.waves import ROOT, WAVES
-
-from site_builder.book_root import VARIABLE
+from support.places import ROOT, WAVES
 
 pytestmark = pytest.mark.browser
 LONGEST_S = 120
@@ -68,15 +65,18 @@ def wait_for_server(port: int) -> None:
 
 
 @pytest.fixture(scope="module")
-def author(tmp_path_factory: pytest.TempPathFactory, brisk_chromium: Browser) -> Iterator[Author]:
+def author(
+    engine: Engine, tmp_path_factory: pytest.TempPathFactory, brisk_chromium: Browser
+) -> Iterator[Author]:
     folder = tmp_path_factory.mktemp("edited")
     book, port = folder / "book", free_port()
     shutil.copytree(WAVES, book)
-    shutil.copytree(ROOT / "static", book / "static")
-    command = [sys.executable, "-m", "site_builder", "serve", "--port", str(port)]
+    (book / "static" / "css").mkdir(parents=True)
+    shutil.copy(ROOT / "static" / "css" / "prose.css", book / "static" / "css")
+    command = [engine.python, "-m", "site_builder", "serve", "--port", str(port)]
     with subprocess.Popen(
-        [*command, "--out", str(folder / "site")], cwd=ROOT, stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT, env={**os.environ, VARIABLE: str(book)},
+        [*command, "--out", str(folder / "site")], cwd=book, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
     ) as serving, brisk_chromium.new_context(service_workers="block") as context:  # fmt: skip
         try:
             wait_for_server(port)

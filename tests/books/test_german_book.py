@@ -12,22 +12,22 @@ from xml.etree import ElementTree
 import pytest
 from playwright.sync_api import Browser, expect
 from support.built import built_once
+from support.engine import Engine
 from support.interface_words import engine_sentences, phrases, said
+from support.places import GERMAN_BOOK
 from support.reader import Reader, visit
 from support.static_server import serving
-from support.waves import ROOT, on_waves
 
 from site_builder.languages.words import ENGLISH, load_words
 
-GERMAN_BOOK = ROOT / "tests" / "fixtures" / "german-book"
 WORDS = load_words("de")
 XML = "{http://www.w3.org/XML/1998/namespace}"
 
 
 @pytest.fixture(scope="session")
-def german_site(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+def german_site(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
     def build(out: Path) -> CompletedProcess[str]:
-        return on_waves("-m", "site_builder", "build", "--out", str(out), book=GERMAN_BOOK)
+        return engine.run(GERMAN_BOOK, "-m", "site_builder", "build", "--out", str(out))
 
     return built_once(tmp_path_factory, worker_id, "german", build)
 
@@ -73,9 +73,9 @@ def test_the_engine_of_its_figures_says_no_english_sentence(german_site: Path) -
     assert left == []
 
 
-def test_its_e_book_is_in_german(tmp_path: Path) -> None:
+def test_its_e_book_is_in_german(engine: Engine, tmp_path: Path) -> None:
     file = tmp_path / "buch.epub"
-    made = on_waves("-m", "site_builder", "epub", "--out", str(file), book=GERMAN_BOOK)
+    made = engine.run(GERMAN_BOOK, "-m", "site_builder", "epub", "--out", str(file))
     assert made.returncode == 0, made.stderr
     with zipfile.ZipFile(file) as book:
         texts = {name: book.read(name).decode() for name in book.namelist() if is_text(name)}

@@ -8,13 +8,15 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser
+from support.engine import Engine
 from support.found import ILLUSTRATIONS, TABLES
+from support.places import WAVES
 from support.reader import visit
 from support.static_server import serving
-from support.waves import SCENES, WAVES, on_waves
+from support.waves import SCENES
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
-from site_builder.book_root import is_engine
+from site_builder.engine_files import is_engine
 
 STYLES = re.compile(r"<style>.*?</style>", re.DOTALL)
 """The engine's; their colours have names that a book's figures may have, too."""
@@ -35,12 +37,13 @@ def test_it_has_its_own_chapters_figures_and_questions(waves_book: Any) -> None:
 
 
 def test_its_readers_get_its_modules_and_the_engine_s_and_no_others(waves_site: Path) -> None:
-    of_the_book = {name for name in modules_of(waves_site) if not is_engine(name)}
+    of_the_engine = set(filter(is_engine, modules_of(waves_site)))
     own = {
         ".".join(file.relative_to(WAVES).with_suffix("").parts).removesuffix(".__init__")
         for file in (WAVES / "simulations").rglob("*.py")
     }
-    assert of_the_book == own
+    assert modules_of(waves_site) == of_the_engine | own
+    assert {name for name in of_the_engine if ".models." in name} <= own
 
 
 def test_its_runtime_names_its_scenes_and_ladders_alone(waves_site: Path) -> None:
@@ -72,21 +75,38 @@ def test_what_it_quotes_is_its_own_code(waves_site: Path) -> None:
     assert "by_definition" in page.read_text(encoding="utf-8")
 
 
-def test_its_own_tests_pass() -> None:
+def test_its_own_tests_pass(engine: Engine) -> None:
     folder = str(WAVES / "tests")
-    done = on_waves("-m", "pytest", "-q", "-p", "no:cacheprovider", "--confcutdir", folder, folder)
+    how = ("-q", "-p", "no:cacheprovider", "-c", "/dev/null", "--rootdir", folder)
+    done = engine.run(WAVES, "-m", "pytest", *how, folder)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_nothing_of_the_book_around_the_engine_can_be_imported() -> None:
-    done = on_waves("-c", "import site_builder, simulations.models.color.srgb")
-    assert done.stderr.rstrip().endswith("No module named 'simulations.models.color'")
+def test_it_has_the_models_of_the_engine_and_nothing_else_of_this_book(engine: Engine) -> None:
+    both = "import simulations.models.color.srgb, simulations.models.spectra"
+    assert engine.run(WAVES, "-c", both).stderr == ""
+    done = engine.run(WAVES, "-c", "import simulations.scenes.camera")
+    assert done.stderr.rstrip().endswith("No module named 'simulations.scenes.camera'")
 
 
-def test_a_folder_that_is_no_book_is_refused_in_words(tmp_path: Path) -> None:
-    done = on_waves("-m", "site_builder", "check", book=tmp_path)
+def test_a_folder_that_is_no_book_is_refused_in_words(engine: Engine, tmp_path: Path) -> None:
+    done = engine.run(tmp_path, "-m", "site_builder", "check")
     assert done.returncode == 1
-    assert done.stderr == f"BOOK={tmp_path} is no book; legal: a folder that holds content/\n"
+    assert done.stderr == f"{tmp_path} is no book; legal: a folder that holds content/\n"
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["simulations/__init__.py", "simulations/engine/frame.py", "simulations/models/color.py"],
+)
+def test_what_would_hide_a_part_of_the_engine_is_refused(
+    path: str, engine: Engine, tmp_path: Path
+) -> None:
+    (tmp_path / path).parent.mkdir(parents=True)
+    (tmp_path / path).touch()
+    done = engine.run(tmp_path, "-m", "site_builder", "check")
+    assert done.returncode == 1
+    assert "hides the engine's part of simulations; legal: " in done.stderr
 
 
 @pytest.mark.browser

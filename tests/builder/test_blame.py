@@ -28,11 +28,11 @@ def test_an_exception_is_told_in_words_with_its_place(line: str, says: str, tmp_
         draw = import_module(f"{PACKAGE}.scene").draw
         with pytest.raises(Exception) as raised:  # noqa: PT011
             draw()
-        assert cause(raised.value) == f"{says}, at small/scene.py:5"
+        assert cause(raised.value) == f"{says}, at simulations/small/scene.py:5"
 
 
 def test_a_module_that_cannot_be_read_is_told_with_its_line(tmp_path: Path) -> None:
     with small_package(tmp_path, {"scene": "def draw(:\n    pass\n"}):
         with pytest.raises(SyntaxError) as raised:
             import_module(f"{PACKAGE}.scene")
-        assert cause(raised.value) == "SyntaxError: invalid syntax, at small/scene.py:1"
+        assert cause(raised.value) == "SyntaxError: invalid syntax, at simulations/small/scene.py:1"

@@ -100,15 +100,15 @@ def test_a_job_that_failed_is_not_tried_again() -> None:
 def test_the_place_and_the_words_of_an_error_come_back_with_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    package = tmp_path / "sandboxed"
-    package.mkdir()
+    package = tmp_path / "simulations" / "sandboxed"
+    package.mkdir(parents=True)
     (package / "__init__.py").write_text("")
     (package / "optics.py").write_text("height = 3\ndef focus():\n    return heigth\n")
     monkeypatch.syspath_prepend(tmp_path)
     with limited(Limits()), pytest.raises(NameError) as raised:
-        run_limited(import_module("sandboxed.optics").focus)
+        run_limited(import_module("simulations.sandboxed.optics").focus)
     said = "NameError: name 'heigth' is not defined. Did you mean: 'height'?"
-    assert cause(raised.value) == f"{said}, at sandboxed/optics.py:3"
+    assert cause(raised.value) == f"{said}, at simulations/sandboxed/optics.py:3"
 
 
 def test_jobs_side_by_side_give_their_results_in_order() -> None:

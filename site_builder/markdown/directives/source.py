@@ -4,8 +4,8 @@ import ast
 from pathlib import Path
 from textwrap import dedent
 
-from site_builder.book_root import is_engine, own_or_engine
 from site_builder.diagnostics import unknown
+from site_builder.engine_files import own_or_engine
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
@@ -39,7 +39,7 @@ def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) ->
 
 def _text_of(module: str, path: str, root: Path) -> str:
     """The module's file. Raises `LookupError`."""
-    file = own_or_engine(root, path) if is_engine(module) else root / path
+    file = own_or_engine(root, path)
     if not file.is_file() or not module.startswith("simulations."):
         raise LookupError(unknown("module", module, _modules(root / "simulations")))
     return file.read_text(encoding="utf-8", errors="replace")

@@ -117,7 +117,7 @@ def _text(words: str, context: ParseContext) -> str:
 MEASURED = Role(
     name="measured",
     form=f"LADDER TIER [over TIER] {WANTED} [bare]",
-    doc="a number from the file that `make bench` writes",
+    doc="a number from the file that `python -m site_builder bench` writes",
     text=_text,
     refuses=MeasurementError,
 )

@@ -7,7 +7,7 @@ from itertools import groupby
 from simulations.engine.controls import Control, Value
 from simulations.engine.frame import Readout
 from site_builder.benchmarks.quantities import with_unit
-from site_builder.book_root import ENGINE
+from site_builder.engine_files import ENGINE
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
 

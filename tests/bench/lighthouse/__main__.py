@@ -17,8 +17,8 @@ from bench.bytes import SITE, packed_copies
 from bench.costs import keep
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.host import hosting
+from support.places import ROOT
 
-from site_builder.book_root import ROOT
 from site_builder.npm import NodeError, install_packages
 
 HERE = Path(__file__).parent

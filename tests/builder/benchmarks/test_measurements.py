@@ -11,6 +11,7 @@ from support.little_book import diagnostics, rendered
 from support.toy_ladder import ERRORS, FILE, toy_data, toy_ladder, toy_measurements
 
 from simulations.engine.ladder import Ladder
+from site_builder.benchmarks.measurements import COMMAND
 from site_builder.build import Options
 from site_builder.markdown.roles.measured import LEGAL, measured_text
 
@@ -43,7 +44,7 @@ def lacking(part: str) -> Any:
 
 
 LADDER = ":::{ladder} toy\n:default: Good.\n:::\n"
-AGAIN = "run `make bench LADDER=toy`"
+AGAIN = f"run `{COMMAND} --ladder toy`"
 STALE = f"{FILE} is out of date: the "
 NONE: Any = {"machine": {}, "ladders": {}}
 TOY = toy_data()["ladders"]["toy"]
@@ -95,9 +96,9 @@ def test_a_mistake_is_reported_at_its_line(find: Find, line: int, body: str, mes
         ),
         (LADDER, entry(metrics={"rms": "codes"}), f"{STALE}metrics of ladder 'toy' changed from"),
         (LADDER, entry(tiers={}), f"{STALE}tiers of ladder 'toy' changed from [] to ['exact',"),
-        (LADDER, lacking("workload"), f"{FILE}: ladder 'toy' is not as `make bench` writes it"),
-        (LADDER, lacking("metrics"), f"{FILE}: ladder 'toy' is not as `make bench` writes it"),
-        (LADDER, lacking("tiers"), f"{FILE}: ladder 'toy' is not as `make bench` writes it"),
+        (LADDER, lacking("workload"), f"{FILE}: ladder 'toy' is not as `{COMMAND}` writes it"),
+        (LADDER, lacking("metrics"), f"{FILE}: ladder 'toy' is not as `{COMMAND}` writes it"),
+        (LADDER, lacking("tiers"), f"{FILE}: ladder 'toy' is not as `{COMMAND}` writes it"),
     ],
 )
 def test_measurements_that_do_not_fit_the_ladders_are_reported(
@@ -111,15 +112,18 @@ def test_measurements_that_do_not_fit_the_ladders_are_reported(
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        ('{\n"machine": }', "2: malformed JSON: Expecting value; run `make bench`"),
+        (
+            '{\n"machine": }',
+            "2: malformed JSON: Expecting value; run `",
+        ),
         *(
-            (content, "1: no 'machine' or no 'ladders'; run `make bench`")
+            (content, "1: no 'machine' or no 'ladders'; run `")
             for content in ("[]", "{}", '{"machine": {}}')
         ),
     ],
 )
 def test_a_file_of_another_shape_is_reported(find: Find, content: str, message: str) -> None:
-    assert find("Text.\n", content) == [f"{FILE}:{message}"]
+    assert find("Text.\n", content) == [f"{FILE}:{message}{COMMAND}`"]
 
 
 def test_a_ladder_whose_own_code_fails_is_reported_with_its_reason(

@@ -8,7 +8,7 @@ from site_builder.editions import chromium
 def test_a_missing_chromium_is_said_to_be_installed_how(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(chromium, "find_chromium", lambda: None)
     with pytest.raises(chromium.MissingChromiumError, match="playwright install chromium"):
-        chromium.require_chromium()
+        chromium.require_chromium("the PDF")
 
 
 def test_a_missing_driver_is_said_to_come_with_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -16,5 +16,5 @@ def test_a_missing_driver_is_said_to_come_with_the_command(monkeypatch: pytest.M
         raise ModuleNotFoundError("no module", name="playwright")
 
     monkeypatch.setattr(chromium, "find_chromium", find)
-    with pytest.raises(chromium.MissingChromiumError, match="make pdf"):
-        chromium.require_chromium()
+    with pytest.raises(chromium.MissingChromiumError, match="pip install playwright"):
+        chromium.require_chromium("the PDF")

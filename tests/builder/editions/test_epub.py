@@ -17,8 +17,8 @@ from site_builder.editions.epub import FOLDER, make_epub
 from site_builder.editions.epub_style import book_style
 from site_builder.output.light_theme import resolve
 
-STYLES = Path(__file__).parents[3] / "static" / "css"
-TOKENS = (STYLES / "tokens.css").read_text(encoding="utf-8")
+ROOT = Path(__file__).parents[3]
+TOKENS = (ROOT / "static" / "css" / "tokens.css").read_text(encoding="utf-8")
 OPF = "{http://www.idpf.org/2007/opf}"
 
 
@@ -68,4 +68,4 @@ def test_variables_are_resolved_to_the_light_theme() -> None:
 
 
 def test_the_style_of_an_e_book_has_no_variables() -> None:
-    assert "var(" not in book_style(STYLES)
+    assert "var(" not in book_style(ROOT)

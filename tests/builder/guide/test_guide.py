@@ -1,18 +1,16 @@
 """The guide for authors: all that is declared is in it, with an example, and it builds."""
 
-import os
 import re
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, expect
+from support.engine import Engine
 from support.html_outline import read_html
 from support.static_server import serving
 
-from site_builder.book_root import ENGINE, VARIABLE
+from site_builder.engine_files import STATIC
 from site_builder.guide.book import guide_files, write_guide
 from site_builder.guide.classes import read_classes
 from site_builder.guide.pages import (
@@ -26,18 +24,12 @@ from site_builder.markdown.roles import ROLES
 
 
 @pytest.fixture(scope="module")
-def guide(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def guide(engine: Engine, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The built guide, without Python for the browser."""
     folder = tmp_path_factory.mktemp("guide")
-    write_guide(folder / "book")
-    command = [sys.executable, "-m", "site_builder", "build", "--no-runtime"]
-    environment = {**os.environ, VARIABLE: str(folder / "book")}
-    done = subprocess.run(
-        [*command, "--out", str(folder / "site")],
-        cwd=ENGINE, env=environment, capture_output=True, text=True, check=False,
-    )  # fmt: skip
+    done = engine.run(folder, "-m", "site_builder", "guide", "--build-only", "--no-runtime")
     assert (done.returncode, done.stderr) == (0, "")
-    return folder / "site"
+    return folder / "build" / "guide" / "site"
 
 
 def test_every_directive_and_role_has_its_section(guide: Path) -> None:
@@ -55,7 +47,7 @@ def test_a_new_directive_without_an_example_is_told_where_to_write_one() -> None
 
 def test_every_class_that_a_drawing_may_have_is_on_the_page_of_drawings() -> None:
     sheets = ("overlay", "illustrations")
-    css = "".join((ENGINE / "static" / "css" / f"{name}.css").read_text("utf-8") for name in sheets)
+    css = "".join((STATIC / "css" / f"{name}.css").read_text("utf-8") for name in sheets)
     rules = re.findall(r"^\.overlay (?!>)([^{]+) \{", css, re.MULTILINE)
     styled = {name for rule in rules for name in re.findall(r"\.([a-z-]+)", rule)}
     assert {"world", "dashed", "ground", "on-swatch", "sub"} <= styled
@@ -64,7 +56,7 @@ def test_every_class_that_a_drawing_may_have_is_on_the_page_of_drawings() -> Non
 
 
 def test_every_colour_role_can_be_written_in_a_sentence() -> None:
-    classes = read_classes(ENGINE / "static" / "css" / "overlay.css")
+    classes = read_classes(STATIC / "css" / "overlay.css")
     assert set(classes.roles) <= {role.name for role in ROLES}
 
 

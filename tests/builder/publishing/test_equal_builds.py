@@ -20,8 +20,6 @@ def write_book(root: Path, *, reverse: bool = False) -> None:
     for name in sorted(files, reverse=reverse):
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(files[name], encoding="utf-8")
-    (root / "static").symlink_to(ROOT / "static")
-    (root / "simulations").symlink_to(ROOT / "simulations")
 
 
 def build(how: list[str], folder: Path, settings: dict[str, str], umask: int) -> dict[str, bytes]:

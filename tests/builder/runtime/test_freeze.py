@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-from support.waves import LADDERS, SCENES, WAVES
+from support.places import WAVES
+from support.waves import LADDERS, SCENES
 
 from site_builder.runtime import store
 from site_builder.runtime.fetch import fetch_runtime

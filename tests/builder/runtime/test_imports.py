@@ -64,7 +64,8 @@ from simulations.browser import render
 for scene in sys.argv[1:]:
     if os.fork() == 0:
         render("figure", scene, "{}", "")
-        print(json.dumps([scene, [*sys.modules]]), flush=True)
+        files = [name for name, module in sys.modules.items() if getattr(module, "__file__", "")]
+        print(json.dumps([scene, files]), flush=True)
         os._exit(0)
     os.wait()
 """

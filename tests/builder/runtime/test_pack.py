@@ -11,7 +11,9 @@ from io import BytesIO
 from pathlib import Path
 
 import pytest
-from support.waves import LADDERS, SCENES, WAVES, on_waves
+from support.engine import Engine
+from support.places import WAVES
+from support.waves import LADDERS, SCENES
 
 from site_builder.runtime.freeze import Frozen
 from site_builder.runtime.imports import imports_of, module_files, reach, read_imports
@@ -71,19 +73,21 @@ def test_the_archive_holds_the_modules_and_nothing_else(package: Path) -> None:
 
 
 IMPORT_ALL = """
-import site_builder.book_root
 import json, sys
 from simulations import browser, registry
 from simulations.editing import copies  # these two by the worker, once they are asked for
 from simulations.engine import conditions
 for scene in registry.SCENE_MODULES: registry.load_scene(scene)
 for ladder in registry.LADDER_MODULES: registry.load_ladder(ladder)
-print(json.dumps([name for name in sys.modules if name.split(".")[0] == "simulations"]))
+ours = [module for name, module in sys.modules.items() if name.startswith("simulations.")]
+print(json.dumps([module.__name__ for module in ours if module.__file__]))
 """
 
 
-def test_the_page_gets_just_the_modules_that_the_worker_scenes_and_ladders_import() -> None:
-    done = on_waves("-c", IMPORT_ALL)
+def test_the_page_gets_just_the_modules_that_the_worker_scenes_and_ladders_import(
+    engine: Engine,
+) -> None:
+    done = engine.run(WAVES, "-c", IMPORT_ALL)
     imports = imports_of(book_modules(WAVES / "simulations"))
     assert page_modules(imports, SCENES, LADDERS) == set(json.loads(done.stdout))
 

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from support.waves import LADDERS, SCENES, WAVES
+from support.places import WAVES
+from support.waves import LADDERS, SCENES
 
 from site_builder.runtime import pack
 from site_builder.runtime.fetch import fetch_runtime

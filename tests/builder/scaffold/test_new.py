@@ -1,11 +1,15 @@
-"""What ``new`` makes works at once: a book, and in it one skeleton of each kind."""
+"""What ``new`` makes works at once: a book of an installed engine, one skeleton of each kind in it,
+and the book again after the engine was upgraded."""
 
-import subprocess
+import re
+import shutil
 import sys
 from pathlib import Path
 
 import pytest
 from filelock import FileLock
+from support.engine import Engine, build_wheel, new_engine, run
+from support.places import ROOT
 
 from site_builder.scaffold.names import ScaffoldError, read_name
 from site_builder.scaffold.new_book import make_book
@@ -17,7 +21,6 @@ PIECES_MADE = (
     ("model", "air-drag"),
     ("model", "mechanics/spring"),
     ("ladder", "exponential"),
-    ("directive", "aside"),
 )
 MAKE_PIECES = """\
 import sys
@@ -25,55 +28,61 @@ from site_builder.__main__ import main
 sys.exit(any([main(["new", *piece.split()]) for piece in sys.argv[1:]]))
 """
 """By the command, which is started once for all."""
-
-
-def in_book(folder: Path, *words: str) -> "subprocess.CompletedProcess[str]":
-    command = [sys.executable, *words]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+DIRECTIVES = "site_builder/markdown/directives"
+PARTS = (".github", "LICENSE", "pyproject.toml", "simulations", "site_builder", "static")
+"""Of the repository: what its wheel is made of."""
 
 
 @pytest.fixture(scope="session")
-def first_book(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
-    """A new book with one more piece of each kind, which the copy's own command has made."""
+def first_book(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+    """A new book with one more piece of each kind, made by the installed engine's command."""
     own = tmp_path_factory.getbasetemp()
     folder = (own if worker_id == "master" else own.parent) / "first-book"
     with FileLock(f"{folder}.lock"):
         if not folder.exists():
-            make_book(folder)
-            done = in_book(folder, "-c", MAKE_PIECES, *(" ".join(piece) for piece in PIECES_MADE))
+            done = engine.run(folder.parent, "-m", "site_builder", "new", "book", folder.name)
+            assert done.returncode == 0, done.stderr
+            made = (" ".join(piece) for piece in PIECES_MADE)
+            done = engine.run(folder, "-c", MAKE_PIECES, *made)
             assert done.returncode == 0, done.stderr
     return folder
 
 
-def test_the_sources_have_no_mistakes(first_book: Path) -> None:
-    done = in_book(first_book, "-m", "site_builder", "check")
-    assert (done.returncode, done.stdout, done.stderr) == (0, "no mistakes\n", "")
+def test_a_new_book_is_small(engine: Engine, tmp_path: Path) -> None:
+    done = engine.run(tmp_path, "-m", "site_builder", "new", "book", "small")
+    files = [file for file in (tmp_path / "small").rglob("*") if file.is_file()]
+    assert done.stdout.startswith(f"small: {len(files)} files\n")
+    assert len(files) <= 25
+    assert sum(len(file.read_text("utf-8").splitlines()) for file in files) <= 600
 
 
-def test_all_its_tests_pass(first_book: Path) -> None:
-    done = in_book(first_book, "-m", "pytest", "-q", "-p", "no:cacheprovider")
+def test_all_its_tests_pass(engine: Engine, first_book: Path) -> None:
+    done = engine.run(first_book, "-m", "pytest", "-q", "-p", "no:cacheprovider")
     assert done.returncode == 0, done.stdout + done.stderr
-    for name in ("two_balls_scene", "air_drag", "spring", "exponential_ladder", "aside_directive"):
+    for name in ("two_balls_scene", "air_drag", "spring", "exponential_ladder"):
         assert len([*first_book.glob(f"tests/**/test_{name}.py")]) == 1
 
 
+def test_its_site_has_its_figures(engine: Engine, first_book: Path, tmp_path: Path) -> None:
+    done = engine.run(
+        first_book, "-m", "site_builder", "build", "--no-runtime", "--out", str(tmp_path / "site")
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    page = (tmp_path / "site" / "a-falling-ball" / "index.html").read_text("utf-8")
+    assert 'data-simulation="falling-ball"' in page
+
+
 def test_its_code_is_formatted_and_free_of_lint(first_book: Path) -> None:
-    own = ["simulations", "tests", "site_builder/markdown/directives"]
+    ours = "lint.isort.known-first-party = ['simulations', 'site_builder']"
+    settings = ("--config", str(ROOT / "pyproject.toml"), "--config", ours, "simulations", "tests")
     for command in (["format", "--check"], ["check"]):
-        done = in_book(first_book, "-m", "ruff", *command, *own)
+        done = run(first_book, sys.executable, "-m", "ruff", *command, *settings)
         assert done.returncode == 0, done.stdout
 
 
-def test_a_book_has_a_question_of_each_kind(first_book: Path) -> None:
-    texts = "".join(file.read_text("utf-8") for file in first_book.glob("content/*.md"))
-    for kind in (":kind: number", ":kind: order", ":kind: figure", ":kind: multiple", "{predict}"):
-        assert kind in texts
-
-
-def test_a_book_has_nothing_of_the_one_whose_engine_it_took(first_book: Path) -> None:
-    scenes = {folder.name for folder in (first_book / "simulations" / "scenes").iterdir()}
-    assert {name for name in scenes if not name.startswith("_")} == {"falling_ball", "two_balls"}
-    assert not (first_book / "simulations" / "pictures").exists()
+def test_it_names_the_wheel_that_its_engine_came_from(first_book: Path) -> None:
+    project = (first_book / "pyproject.toml").read_text("utf-8")
+    assert re.search(r'"textbook-builder @ file:///\S+\.whl"', project)
 
 
 def what_an_author_wrote(book: Path) -> dict[Path, bytes]:
@@ -129,6 +138,48 @@ def test_every_kind_checks_its_names(tmp_path: Path, kind: str) -> None:
         make_new(tmp_path, kind, "No Name")
 
 
-def test_a_book_that_shares_its_engine_gets_no_directive(tmp_path: Path) -> None:
+def test_a_book_gets_no_directive(tmp_path: Path) -> None:
     with pytest.raises(ScaffoldError, match="has no builder of its own"):
         make_new(tmp_path, "directive", "aside")
+
+
+@pytest.fixture(scope="module")
+def changed_engine(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the engine's repository, with another version and a new directive."""
+    folder = tmp_path_factory.mktemp("changed") / "engine"
+    for part in PARTS:
+        copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy2
+        folder.mkdir(exist_ok=True)
+        copy(ROOT / part, folder / part)
+    (folder / "content").mkdir()
+    version = folder / "site_builder" / "__init__.py"
+    changed = re.sub(r'__version__ = ".*"', '__version__ = "99.0"', version.read_text("utf-8"))
+    version.write_text(changed, encoding="utf-8")
+    done = run(folder, sys.executable, "-m", "site_builder", "new", "directive", "aside")
+    assert done.returncode == 0, done.stderr
+    return folder
+
+
+def test_a_new_directive_has_tests_that_pass(changed_engine: Path) -> None:
+    done = run(changed_engine, sys.executable, "-m", "pytest", "-q", "-c", "/dev/null", "tests")
+    assert done.returncode == 0, done.stdout + done.stderr
+    for command in (["format", "--check"], ["check"]):
+        done = run(changed_engine, sys.executable, "-m", "ruff", *command, DIRECTIVES, "tests")
+        assert done.returncode == 0, done.stdout
+
+
+def test_a_changed_engine_reaches_a_book_by_an_upgrade(
+    engine: Engine, changed_engine: Path, tmp_path: Path
+) -> None:
+    own = new_engine(tmp_path / "environment")
+    assert own.install(engine.wheel).returncode == 0
+    assert engine.run(tmp_path, "-m", "site_builder", "new", "book", "book").returncode == 0
+    chapter = tmp_path / "book" / "content" / "01-a-falling-ball.md"
+    with chapter.open("a", encoding="utf-8") as text:
+        text.write("\n:::{aside} Of no weight\nA feather falls as fast, in a vacuum.\n:::\n")
+    check = ("-m", "site_builder", "check")
+    assert "unknown directive 'aside'" in engine.run(tmp_path / "book", *check).stderr
+    assert own.install(build_wheel(changed_engine, tmp_path / "wheels")).returncode == 0
+    assert own.run(tmp_path, "-m", "site_builder", "--version").stdout == "site_builder 99.0\n"
+    done = own.run(tmp_path / "book", *check)
+    assert (done.returncode, done.stderr) == (0, "")

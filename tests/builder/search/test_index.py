@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.book_root import ENGINE
 from site_builder.languages.words import ENGLISH
 from site_builder.search.index import Means, index_of, indexing
 from site_builder.search.library import fetch_library
@@ -21,7 +20,7 @@ RECORDS = ((record(0), record(1)), (record(2),))
 
 @pytest.fixture(scope="module")
 def means() -> Means:
-    return indexing(fetch_library(), ENGINE / "static", ENGLISH)
+    return indexing(fetch_library(), ENGLISH)
 
 
 def test_every_section_is_in_the_index(means: Means) -> None:

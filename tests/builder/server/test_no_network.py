@@ -2,15 +2,12 @@
 
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from support.engine import Engine
+from support.places import GERMAN_BOOK
 
-from site_builder.book_root import VARIABLE
-
-ROOT = Path(__file__).parents[3]
-BOOK = ROOT / "tests" / "fixtures" / "german-book"
 REFUSED = "http://127.0.0.1:9"
 """A proxy at a port where nobody listens: every connection is refused at once."""
 LAST = "<!DOCTYPE html><title>The last good site</title>"
@@ -27,14 +24,14 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def said(machine: Path) -> str:
+def said(engine: Engine, machine: Path) -> str:
     """What ``make serve`` says until it says where the book is to be seen."""
     proxies = {name: REFUSED for kind in ("http", "https", "all") for name in names(kind)}
-    own = {"HOME": machine / "home", "XDG_CACHE_HOME": machine / "cache", VARIABLE: BOOK}
+    own = {"HOME": machine / "home", "XDG_CACHE_HOME": machine / "cache"}
     settings = {name: str(place) for name, place in own.items()}
-    command = [sys.executable, "-m", "site_builder", "serve", "--port", "0"]
+    command = [engine.python, "-m", "site_builder", "serve", "--port", "0"]
     with subprocess.Popen(
-        [*command, "--out", str(machine / "work" / "site")], cwd=ROOT, text=True,
+        [*command, "--out", str(machine / "work" / "site")], cwd=GERMAN_BOOK, text=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         env={**os.environ, **proxies, **settings, "NO_PROXY": "", "no_proxy": ""},
     ) as serving:  # fmt: skip

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from simulations.engine.ladder import Ladder, TierResult
+from site_builder.benchmarks.measurements import COMMAND
 
 RELATIVE = 0.01
 """How far one error may differ between two machines."""
@@ -108,7 +109,7 @@ def merge(
     if set(order) <= set(ladders):
         kept = {}
     elif kept and old["machine"] != machine:
-        raise SystemExit(f"{file.name} was measured on another machine: run `make bench` for all")
+        raise SystemExit(f"{file.name} was measured on another machine: run `{COMMAND}` for all")
     found = {**kept, **ladders}
     return {
         "machine": dict(machine),

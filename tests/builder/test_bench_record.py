@@ -1,13 +1,13 @@
-"""What ``make bench`` keeps of its results."""
+"""What ``bench`` keeps of its results."""
 
 import json
 from pathlib import Path
 
 import pytest
-from bench.record import close, finite, merge, timing
 from support.toy_ladder import toy_data
 
 from simulations.engine.ladder import TierResult
+from site_builder.bench.record import close, finite, merge, timing
 
 MACHINE = {"processor": "abacus"}
 

@@ -1,5 +1,4 @@
-"""Measure every ladder in CPython and in Chromium: ``make bench``, or for one ladder
-``make bench LADDER=srgb``.
+"""Measure every ladder in CPython and in Chromium, or with ``--ladder ID`` one of them.
 
 The two sides take turns, tier by tier and round by round, so that a busy minute of the machine
 falls on both. What is found goes into ``content/measurements.json``, from which all numbers,
@@ -7,23 +6,20 @@ tables and charts of the book are made. A default that is no longer on the brows
 named at the end.
 """
 
-import argparse
 import sys
 import time
 from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
 from typing import Any
-
-from bench.browser_side import browser_meter
-from bench.record import describe_machine, disagreements, ladder_record, merge, write
 
 from simulations.engine.ladder import Ladder, TierResult, measure_tier
 from simulations.registry import LADDER_MODULES, load_ladder
+from site_builder.bench.browser_side import browser_meter
+from site_builder.bench.record import describe_machine, disagreements, ladder_record, merge, write
 from site_builder.benchmarks.judgements import off_the_front
-from site_builder.benchmarks.measurements import read_measurements
-from site_builder.book_root import ROOT
+from site_builder.benchmarks.measurements import DATA, read_measurements
 from site_builder.diagnostics import Diagnostics
 
-DATA = ROOT / "content" / "measurements.json"
 ROUNDS = 5
 BUDGET_S = 0.08
 """Time for the samples of one tier, on one side, in one round."""
@@ -52,12 +48,12 @@ def measure_ladder(ladder: Ladder, meters: Sequence[Meter]) -> list[list[list[Ti
     return results
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(prog="make bench", description=__doc__)
-    parser.add_argument("--ladder", action="append", choices=[*LADDER_MODULES], default=[])
-    chosen = parser.parse_args().ladder or list(LADDER_MODULES)
+def bench(root: Path, chosen: Sequence[str]) -> int:
+    """Measure the ladders ``chosen`` of the book at ``root``, or all; 1 where something is to be
+    said of what was found, else 0. Raises `MissingChromiumError`."""
+    chosen = chosen or list(LADDER_MODULES)
     began, ladders, differing = time.perf_counter(), {}, []
-    with browser_meter(ROOT) as side:
+    with browser_meter(root) as side:
         machine = describe_machine(side.browser, side.pyodide)
         for ladder in map(load_ladder, chosen):
             started = time.perf_counter()
@@ -65,18 +61,14 @@ def main() -> int:
             ladders[ladder.id] = ladder_record(ladder, results)
             differing += disagreements(ladder, results)
             print(f"{ladder.id:24} {time.perf_counter() - started:6.1f} s", flush=True)
-    write(merge(DATA, machine, ladders, list(LADDER_MODULES)), DATA)
-    print(f"{DATA.relative_to(ROOT)} written after {time.perf_counter() - began:.0f} s")
-    complaints = differing + misplaced_defaults(chosen)
+    write(merge(root / DATA, machine, ladders, list(LADDER_MODULES)), root / DATA)
+    print(f"{DATA} written after {time.perf_counter() - began:.0f} s")
+    complaints = differing + misplaced_defaults(root, chosen)
     print("\n".join(complaints), end="\n" if complaints else "", file=sys.stderr)
     return 1 if complaints else 0
 
 
-def misplaced_defaults(ladder_ids: Sequence[str]) -> list[str]:
+def misplaced_defaults(root: Path, ladder_ids: Sequence[str]) -> list[str]:
     """What the new measurements say against the ladders' defaults."""
-    measured = read_measurements(ROOT, Diagnostics())
+    measured = read_measurements(root, Diagnostics())
     return [said for name in ladder_ids if (said := off_the_front(measured.find(name)))]
-
-
-if __name__ == "__main__":
-    raise SystemExit(main())

@@ -1,1 +1,0 @@
-"""Models of image formation: arrays in, arrays out, numpy only, no state."""

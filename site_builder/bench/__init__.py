@@ -1,0 +1,1 @@
+"""``python -m site_builder bench``: every ladder measured in CPython and in Chromium."""
