@@ -64,7 +64,7 @@ def edits_its_python(engine: Engine) -> None:
     click(engine, middle(engine, LINE))
     press(engine, HOME, *"print(6*7)", ENTER)
     click(engine, middle(engine, f"{FIGURE} .workshop .run"))
-    wait_for(engine, PRINTED, f"{FIGURE} .workshop-printed", "42")
+    wait_for(engine, SAYS, f"{FIGURE} .workshop-result", "Running your code.")
 
 
 def answers(engine: Engine) -> None:
@@ -142,5 +142,5 @@ MOVED = f"""(scene, [value, frames]) => {{
   return now !== value && painted > frames
     && document.querySelector(`#figure-${{scene}} simulation-figure`).rests;
 }}"""
-PRINTED = "(place, words) => document.querySelector(place)?.textContent.trim() === words"
+SAYS = "(place, words) => document.querySelector(place)?.textContent.includes(words)"
 ANSWERED = """(form, verdict) => document.querySelector(form).dataset.answered === verdict"""
