@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
+from site_builder import __version__
 from site_builder.book import UNSET
+from site_builder.engine_files import DISTRIBUTION, PACKED
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.npm import Package
 from site_builder.runtime.pinned import Versions
@@ -55,12 +57,21 @@ def gather_licences(
     text = _text_of(root / "LICENSE")
     return (
         Licence(settings.title, "", terms, words("licences.this_book"), "", text),
+        *_of_the_engine(words),
         *(_of_the_runtime(versions, words) if versions.pyodide else ()),
         *_of_the_editor(editor, words),
         *(_of_the_search(package, words) for package in search),
         *(_of_the_decoder(package, words) for package in decoder),
         *_of_the_fonts(words),
     )
+
+
+def _of_the_engine(words: Words) -> Iterator[Licence]:
+    """Of a wheel; the book in the engine's repository is under one licence with it."""
+    if PACKED.is_dir():
+        text = _packaged_text(DISTRIBUTION, "licenses/LICENSE")
+        terms = text[max(text.find("MIT License\n"), 0) :]  # what is before is of another book
+        yield Licence(DISTRIBUTION, __version__, "MIT", words("licences.engine"), "", terms)
 
 
 def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:

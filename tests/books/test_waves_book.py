@@ -70,6 +70,12 @@ def test_the_page_that_a_book_has_nothing_for_is_not_made(waves_site: Path) -> N
     assert not (waves_site / "lecture-plan").exists()
 
 
+def test_the_licence_of_the_engine_is_printed(waves_site: Path) -> None:
+    page = (waves_site / "licences" / "index.html").read_text(encoding="utf-8")
+    assert "textbook-builder" in page
+    assert "The Image Formation authors" in page
+
+
 def test_what_it_quotes_is_its_own_code(waves_site: Path) -> None:
     page = waves_site / "source" / "simulations" / "models" / "spectra" / "index.html"
     assert "by_definition" in page.read_text(encoding="utf-8")

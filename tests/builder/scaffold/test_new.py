@@ -183,3 +183,15 @@ def test_a_changed_engine_reaches_a_book_by_an_upgrade(
     assert own.run(tmp_path, "-m", "site_builder", "--version").stdout == "site_builder 99.0\n"
     done = own.run(tmp_path / "book", *check)
     assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.deep
+def test_a_machine_with_python_and_make_alone_tests_and_builds_a_book(
+    engine: Engine, tmp_path: Path
+) -> None:
+    """All packages come from the index, as for an author."""
+    assert engine.run(tmp_path, "-m", "site_builder", "new", "book", "book").returncode == 0
+    for target in ("test", "site"):
+        done = run(tmp_path / "book", "make", target)
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert (tmp_path / "book" / "build" / "site" / "a-falling-ball" / "index.html").is_file()
