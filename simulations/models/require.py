@@ -8,6 +8,9 @@ from collections.abc import Collection
 
 import numpy as np
 
+MOST_SHOWN = 16
+"""Numbers of an array; of a larger one the shape is told."""
+
 
 def require(name: str, value: object, holds: bool | np.bool_, legal: str) -> None:
     """Raises `ValueError`, ``name value; legal: …``, unless the condition holds."""
@@ -27,5 +30,5 @@ def require_one_of(name: str, value: str, legal: Collection[str]) -> None:
 
 def _shown(value: object) -> str:
     if isinstance(value, np.ndarray):
-        return str(value.tolist())
+        return str(value.tolist()) if value.size <= MOST_SHOWN else f"of shape {value.shape}"
     return repr(value) if isinstance(value, str) else str(value)

@@ -19,6 +19,7 @@ def test_what_holds_passes() -> None:
         (np.array([1.0, np.nan]), "[1.0, nan]"),
         ("xyz", "'xyz'"),
         ((3, 4), "(3, 4)"),
+        (np.zeros((40, 80)), "of shape (40, 80)"),
     ],
 )
 def test_what_does_not_is_refused_in_one_grammar(value: object, shown: str) -> None:
