@@ -2,6 +2,7 @@
 # make site      build it into build/site/ (ADDRESS=https://…/: for this place)
 # make pdf       typeset it into build/image-formation.pdf
 # make epub      pack it for readers of e-books, into build/image-formation.epub
+# make questions export them for learning platforms: Moodle XML and QTI 2.1 (ADDRESS=https://…/)
 # make guide     read the guide for authors: http://localhost:8000
 # make test      all tests; the first run may install a browser
 # make test-quick            those that need no browser
@@ -41,7 +42,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub test test-quick test-deep check lock screenshot bench bench-pages bench-latency bench-edit links mutants clean
+.PHONY: serve guide site pdf epub questions test test-quick test-deep check lock screenshot bench bench-pages bench-latency bench-edit links mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -57,6 +58,9 @@ pdf: $(VENV)/test.stamp $(VENV)/chromium.stamp
 
 epub: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder epub
+
+questions: $(VENV)/book.stamp
+	@$(BIN)/python -m site_builder questions $(ADDRESS:%=--address "%")
 
 # One thread in each process, since the processes share the cores already.
 test test-quick test-deep: export OPENBLAS_NUM_THREADS = 1

@@ -1,4 +1,4 @@
-"""The command line: ``python -m site_builder build|check|serve|bench|guide|pdf|epub|new``."""
+"""The command line: ``python -m site_builder COMMAND``; ``--help`` lists the commands."""
 
 import argparse
 import gc
@@ -12,7 +12,7 @@ from site_builder import __version__
 from site_builder.addresses import site_address, source_address
 from site_builder.benchmarks.loading import import_figures
 from site_builder.book import Book
-from site_builder.build import Options, Warn, build_site
+from site_builder.build import Options, Warn, build_site, check_site
 from site_builder.cache import Cache, source_hash, using
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.output.writer import advice
@@ -94,6 +94,17 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
 
             composed = compose(Options(ROOT, runtime=False, warn=warn))
             written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
+        case "questions":
+            from site_builder.editions.questions.asked import left_out
+            from site_builder.editions.questions.moodle import make_moodle
+            from site_builder.editions.questions.qti import make_qti
+
+            address = site_address(given.address)
+            book = check_site(Options(ROOT, runtime=False, warn=warn, address=address)).book
+            written(_edition(book, "moodle.xml"), make_moodle(book))
+            written(_edition(book, "qti.zip"), make_qti(book))
+            if count := left_out(book):
+                print(f"{count} questions about figures are left out; they need --address")
         case "bench":
             from site_builder.bench.command import bench
 
@@ -166,6 +177,8 @@ def _parser() -> argparse.ArgumentParser:
         ("epub", "pack the whole book for a reader of e-books"),
     ):
         add(name, purpose).add_argument("--out", type=Path, help="the file")
+    questions = add("questions", "export the questions, as Moodle XML and as QTI 2.1")
+    questions.add_argument("--address", default="", help="where the site is, for links to it")
     return parser
 
 

@@ -5,6 +5,7 @@
     NAME/kind.ts    how a page reads and judges an answer
     NAME/kind.css   how it looks
     NAME/kind.md    examples for the authors' guide
+    NAME/moodle.xml and NAME/qti.xml, of quizzes: how learning platforms import it
 
 ``kinds.py`` lists them; nothing else names one.
 """
@@ -70,6 +71,8 @@ class QuestionKind:
     """``data-`` attributes of its form."""
     view: Callable[[Question, Sequence[Simulation]], object] = _no_view
     """What its template shows besides; it is given the figures of the chapter."""
+    needs_page: bool = False
+    """Whether it is answered with a figure of its page, which no other place has."""
 
     def names(self, directive: str) -> tuple[str, ...]:
         return self.quiz if directive == "quiz" else self.predict
@@ -77,6 +80,10 @@ class QuestionKind:
     @property
     def template(self) -> str:
         return f"questions/{self.folder}/kind.html"
+
+    def export(self, platform: str) -> str:
+        """Its template for ``moodle`` or ``qti``."""
+        return f"questions/{self.folder}/{platform}.xml"
 
     def file(self, suffix: str) -> Path:
         return HERE / self.folder / f"kind.{suffix}"

@@ -89,4 +89,5 @@ FIGURE = QuestionKind(
     catalogue=_catalogue,
     form_data=lambda question: {"figure": question.details.figure},
     view=_solved,
+    needs_page=True,
 )

@@ -1,0 +1,53 @@
+"""The questions that are exported, chapter by chapter."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from site_builder.book import Book, Chapter
+from site_builder.editions.compose import numbered_quizzes
+from site_builder.markdown.questions.kind import QuestionKind
+from site_builder.markdown.questions.kinds import kind_of
+from site_builder.page_model.questions import OTHERWISE, Option, Quiz
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A question of a chapter."""
+
+    quiz: Quiz
+    name: str
+    """``Question 4.2``."""
+    chapter: Chapter
+    page: str
+    """Address of its chapter; nothing where the book has none."""
+
+    @property
+    def kind(self) -> QuestionKind:
+        return kind_of(self.quiz)
+
+    @property
+    def id(self) -> str:
+        """Unique in the book; no digit begins it, as XML wants."""
+        return f"quiz-{self.quiz.id}"
+
+    @property
+    def right_first(self) -> list[Option]:
+        """The first of the answers that recognise a number gives the reply; that for all others
+        comes last."""
+        options = self.quiz.options
+        return sorted(options, key=lambda option: (option.text == OTHERWISE, not option.correct))
+
+
+def asked_in(book: Book) -> Iterator[Asked]:
+    """Those that can be asked elsewhere: without the book's address, none that needs a figure."""
+    for chapter in book.chapters:
+        page = f"{book.address}{chapter.url}" if book.address else ""
+        for name, quiz in numbered_quizzes(chapter.body):
+            asked = Asked(quiz, name, chapter, page)
+            if page or not asked.kind.needs_page:
+                yield asked
+
+
+def left_out(book: Book) -> int:
+    """How many questions are not exported."""
+    return sum(len(chapter.quizzes) for chapter in book.chapters) - len(list(asked_in(book)))

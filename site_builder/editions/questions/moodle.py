@@ -1,0 +1,37 @@
+"""Moodle XML: one file, with a category for each chapter.
+
+The shape is that of Moodle's own export, https://docs.moodle.org/en/Moodle_XML_format; the kind
+``ordering`` is part of Moodle since version 4.4.
+"""
+
+from itertools import groupby
+
+from site_builder.book import Book
+from site_builder.editions.questions.asked import Asked, asked_in
+from site_builder.editions.questions.words import moodle_text
+from site_builder.pages.environment import render_template
+
+
+def make_moodle(book: Book) -> bytes:
+    chapters = [
+        (_category(book, chapter.name, chapter.title), [_question(book, asked) for asked in group])
+        for chapter, group in groupby(asked_in(book), lambda asked: asked.chapter)
+    ]
+    return render_template("editions/moodle.xml", book, chapters=chapters).encode()
+
+
+def _category(book: Book, *names: str) -> str:
+    """A path, in which a slash of a name is written twice."""
+    path = (book.title, ". ".join(names))
+    return "/".join(["$course$", "top", *(name.replace("/", "//") for name in path)])
+
+
+def _question(book: Book, asked: Asked) -> str:
+    return render_template(
+        asked.kind.export("moodle"),
+        book,
+        asked=asked,
+        quiz=asked.quiz,
+        chapter=asked.chapter,
+        text=moodle_text(asked.page, book.settings.macros),
+    )

@@ -1,0 +1,39 @@
+"""A package of QTI 2.1: a file for each question, a test with a section for each chapter, and the
+manifest that lists them. IMS Question and Test Interoperability 2.1, Assessment Test, Section and
+Item Information Model; IMS Content Packaging 1.1.4."""
+
+import io
+import zipfile
+from itertools import groupby
+
+from site_builder.book import Book
+from site_builder.editions.questions.asked import Asked, asked_in
+from site_builder.editions.questions.words import qti_text
+from site_builder.pages.environment import render_template
+
+
+def make_qti(book: Book) -> bytes:
+    """The archive. The same book is the same bytes."""
+    asked = list(asked_in(book))
+    chapters = [(chapter, list(group)) for chapter, group in groupby(asked, lambda a: a.chapter)]
+    files = {
+        "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=asked),
+        "test.xml": render_template("editions/qti-test.xml", book, chapters=chapters),
+        **{f"items/{item.id}.xml": _item(book, item) for item in asked},
+    }
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(zipfile.ZipInfo(name), content.encode(), zipfile.ZIP_DEFLATED)
+    return packed.getvalue()
+
+
+def _item(book: Book, asked: Asked) -> str:
+    return render_template(
+        asked.kind.export("qti"),
+        book,
+        asked=asked,
+        quiz=asked.quiz,
+        chapter=asked.chapter,
+        text=qti_text(asked.page),
+    )

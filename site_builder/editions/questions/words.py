@@ -1,0 +1,101 @@
+"""Passages as plain XHTML, which platforms keep: no classes, and links that lead to the site.
+
+Formulae are TeX for Moodle, between ``\\(`` and ``\\)``, which its filter sets and its editor shows
+as text. QTI has MathML, which is part of the format.
+"""
+
+import re
+from collections.abc import Callable, Mapping
+from html import escape
+from urllib.parse import urljoin
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
+
+from markdown_it.token import Token
+from markupsafe import Markup
+
+from site_builder.editions.links import is_external
+from site_builder.editions.tree import MATHML, elements, parse
+from site_builder.page_model.passage import Passage
+from site_builder.render.screen import RULES, PassageRenderer, mathml_of, renderer_with
+
+KEPT = frozenset({"href", "start", "colspan", "rowspan"})
+LENGTHS = ("lspace", "rspace", "width", "height", "depth")
+
+type Text = Callable[[Passage], Markup]
+"""The XHTML of a passage."""
+
+
+def moodle_text(page: str, macros: Mapping[str, str]) -> Text:
+    """``page`` is the address of the chapter, nothing where it has none."""
+    return _text(page, renderer_with({**RULES, "math_inline": lambda token: _tex(token, macros)}))
+
+
+def qti_text(page: str) -> Text:
+    return _text(page, renderer_with(RULES))
+
+
+def _text(page: str, render: PassageRenderer) -> Text:
+    def text(passage: Passage) -> Markup:
+        if not passage:
+            return Markup()
+        root = _plain(parse(f"<div>{render(passage)}</div>"), page)
+        written = ElementTree.tostring(root, encoding="unicode")
+        return Markup(written.removeprefix("<div>").removesuffix("</div>"))
+
+    return text
+
+
+def _plain(root: Element, page: str) -> Element:
+    """``root``, changed."""
+    formulae = {part for math in elements(root, "math") for part in math.iter()}
+    for element in elements(root):
+        if element in formulae:
+            _plain_formula(element)
+            continue
+        address = element.get("href", "")
+        element.attrib = {name: text for name, text in element.attrib.items() if name in KEPT}
+        if element.tag == "a" and page:
+            element.set("href", urljoin(page, address))
+        elif element.tag == "a" and not is_external(address):
+            element.tag, element.attrib = "span", {}
+    return root
+
+
+def _plain_formula(element: Element) -> None:
+    """Of MathML 2, which QTI 2.1 has: without classes, and a length has a unit."""
+    for name in ("class", "style"):
+        element.attrib.pop(name, None)
+    for name in LENGTHS:
+        if element.get(name) == "0":
+            element.set(name, "0em")
+    if element.tag == "math":
+        element.set("xmlns", MATHML)
+
+
+def _tex(token: Token, macros: Mapping[str, str]) -> str:
+    r"""``\(f = 50\)``, with the commands of the book's own that it uses, and without colours."""
+    tex = re.sub(r"\\role\{[\w-]*\}", "", token.content.strip())
+    tex = re.sub(r"\\bm\b", r"\\boldsymbol", tex)
+    tex = re.sub(r"\\.|%", lambda sign: r"\%" if sign[0] == "%" else sign[0], tex)
+    start, end = (r"\[", r"\]") if 'display="block"' in mathml_of(token) else (r"\(", r"\)")
+    before, after = (str(token.meta.get(side, "")) for side in ("before", "after"))
+    return escape(f"{before}{start}{_definitions(tex, macros)}{tex}{end}{after}")
+
+
+def _definitions(tex: str, macros: Mapping[str, str]) -> str:
+    r"""``\def\R{\mathbb{R}}`` for each that the formula uses, also by way of another."""
+    used: dict[str, str] = {}
+    left = re.findall(r"\\([A-Za-z]+)", tex)
+    while left:
+        name = left.pop()
+        if name in macros and name not in used:
+            used[name] = macros[name]
+            left += re.findall(r"\\([A-Za-z]+)", macros[name])
+    return "".join(f"\\def\\{name}{_places(body)}{{{body}}}" for name, body in used.items())
+
+
+def _places(body: str) -> str:
+    """``#1#2`` where it has two arguments."""
+    count = max((int(digit) for digit in re.findall(r"#(\d)", body)), default=0)
+    return "".join(f"#{place + 1}" for place in range(count))

@@ -1,0 +1,187 @@
+"""Questions in Moodle XML and in QTI: nothing is lost, and platforms judge as the book does."""
+
+import io
+import zipfile
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
+
+import moodle_xml_parser.parser as moodle_reader
+import onyx2moodle.parser as qti_reader
+import pytest
+from onyx2moodle.classifier import classify
+from support.little_book import OUTLINE, files_of
+from support.qti import QTI, answered
+
+from site_builder.book import Book
+from site_builder.build import Options, load
+from site_builder.editions.questions.asked import asked_in, left_out
+from site_builder.editions.questions.moodle import make_moodle
+from site_builder.editions.questions.qti import make_qti
+
+SITE = "https://host/book/"
+MACROS = '[macros]\nhalf = "\\\\frac{1}{2}"\nthird = "\\\\frac{1}{3}"\n'
+MATHML = "{http://www.w3.org/1998/Math/MathML}"
+CP = "{http://www.imsglobal.org/xsd/imscp_v1p1}"
+
+
+@pytest.fixture
+def book(make_book: Callable[..., Options]) -> Book:
+    body = files_of("questions")["text.md"]
+    loaded = load(make_book(body, {"content/book.toml": OUTLINE + MACROS}))
+    assert not loaded.problems.found
+    return replace(loaded.book, address=SITE)
+
+
+@pytest.fixture
+def moodle(book: Book) -> dict[str, Element]:
+    """Its questions by their ids."""
+    root = ElementTree.fromstring(make_moodle(book))
+    return {
+        question.findtext("idnumber", ""): question
+        for question in root.iter("question")
+        if question.get("type") != "category"
+    }
+
+
+@pytest.fixture
+def package(book: Book) -> dict[str, str]:
+    archive = zipfile.ZipFile(io.BytesIO(make_qti(book)))
+    return {name: archive.read(name).decode() for name in archive.namelist()}
+
+
+def answers(question: Element) -> list[tuple[str, float, str]]:
+    """Text, share of the points in per cent, and reply of each."""
+    return [
+        (
+            answer.findtext("text", ""),
+            float(answer.get("fraction", "")),
+            answer.findtext("feedback/text", ""),
+        )
+        for answer in question.iter("answer")
+    ]
+
+
+def test_every_kind_of_question_has_a_kind_in_moodle(moodle: dict[str, Element]) -> None:
+    assert {name: question.get("type") for name, question in moodle.items()} == {
+        "one-of-two": "multichoice",
+        "two-of-three": "multichoice",
+        "a-length": "numerical",
+        "in-a-row": "ordering",
+        "set-it": "essay",
+    }
+
+
+def test_moodle_gets_tex_links_to_the_site_and_a_reply_to_each_option(
+    moodle: dict[str, Element],
+) -> None:
+    question = moodle["one-of-two"]
+    assert question.findtext("questiontext/text") == (
+        r"Where is \(x &lt; \boldsymbol{y}\), "
+        f'as <a href="{SITE}second/#a-section">the second chapter</a> says?'
+    )
+    assert answers(question) == [
+        (r"Here, at \(\def\half{\frac{1}{2}}\half\)", 0, "No &amp; never."),
+        ("There", 100, r"Yes, as <em>always</em> for \(\mathrm{sinc}\)."),
+    ]
+
+
+def test_one_wrong_choice_takes_all_points_of_several_right_ones(
+    moodle: dict[str, Element],
+) -> None:
+    assert [share for _, share, _ in answers(moodle["two-of-three"])] == [50, -100, 50]
+
+
+def test_a_number_has_its_tolerance_its_unit_and_the_replies_to_known_mistakes(
+    moodle: dict[str, Element],
+) -> None:
+    question = moodle["a-length"]
+    assert answers(question) == [
+        ("50", 100, "That is it."),
+        ("0.3", 0, "That is the sum."),
+        ("*", 0, "That is something else."),
+    ]
+    assert [each.text for each in question.iter("tolerance")] == ["1", "1", "0"]
+    assert [each.text for each in question.iter("unit_name")] == ["mm"]
+
+
+def test_a_question_about_a_figure_leads_to_it_and_tells_the_marker_a_solution(
+    moodle: dict[str, Element],
+) -> None:
+    question = moodle["set-it"]
+    assert f'href="{SITE}first/#figure-demo"' in question.findtext("questiontext/text", "")
+    solved = f"{SITE}first/?figure-demo.k1=0.25&amp;figure-demo.kind=b#figure-demo"
+    assert f'href="{solved}"' in question.findtext("graderinfo/text", "")
+
+
+def test_without_an_address_there_are_no_links_and_no_questions_about_figures(book: Book) -> None:
+    book = replace(book, address="")
+    assert [asked.quiz.id for asked in asked_in(book)][-1] == "in-a-row"
+    assert left_out(book) == 1
+    assert b"href" not in make_moodle(book)
+
+
+def test_a_package_lists_each_of_its_files_once(package: dict[str, str]) -> None:
+    manifest = ElementTree.fromstring(package["imsmanifest.xml"])
+    listed = [file.get("href", "") for file in manifest.iter(f"{CP}file")]
+    assert sorted([*listed, "imsmanifest.xml"]) == sorted(package)
+    asked = ElementTree.fromstring(package["test.xml"]).iter(f"{QTI}assessmentItemRef")
+    assert [each.get("href") for each in asked] == listed[1:]
+
+
+@pytest.mark.parametrize(
+    ("question", "answer", "score", "replies"),
+    [
+        ("one-of-two", "answer-2", 1, ["Yes, as always for sinc."]),
+        ("one-of-two", "answer-1", 0, ["No & never."]),
+        ("two-of-three", ["answer-3", "answer-1"], 1, ["The first is.", "The third is."]),
+        ("two-of-three", ["answer-1"], 0, ["The first is."]),
+        ("two-of-three", ["answer-1", "answer-2"], 0, ["The first is.", "The second is not."]),
+        ("a-length", 51.0, 1, ["That is it."]),
+        ("a-length", 51.1, 0, ["That is something else."]),
+        ("a-length", 0.3, 0, ["That is the sum."]),
+        ("a-length", None, 0, []),
+        ("in-a-row", ["answer-1", "answer-3", "answer-2"], 0, ["It is the third."]),
+        (
+            "in-a-row",
+            ["answer-1", "answer-2", "answer-3"],
+            1,
+            ["One It is the first. Two It is the second. Three It is the third."],
+        ),
+    ],
+)
+def test_an_item_of_qti_judges_and_replies_as_the_book_does(
+    package: dict[str, str], question: str, answer: str, score: float, replies: list[str]
+) -> None:
+    session = answered(package[f"items/quiz-{question}.xml"], answer)
+    assert (session.score, session.shown) == (score, replies)
+
+
+def test_formulae_of_qti_are_mathml_2(package: dict[str, str]) -> None:
+    """Its schema wants a unit of every length, and knows no classes."""
+    item = ElementTree.fromstring(package["items/quiz-one-of-two.xml"])
+    formulae = [part for math in item.iter(f"{MATHML}math") for part in math.iter()]
+    assert {part.get("lspace") for part in formulae if part.tag == f"{MATHML}mpadded"} == {"0em"}
+    assert not [part for part in formulae if "class" in part.attrib or "style" in part.attrib]
+
+
+def test_a_reader_of_moodle_xml_finds_the_choices(book: Book) -> None:
+    read = moodle_reader.parse_bytes(make_moodle(book))["multichoice"]
+    assert [(question.single, len(question.options)) for question in read] == [
+        (True, 2),
+        (False, 3),
+    ]
+
+
+def test_an_importer_of_qti_knows_what_each_question_asks_for(
+    package: dict[str, str], tmp_path: Path
+) -> None:
+    """It knows nothing of orders."""
+    found = {}
+    for name in ("one-of-two", "two-of-three", "a-length", "set-it"):
+        file = tmp_path / f"{name}.xml"
+        file.write_text(package[f"items/quiz-{name}.xml"], encoding="utf-8")
+        found[name] = classify(qti_reader.parse_item(file)).target
+    assert [*found.values()] == ["multichoice", "multichoice", "shortanswer", "essay"]

@@ -1,0 +1,108 @@
+"""What a platform does with an item of QTI 2.1: the score of an answer, and the replies it shows.
+
+The rules of response processing that the exported questions use, after the information model of
+QTI 2.1, section 8.
+"""
+
+from dataclasses import dataclass, field
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
+
+QTI = "{http://www.imsglobal.org/xsd/imsqti_v2p1}"
+type Value = float | str | list[str] | bool | None
+
+
+@dataclass(slots=True)
+class Session:
+    """One attempt at an item."""
+
+    item: Element
+    variables: dict[str, Value] = field(default_factory=dict)
+
+    @property
+    def score(self) -> Value:
+        return self.variables["SCORE"]
+
+    @property
+    def shown(self) -> list[str]:
+        """The replies, in the order of the item."""
+        chosen = self.variables.get("FEEDBACK")
+        names = chosen if isinstance(chosen, list) else [chosen]
+        return [
+            " ".join("".join(reply.itertext()).split())
+            for reply in self.item.iter(f"{QTI}modalFeedback")
+            if reply.get("identifier") in names
+        ]
+
+
+def answered(item: str, answer: Value) -> Session:
+    """After ``answer`` was given to the item, a file of XML."""
+    session = Session(ElementTree.fromstring(item), {"RESPONSE": answer, "SCORE": 0.0})
+    for rule in session.item.findall(f"{QTI}responseProcessing/*"):
+        _apply(rule, session)
+    return session
+
+
+def _apply(rule: Element, session: Session) -> bool:
+    """Whether the rule is a branch that was taken."""
+    match rule.tag.removeprefix(QTI):
+        case "setOutcomeValue":
+            session.variables[rule.get("identifier", "")] = _value(rule[0], session)
+        case "responseCondition":
+            any(_apply(branch, session) for branch in rule)
+        case "responseIf" | "responseElseIf":
+            if _value(rule[0], session) is not True:
+                return False
+            for each in rule[1:]:
+                _apply(each, session)
+        case "responseElse":
+            for each in rule:
+                _apply(each, session)
+        case other:
+            raise NotImplementedError(other)
+    return True
+
+
+def _value(expression: Element, session: Session) -> Value:
+    operands = [_value(each, session) for each in expression]
+    match expression.tag.removeprefix(QTI):
+        case "variable":
+            return session.variables[expression.get("identifier", "")]
+        case "correct":
+            return _correct(session.item)
+        case "baseValue":
+            text = expression.text or ""
+            return float(text) if expression.get("baseType") == "float" else text
+        case "match":
+            first, second = operands
+            if isinstance(first, list) and _cardinality(session.item) == "multiple":
+                return isinstance(second, list) and sorted(first) == sorted(second)
+            return first == second
+        case "not":
+            return not operands[0]
+        case "isNull":
+            return operands[0] is None
+        case "index":
+            (sequence,) = operands
+            return sequence[int(expression.get("n", "")) - 1] if sequence else None  # type: ignore[index]
+        case "equal":
+            first, second = operands
+            if not isinstance(first, float) or not isinstance(second, float):
+                return None
+            below, above = map(float, expression.get("tolerance", "").split())
+            return second - below <= first <= second + above
+        case other:
+            raise NotImplementedError(other)
+
+
+def _correct(item: Element) -> Value:
+    (declared,) = item.iter(f"{QTI}responseDeclaration")
+    values = [value.text or "" for value in declared.iter(f"{QTI}value")]
+    if _cardinality(item) != "single":
+        return values
+    return float(values[0]) if declared.get("baseType") == "float" else values[0]
+
+
+def _cardinality(item: Element) -> str:
+    (declared,) = item.iter(f"{QTI}responseDeclaration")
+    return declared.get("cardinality", "")
