@@ -273,7 +273,7 @@ def test_a_browser_that_denies_every_kind_of_storage_shows_a_book_that_works(
         form.locator("button[type=submit]").click()
         verdict = form.get_attribute("data-answered")
         assert verdict
-        unsent = page.locator("form.quiz input[type=number], form.quiz input[inputmode]").first
+        unsent = page.locator("form.quiz .number-answer > input").first
         unsent.fill("12")
         reader.turn_to("glossary/", live=False)
         reader.turn_to("why-image-formation/", live=False)

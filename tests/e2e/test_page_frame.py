@@ -111,7 +111,7 @@ def test_keys_are_letters_where_one_types(visitor: Reader, book: Any) -> None:
         if quiz["chapter"] == chapter["id"] and quiz["kind"] == "number"
     )
     visitor.turn_to(url, live=False)
-    visitor.page.locator("input[type=number]:visible").first.focus()
+    visitor.page.locator(".number-answer > input:visible").first.focus()
     for key in ("/", "]", "?"):
         visitor.page.keyboard.press(key)
     assert visitor.page.locator("dialog[open]").count() == 0

@@ -37,3 +37,22 @@ export function numeral(text: string): string {
 export function fromNumeral(text: string) {
   return DECIMAL === "." ? text : text.replaceAll(DECIMAL, ".");
 }
+
+/**
+ * The number that a reader typed or pasted, with any minus sign, a decimal point or comma, and
+ * thousands set apart; NaN of what is none. Of `1,000`, in which the sign may be either, the book's
+ * language decides.
+ */
+export function numberTyped(text: string) {
+  const bare = text
+    .trim()
+    .replace(/^[-−–‐‑﹣－]\s*/, "-")
+    .replaceAll(/(?<=\d)[\s'’](?=\d{3}(?!\d))/g, "");
+  const [last = ""] = /[.,](?=[^.,]*$)/.exec(bare) ?? [];
+  const isGrouped = last !== DECIMAL && /^[-+]?[1-9]\d{0,2}[.,]\d{3}$/.test(bare);
+  const decimal = isGrouped || bare.split(last).length > 2 ? "" : last;
+  const thousands = /[.,](?=\d{3}(?!\d))/g;
+  const number = bare.replaceAll(thousands, (sign) => (sign === decimal ? sign : ""));
+  const plain = number.replace(",", ".");
+  return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+}

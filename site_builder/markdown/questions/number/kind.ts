@@ -1,7 +1,7 @@
 /** A number: right within a tolerance, or one that a known mistake leads to. */
 
 import { one } from "../../../../static/js/page/dom.ts";
-import { numeral, words } from "../../../../static/js/page/words.ts";
+import { numberTyped, numeral, words } from "../../../../static/js/page/words.ts";
 import type { Kind, Option, Question } from "../../../../static/js/question/question.ts";
 
 interface Measured extends Question {
@@ -12,7 +12,7 @@ interface Measured extends Question {
 
 export const kind: Kind<Measured, number> = {
   read(form) {
-    const value = field(form).valueAsNumber;
+    const value = numberTyped(field(form).value);
     return Number.isFinite(value) ? value : null;
   },
 
@@ -21,7 +21,12 @@ export const kind: Kind<Measured, number> = {
   fits: (_question, given) => Number.isFinite(given),
 
   put(form, given) {
-    field(form).value = String(given);
+    field(form).value = numeral(String(given));
+  },
+
+  /** As it was read. */
+  mark(form, _question, given) {
+    if (given !== null) field(form).value = numeral(String(given));
   },
 
   judge({ options, tolerance }, given) {
