@@ -2,13 +2,32 @@
 
 import sysconfig
 import traceback
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
 import simulations
+from simulations import engine
 
 HERE = Path(__file__).resolve().parent
 REMEMBERED = "place_and_words"
-LIBRARIES = tuple(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib"))
+SETTINGS = "at_settings"
+"""Names of what an error carries."""
+LIBRARIES = (
+    *(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib")),
+    Path(engine.__file__ or "").resolve().parent,
+)
+
+
+class CodeError(LookupError):
+    """What cannot be had, perhaps as an author's code raised what is the cause."""
+
+
+def raised_by_code(error: BaseException | None) -> BaseException | None:
+    """What an author's code raised, where that is the reason of an error of ours."""
+    while error and not isinstance(error, CodeError):
+        error = error.__cause__
+    return error and error.__cause__
 
 
 def remember[E: BaseException](error: E, place: str, words: str) -> E:
@@ -42,11 +61,26 @@ def place_of(error: BaseException) -> str:
     return ""
 
 
+@contextmanager
+def at_settings(settings: Mapping[str, object]) -> Iterator[None]:
+    """Whatever is raised within is told with these settings."""
+    try:
+        yield
+    except Exception as error:
+        said = ", ".join(f"{name} = {value}" for name, value in settings.items())
+        setattr(error, SETTINGS, said)
+        raise
+
+
+def settings_of(error: BaseException) -> str:
+    """``k1 = -0.2, size = 3``, or nothing."""
+    return str(getattr(error, SETTINGS, ""))
+
+
 def _is_authors(file: Path) -> bool:
     others = (HERE, *LIBRARIES)
     is_simulation = any(file.is_relative_to(folder) for folder in _folders())
-    is_engine = file.parent.name == "engine"
-    return is_simulation and not is_engine and not any(map(file.is_relative_to, others))
+    return is_simulation and not any(map(file.is_relative_to, others))
 
 
 def _relative(file: Path) -> str:

@@ -25,7 +25,7 @@ def as_json(found: Sequence[Diagnostic], root: Path) -> str:
                 "line": one.line,
                 "column": column_of(one, root),
                 "severity": "error" if one.fails else "warning",
-                "message": one.message,
+                "message": one.message + (f" (met at {one.met})" if one.met else ""),
                 "suggestion": suggestion_of(one.message),
             }
             for one in found
@@ -47,7 +47,7 @@ def column_of(diagnostic: Diagnostic, root: Path) -> int | None:
     if quoted is None:
         return None
     try:
-        lines = (root / diagnostic.path).read_text("utf-8", errors="replace").splitlines()
+        lines = (root / diagnostic.path).read_text("utf-8", errors="replace").split("\n")
     except OSError:
         return None
     line = lines[diagnostic.line - 1] if 0 < diagnostic.line <= len(lines) else ""

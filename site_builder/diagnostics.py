@@ -7,7 +7,7 @@ import difflib
 from collections.abc import Iterable, Sized
 from dataclasses import dataclass, field
 
-from site_builder.blame import place_of, words_of
+from site_builder.blame import place_of, settings_of, words_of
 
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
@@ -25,10 +25,13 @@ class Diagnostic:
     """What was found; what is legal, or what would be better."""
     fails: bool = True
     """Whether the book cannot be built with it; else it is a warning."""
+    met: str = field(default="", compare=False)
+    """Of an exception of an author's code, where it was met first: it is told once."""
 
     def __str__(self) -> str:
         word = "" if self.fails else "warning: "
-        return f"{self.path}:{self.line}: {word}{self.message}"
+        met = f" (met at {self.met})" if self.met else ""
+        return f"{self.path}:{self.line}: {word}{self.message}{met}"
 
 
 @dataclass(slots=True)
@@ -40,8 +43,11 @@ class Diagnostics:
     doubts: list[Diagnostic] = field(default_factory=list)
     """Warnings."""
 
-    def add(self, path: str, line: int, message: str) -> None:
-        self.found.append(Diagnostic(path, line, message))
+    def add(self, path: str, line: int, message: str, error: BaseException | None = None) -> None:
+        """``error``: what an author's code raised. It is reported at the line that did, if that is
+        known, and once, however often it is met."""
+        found = Diagnostic(path, line, message)
+        self.found.append(_at_its_source(found, error) if error else found)
 
     def warn(self, path: str, line: int, message: str) -> None:
         self.doubts.append(Diagnostic(path, line, message, fails=False))
@@ -57,6 +63,16 @@ class BuildError(Exception):
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = tuple(sorted(set(diagnostics)))
         super().__init__("\n".join(map(str, self.diagnostics)))
+
+
+def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic:
+    while error and not place_of(error):
+        error = error.__cause__
+    if error is None:
+        return found
+    path, _, line = place_of(error).rpartition(":")
+    at = f", {settings}" if (settings := settings_of(error)) else ""
+    return Diagnostic(path, int(line), _told(error), met=f"{found.path}:{found.line}{at}")
 
 
 def counted(found: Sized, name: str) -> str:
@@ -80,7 +96,10 @@ def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
 def cause(error: Exception) -> str:
     """``ZeroDivisionError: a division by zero, at simulations/…/scene.py:12``: an exception of
     an author's code, and where it was raised."""
-    words, name = words_of(error), type(error).__name__
-    message = f"{name}: {words}" if words else name
     place = place_of(error)
-    return f"{message}, at {place}" if place else message
+    return f"{_told(error)}, at {place}" if place else _told(error)
+
+
+def _told(error: BaseException) -> str:
+    words, name = words_of(error), type(error).__name__
+    return f"{name}: {words}" if words else name

@@ -4,6 +4,7 @@ A scene that never ends, sleeps, or fills the memory is then a mistake like any 
 `limited`, as in tests, the code runs in this process.
 """
 
+import math
 import multiprocessing
 import os
 import pickle
@@ -12,7 +13,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import FrameType
 from typing import Any, Never
@@ -20,6 +21,7 @@ from typing import Any, Never
 from pebble import ProcessExpired, ProcessPool
 
 from site_builder.blame import place_of, remember, words_of
+from site_builder.fence import raise_fence
 
 GRACE_S = 2.0
 """After which a process that does not react to the alarm, as in a call into numpy, is killed."""
@@ -73,9 +75,9 @@ def limited(limits: Limits | None) -> Iterator[None]:
             ended.pool.join()
 
 
-def run_limited[T](job: Callable[[], T]) -> T:
-    """What ``job`` returns or raises; a job that cannot be pickled runs in this process. Raises
-    `LimitError`."""
+def run_limited[T](job: Callable[[], T], wall_seconds: float = math.inf) -> T:
+    """What ``job`` returns or raises, within ``wall_seconds`` if that is less than the limit; a job
+    that cannot be pickled runs in this process. Raises `LimitError`."""
     if _active is None:
         return job()
     try:
@@ -85,7 +87,10 @@ def run_limited[T](job: Callable[[], T]) -> T:
     if pickled in _active.failures:
         raise _active.failures[pickled]
     try:
-        return _result(pickled, _active)  # type: ignore[no-any-return]
+        limits = replace(
+            _active.limits, wall_seconds=min(wall_seconds, _active.limits.wall_seconds)
+        )
+        return _result(pickled, limits, _active)  # type: ignore[no-any-return]
     except Exception as error:
         _active.failures[pickled] = error
         raise
@@ -108,8 +113,7 @@ def _cores() -> int:
     return len(affinity(0)) if affinity else os.cpu_count() or 1
 
 
-def _result(pickled: bytes, sandbox: _Sandbox) -> Any:
-    limits = sandbox.limits
+def _result(pickled: bytes, limits: Limits, sandbox: _Sandbox) -> Any:
     future = sandbox.pool.schedule(
         _answer, args=(pickled, limits), timeout=limits.wall_seconds + GRACE_S
     )
@@ -119,8 +123,7 @@ def _result(pickled: bytes, sandbox: _Sandbox) -> Any:
     except TimeoutError:
         raise LimitError(_too_long(limits.wall_seconds)) from None
     except ProcessExpired as error:
-        ended = f"its process was ended by {_signal_name(error.exitcode)}"
-        raise LimitError(ended) from None
+        raise LimitError(f"its process was ended by {_ender(error.exitcode)}") from None
     finally:
         sandbox.running.discard(future)
     if not good:
@@ -132,9 +135,7 @@ def _make_pool(limits: Limits) -> ProcessPool:
     """Of fresh processes, which share no thread or lock with this one."""
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload([*PRELOADED])
-    return ProcessPool(
-        _cores(), initializer=_limit_memory, initargs=(limits.bytes,), context=context
-    )
+    return ProcessPool(_cores(), initializer=_fence, initargs=(limits.bytes,), context=context)
 
 
 def _answer(pickled: bytes, limits: Limits) -> tuple[bool, Any]:
@@ -148,6 +149,8 @@ def _answer(pickled: bytes, limits: Limits) -> tuple[bool, Any]:
         pickle.dumps(answer)
     except Exception as error:
         return False, _portable(error)
+    except BaseException as error:  # or it would end the build without a word
+        return False, _portable(_told(error))
     return answer
 
 
@@ -164,6 +167,13 @@ def _alarm(number: signal.Signals, timer: int, seconds: float) -> Iterator[None]
         yield
     finally:
         signal.setitimer(timer, 0)
+
+
+def _told(error: BaseException) -> Exception:
+    """An exception that ends programs, as one that does not: ``SystemExit: 2``."""
+    words = words_of(error)
+    said = f"ends the program by {type(error).__name__}{words and f': {words}'}"
+    return remember(LimitError(said), place_of(error), said)
 
 
 def _portable(error: Exception) -> Exception:
@@ -184,8 +194,14 @@ def _too_long(seconds: float) -> str:
     return f"takes more than {seconds:g} s"
 
 
-def _signal_name(code: int | None) -> str:
-    return signal.Signals(-code).name if code and code < 0 else "its own code"
+def _ender(code: int | None) -> str:
+    return signal.Signals(-code).name if code and code < 0 else f"its own code, as {code}"
+
+
+def _fence(more_bytes: int) -> None:
+    """In a process of the pool: its memory, files and network."""
+    _limit_memory(more_bytes)
+    raise_fence()
 
 
 def _limit_memory(more: int) -> None:

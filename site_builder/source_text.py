@@ -14,6 +14,8 @@ from site_builder.diagnostics import Diagnostics
 HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
 CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+MOST_BYTES = 1_000_000
+"""Of a file of text: twice a book."""
 QUOTES = re.compile(r"\"\"\"|'''")
 
 type Keys = tuple[str | int, ...]
@@ -57,7 +59,12 @@ def read_text(root: Path, path: str, problems: Diagnostics) -> str:
         line = data.count(b"\n", 0, error.start) + 1
         problems.add(path, line, f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8")
         text = data.decode("utf-8-sig", errors="replace")
-    return _without_controls(text.replace("\r\n", "\n"), path, problems)
+    text = text.replace("\r\n", "\n")
+    if len(data) > MOST_BYTES:
+        expected = f"at most {MOST_BYTES / 1e6:g} MB"
+        problems.add(path, 1, f"{len(data) / 1e6:.1f} MB of text; legal: {expected}")
+        text = text.partition("\n\n")[0] + "\n\n…\n"
+    return _without_controls(text, path, problems)
 
 
 def _without_controls(text: str, path: str, problems: Diagnostics) -> str:

@@ -49,7 +49,7 @@ def _stored_source(module: str) -> str | None:
 
 def definitions(source: str) -> dict[str, Definition]:
     """The top-level definitions of ``source`` by name, in order. Raises `SyntaxError`."""
-    lines = source.splitlines()
+    lines = source.split("\n")
     statements = ast.parse(source).body
     found = {}
     for statement, following in zip(statements, [*statements[1:], None], strict=True):

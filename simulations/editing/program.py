@@ -98,7 +98,7 @@ def splice(module: str, source: str, texts: Mapping[str, str]) -> tuple[str, lis
     Raises `KeyError` for a name that the module does not define.
     """
     known = definitions(source)
-    lines, places = source.splitlines(), []
+    lines, places = source.split("\n"), []
     shift = 0
     for definition in sorted((known[name] for name in texts), key=lambda item: item.first):
         text = texts[definition.name].split("\n")
@@ -107,7 +107,7 @@ def splice(module: str, source: str, texts: Mapping[str, str]) -> tuple[str, lis
         added = len(text) - (stop - start)
         places.append(Place(f"{module}:{definition.name}", module, start + 1, len(text), added))
         shift += added
-    return "\n".join(lines) + "\n", places
+    return "\n".join(lines).removesuffix("\n") + "\n", places
 
 
 def _check(definition: str, text: str) -> None:

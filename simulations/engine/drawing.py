@@ -23,6 +23,8 @@ type Point = Sequence[float] | Points
 SHORTER = (("-0.00", "0"), (".00", ""), *((f".{digit}0", f".{digit}") for digit in range(1, 10)))
 """Replacements that shorten numbers of two decimals; the order matters."""
 
+MOST_POINTS = 50_000
+"""Of one line: a panel is a few hundred units wide."""
 GROUND_PAD_EM = 0.28
 """Room on both sides of a label on its ground."""
 BEFORE = {"start": 0.0, "middle": 0.5, "end": 1.0}
@@ -37,14 +39,23 @@ def coordinate(value: float) -> str:
     return "0" if text in ("-0", "") else text
 
 
+def check_count(count: int) -> None:
+    """Raises `ValueError` where a line has more points than a page can draw."""
+    if count > MOST_POINTS:
+        raise ValueError(f"a line through {count:,} points; legal: at most {MOST_POINTS:,}")
+
+
 def _points(points: Iterable[Point], joint: str = " ") -> str:
     if isinstance(points, np.ndarray):
         return _array_points(points, joint)
+    points = [*points]
+    check_count(len(points))
     return joint.join([f"{coordinate(point[0])},{coordinate(point[1])}" for point in points])
 
 
 def _array_points(points: Points, joint: str) -> str:
     """`coordinate` of all numbers (N, 2) at once, which is faster for the hundreds of a curve."""
+    check_count(len(points))
     if not len(points):
         return ""
     numbers = points[:, :2].ravel().tolist()

@@ -15,14 +15,16 @@ import numpy as np
 
 from simulations.engine.controls import suggestion
 
+MOST_BITS = 4096
+"""Of a whole number, so that no power takes minutes."""
 BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
-    ast.Mult: operator.mul,
+    ast.Mult: lambda left, right: _product(left, right),
     ast.Div: operator.truediv,
     ast.FloorDiv: operator.floordiv,
     ast.Mod: operator.mod,
-    ast.Pow: operator.pow,
+    ast.Pow: lambda base, exponent: _power(base, exponent),
     ast.MatMult: np.matmul,
 }
 UNARY: Mapping[type[ast.unaryop], Callable[[Any], Any]] = {
@@ -61,7 +63,7 @@ def evaluate(text: str, names: Mapping[str, object]) -> Any:
     """The value of ``text`` with the values of ``names``. Raises `ExpressionError`."""
     try:
         tree = ast.parse(text.strip(), mode="eval")
-    except (SyntaxError, ValueError):
+    except (SyntaxError, ValueError, MemoryError, RecursionError):
         raise ExpressionError(f"{text!r} is no expression; legal: as '2 * x < 1'") from None
     return evaluate_node(tree.body, names, text)
 
@@ -113,6 +115,20 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
     raise ExpressionError(
         f"{ast.unparse(node)!r} has no meaning here; legal: numbers, names, calls, comparisons"
     )
+
+
+def _power(base: Any, exponent: Any) -> Any:
+    whole = isinstance(base, int) and isinstance(exponent, int)
+    if whole and base.bit_length() * exponent > MOST_BITS:
+        raise ExpressionError("a power beyond all measure; legal: below 1e1000")
+    return base**exponent
+
+
+def _product(left: Any, right: Any) -> Any:
+    for one, other in ((left, right), (right, left)):
+        if isinstance(one, str | tuple) and isinstance(other, int):
+            raise ExpressionError("a text or list times a number; legal: a product of numbers")
+    return left * right
 
 
 def _data(whole: object, name: str) -> object:

@@ -8,10 +8,13 @@ from importlib import import_module
 from types import ModuleType
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES, UnknownIdError
+from site_builder.blame import place_of, remember, words_of
 from site_builder.cache import cached, source_hash
 from site_builder.diagnostics import cause
-from site_builder.sandbox import run_limited
+from site_builder.sandbox import LimitError, run_limited
 
+IMPORT_SECONDS = 15.0
+"""By the clock: an import computes little, and what waits in one waits for ever."""
 MODULES = {"simulation": SCENE_MODULES, "ladder": LADDER_MODULES}
 
 
@@ -23,7 +26,7 @@ def loaded[T](kind: str, item_id: str, load: Callable[[str], T], error: type[Exc
             imported(module)
         return load(item_id)
     except UnknownIdError as unknown:
-        raise error(str(unknown)) from unknown
+        raise error(str(unknown)) from None
     except Exception as failure:
         raise error(f"{kind} {item_id!r} cannot be loaded: {cause(failure)}") from failure
 
@@ -46,7 +49,11 @@ def import_figures() -> None:
 
 @cached
 def _try_import(module: str, _sources: bytes) -> None:
-    run_limited(partial(_import, module))
+    try:
+        run_limited(partial(_import, module), IMPORT_SECONDS)
+    except LimitError as error:
+        place = place_of(error) or f"{module.replace('.', '/')}.py:1"
+        raise remember(error, place, words_of(error)) from None
 
 
 def _import(module: str) -> None:

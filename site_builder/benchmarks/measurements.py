@@ -24,6 +24,7 @@ from typing import Any
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
 from simulations.registry import load_ladder
 from site_builder.benchmarks.loading import loaded
+from site_builder.blame import CodeError
 from site_builder.diagnostics import Diagnostics, cause
 
 DATA = "content/measurements.json"
@@ -36,7 +37,7 @@ EQUAL = 0.01
 """Errors that differ by less than this share are equally good."""
 
 
-class MeasurementError(LookupError):
+class MeasurementError(CodeError):
     """A ladder is unknown, not measured, or has changed since; the message says what to do."""
 
 

@@ -9,11 +9,12 @@ from simulations.engine.frame import Frame, Readout
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.loading import loaded
 from site_builder.benchmarks.quantities import with_unit
+from site_builder.blame import CodeError
 from site_builder.diagnostics import cause, unknown
 from site_builder.figures.frames import frame_at
 
 
-class ReadoutError(LookupError):
+class ReadoutError(CodeError):
     """No such readout; the message says what is legal."""
 
 

@@ -21,18 +21,23 @@ def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
         if not isinstance(task, Task) or not task.figure or not task.solution:
             continue
         figure = figures.get(task.figure)
+        error = None
         if figure:
-            message = fault_of(quiz, task.solution, figure)
+            try:
+                message = fault_of(quiz, task.solution, figure)
+            except Exception as raised:  # whatever a scene's own code may raise
+                error = raised
+                message = f"quiz {quiz.id!r}: {figure.scene.id!r} cannot be drawn: {cause(raised)}"
         elif task.figure in chapter.figures:  # reported where it is
             message = ""
         else:
             message = unknown("figure of this page", task.figure, chapter.figures)
         if message:
-            problems.add(quiz.path, quiz.line, message)
+            problems.add(quiz.path, quiz.line, message, error)
 
 
 def fault_of(quiz: Quiz, solution: Mapping[str, str], figure: Simulation) -> str:
-    """What is wrong with the question, or nothing."""
+    """What is wrong with the question, or nothing. Raises whatever the scene does."""
     what = f"quiz {quiz.id!r}"
     stated = " ".join(f"{name}={value}" for name, value in solution.items())
     try:
@@ -44,8 +49,6 @@ def fault_of(quiz: Quiz, solution: Mapping[str, str], figure: Simulation) -> str
             return f"{what} is solved before it is asked; legal: a start that its [x] is false of"
     except (ControlError, ExpressionError) as error:
         return f"{what}: {error}"
-    except Exception as error:  # whatever a scene's own code may raise
-        return f"{what}: {figure.scene.id!r} cannot be drawn: {cause(error)}"
     return ""
 
 

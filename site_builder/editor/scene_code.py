@@ -90,7 +90,7 @@ def _closure(keys: Iterable[str]) -> dict[str, dict[str, object]]:
 def _told(key: str) -> dict[str, object]:
     module, _, name = key.partition(":")
     place = read_module(module).definitions[name]
-    lines = read_module(module).source.splitlines()[place.first - 1 : place.last]
+    lines = read_module(module).source.split("\n")[place.first - 1 : place.last]
     text = "\n".join(lines)
     return {
         "path": module.replace(".", "/") + ".py",

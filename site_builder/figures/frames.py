@@ -11,7 +11,9 @@ import numpy as np
 
 from simulations.engine.frame import Frame, Raster, StageReport
 from simulations.engine.scene import Scene
+from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
+from site_builder.blame import at_settings
 from site_builder.cache import cached
 from site_builder.sandbox import run_limited
 
@@ -81,11 +83,19 @@ def reports_at(
 
 
 def _frame(scene: Scene[Any], settings: Any, tier: str) -> Frame:
-    return _without_pixels(scene.render(settings, tier, StageCache()))
+    return _without_pixels(_rendered(scene, settings, tier, StageCache()))
+
+
+def _rendered(scene: Scene[Any], settings: Any, tier: str, cache: StageCache) -> Frame:
+    """Whatever it raises carries the settings that are not those at the start."""
+    start, values = values_of(scene.check({})), values_of(settings)
+    moved = {name: value for name, value in values.items() if value != start[name]}
+    with at_settings(moved):
+        return scene.render(settings, tier, cache)
 
 
 def _static_frame(scene: Scene[Any], settings: Any, tier: str) -> StaticFrame:
-    frame = scene.render(settings, tier, StageCache())
+    frame = _rendered(scene, settings, tier, StageCache())
     for place in frame.handles:  # a pull that raises shall do so now
         scene.pull(settings, place.name, (place.x, place.y), tier)
     pictures = {
@@ -100,7 +110,7 @@ def _small_frames(
     scene: Scene[Any], settings: Sequence[Mapping[str, object]], tier: str
 ) -> tuple[SmallFrame, ...]:
     cache = StageCache()
-    return tuple(_small_frame(scene.render(scene.check(one), tier, cache)) for one in settings)
+    return tuple(_small_frame(_rendered(scene, scene.check(one), tier, cache)) for one in settings)
 
 
 def _reports(

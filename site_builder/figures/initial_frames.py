@@ -73,7 +73,7 @@ def render_initial_frames(
             first, others = done.result()
         except Exception as error:  # whatever a scene's own code may raise is the author's to see
             message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
-            problems.add(figure.path, figure.line, message)
+            problems.add(figure.path, figure.line, message, error)
             continue
         pictures = {}
         for panel, picture in first.pictures.items():

@@ -23,6 +23,7 @@ from simulations.engine.expressions import ExpressionError, evaluate, evaluate_n
 from simulations.engine.frame import power_of_ten
 from site_builder.benchmarks.loading import imported
 from site_builder.benchmarks.measurements import SIDES
+from site_builder.blame import CodeError, raised_by_code
 from site_builder.diagnostics import cause, unknown
 from site_builder.markdown.parse_context import ParseContext
 
@@ -54,7 +55,7 @@ def number(text: str, line: int, context: ParseContext, **more: object) -> float
     try:
         return _as_number(evaluate(text, {**names_for(context), **more}), text)
     except ExpressionError as error:
-        context.problem(line, str(error))
+        context.problem(line, str(error), raised_by_code(error))
         return None
 
 
@@ -63,7 +64,7 @@ def truth(text: str, line: int, context: ParseContext) -> bool | None:
     try:
         return bool(evaluate(text, names_for(context)))
     except ExpressionError as error:
-        context.problem(line, str(error))
+        context.problem(line, str(error), raised_by_code(error))
         return None
 
 
@@ -109,7 +110,8 @@ def define_names(token: Token, line: int, context: ParseContext) -> None:
             for name, value in _defined(statement, context):
                 context.values[name] = value
         except (ExpressionError, LookupError) as error:
-            context.problem(first + statement.lineno - 1, str(error.args[0]))
+            place = first + statement.lineno - 1
+            context.problem(place, str(error.args[0]), raised_by_code(error))
     token.type, token.content = "html_block", ""
 
 
@@ -178,7 +180,7 @@ def _imported(module: str, name: str) -> object:
     except ImportError:
         raise LookupError(f"no module {module!r}; {LEGAL}") from None
     except Exception as error:  # whatever its code may raise is the author's to see
-        raise LookupError(f"module {module!r} cannot be loaded: {cause(error)}") from error
+        raise CodeError(f"module {module!r} cannot be loaded: {cause(error)}") from error
     public = {
         key: value
         for key, value in vars(found).items()

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from markdown_it.token import Token
 
 from simulations.engine.expressions import ExpressionError
+from site_builder.blame import raised_by_code
 from site_builder.diagnostics import unknown
 from site_builder.markdown.calculation import BLOCK, compute_formula, define_names
 from site_builder.markdown.headings import list_headings
@@ -46,7 +47,7 @@ def _set_formula(token: Token, line: int, context: ParseContext) -> None:
     try:
         token.content = tex = compute_formula(token.content, context)
     except ExpressionError as error:
-        context.problem(line, str(error))
+        context.problem(line, str(error), raised_by_code(error))
         return
     context.formulae.append((line, tex, token.type != "math_inline"))
     try:
@@ -85,7 +86,7 @@ def _set_words(token: Token, line: int, context: ParseContext) -> None:
     try:
         token.content = role.text(token.content, context)
     except role.refuses as error:
-        context.problem(line, str(error))
+        context.problem(line, str(error), raised_by_code(error))
 
 
 def _set_link(token: Token, line: int, context: ParseContext) -> None:

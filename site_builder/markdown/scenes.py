@@ -6,6 +6,7 @@ from typing import Any
 from simulations.engine.controls import ControlError, Slider, Value
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.loading import loaded
+from site_builder.blame import CodeError, raised_by_code
 from site_builder.diagnostics import unknown
 from site_builder.markdown.directive import OptionValue
 from site_builder.markdown.parse_context import ParseContext
@@ -14,9 +15,9 @@ from site_builder.markdown.parse_context import ParseContext
 def find_scene(scene_id: str, line: int, context: ParseContext) -> Scene[Any] | None:
     """The scene, or None and a diagnostic: unknown id, or a module that cannot be imported."""
     try:
-        return loaded("simulation", scene_id, context.shared.load_scene, LookupError)
+        return loaded("simulation", scene_id, context.shared.load_scene, CodeError)
     except LookupError as error:
-        context.problem(line, str(error))
+        context.problem(line, str(error), raised_by_code(error))
         return None
 
 

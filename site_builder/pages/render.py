@@ -109,7 +109,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         )
     for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
         folder, _, file = path.rpartition("/")
-        code = own_or_engine(site.root, path).read_text(encoding="utf-8")
+        code = own_or_engine(site.root, path).read_text(encoding="utf-8-sig")
         address = f"source/{path.removesuffix('.py')}/index.html"
         add("source", address, folder=folder, file=file, code=code)
     return pages

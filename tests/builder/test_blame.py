@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 from support.small_package import PACKAGE, small_package
 
-from site_builder.diagnostics import cause
+from site_builder.blame import at_settings
+from site_builder.diagnostics import BuildError, Diagnostics, cause
 
 SLIPS = [
     ("return {'curve': 1}['curves']", "KeyError: 'curves'"),
@@ -36,3 +37,25 @@ def test_a_module_that_cannot_be_read_is_told_with_its_line(tmp_path: Path) -> N
         with pytest.raises(SyntaxError) as raised:
             import_module(f"{PACKAGE}.scene")
         assert cause(raised.value) == "SyntaxError: invalid syntax, at simulations/small/scene.py:1"
+
+
+def test_what_a_scene_raises_is_told_once_at_its_line_with_where_it_is_met(tmp_path: Path) -> None:
+    problems = Diagnostics()
+    with small_package(tmp_path, {"scene": "def draw():\n    return 1 / 0\n"}):
+        draw = import_module(f"{PACKAGE}.scene").draw
+        for line in (7, 9):
+            with pytest.raises(ZeroDivisionError) as raised, at_settings({"k1": line / 10}):
+                draw()
+            problems.add("content/a.md", line, "simulation 'a' cannot be drawn", raised.value)
+    (only,) = BuildError(problems.found).diagnostics
+    assert str(only) == (
+        "simulations/small/scene.py:2: ZeroDivisionError: division by zero (met at content/a.md:7, k1 = 0.7)"
+    )
+
+
+def test_what_the_engine_raises_is_told_at_the_line_of_the_scene(tmp_path: Path) -> None:
+    source = "from simulations.engine.drawing import polyline\npolyline([(0, 0)] * 1_000_000)\n"
+    with small_package(tmp_path, {"scene": source}):
+        with pytest.raises(ValueError, match="1,000,000 points; legal") as raised:
+            import_module(f"{PACKAGE}.scene")
+        assert cause(raised.value).endswith(", at simulations/small/scene.py:2")

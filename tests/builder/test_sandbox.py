@@ -2,6 +2,9 @@
 
 import os
 import signal
+import socket
+import subprocess
+import sys
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import CancelledError, ThreadPoolExecutor
@@ -66,12 +69,39 @@ def fail_awkwardly() -> None:
     raise AwkwardError(1, 2)
 
 
+def exit_at_once() -> None:
+    os._exit(3)
+
+
+def interrupt() -> None:
+    raise KeyboardInterrupt
+
+
+def run_a_program() -> None:
+    subprocess.run(["true"], check=True)
+
+
+def look_for_a_server() -> None:
+    socket.create_connection(("127.0.0.1", 9))
+
+
+def write_a_file() -> None:
+    Path("written").write_text("")
+
+
 FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (loop, LimitError, "takes more than 0.3 s"),
     (ignore_the_alarm, LimitError, "takes more than 3 s"),
     (partial(time.sleep, 60), LimitError, "takes more than 3 s"),
     (partial(np.ones, 1_000_000_000), MemoryError, "allocate"),
     (be_killed, LimitError, "ended by SIGKILL"),
+    (exit_at_once, LimitError, "ended by its own code, as 3"),
+    (partial(sys.exit, 2), LimitError, "ends the program by SystemExit: 2"),
+    (interrupt, LimitError, "ends the program by KeyboardInterrupt"),
+    (Path("/etc/hostname").read_text, PermissionError, "reads '/etc/hostname'; legal"),
+    (write_a_file, PermissionError, "writes '.*written'; legal"),
+    (run_a_program, PermissionError, "starts a program: 'true'; legal"),
+    (look_for_a_server, PermissionError, "address: '127.0.0.1'; legal"),
     (partial(divmod, 1, 0), ZeroDivisionError, "zero"),
     (fail_awkwardly, RuntimeError, "AwkwardError: 1 and 2"),
 ]

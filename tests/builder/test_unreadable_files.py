@@ -32,6 +32,10 @@ def link_to(target: str) -> Callable[[Path], object]:
             {CHAPTER: FRONT.replace(b"First", b"a\x07") + b"Text.\n"},
             f"{CHAPTER}:2: control character U+0007; legal:",
         ),
+        (
+            {CHAPTER: FRONT + b"Text.\n\n" * 1_000_000},
+            f"{CHAPTER}:1: 7.0 MB of text; legal: at most 1 MB",
+        ),
         ({CHAPTER: b""}, f"{CHAPTER}:1: no front matter; legal:"),
         ({CHAPTER: Path.mkdir}, f"{BOOK}:4: unknown chapter '00-first'; legal: 01-second"),
         (

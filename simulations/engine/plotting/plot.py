@@ -18,7 +18,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine.drafting import label
-from simulations.engine.drawing import Point, circle, dot, line, path, polygon, polyline
+from simulations.engine.drawing import (
+    Point,
+    check_count,
+    circle,
+    dot,
+    line,
+    path,
+    polygon,
+    polyline,
+)
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.clipping import Run, Span, runs_inside
 from simulations.engine.plotting.scale import Scale
@@ -61,6 +70,7 @@ class Plot:
 
     def pieces(self, xs: ArrayLike, ys: ArrayLike) -> list[Run]:
         """The runs of a curve within the plot."""
+        check_count(np.size(xs))
         across, down = self.x.position(xs), self.y.position(ys)
         return runs_inside(across, down, _span(self.x), _span(self.y))
 

@@ -47,7 +47,7 @@ def read_hard_cases(
         return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"hard cases {call.argument!r} cannot be computed: {cause(error)}"
-        context.problem(call.line, message)
+        context.problem(call.line, message, error)
         return None
 
 

@@ -38,7 +38,7 @@ def read_illustration(call: DirectiveCall, caption: Passage, context: ParseConte
     try:
         illustration = illustration_of(imported(MODULES[call.argument]).draw)
     except Exception as error:  # whatever its code may raise is the author's to see
-        context.problem(call.line, f"{what} cannot be drawn: {cause(error)}")
+        context.problem(call.line, f"{what} cannot be drawn: {cause(error)}", error)
         return None
     if not isinstance(illustration, Illustration):
         kind = type(illustration).__name__

@@ -32,7 +32,7 @@ def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) ->
         context.problem(call.line, f"module {module!r} is no Python: {path}:{line}")
         return None
     first, last = _span(definitions[name])
-    code = dedent("\n".join(source.splitlines()[first - 1 : last])) + "\n"
+    code = dedent("\n".join(source.split("\n")[first - 1 : last])) + "\n"
     start, end = _docstring(definitions[name])
     return Source(module, name, path, first, code, (start - first, end - first), caption)
 
@@ -42,7 +42,7 @@ def _text_of(module: str, path: str, root: Path) -> str:
     file = own_or_engine(root, path)
     if not file.is_file() or not module.startswith("simulations."):
         raise LookupError(unknown("module", module, _modules(root / "simulations")))
-    return file.read_text(encoding="utf-8", errors="replace")
+    return file.read_text(encoding="utf-8-sig", errors="replace")
 
 
 def _definitions(source: str) -> dict[str, Definition]:
