@@ -49,7 +49,8 @@ def test_what_a_scene_raises_is_told_once_at_its_line_with_where_it_is_met(tmp_p
             problems.add("content/a.md", line, "simulation 'a' cannot be drawn", raised.value)
     (only,) = BuildError(problems.found).diagnostics
     assert str(only) == (
-        "simulations/small/scene.py:2: ZeroDivisionError: division by zero (met at content/a.md:7, k1 = 0.7)"
+        "simulations/small/scene.py:2: ZeroDivisionError: division by zero "
+        "(met at content/a.md:7, k1 = 0.7)"
     )
 
 
