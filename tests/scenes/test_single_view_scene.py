@@ -200,3 +200,7 @@ def test_the_sheet_has_the_focal_length_of_the_file_beside_the_measured_one() ->
     photograph = Photograph(1, own().codes, "room.jpg", {"focal_35mm_mm": 26.0})
     lines = {each.name: each.text for each in sheet(SCENE.check({}), outputs(photograph))}
     assert lines["focal_by_file"] == "433"
+
+
+def test_a_photograph_without_lines_fills_no_sheet() -> None:
+    assert sheet(SCENE.check({}), outputs(own())) == ()

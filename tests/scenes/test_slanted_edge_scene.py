@@ -17,6 +17,7 @@ from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.resolution import pixel_pitch_um
 from simulations.scenes.slanted_edge.rectangle import box_in
+from simulations.scenes.slanted_edge.results import with_error
 from simulations.scenes.slanted_edge.scene import SCENE
 
 frame = partial(frame_of, SCENE)
@@ -100,6 +101,19 @@ def test_the_pitch_follows_from_the_focal_length_and_its_equivalent() -> None:
     lines = {line.name: line.text for line in SCENE.sheet(SCENE.check({}), run.outputs)}
     assert float(lines["pitch"]) == pytest.approx(1.39, abs=0.01)
     assert lines["mtf50_1"].startswith(f"{gaussian_half(1.5):.2f}")
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "text"),
+    [
+        (46.82, 0.3, "46.8 ± 0.3"),
+        (46.82, 0.012, "46.82 ± 0.01"),
+        (46.82, 0.0, "46.8 ± 0.0"),
+        (46.82, np.nan, "46.8 ± undefined"),
+    ],
+)
+def test_a_small_error_is_not_rounded_to_zero(value: float, error: float, text: str) -> None:
+    assert with_error(value, error, 1) == text
 
 
 def test_a_refusal_is_said_in_the_figure_and_fills_no_sheet() -> None:

@@ -97,8 +97,12 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         *_other_gains(outputs["sensor"], main),
         *_grain(outputs["levels"][main]),
         Readout("pairs", "Pairs", str(len(frames.names))),
-        Readout("left_over", "Pictures without a partner", str(frames.left_over)),
+        Readout("left_over", "Pictures left out", _left_over(frames.left_over)),
     )
+
+
+def _left_over(count: int) -> str:
+    return f"{count}: without a partner, or of another camera or kind of file" if count else "0"
 
 
 def _scale(frames: Frames) -> Iterator[Readout]:

@@ -112,12 +112,14 @@ def _centre(view: SingleView | None) -> tuple[str, str]:
 
 
 def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
-    """The lines of the data sheet."""
+    """The lines of the data sheet; none for what is not drawn."""
     found: Found = outputs["view"]
     lines: Drawn = outputs["lines"]
     shown = {each.name: each for each in readouts(settings, outputs)}
     named = tuple(
-        shown[name] for name in ("focal", "pitch", "roll", "distance", "length", "height")
+        shown[name]
+        for name in ("focal", "pitch", "roll", "distance", "length", "height")
+        if shown[name].text not in (NONE, MISSING)
     )
     named += _by_the_file(lines, outputs["photograph"])
     if found.view is None or not found.knows_focal:

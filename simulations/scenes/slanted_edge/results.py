@@ -108,19 +108,22 @@ def _lines_of(number: int, place: Place, settings: Settings, outputs: Outputs) -
     middle = format_number(off_middle(place.box, outputs), 0)
     where = f"{middle} % from the middle to the corner, along the {direction(reading)}"
     yield Readout(
-        f"mtf50_{number}", f"MTF50, {where}", _with_error(half.frequency, half.error, 4), PER_PX
+        f"mtf50_{number}", f"MTF50, {where}", with_error(half.frequency, half.error, 4), PER_PX
     )
     yield Readout(
         f"mtf50_mm_{number}",
         f"The same with pixels of {format_number(settings.pitch, 1)} µm",
-        _with_error(scale * half.frequency, scale * half.error, 1),
+        with_error(scale * half.frequency, scale * half.error, 1),
         PER_MM,
     )
     if reading.sharpened:
         yield replace(_halos(reading), name=f"overshoot_{number}")
 
 
-def _with_error(value: float, error: float, digits: int) -> str:
+def with_error(value: float, error: float, digits: int) -> str:
+    """To ``digits`` decimals, or as many as a smaller error has before its first digit."""
+    if 0.0 < error < math.inf:
+        digits = max(digits, -math.floor(math.log10(error)))
     return f"{format_number(value, digits)} ± {format_number(error, digits)}"
 
 
