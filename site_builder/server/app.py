@@ -62,12 +62,14 @@ class _Site(StaticFiles):
 
     def __init__(self, out: Path, news: News) -> None:
         super().__init__(directory=out, html=True, check_dir=False)
-        self._news = news
+        self._out, self._news = out, news
 
     async def check_config(self) -> None:
         """The folder is there after the first build."""
 
     async def get_response(self, path: str, scope: Scope) -> Response:
+        if self._news.state.number and not self._out.is_dir():
+            self._news.restart()
         if not self._news.state.number:
             return HTMLResponse(WAITING, 503)
         response = await super().get_response(path, scope)

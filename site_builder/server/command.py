@@ -7,17 +7,14 @@ from collections.abc import AsyncIterator
 from pathlib import Path
 
 import uvicorn
-from watchfiles import DefaultFilter, awatch
 
 from site_builder.engine_files import ENGINE, STATIC
 from site_builder.server.app import make_app
 from site_builder.server.builds import Builds, is_code
+from site_builder.server.changes import changes
 from site_builder.server.news import News
 
 LOOPBACK = "127.0.0.1"
-DEBOUNCE_MS = 100
-STEP_MS = 10
-"""How long nothing more must change before a change is reported."""
 
 
 def serve(root: Path, out: Path, port: int, *, runtime: bool, host: str = LOOPBACK) -> None:
@@ -59,7 +56,7 @@ async def _build_on_change(builds: Builds) -> None:
     try:
         async with asyncio.TaskGroup() as tasks:
             build = tasks.create_task(builds.build())
-            async for changed in _changes(builds.root):
+            async for changed in _sources(builds):
                 if any(map(is_code, changed)):
                     await builds.end_waiting()
                 if not (build.done() and builds.replace_styles(changed)):
@@ -70,10 +67,7 @@ async def _build_on_change(builds: Builds) -> None:
         await builds.end_waiting()
 
 
-async def _changes(root: Path) -> AsyncIterator[set[Path]]:
-    ignore = DefaultFilter(ignore_entity_patterns=(*DefaultFilter.ignore_entity_patterns, r"^\."))
-    own = {root / name for name in ("content", "simulations", "static")}
+def _sources(builds: Builds) -> AsyncIterator[set[Path]]:
+    own = {builds.root / name for name in ("content", "simulations", "static")}
     engine = {ENGINE / "simulations", ENGINE / "site_builder", STATIC}
-    present = sorted(folder for folder in own | engine if folder.is_dir())
-    async for changes in awatch(*present, watch_filter=ignore, debounce=DEBOUNCE_MS, step=STEP_MS):
-        yield {Path(path) for _change, path in changes}
+    return changes(own | engine, builds.out)

@@ -43,6 +43,10 @@ class News:
     def fail(self, mistakes: str) -> None:
         self._publish(State(self.state.number, self.state.changed, mistakes))
 
+    def restart(self) -> None:
+        """As before the first build: what was built is gone."""
+        self._publish(State())
+
     async def events(self) -> AsyncIterator[str]:
         """The present state first. A slow reader gets the newest state, not each one."""
         while True:

@@ -1,5 +1,6 @@
 """Building: the same bytes from the same sources, and nothing where there is a mistake."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -65,3 +66,13 @@ def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: Make
     site = render_site(make_book(body, files))
     folders = {path.split("/")[0] for path in site if "/" in path}
     assert folders - {"first", "second"} | {"cards", "runtime", "search"} == set(OWN_FOLDERS)
+
+
+def test_source_is_shown_where_python_finds_it(make_book: MakeBook) -> None:
+    code = '\ufeff"""One\u2028two."""\n\f\n\n\ndef half(x):\n    return x / 2\n'
+    body = ":::{source} simulations.models.thing:half\n:::\n"
+    site = render_site(make_book(body, {"simulations/models/thing.py": code}))
+    page = content_bytes(site["first/index.html"]).decode()
+    shown = re.sub(r"<[^>]+>", "", page)
+    assert "def half(x):" in shown
+    assert "return x / 2" in shown

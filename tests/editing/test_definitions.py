@@ -61,6 +61,11 @@ def test_a_definition_has_what_is_written_close_about_it(name: str, first: str, 
     assert (lines[0], lines[-1]) == (first, last)
 
 
+def test_lines_end_where_python_ends_them() -> None:
+    source = '"""One\u2028two."""\n\n\f\n# Three.\nTHREE = 3\n'
+    assert definitions(source)["THREE"].first == 4
+
+
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
 def test_every_stage_and_every_drawing_is_written_in_an_editable_module(scene_id: str) -> None:
     scene = load_scene(scene_id)

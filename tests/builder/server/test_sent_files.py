@@ -1,5 +1,6 @@
 """What the development server sends: right types, parts, nothing outside the site."""
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -95,3 +96,11 @@ def test_a_port_that_cannot_be_used_is_named() -> None:
         for number, better in ((port, port + 1), (99999, 8000)):
             with pytest.raises(OSError, match=f"port {number} is taken .*={better}"):
                 listen("127.0.0.1", number)
+
+
+def test_a_site_that_was_deleted_is_being_built(client: TestClient, site: Path, news: News) -> None:
+    shutil.rmtree(site)
+    reply = client.get("/b/")
+    assert reply.status_code == 503
+    assert "Being built" in reply.text
+    assert news.state.event() == ": \n\n"  # or the page would reload itself at once
