@@ -14,10 +14,12 @@ from support.sittings import SIZE, TRUTH, photographs
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.stages import StageCache
+from simulations.models.calibration.left_out import Growth
 from simulations.models.chequerboard.find_board import find_board
 from simulations.models.error_measures import root_mean_square
 from simulations.scenes.calibration import boards
 from simulations.scenes.calibration.boards import SIGMA_PX, rendered, simulated_sitting
+from simulations.scenes.calibration.plots import growth_plot
 from simulations.scenes.calibration.scene import SCENE
 from simulations.scenes.calibration.settings import ERRORS, LEAST, MOST, Settings
 
@@ -206,3 +208,10 @@ def test_a_whole_photograph_is_developed_at_its_own_size() -> None:
     codes = np.random.default_rng(0).integers(0, 255, (960, 1280, 3)).astype(np.uint8)
     made = develop(Photograph(0, codes), settings, outputs)
     assert made.shape == codes.shape
+
+
+def test_the_focal_length_of_a_few_photographs_fits_into_its_plot() -> None:
+    grown = Growth((3, 4), np.array([1359.9, 1359.8]), np.array([0.3, 0.12]))
+    axis = growth_plot(grown, None).y
+    assert axis.low < 1359.8 - 0.12
+    assert axis.high > 1359.8 + 0.12

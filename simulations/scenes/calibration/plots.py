@@ -111,9 +111,10 @@ def _akaike(plot: Plot, x: list[float], above: list[float]) -> Iterator[str]:
 
 
 def growth_plot(grown: Growth, truth: float | None) -> Plot:
-    """The focal length with its errors, from `SETTLED_FROM` photographs on, and the truth."""
+    """The focal length with its errors, from `SETTLED_FROM` photographs on or of all, if these are
+    fewer, and the truth."""
     known = np.isfinite(grown.value) & np.isfinite(grown.error)
-    known &= (np.array(grown.counts) >= SETTLED_FROM) | (len(grown.counts) == 1)
+    known &= np.array(grown.counts) >= min(SETTLED_FROM, grown.counts[-1])
     ends = [grown.value[-1] - LEAST_REACH, grown.value[-1] + LEAST_REACH]
     ends += [*(grown.value - grown.error)[known], *(grown.value + grown.error)[known]]
     if truth is not None:
