@@ -9,7 +9,7 @@ from pathlib import Path
 from simulations.engine.frame import Panel
 from site_builder.book import Book
 from site_builder.cache import cached
-from site_builder.checks.svg import read_overlay
+from site_builder.checks.svg import Label, read_overlay
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
@@ -18,6 +18,8 @@ from site_builder.page_model.blocks import Block
 
 MOST_PIXELS, MOST_LETTERS = 4_000_000, 1_000_000
 """Of a panel, which a slider draws anew at every step."""
+LETTER = 16.0
+"""The height of a letter, in units of the view box."""
 CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
 NO_NUMBER = re.compile(r"[\s,\"'](-?(?:nan|inf))[\s,\"']")
 
@@ -28,6 +30,7 @@ class _Overlay:
 
     faults: tuple[str, ...]
     classes: frozenset[str]
+    labels: tuple[Label, ...]
 
 
 def check_frames(
@@ -81,6 +84,18 @@ def _check(
 ) -> None:
     for message in _faults(panel, pixels, known):
         problems.add(*place, f"{who}: panel {panel.name!r}: {message}")
+    if len(panel.overlay) <= MOST_LETTERS:
+        for label in _read(panel.overlay).labels:
+            if _is_outside(label, panel):
+                where = f"a label at ({label.x:g}, {label.y:g}) of {panel.width} × {panel.height}"
+                problems.warn(*place, f"{who}: panel {panel.name!r}: {where} is not seen")
+
+
+def _is_outside(label: Label, panel: Panel) -> bool:
+    """Whether no letter of it can be in the panel."""
+    before = label.x <= 0 and label.anchor == "end"
+    beyond = label.x >= panel.width and label.anchor == "start"
+    return before or beyond or label.y <= 0 or label.y >= panel.height + LETTER
 
 
 def _faults(panel: Panel, pixels: int, known: frozenset[str]) -> Iterator[str]:
@@ -102,4 +117,4 @@ def _read(markup: str) -> _Overlay:
     faults = [f"overlay: {fault.message}" for fault in drawing.faults[:3]]
     if found := NO_NUMBER.search(markup):
         faults.append(f"overlay: {found[1]!r} as a place or a size; legal: a finite number")
-    return _Overlay(tuple(faults), drawing.classes)
+    return _Overlay(tuple(faults), drawing.classes, drawing.labels)

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 KINDS = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG", ".webp": "WEBP"}
+GPS = 0x8825
+"""The tag of Exif below which the place stands."""
 MOST_PIXELS, MOST_BYTES = 40_000_000, 20_000_000
 
 
@@ -38,6 +40,9 @@ def _check_picture(file: Path, path: str, problems: Diagnostics, trusted: bool) 
                 problems.add(path, fault.line, fault.message)
     elif message := _fault_of_raster(file):
         problems.add(path, 1, message)
+    elif _has_place(file):
+        better = "better: without, as by `exiftool -gps:all= FILE`"
+        problems.warn(path, 1, f"says where it was taken (GPS), to every reader; {better}")
 
 
 def _fault_of_raster(file: Path) -> str:
@@ -59,6 +64,11 @@ def _fault_of_raster(file: Path) -> str:
     except (OSError, SyntaxError, ValueError, Warning) as error:
         return f"a damaged picture: {error}; legal: a whole {KINDS[file.suffix]}"
     return ""
+
+
+def _has_place(file: Path) -> bool:
+    with _reading(file) as picture:
+        return bool(picture.getexif().get_ifd(GPS))
 
 
 @contextmanager

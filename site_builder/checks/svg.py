@@ -3,6 +3,7 @@ holds, such as scripts, handlers of events or addresses outside of it, is report
 
 import io
 import re
+from contextlib import suppress
 from dataclasses import dataclass, field
 from xml.sax import SAXParseException
 from xml.sax.handler import ContentHandler, feature_namespaces
@@ -83,11 +84,21 @@ class Fault:
 
 
 @dataclass(frozen=True, slots=True)
+class Label:
+    """Where a text stands that is drawn where it says, and which part of it."""
+
+    x: float
+    y: float
+    anchor: str
+
+
+@dataclass(frozen=True, slots=True)
 class Drawing:
     """What was found in some SVG."""
 
     faults: tuple[Fault, ...]
     classes: frozenset[str]
+    labels: tuple[Label, ...] = ()
 
 
 def read_svg(data: bytes) -> Drawing:
@@ -109,7 +120,9 @@ def read_svg(data: bytes) -> Drawing:
         reader.faults.append(Fault(reader.line, message))
     except (ValueError, LookupError) as error:  # an unknown encoding
         reader.faults.append(Fault(1, f"no SVG: {error}; legal: UTF-8", unreadable=True))
-    return Drawing(tuple(sorted(set(reader.faults))), frozenset(reader.classes))
+    return Drawing(
+        tuple(sorted(set(reader.faults))), frozenset(reader.classes), tuple(reader.labels)
+    )
 
 
 def read_overlay(markup: str) -> Drawing:
@@ -121,6 +134,9 @@ def read_overlay(markup: str) -> Drawing:
 class _Reader(ContentHandler):
     faults: list[Fault] = field(default_factory=list)
     classes: set[str] = field(default_factory=set)
+    labels: list[Label] = field(default_factory=list)
+    moved: list[bool] = field(default_factory=list)
+    """Of each element that is open, whether it, or one around it, has a transform."""
     inside: list[str] = field(default_factory=list)
     style: str = ""
     """The text of the present ``<style>`` so far."""
@@ -150,10 +166,17 @@ class _Reader(ContentHandler):
         elif space != SVG and space not in NOTES:
             self.fault(f"<{local}> of {space or 'no'} namespace; legal: SVG")
         self.inside.append(local)
+        given = {attribute: str(value) for (_, attribute), value in attrs.items()}
+        self.moved.append("transform" in given or any(self.moved[-1:]) or local == "symbol")
+        if local == "text" and not self.moved[-1]:
+            with suppress(KeyError, ValueError):
+                x, y = float(given["x"]), float(given["y"])
+                self.labels.append(Label(x, y, given.get("text-anchor", "start")))
         for (prefix, attribute), value in attrs.items():
             self._attribute(prefix, attribute, str(value), local)
 
     def endElementNS(self, _name: tuple[str | None, str], _qname: str | None) -> None:  # noqa: N802
+        self.moved.pop()
         if self.inside.pop() == "style":
             if found := REACHES_OUT.search(self.style):
                 self.fault(f"{found[0]!r} in a style; legal: paint, and 'url(#id)'")

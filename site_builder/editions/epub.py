@@ -2,12 +2,13 @@
 
 import io
 import os
+import re
 import zipfile
 from collections.abc import Mapping
 from copy import deepcopy
 from datetime import UTC, datetime
 from pathlib import Path
-from urllib.parse import quote
+from urllib.parse import quote, unquote
 from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
@@ -77,19 +78,35 @@ def _part(section: Section, composed: Composed) -> Element:
 
 def _take_images(trees: Mapping[str, Element], composed: Composed) -> dict[str, bytes]:
     """The pictures of the text, whose elements now have the addresses in the e-book."""
-    taken = {}
+    taken: dict[str, bytes] = {}
+    targets: dict[str, str] = {}
     for tree in trees.values():
         for name, element in [("src", e) for e in elements(tree, "img")] + [
             ("href", e) for e in elements(tree, "image")
         ]:
-            source = element.get(name, "").removeprefix("../")
+            source = unquote(element.get(name, "").removeprefix("../"))
+            if source in targets:
+                element.set(name, targets[source])
+                continue
+            key = source
             content = content_bytes(composed.files[source])
             if source.startswith(f"{composed.assets}stills/") and source.endswith(".webp"):
                 source, content = source.removesuffix("webp") + "png", as_png(content)
-            target = f"images/{Path(source).name}"
+            target = _free_name(Path(source), taken)
             taken[target] = content
+            targets[key] = target
             element.set(name, target)
     return taken
+
+
+def _free_name(picture: Path, taken: Mapping[str, bytes]) -> str:
+    """One of its own in the e-book: pictures of two folders may share theirs."""
+    name, number = re.sub(r"[^\w.-]+", "-", picture.stem), 1
+    target = f"images/{name}{picture.suffix}"
+    while target in taken:
+        number += 1
+        target = f"images/{name}-{number}{picture.suffix}"
+    return target
 
 
 def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[str, bytes]) -> bytes:

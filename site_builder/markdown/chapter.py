@@ -33,6 +33,8 @@ def parse_chapter(text: str, context: ParseContext) -> Draft:
     tokens = context.shared.parser.parse(text, context.env)
     for line, message in context.env.pop("problems", ()):
         context.problem(line, message)
+    for line, message in context.env.pop("doubts", ()):
+        context.problems.warn(context.path, line, message)
     matter = read_front_matter(tokens, context)
     position, name = context.position, context.chapter
     target = Target(position.kind, name, "", position.mark, matter.title, 1, name=position.name)

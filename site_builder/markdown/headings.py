@@ -1,6 +1,7 @@
 """Headings: a place in the table of contents for each; those out of order reported."""
 
 import re
+import unicodedata
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -52,5 +53,12 @@ def _without_links(inline: Token) -> list[Token]:
 
 
 def slug(text: str) -> str:
-    """Words of a heading as an id: lower case, letters and digits, joined by hyphens."""
-    return re.sub(r"[^\w]+", "-", text.lower()).strip("-") or "section"
+    """Words of a heading as an id: lower case, letters with their marks and digits, joined by
+    hyphens.
+
+    >>> slug("Zoë’s हिन्दी, or 2")
+    'zoë-s-हिन्दी-or-2'
+    """
+    letters = unicodedata.normalize("NFC", text.lower())
+    kept = (c if c.isalnum() or unicodedata.category(c)[0] == "M" else "-" for c in letters)
+    return re.sub("-+", "-", "".join(kept)).strip("-") or "section"

@@ -10,6 +10,7 @@ from markdown_it.token import Token
 
 from site_builder.markdown.text.tokens import children_located
 
+NOT_KEPT = "may change; better: '{ref}`TARGET`', or a citation"
 SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
@@ -35,6 +36,13 @@ SLIPS = tuple(
     )
 )
 """Patterns of mistakes in running text, each with what is legal."""
+SHORT = r"(?:Fig|Eq|Tab|Sec)s?\."
+TYPED_NUMBER = re.compile(
+    rf"\b({SHORT}\s?\(?[A-Z\d]+(?:\.\d+)*\)?"
+    r"|(?:Figure|Table|Equation|Example|Question)s?\s\(?\d+\b(?!\.\d)\)?"
+    r"|[Cc]hapters? (?:one|two|three|four|five|six|seven|eight|nine|ten)\b)"
+)
+"""What may be a reference typed by hand, or one to another work."""
 LINE_SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
@@ -54,6 +62,7 @@ def stray_marks_rule(state: StateCore) -> None:
     """Report them all, with their lines."""
     lines = state.src.split("\n")
     problems = state.env.setdefault("problems", [])
+    doubts = state.env.setdefault("doubts", [])
     line = 1
     for token in state.tokens:
         line = token.map[0] + 1 if token.map else line
@@ -63,7 +72,7 @@ def stray_marks_rule(state: StateCore) -> None:
                     head = token.content.partition("\n")[0]
                     expected = "one '---' below each of its heads"
                     problems.append((line, f"{head!r} begins no table; legal: {expected}"))
-                problems += _in_paragraph(token, line)
+                problems += _in_paragraph(token, line, doubts)
             case "code_block":
                 problems.append((line, "indented text; legal: at the margin, or between '```'"))
             case "fence" if not _is_closed(token, lines):
@@ -75,10 +84,14 @@ def stray_marks_rule(state: StateCore) -> None:
     problems += _lost_addresses(state)
 
 
-def _in_paragraph(inline: Token, line: int) -> Iterator[tuple[int, str]]:
+def _in_paragraph(
+    inline: Token, line: int, doubts: list[tuple[int, str]]
+) -> Iterator[tuple[int, str]]:
     above = 0
     for child, place in children_located(inline, line):
         if child.type == "text":
+            for number in TYPED_NUMBER.finditer(child.content):
+                doubts.append((place, f"{number[1]!r} {NOT_KEPT}"))
             found = [(pattern.search(child.content), expected) for pattern, expected in SLIPS]
             if place > above:
                 found += [(start.match(child.content), expected) for start, expected in LINE_SLIPS]

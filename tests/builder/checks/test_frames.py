@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from support.little_book import OUTLINE, diagnostics
 
+from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Readout
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
@@ -110,3 +111,21 @@ def test_a_handle_that_would_fail_when_it_is_pulled_is_reported(
 def test_a_formula_that_the_figure_does_not_use_is_reported(told: Told) -> None:
     (found,) = told(formula=raising)
     assert found.startswith("content/00-first.md:5: demo: formula raising; legal: ")
+
+
+@pytest.mark.parametrize(
+    ("label", "is_seen"),
+    [
+        (text((41, 9), "A"), False),
+        (text((41, 9), "A", anchor="end"), True),
+        (text((-1, 9), "A", anchor="end"), False),
+        (text((9, -1), "A"), False),
+        (text((9, 60), "A"), False),
+        (f'<g transform="translate(-9 0)">{text((44, 9), "A")}</g>', True),
+    ],
+)
+def test_a_label_outside_its_panel_is_a_warning(told: Told, label: str, is_seen: bool) -> None:
+    found = told(draw=lambda *_: frame(label))
+    assert [": warning: demo: panel 'plan': a label at " in one for one in found] == (
+        [] if is_seen else [True]
+    )

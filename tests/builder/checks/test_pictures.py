@@ -48,6 +48,16 @@ def test_a_picture_that_cannot_be_shown_is_reported(
     assert told(name, data)[0].startswith(says)
 
 
+def test_a_photograph_that_says_where_it_was_taken_is_a_warning(
+    told: Callable[..., list[str]],
+) -> None:
+    buffer, exif = io.BytesIO(), Image.Exif()
+    exif.get_ifd(0x8825)[1] = "N"
+    Image.new("L", (8, 8)).save(buffer, "JPEG", exif=exif)
+    (only,) = told("a.jpg", buffer.getvalue())
+    assert only.startswith("1: warning: says where it was taken")
+
+
 def test_a_whole_picture_is_in_order(told: Callable[..., list[str]]) -> None:
     for kind in ("png", "webp", "jpeg"):
         assert told(f"a.{kind}", picture(8, 8, kind.upper())) == []

@@ -63,6 +63,20 @@ def test_every_file_is_listed_once_and_marked_for_what_is_in_it(book: zipfile.Zi
     assert items["nav.xhtml"].get("properties") == "nav"
 
 
+def test_pictures_of_one_name_in_two_folders_are_two(make_book: Callable[..., Options]) -> None:
+    drawing = '<svg xmlns="http://www.w3.org/2000/svg"><desc>{}</desc></svg>\n'
+    files = {f"content/images/{name}/plan b.svg": drawing.format(name) for name in ("one", "two")}
+    figures = (f":::{{figure}} {name[8:]}\n:alt: A plan\nA plan.\n:::\n\n" for name in files)
+    options = make_book("".join(figures) * 2, {**files, "static/css/tokens.css": TOKENS})
+    book = zipfile.ZipFile(io.BytesIO(make_epub(compose(options), options.root)))
+    pictures = [name for name in book.namelist() if name.endswith(".svg")]
+    assert pictures == [f"{FOLDER}images/plan-b.svg", f"{FOLDER}images/plan-b-2.svg"]
+    assert [re.findall("<desc>(.*)</desc>", book.read(name).decode()) for name in pictures] == [
+        ["one"],
+        ["two"],
+    ]
+
+
 def test_variables_are_resolved_to_the_light_theme() -> None:
     assert resolve("a { color: var(--ink); }", {"--ink": "#123"}) == "a { color: #123; }"
 
