@@ -137,7 +137,7 @@ def _grain(measured: Measured) -> Iterable[Readout]:
     level = measured.levels[int(np.argmin(np.abs(np.log(light / 0.18))))]
     share = 100 * float(light[measured.levels.index(level)])
     noise = math.sqrt(max(level.noise_dn2, 0.0)) / max(level.mean_dn - measured.black_dn, 1e-6)
-    label = f"Noise of one picture at {share:.0f} % of white"
+    label = f"Noise of one picture at {share:.0f}\u00a0% of white"
     yield readout("noise", label, 100 * noise, "% of the light")
     yield readout("shared", "Noise shared by neighbours", 100 * level.correlation, "%", digits=1)
 
