@@ -1,5 +1,7 @@
 """PSNR and root mean square against their definitions."""
 
+from collections.abc import Iterable
+
 import numpy as np
 import pytest
 from support.refusals import Call, assert_refused, each_of
@@ -50,9 +52,9 @@ def test_psnr_leaves_out_just_the_border(crop: int) -> None:
     ("peak .*above 0, finite", lambda peak: psnr_db(FLAT, FLAT, peak), [0.0, -1.0, np.inf, np.nan]),
 )
 def test_pictures_that_cannot_be_compared_are_refused(
-    message: str, call: Call, value: object
+    message: str, call: Call, values: Iterable[object]
 ) -> None:
-    assert_refused(message, call, value)
+    assert_refused(message, call, values)
 
 
 def test_the_root_mean_square_of_three_four_is_that_of_their_hypotenuse() -> None:

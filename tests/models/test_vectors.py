@@ -166,20 +166,21 @@ def test_a_stack_is_answered_as_each_of_its_vectors_alone(
 HUGE = [1e200, -1e308, np.inf, -np.inf, np.nan]
 
 
-@pytest.mark.parametrize("huge", HUGE)
 @EACH
 def test_one_wild_vector_neither_warns_nor_spoils_its_neighbours(
-    length: int, function: Callable[[ArrayLike], Any], huge: float
+    length: int, function: Callable[[ArrayLike], Any]
 ) -> None:
     calm = np.full((3, length), 0.25)
-    wild = calm.copy()
-    wild[1] = huge
-    try:
-        answer = function(wild)
-    except ValueError:
-        return
-    for ours, theirs in zip(parts(answer), parts(function(calm)), strict=True):
-        np.testing.assert_array_equal(ours[[0, 2]], theirs[[0, 2]])
+    expected = parts(function(calm))
+    for huge in HUGE:
+        wild = calm.copy()
+        wild[1] = huge
+        try:
+            answer = function(wild)
+        except ValueError:
+            continue
+        for ours, theirs in zip(parts(answer), expected, strict=True):
+            np.testing.assert_array_equal(ours[[0, 2]], theirs[[0, 2]], str(huge))
 
 
 @pytest.mark.parametrize(

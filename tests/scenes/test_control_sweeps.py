@@ -27,7 +27,7 @@ from simulations.registry import SCENE_MODULES, load_scene
 
 type Setting = dict[str, object]
 
-STEPS = 7
+STEPS, MANY_STEPS = 3, 7
 """Positions of a slider between and including its ends."""
 
 RESIZED = ("aliasing", "bayer-demosaic", "resolution")
@@ -37,12 +37,13 @@ UNDEFINED = {("perspective-projection", "x"), ("perspective-projection", "y"), (
 NOT_FINITE = re.compile(r"\b(nan|inf)\b", re.IGNORECASE)
 
 
-def positions(control: Control) -> list[object]:
-    """The ends, and for a slider the way between them, its zero, and single steps from the ends."""
+def positions(control: Control, steps: int) -> list[object]:
+    """The ends, and for a slider ``steps`` on the way between them, its zero, and single steps
+    from the ends."""
     if not isinstance(control, Slider):
         return list(control.extremes())
     low, high, step = control.minimum, control.maximum, control.step
-    between = np.linspace(low, high, STEPS).tolist()
+    between = np.linspace(low, high, steps).tolist()
     zero = [0.0] if low < 0 < high else []
     return [*between, low + step, high - step, *zero]
 
@@ -170,10 +171,11 @@ def swept(request: pytest.FixtureRequest) -> Swept:
     return Swept(load_scene(request.param))
 
 
-def test_each_control_is_sound_over_its_whole_range(swept: Swept) -> None:
+@pytest.mark.parametrize("steps", [STEPS, pytest.param(MANY_STEPS, marks=pytest.mark.deep)])
+def test_each_control_is_sound_over_its_whole_range(swept: Swept, steps: int) -> None:
     expected = swept.see({}).shape
     for control in swept.scene.controls:
-        for value in positions(control):
+        for value in positions(control, steps):
             setting = {control.name: value}
             assert swept.see(setting).shape == expected, setting
 

@@ -169,20 +169,14 @@ def test_wherever_the_pointer_goes_the_controls_stay_legal(
             assert scene.check({**values}) is not None
 
 
-@pytest.mark.parametrize(("scene", "handle"), ALL, ids=named)
-def test_a_handle_lies_in_a_panel_of_its_scene(scene: Scene[Any], handle: Handle[Any]) -> None:
-    settings = scene.check({})
-    outputs = Outputs(scene, settings)
-    panels = scene.draw(settings, outputs).panels
-    places(scene.handles, settings, outputs, panels)
-    assert handle.panel in {panel.name for panel in panels}
-
-
 @pytest.mark.parametrize("scene", SCENES.values(), ids=named)
-def test_a_finger_tells_the_marks_of_an_untouched_figure_apart(scene: Scene[Any]) -> None:
+def test_handles_lie_in_panels_and_a_finger_tells_the_marks_of_an_untouched_figure_apart(
+    scene: Scene[Any],
+) -> None:
     settings = scene.check({})
     outputs = Outputs(scene, settings)
     panels = scene.draw(settings, outputs).panels
+    assert {handle.panel for handle in scene.handles} <= {panel.name for panel in panels}
     marked = tuple(handle for handle in scene.handles if handle.reach in ("mark", "press"))
     at = {place.name: (place.x, place.y) for place in places(marked, settings, outputs, panels)}
     shown = [handle for handle in marked if handle.name in at]

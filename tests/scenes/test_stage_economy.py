@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from simulations.engine.controls import Action, Choice, Control, Points, Slider, Toggle
+from simulations.engine.controls import Action, Choice, Control, Points, Slider
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
@@ -74,41 +74,25 @@ def concerned(
     return reached
 
 
-MOVES = [
-    (scene_id, control)
-    for scene_id, scene in SCENES.items()
-    if scene.stages
-    for control in scene.controls
-]
-
-
-def named(move: object) -> str | None:
-    return move.name if isinstance(move, Slider | Choice | Action | Toggle | Points) else None
-
-
-@pytest.mark.parametrize(("scene_id", "control"), MOVES, ids=named)
-def test_a_control_recomputes_only_what_reads_it_or_follows(
-    scene_id: str, control: Control
-) -> None:
+@pytest.mark.parametrize("scene_id", [name for name, scene in SCENES.items() if scene.stages])
+def test_a_control_recomputes_only_what_reads_it_or_follows(scene_id: str) -> None:
     scene, start, cache = SCENES[scene_id], START.get(scene_id, {}), StageCache()
-    moved = {**start, control.name: others(control)[0]}
-    before, after = show(scene, start, cache), show(scene, moved, cache)
-    computed = {stage.name for stage in after.stages if stage.status == "computed"}
-    made_before = {stage.name for stage in before.stages if stage.status != "skipped"}
-    assert computed & made_before <= concerned(
-        scene.stages, parameters(scene, start), parameters(scene, moved)
-    )
+    for control in scene.controls:
+        moved = {**start, control.name: others(control)[0]}
+        before, after = show(scene, start, cache), show(scene, moved, cache)
+        computed = {stage.name for stage in after.stages if stage.status == "computed"}
+        made_before = {stage.name for stage in before.stages if stage.status != "skipped"}
+        assert computed & made_before <= concerned(
+            scene.stages, parameters(scene, start), parameters(scene, moved)
+        ), control.name
 
 
-def walk(scene_id: str, tier: str) -> Iterator[dict[str, object]]:
-    """From the start through every control alone, then all of them at once, and back again.
-
-    To every other value in the tier that the scene settles in. In the others, whose stages are
-    mostly the same, to one, with the controls moved before left where they are.
-    """
+def walk(scene_id: str, *, every_value: bool) -> Iterator[dict[str, object]]:
+    """From the start through the controls and back again: each to one other value, with those moved
+    before left where they are; or each alone to ``every_value``, then all of them at once."""
     start, controls = START.get(scene_id, {}), SCENES[scene_id].controls
     yield start
-    if tier == SCENES[scene_id].default_tier:
+    if every_value:
         for control in controls:
             yield from ({**start, control.name: value} for value in others(control))
         for end in (0, -1):
@@ -156,19 +140,21 @@ def cold_start(scene_id: str, tier: str) -> Frame:
     return show(SCENES[scene_id], START.get(scene_id, {}), StageCache(), tier)
 
 
-EVERY_TIER = [
-    pytest.param(
-        name, tier, marks=[] if tier in (scene.default_tier, "") else pytest.mark.deep,
-    )
-    for name, scene in SCENES.items() for tier in scene.tiers or ("",)
-]  # fmt: skip
+WALKS = [
+    pytest.param(name, tier, every, marks=pytest.mark.deep if every or tier else [])
+    for name, scene in SCENES.items()
+    for tier in ("", *scene.tiers)
+    for every in ((False,) if tier else (False, True))
+]
 
 
 @pytest.mark.usefixtures("few_rays", "drawn_once")
-@pytest.mark.parametrize(("scene_id", "tier"), EVERY_TIER)
-def test_a_warm_frame_is_bit_equal_to_a_cold_one(scene_id: str, tier: str) -> None:
+@pytest.mark.parametrize(("scene_id", "tier", "every_value"), WALKS)
+def test_a_warm_frame_is_bit_equal_to_a_cold_one(
+    scene_id: str, tier: str, every_value: bool
+) -> None:
     scene, cache = SCENES[scene_id], StageCache()
-    for given in walk(scene_id, tier):
+    for given in walk(scene_id, every_value=every_value):
         warm = show(scene, given, cache, tier)
         at_start = given == START.get(scene_id, {})
         cold = cold_start(scene_id, tier) if at_start else show(scene, given, StageCache(), tier)

@@ -9,11 +9,16 @@ type Call = Callable[[Any], object]
 
 
 def each_of(*rows: tuple[str, Call, Iterable[Any]]) -> pytest.MarkDecorator:
-    """Parametrises a test by every illegal value of every row."""
-    cases = [(message, call, value) for message, call, values in rows for value in values]
-    return pytest.mark.parametrize(("message", "call", "value"), cases)
+    """Parametrises a test by the rows."""
+    return pytest.mark.parametrize(("message", "call", "values"), rows)
 
 
-def assert_refused(message: str, call: Call, value: Any) -> None:
-    with pytest.raises(ValueError, match=message):
-        call(value)
+def assert_refused(message: str, call: Call, values: Iterable[Any]) -> None:
+    """Every one of the values."""
+    for value in values:
+        try:
+            with pytest.raises(ValueError, match=message):
+                call(value)
+        except (AssertionError, pytest.fail.Exception) as failure:
+            failure.add_note(f"of the value {value!r}")
+            raise

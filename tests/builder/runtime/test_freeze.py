@@ -86,6 +86,7 @@ def test_what_the_page_waits_for_is_byte_code_of_the_browsers_python(frozen: Fro
         assert flags == 1, "by hash, and never checked: there is no source to check against"
 
 
+@pytest.mark.deep
 def test_what_was_made_is_taken_again_and_after_damage_made_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

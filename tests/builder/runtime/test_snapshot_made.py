@@ -29,6 +29,7 @@ def make(bundle: RuntimeBundle, folder: Path, modules: Sequence[str]) -> Path:
     return make_snapshot(machine, files["python.zip"], {}, archives, modules, SITE_PACKAGES, folder)
 
 
+@pytest.mark.deep
 def test_it_is_the_same_in_any_folder_time_zone_and_language(
     bundle: RuntimeBundle, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

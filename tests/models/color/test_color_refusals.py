@@ -55,5 +55,5 @@ LIGHT = np.ones(81)
     ("width_nm .*5 or more", lambda w: surfaces.dyed_cloth(550, w), [4.9, np.inf, np.nan]),
     ("reflectance", lambda r: surfaces.metameric_twins(r, LIGHT), [1.1 * LIGHT, -0.1 * LIGHT]),
 )
-def test_models_of_colour_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_colour_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)

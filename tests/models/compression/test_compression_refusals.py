@@ -63,8 +63,8 @@ def filled(
     ("plane reaches", lambda light: jpeg.compress(light, 50), [np.full((8, 8, 3), 1e308)]),
     ("legal: whole numbers, 1 to 64", lambda n: first_in_order(CODES.astype(int), n), [0, 65, 2.5]),
 )
-def test_models_of_compression_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_compression_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)
 
 
 def test_the_largest_values_are_legal() -> None:

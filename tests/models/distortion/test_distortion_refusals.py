@@ -32,8 +32,8 @@ NOT_OF_K1_ALONE = [
     ("corner_radius .*; legal: 0 to", lambda r: classify(Distortion(), r, 0), [-1, np.nan, np.inf]),
     ("profile", lambda p: cubic_inverse.shrinkage(p, np.array([0.1])), NOT_OF_K1_ALONE),
 )
-def test_models_of_distortion_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_distortion_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)
 
 
 def test_the_largest_coefficients_are_legal() -> None:

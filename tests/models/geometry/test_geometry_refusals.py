@@ -119,8 +119,8 @@ def cut(polygon: Any) -> Any:
     (r"source .+; legal: \(N, 3\)", lambda p: transforms_3d.estimate_similarity(p, p), NO_POINTS),
     ("legal: equal", lambda p: transforms_3d.estimate_similarity(POINTS, p), [POINTS[:5]]),
 )
-def test_models_of_geometry_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_geometry_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)
 
 
 def test_the_ends_of_the_ranges_are_legal() -> None:

@@ -130,8 +130,8 @@ def rim(**other: float) -> Any:
     ("separation_mm", lambda mm: rim(separation_mm=mm), [-1.0, INF]),
     ("legal: 1e-70 to 1e70", lambda pair: disc_overlap_area(0.5, *pair), NO_OVERLAP),
 )
-def test_models_of_lenses_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_lenses_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)
 
 
 def test_the_ends_of_the_ranges_are_legal() -> None:

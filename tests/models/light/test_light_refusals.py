@@ -80,8 +80,8 @@ def shade(model: Any = shading.blinn_phong, **shares: float) -> Any:
     ("points as far as", lambda x: visibility(BALL, [ORIGIN, (x, 0, 0)], UP, 0.1), FAR),
     ("points as far as", lambda x: sphere_occlusion((0, 0, 2.0), 0.5, [0, x, 0], UP), FAR),
 )
-def test_models_of_light_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_light_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)
 
 
 def test_the_ends_of_the_ranges_are_legal() -> None:

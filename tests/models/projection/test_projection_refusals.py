@@ -55,8 +55,8 @@ HALF = (0.85e308, 0.85e308, 0)
     ("reflection", lambda R: turned_camera(K, K, R), [np.diag([1.0, 1.0, -1.0])]),
     (r"K of shapes \(3, 4\)", lambda first: turned_camera(first, K, I3), [np.eye(3, 4)]),
 )
-def test_models_of_projection_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_projection_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)
 
 
 def test_a_plane_hardly_beside_the_camera_is_still_one() -> None:

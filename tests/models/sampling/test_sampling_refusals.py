@@ -86,8 +86,8 @@ def kept(factor: int, shape: Any = (8, 9), kernel: Any = (1.0,)) -> Any:
     ("angle_rad", lambda angle: edge_picture(4, 4, angle, np.ones_like), [1.0]),
     ("frequency", lambda f: read_edge(EDGE).transfer([f]), [4.0]),
 )
-def test_models_of_sampling_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_sampling_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)
 
 
 def test_the_ends_of_the_ranges_are_legal() -> None:

@@ -89,5 +89,5 @@ def gain(curve: Any) -> Any:
     ("legal: finite", lambda v: shared_detail(np.full((5, 5, 3), v)), [NAN, INF]),
     ("legal: ", shared_detail, NO_DETAIL),
 )
-def test_models_of_the_sensor_refuse(message: str, call: Call, value: Any) -> None:
-    assert_refused(message, call, value)
+def test_models_of_the_sensor_refuse(message: str, call: Call, values: Any) -> None:
+    assert_refused(message, call, values)

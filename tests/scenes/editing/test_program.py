@@ -13,6 +13,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 
+SAMPLE = ("jpeg", "lens-distortion", "single-view")
 JPEG = SCENE_MODULES["jpeg"]
 A_STAGE = "simulations.scenes.jpeg.stages:_quality"
 A_MODEL = "simulations.models.compression.jpeg:to_planes"
@@ -43,7 +44,13 @@ def copy_with(module: str, edits: Mapping[str, str]) -> Scene[Any]:
     return scene
 
 
-@pytest.mark.parametrize("scene_id", SCENE_MODULES)
+@pytest.mark.parametrize(
+    "scene_id",
+    [
+        pytest.param(scene_id, marks=[] if scene_id in SAMPLE else pytest.mark.deep)
+        for scene_id in SCENE_MODULES
+    ],
+)
 def test_a_copy_without_edits_draws_what_the_book_draws(scene_id: str) -> None:
     assert same(frame_of(copy_with(SCENE_MODULES[scene_id], {})), frame_of(load_scene(scene_id)))
 
