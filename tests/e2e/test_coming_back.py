@@ -52,7 +52,11 @@ def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         yield host.url
 
 
-@pytest.mark.parametrize("kept", [True, False], ids=["page kept", "page loaded anew"])
+@pytest.mark.parametrize(
+    "kept",
+    [True, pytest.param(False, marks=pytest.mark.deep)],
+    ids=["page kept", "page loaded anew"],
+)
 def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figure_answers(
     brisk_chromium: Browser,
     launch: Callable[..., Browser],

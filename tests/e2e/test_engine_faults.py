@@ -64,7 +64,8 @@ def test_a_page_whose_script_does_not_arrive_says_so(
     wait_for(engine, "() => document.querySelector('.scripts-notice').checkVisibility()")
 
 
-@pytest.mark.parametrize("kind", [pytest.param("missing", marks=pytest.mark.deep), "half"])
+@pytest.mark.deep
+@pytest.mark.parametrize("kind", ["missing", "half"])
 def test_a_script_that_is_requested_late_in_vain_is_told(
     engine: Engine, host: StaticServer, built_site: Path, kind: str
 ) -> None:

@@ -31,7 +31,9 @@ def in_view(phone: Reader, book: Any, scene: str) -> Locator:
 
 
 @pytest.mark.parametrize(
-    ("name", "setting"), [("probe", "probe"), ("lamp", "light_angle")], ids=["probe", "lamp"]
+    ("name", "setting"),
+    [("probe", "probe"), pytest.param("lamp", "light_angle", marks=pytest.mark.deep)],
+    ids=["probe", "lamp"],
 )
 def test_a_finger_moves_a_mark_and_scrolls_the_page_elsewhere(
     phone: Reader, book: Any, name: str, setting: str

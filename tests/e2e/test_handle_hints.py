@@ -1,7 +1,7 @@
 """A handle says what a hand does with it, and the first of a page moves once."""
 
 import pytest
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Browser, Locator, Page, expect
 from support.reader import Reader, visit
 from support.static_server import StaticServer
 
@@ -20,7 +20,7 @@ def hint_is_seen(handle: Locator) -> bool:
     return seen
 
 
-def test_a_handle_that_is_pointed_at_says_what_to_do_and_is_quiet_while_dragged(
+def test_a_handle_says_what_a_hand_and_what_keys_do_and_pictures_have_the_names_of_their_panels(
     guest: Reader,
 ) -> None:
     page = guest.page
@@ -34,21 +34,17 @@ def test_a_handle_that_is_pointed_at_says_what_to_do_and_is_quiet_while_dragged(
     page.mouse.down()
     assert not hint_is_seen(handle)
     page.mouse.up()
-
-
-def test_a_handle_that_has_the_focus_of_the_keyboard_shows_its_keys(guest: Reader) -> None:
-    guest.open(CHAPTER)
-    handle = guest.page.locator(FIRST).first
-    guest.page.keyboard.press("Tab")
+    page.mouse.move(0, 0)
+    page.keyboard.press("Tab")
     handle.focus()
     shown = handle.evaluate("handle => getComputedStyle(handle, '::after').content")
     assert "← →" in shown
+    assert_pictures_are_named(page)
 
 
-def test_pictures_are_named_by_the_titles_of_their_panels(guest: Reader) -> None:
-    guest.open(CHAPTER)
-    pictures = guest.page.get_by_role("img")
-    canvases = guest.page.locator("canvas.live")
+def assert_pictures_are_named(page: Page) -> None:
+    pictures = page.get_by_role("img")
+    canvases = page.locator("canvas.live")
     assert canvases.count() > 0
     for canvas in canvases.all():
         panel = canvas.locator("xpath=ancestor::*[@data-panel][1]")
@@ -56,31 +52,17 @@ def test_pictures_are_named_by_the_titles_of_their_panels(guest: Reader) -> None
         expect(pictures.and_(canvas)).to_have_accessible_name(title)
 
 
-@pytest.mark.parametrize("motion", ["no-preference", "reduce"])
-def test_the_first_handle_of_a_page_moves_once_where_motion_is_welcome(
-    chromium: Browser, server: StaticServer, motion: str
+def test_the_first_handle_of_a_page_moves_once_and_keeps_the_focus_after_a_drag_without_its_hint(
+    brisk_chromium: Browser, server: StaticServer
 ) -> None:
-    with visit(chromium, server, reduced_motion=motion) as reader:
-        reader.open(CHAPTER)
-        handle = reader.page.locator(FIRST).first
-        values = reader.page.evaluate("location.search")
-        handle.evaluate("handle => handle.scrollIntoView({block: 'center'})")
-        if motion == "reduce":
-            reader.page.wait_for_timeout(300)
-            expect(handle).not_to_have_class("nudged")
-        else:
-            expect(handle).to_contain_class("nudged")
-        assert reader.page.evaluate("location.search") == values
-
-
-def test_a_handle_that_was_dragged_keeps_the_focus_without_its_hint(
-    chromium: Browser, server: StaticServer
-) -> None:
-    with visit(chromium, server) as reader:
+    with visit(brisk_chromium, server) as reader:
         page = reader.page
         reader.open(CHAPTER)
         handle = page.locator(FIRST).first
-        handle.scroll_into_view_if_needed()
+        values = page.evaluate("location.search")
+        handle.evaluate("handle => handle.scrollIntoView({block: 'center'})")
+        expect(handle).to_contain_class("nudged")
+        assert page.evaluate("location.search") == values
         handle.hover()
         page.mouse.down()
         page.mouse.up()
@@ -89,3 +71,15 @@ def test_a_handle_that_was_dragged_keeps_the_focus_without_its_hint(
         assert not hint_is_seen(handle)
         page.keyboard.press("ArrowRight")
         assert hint_is_seen(handle)
+
+
+@pytest.mark.deep
+def test_the_first_handle_rests_where_less_motion_was_asked_for(
+    brisk_chromium: Browser, server: StaticServer
+) -> None:
+    with visit(brisk_chromium, server, reduced_motion="reduce") as reader:
+        reader.open(CHAPTER)
+        handle = reader.page.locator(FIRST).first
+        handle.evaluate("handle => handle.scrollIntoView({block: 'center'})")
+        reader.page.wait_for_timeout(300)
+        expect(handle).not_to_contain_class("nudged")

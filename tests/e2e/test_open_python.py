@@ -221,7 +221,9 @@ def test_stop_ends_the_code_at_once_and_run_starts_it_again(visitor: Reader) -> 
     visitor.page.evaluate(LIMIT, usual)
 
 
-@pytest.mark.parametrize(("width", "height"), [(1440, 900), (390, 844)])
+@pytest.mark.parametrize(
+    ("width", "height"), [pytest.param(1440, 900, marks=pytest.mark.deep), (390, 844)]
+)
 def test_picture_and_message_are_in_view_while_the_code_is_edited(
     visitor: Reader, width: int, height: int
 ) -> None:

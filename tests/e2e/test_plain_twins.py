@@ -9,7 +9,11 @@ from playwright.sync_api import Browser
 pytestmark = pytest.mark.browser
 
 
-@pytest.mark.parametrize("make", TWINS, ids=lambda make: make.__name__)
+@pytest.mark.parametrize(
+    "make",
+    [TWINS[0], *(pytest.param(make, marks=pytest.mark.deep) for make in TWINS[1:])],
+    ids=lambda make: make.__name__,
+)
 def test_a_plain_script_draws_the_picture_of_the_figure(
     chromium: Browser, make: Callable[[], Twin]
 ) -> None:

@@ -1,9 +1,9 @@
 """The same scene, the same setting, twice: in CPython here and in Pyodide in Chromium.
 
-Every scene of the registry, at its defaults and with each control at each of its ends (in
-``make test``, the ends of some scenes). The C libraries of the two may differ in the last place of
-a float, so pixels may differ by one code, and the share of those is held; text and drawings are
-rounded and must be equal.
+Every scene of the registry, at its defaults, in each tier, and with each control at each of its
+ends (in ``make test``, tiers and ends of some scenes). The C libraries of the two may differ in the
+last place of a float, so pixels may differ by one code, and the share of those is held; text and
+drawings are rounded and must be equal.
 """
 
 import base64
@@ -24,7 +24,7 @@ pytestmark = pytest.mark.browser
 LARGEST_SHARE_OF_DIFFERENT_CODES = 1e-3
 
 ENDS_OF = ("aliasing", "lens-distortion", "perspective-projection")
-"""Scenes whose controls `make test` moves too: random numbers, a warp, a drawing."""
+"""Scenes whose tiers and controls `make test` tries too: random numbers, a warp, a drawing."""
 
 RENDER = """async ([figure, scene, values, tier, digests]) => {
   const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
@@ -40,8 +40,7 @@ RENDER = """async ([figure, scene, values, tier, digests]) => {
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
 def test_scene_is_the_same_in_the_browser(visitor: Reader, scene_id: str) -> None:
-    scene = load_scene(scene_id)
-    assert_same_in_browser(visitor, scene_id, [({}, tier) for tier in scene.tiers or ("",)])
+    assert_same_in_browser(visitor, scene_id, [({}, load_scene(scene_id).default_tier)])
 
 
 @pytest.mark.parametrize(
@@ -51,10 +50,13 @@ def test_scene_is_the_same_in_the_browser(visitor: Reader, scene_id: str) -> Non
         for scene_id in SCENE_MODULES
     ],
 )
-def test_ends_of_controls_are_the_same_in_the_browser(visitor: Reader, scene_id: str) -> None:
+def test_tiers_and_ends_of_controls_are_the_same_in_the_browser(
+    visitor: Reader, scene_id: str
+) -> None:
     scene = load_scene(scene_id)
     moved = [{control.name: value} for control in scene.controls for value in ends(control)]
-    assert_same_in_browser(visitor, scene_id, [(values, scene.default_tier) for values in moved])
+    at_ends = [(values, scene.default_tier) for values in moved]
+    assert_same_in_browser(visitor, scene_id, [*(({}, tier) for tier in scene.tiers), *at_ends])
 
 
 def assert_same_in_browser(
