@@ -1,6 +1,6 @@
 """The book as both editions on paper have it: the site's own pages, reduced, and the answers."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
@@ -8,10 +8,10 @@ from site_builder.book import Book, Chapter
 from site_builder.build import Options, check_site
 from site_builder.editions.multiples import Row, render_rows
 from site_builder.editions.tree import parse
-from site_builder.page_model.blocks import Block, Simulation
-from site_builder.page_model.questions import Quiz
+from site_builder.page_model.blocks import Simulation
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import BACK_MATTER, Site, back_matter_pages, render_page
+from site_builder.pages.views.question import numbered_quizzes
 from site_builder.render.paper import paper_renderer
 from site_builder.runtime.pinned import Versions
 from site_builder.site_assets import Files, gather_assets
@@ -101,11 +101,3 @@ def _answers(site: Site) -> Iterator[Section]:
     if chapters:
         html = render_page(site, "editions/answers.html", "../", rows=_no_rows, chapters=chapters)
         yield Section(ANSWERS, site.book.words("edition.answers"), "", parse(html))
-
-
-def numbered_quizzes(blocks: Iterable[Block]) -> Iterator[tuple[str, Quiz]]:
-    """Each question and the name that its page gives it, ``Question 4.2``."""
-    for block in blocks:
-        if isinstance(block.content, Quiz):
-            yield (block.target.name if block.target else block.content.id), block.content
-        yield from numbered_quizzes(block.inside)

@@ -21,6 +21,7 @@ from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.reading_time import reading_minutes
 from site_builder.pages.term_lists import card
+from site_builder.pages.views.class_page import class_data
 from site_builder.pages.views.glossary import view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.references import cited_works
@@ -94,6 +95,8 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     )
     pages["404.html"] = render("not-found.html")  # which is served at any address
     add("licences", "licences/index.html", licences=licences)
+    if any(chapter.quizzes for chapter in book.chapters):
+        add("class", "class/index.html", questions=class_data(book))
     for name, context in back_matter_pages(book).items():
         add(name, f"{name}/index.html", here=name, **context)
     cards = [None, *map(card, book.chapters), None]

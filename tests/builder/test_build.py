@@ -53,7 +53,8 @@ def test_pages_listen_for_rebuilds_only_while_serving(make_book: MakeBook) -> No
 
 
 def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: MakeBook) -> None:
-    body = ":::{source} simulations.models.thing:double\n:::\n\n{cite}`k`\n"
+    quiz = ":::{quiz} q\nWhich?\n- [x] A\n  : Yes.\n- [ ] B\n  : No.\n:::\n"
+    body = f":::{{source}} simulations.models.thing:double\n:::\n\n{{cite}}`k`\n\n{quiz}"
     work = "@misc{k, author = {A, B}, title = {T}, year = 2000}\n"
     lists = {
         "references.bib": work,

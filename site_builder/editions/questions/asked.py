@@ -4,10 +4,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from site_builder.book import Book, Chapter
-from site_builder.editions.compose import numbered_quizzes
 from site_builder.markdown.questions.kind import QuestionKind
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.page_model.questions import OTHERWISE, Option, Quiz
+from site_builder.pages.views.question import numbered_quizzes
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,10 +1,13 @@
 """A question as its templates need it, and as the script of its page does."""
 
+from collections.abc import Iterable, Iterator
+
 from jinja2 import pass_context
 from jinja2.runtime import Context
 from markupsafe import Markup
 
 from site_builder.markdown.questions.kinds import kind_of
+from site_builder.page_model.blocks import Block
 from site_builder.page_model.questions import Question, Quiz
 from site_builder.pages.embedding import json_for_html
 
@@ -33,3 +36,11 @@ def question_data(context: Context, question: Quiz) -> Markup:
             **kind_of(question).page_data(question),
         }
     )
+
+
+def numbered_quizzes(blocks: Iterable[Block]) -> Iterator[tuple[str, Quiz]]:
+    """Each question and the name that its page gives it, ``Question 4.2``."""
+    for block in blocks:
+        if isinstance(block.content, Quiz):
+            yield (block.target.name if block.target else block.content.id), block.content
+        yield from numbered_quizzes(block.inside)

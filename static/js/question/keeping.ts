@@ -1,6 +1,7 @@
 /**
  * The buttons below a chapter's questions: forget the answers, save them, read them again. What
- * shows answers on the page hears of it by the events `answers-forgotten` and `answers-read`.
+ * shows answers on the page hears of it by the events `answers-forgotten` and `answers-read`. And the
+ * page on which the saved answers of a class are merged.
  */
 
 import { message } from "../errors.ts";
@@ -16,6 +17,16 @@ export function install() {
     if (within(event, "[data-progress-reset]", Element)) reset(section);
     if (within(event, "[data-progress-export]", Element)) save(section);
     if (within(event, "[data-progress-import]", Element)) picker(section).click();
+  });
+  document.addEventListener("click", async (event) => {
+    if (within(event, ".class-csv", Element)) (await import("./class_page.ts")).saveClass();
+  });
+  document.addEventListener("change", async (event) => {
+    const files = within(event, ".class-files", HTMLInputElement)?.files;
+    const page = maybe(document, "article.class", HTMLElement);
+    if (!files || !page) return;
+    const { answersIn } = await import("./progress_file.ts");
+    await (await import("./class_page.ts")).showClass(page, files, answersIn);
   });
   document.addEventListener("change", (event) => {
     const input = within(event, ".progress-file", HTMLInputElement);

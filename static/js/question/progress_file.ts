@@ -27,15 +27,7 @@ export function saveProgress(): number {
  * @throws {Error} Where it is no file of answers; nothing of it is kept then.
  */
 export async function readProgress(file: File): Promise<number> {
-  if (file.size > LARGEST) throw new Error(words("progress.too_large"));
-  const text = await file.text();
-  let content: any;
-  try {
-    content = JSON.parse(text);
-  } catch {
-    throw new Error(words("progress.no_json"));
-  }
-  const answers = Object.entries(checked(content));
+  const answers = Object.entries(await answersIn(file));
   for (const [name, entry] of answers) remember(name, entry);
   return answers.length;
 }
@@ -53,11 +45,29 @@ function checked(content: any): Record<string, unknown> {
     const isQuiz = name.startsWith("quiz:");
     const given = isQuiz ? entry?.answer : entry?.guess;
     const judged = !isQuiz || typeof entry?.right === "boolean";
-    if (!NAMES.test(name) || typeof entry?.edition !== "string" || !judged || !isGiven(given)) {
+    const isSound = judged && isGiven(given) && isGiven(entry?.first ?? null);
+    if (!NAMES.test(name) || typeof entry?.edition !== "string" || !isSound) {
       throw new Error(words("progress.broken", { name: JSON.stringify(name) }));
     }
   }
   return answers;
+}
+
+/**
+ * The answers of a file.
+ *
+ * @throws {Error} Where it is none.
+ */
+export async function answersIn(file: File): Promise<Record<string, unknown>> {
+  if (file.size > LARGEST) throw new Error(words("progress.too_large"));
+  const text = await file.text();
+  let content: any;
+  try {
+    content = JSON.parse(text);
+  } catch {
+    throw new Error(words("progress.no_json"));
+  }
+  return checked(content);
 }
 
 function isGiven(given: unknown) {

@@ -84,6 +84,12 @@ function stored(form: HTMLFormElement, question: Question): Settled | undefined 
   return isAsked || KINDS[question.kind].fits(question, given) ? given : undefined;
 }
 
+/** The first answer that was stored to this edition of the question. */
+function firstOf(form: HTMLFormElement, { edition }: Question): Settled | undefined {
+  const entry = recall(keyOf(form));
+  return entry?.edition === edition ? (entry.first ?? entry.answer) : undefined;
+}
+
 /** Show what was answered elsewhere meanwhile. */
 function restore(form: HTMLFormElement) {
   form.reset();
@@ -122,7 +128,9 @@ function settle(form: HTMLFormElement, given: Settled) {
   show(form, question, given);
   const { edition } = question;
   const right = form.dataset.answered === "correct";
-  const entry = isPrediction(form) ? { edition, guess: given } : { edition, answer: given, right };
+  const entry = isPrediction(form)
+    ? { edition, guess: given }
+    : { edition, answer: given, right, first: firstOf(form, question) ?? given };
   remember(keyOf(form), entry);
   showProgress();
 }

@@ -33,7 +33,7 @@ def chapter(pages: Mapping[str, Page]) -> Page:
 def test_all_pages_are_well_formed(pages: Mapping[str, Page]) -> None:
     folders = {path.removesuffix("index.html") for path in pages}
     module = "source/simulations/models/thing/"
-    assert folders == {"", "404.html", "first/", "second/", "licences/", module}
+    assert folders == {"", "404.html", "first/", "second/", "class/", "licences/", module}
 
 
 def test_every_relative_address_leads_to_a_file_or_an_element(
