@@ -31,7 +31,15 @@ NARROW = {
 }
 """What may differ where other things are shown."""
 CONTRAST = {"only": ["color-contrast"]}
-OTHERS = ("glossary/", "symbols/", "references/", "index-of-terms/", "lecture-plan/", "licences/")
+OTHERS = (
+    "glossary/",
+    "symbols/",
+    "references/",
+    "index-of-terms/",
+    "lecture-plan/",
+    "licences/",
+    "class/",
+)
 """Lists of text, the same on a phone."""
 
 
