@@ -112,7 +112,7 @@ def _free_name(picture: Path, taken: Mapping[str, bytes]) -> str:
 def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[str, bytes]) -> bytes:
     """The list of all files, and what the book is."""
     items = [
-        (f"item-{place}", name, MEDIA[Path(name).suffix], _properties(name, trees.get(name)))
+        (f"item-{place}", name, MEDIA[Path(name).suffix], _properties(name, trees))
         for place, name in enumerate(files)
     ]
     by_name = {name: id for id, name, _, _ in items}
@@ -130,9 +130,12 @@ def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[st
     return package.encode()
 
 
-def _properties(name: str, tree: Element | None) -> str:
+def _properties(name: str, trees: Mapping[str, Element]) -> str:
+    tree = trees.get(name)
+    cover = next((image.get("src") for image in elements(trees["title.xhtml"], "img")), None)
     names = {element.tag for element in tree.iter()} if tree is not None else set()
     found = [
+        *(["cover-image"] if name == cover else []),
         *(["nav"] if name == "nav.xhtml" else []),
         *(["mathml"] if "math" in names else []),
         *(["svg"] if "svg" in names else []),

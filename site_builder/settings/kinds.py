@@ -73,6 +73,8 @@ TEXT = text()
 PREFIX = text("small letters, digits and hyphens", "^[a-z0-9]+(?:-[a-z0-9]+)*$")
 SITE = Kind('"https://host/path/"', TEXT.legal, site_address)
 SOURCE = Kind(f'"https://host/…/{PATH}"', TEXT.legal, source_address)
+ISBN = text('"978-3-16-148410-0"', r"^(?:[\dX]-?){10}$|^(?:\d-?){13}$")
+DOI = text('"10.1000/xyz"', r"^10\.\d{4,}/\S+$")
 BOOLEAN = Kind("true or false", lambda value: isinstance(value, bool))
 DAY = Kind(
     "2026-11-22",

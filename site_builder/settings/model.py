@@ -1,6 +1,7 @@
 """The keys of ``content/book.toml``. Reading, checks and the table in the guide follow from
 these classes."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -9,6 +10,9 @@ from site_builder.languages.words import languages
 from site_builder.settings.declared import key
 from site_builder.settings.kinds import (
     BOOLEAN,
+    DAY,
+    DOI,
+    ISBN,
     PREFIX,
     SITE,
     SOURCE,
@@ -22,6 +26,7 @@ from site_builder.settings.kinds import (
 
 FILE_NAME = "content/book.toml"
 WORD = "the language's word"
+ORCID = re.compile(r"\b\d{4}-\d{4}-\d{4}-\d{3}[\dX]$")
 HOSTS = ("apache", "netlify", "nginx")
 """Those of static sites that a configuration can be written for."""
 
@@ -37,6 +42,30 @@ class Licence:
         "the same, as the page of licences spells it",
         "Creative Commons Attribution 4.0 International",
     )
+
+
+@dataclass(frozen=True, slots=True)
+class Imprint:
+    """What the book is cited by."""
+
+    authors: tuple[str, ...] = key(
+        texts('["Ada Lovelace", "Name 0000-0002-1825-0097"]'),
+        "its authors, an ORCID behind the name where there is one",
+        (),
+    )
+    date: str = key(DAY, "the day on which it appeared", "", without="none")
+    edition: str = key(TEXT, "which edition it is, in words", "", without="none")
+    isbn: str = key(ISBN, "its number as a book", "", without="none")
+    doi: str = key(DOI, "its digital object identifier", "", without="none")
+
+    @property
+    def people(self) -> tuple[tuple[str, str], ...]:
+        """Name and ORCID of each author; the second is empty where there is none."""
+        found = ((author, ORCID.search(author)) for author in self.authors)
+        return tuple(
+            (author[: orcid.start()].strip() if orcid else author, orcid[0] if orcid else "")
+            for author, orcid in found
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,6 +134,7 @@ class Settings:
         SOURCE, "where its sources can be read, `{path}` for a file's path", "", without="unknown"
     )
     licence: Licence = key(table(Licence), "under which terms the book is here", Licence())
+    imprint: Imprint = key(table(Imprint), "what the book is cited by", Imprint())
     labels: Labels = key(table(Labels), "what numbered things are called", Labels())
     macros: Mapping[str, str] = key(
         entries("a table of names with TeX, R = '\\mathbb{R}'"),

@@ -77,6 +77,25 @@ def test_pictures_of_one_name_in_two_folders_are_two(make_book: Callable[..., Op
     ]
 
 
+def test_it_names_its_authors_and_its_cover(make_book: Callable[..., Options]) -> None:
+    outline = (
+        'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first"]\n'
+        'hero = "demo"\nhero_caption = "The demo."\n[imprint]\ndoi = "10.1000/182"\n'
+        'authors = ["A. Lovelace 0000-0002-1825-0097", "C. & B."]\n'
+    )
+    files = {"content/book.toml": outline, "content/01-second.md": None}
+    options = make_book(files={**files, "static/css/tokens.css": TOKENS})
+    book = zipfile.ZipFile(io.BytesIO(make_epub(compose(options), options.root)))
+    package = ElementTree.fromstring(book.read(f"{FOLDER}book.opf"))
+    creators = package.iter("{http://purl.org/dc/elements/1.1/}creator")
+    assert [creator.text for creator in creators] == ["A. Lovelace", "C. & B."]
+    covers = [
+        item for item in package.iter(f"{OPF}item") if item.get("properties") == "cover-image"
+    ]
+    assert [item.get("media-type") for item in covers] == ["image/png"]
+    assert b"ORCID 0000-0002-1825-0097" in book.read(f"{FOLDER}title.xhtml")
+
+
 def test_variables_are_resolved_to_the_light_theme() -> None:
     assert resolve("a { color: var(--ink); }", {"--ink": "#123"}) == "a { color: #123; }"
 

@@ -120,3 +120,26 @@ def test_without_an_address_nothing_is_told_outside(make_book: MakeBook) -> None
         assert b"canonical" not in site[path]
         assert b"og:" not in site[path]
     assert b"://" not in site["first/index.html"]
+
+
+def test_pages_say_by_what_they_are_cited(make_book: MakeBook) -> None:
+    outline = (
+        'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
+        f'address = "{ADDRESS}"\n[imprint]\nauthors = ["Ada", "B 0000-0002-1825-0097"]\n'
+        "date = 2026-11-26\n"
+    )
+    site = rendered(make_book(files={"content/book.toml": outline}))
+    found = [item.attributes for item in read_html(site["second/index.html"]).all("meta")]
+    cited = [
+        (str(item["name"]).removeprefix("citation_"), item["content"])
+        for item in found
+        if str(item.get("name")).startswith("citation_")
+    ]
+    assert cited == [
+        ("title", "Second"),
+        ("inbook_title", "T"),
+        ("author", "Ada"),
+        ("author", "B"),
+        ("author_orcid", "https://orcid.org/0000-0002-1825-0097"),
+        ("publication_date", "2026/11/26"),
+    ]

@@ -42,6 +42,16 @@ def test_what_is_said_holds(read: Read) -> None:
     assert (settings.licence.text, settings.labels.figure) == ("CC0", "Picture")
 
 
+def test_an_author_may_have_an_orcid(read: Read) -> None:
+    settings, mistakes = read(
+        '[imprint]\nauthors = ["Ada Lovelace", "J. Doe 0000-0002-1825-0097"]\n'
+        'date = 2026-11-26\nisbn = "978-3-16-148410-0"\ndoi = "10.1000/182"\n'
+    )
+    assert mistakes == []
+    assert settings.imprint.people == (("Ada Lovelace", ""), ("J. Doe", "0000-0002-1825-0097"))
+    assert settings.imprint.date == "2026-11-26"
+
+
 def test_what_a_browser_keeps_is_named_after_the_book_or_as_its_author_says(read: Read) -> None:
     assert storage_prefix(read("")[0]) == "small-book"
     assert storage_prefix(read('storage = "mine"\n')[0]) == "mine"
