@@ -9,7 +9,7 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 SCREENS = 2
-SIZES = ((1440, 900), (390, 844))
+SIZES = (pytest.param(1440, 900, marks=pytest.mark.deep), (390, 844))
 TOP = "document.querySelector('simulation-figure .panels').getBoundingClientRect().top + scrollY"
 
 

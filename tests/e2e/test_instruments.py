@@ -111,8 +111,10 @@ def test_photographs_go_in_and_the_data_sheet_comes_out(
 
 
 def test_another_photograph_is_looked_at_and_the_book_s_picture_comes_back_after_the_last(
-    instrument: Instrument, files: list[Path]
+    instrument: Instrument, files: list[Path], tmp_path: Path
 ) -> None:
+    """Then a file with damaged notes of the camera is measured, and one that is here already is
+    named."""
     reader, figure = instrument.reader, instrument.figure
     before = instrument.readout("measured").inner_text()
     instrument.add(files[:2])
@@ -130,6 +132,15 @@ def test_another_photograph_is_looked_at_and_the_book_s_picture_comes_back_after
     reader.wait_frame(figure, frames)
     expect(instrument.readout("measured")).to_have_text(before)
     expect(instrument.photographs).to_have_count(0)
+    damaged = tmp_path / "damaged.jpg"
+    beyond = b"Exif\0\0II*\0\xff\xff\xff\xff"  # where its directory would begin
+    Image.fromarray(EDGES["soft.png"]).save(damaged, quality=95, exif=beyond)
+    instrument.add([damaged])
+    assert instrument.states() == ["ready"]
+    instrument.box.locator("input[type=file]").set_input_files([damaged, files[0]])
+    expect(instrument.photographs).to_have_count(2)
+    said = instrument.box.locator(".intake-said")
+    expect(said).to_have_text("2 of 2 photographs are ready. “damaged.jpg” is here already.")
 
 
 def test_what_is_kept_is_there_again_after_a_reload_and_gone_once_it_is_not_kept(
@@ -207,24 +218,6 @@ def test_without_storage_photographs_are_measured_all_the_same(
     reader.wait_frame(instrument.figure, frames)
     expect(instrument.box.locator(".intake-said")).to_contain_text("ready")
     expect(instrument.box.locator(".intake-said")).to_contain_text("keeps no photographs")
-
-
-def test_a_file_with_damaged_notes_of_the_camera_is_measured_all_the_same(
-    instrument: Instrument, tmp_path: Path
-) -> None:
-    path = tmp_path / "damaged.jpg"
-    beyond = b"Exif\0\0II*\0\xff\xff\xff\xff"  # where its directory would begin
-    Image.fromarray(EDGES["soft.png"]).save(path, quality=95, exif=beyond)
-    instrument.add([path])
-    assert float(instrument.readout("measured").inner_text()) > 0.0
-
-
-def test_a_file_that_is_here_already_is_named(instrument: Instrument, files: list[Path]) -> None:
-    instrument.add(files[:1])
-    instrument.box.locator("input[type=file]").set_input_files(files[:2])
-    expect(instrument.photographs).to_have_count(2)
-    said = instrument.box.locator(".intake-said")
-    expect(said).to_have_text("2 of 2 photographs are ready. “soft.png” is here already.")
 
 
 def noise() -> bytes:
