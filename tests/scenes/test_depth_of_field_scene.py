@@ -149,6 +149,7 @@ def test_a_lens_that_is_nearly_a_pinhole_is_drawn_without_a_blur(tier: str) -> N
     assert sum(stage.status == "skipped" for stage in shown.stages) == 3
 
 
+@pytest.mark.deep
 def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
     """A pinhole is off by all of the blur, filters by edges only, and rays by least."""
     stages, settings = StageCache(), SCENE.check({})
