@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from site_builder.files import integrity
 from site_builder.output.assets import Content, content_bytes
+from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.raw.decoder import FOLDER
 
 LIST = "offline.json"
@@ -20,9 +21,10 @@ def release_files(files: Mapping[str, Content], assets: str) -> dict[str, bytes]
 
     Each hash is written as the ``integrity`` of a request (W3C Subresource Integrity), so that the
     browser itself refuses a file of another release. A page is listed by the address that links
-    lead to, as some hosts send readers on from ``index.html``.
+    lead to, as some hosts send readers on from ``index.html``. Pages for frames in other pages are
+    left out: those need the network anyway.
     """
-    left_out = tuple(assets + folder for folder in LEFT_OUT)
+    left_out = (EMBED_FOLDER, *(assets + folder for folder in LEFT_OUT))
     stored = sorted(name for name in files if not name.startswith(left_out))
     hashes = {address(name): integrity(content_bytes(files[name])) for name in stored}
     listed = json.dumps(hashes, indent=0).encode()

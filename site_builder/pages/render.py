@@ -16,6 +16,8 @@ from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.places import Heading
 from site_builder.pages.embedding import json_for_html
+from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
+from site_builder.pages.embeds import embeds
 from site_builder.pages.environment import FOLDERS, book_context, template_environment
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
@@ -115,6 +117,10 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         code = own_or_engine(site.root, path).read_text(encoding="utf-8-sig")
         address = f"source/{path.removesuffix('.py')}/index.html"
         add("source", address, folder=folder, file=file, code=code)
+    for chapter in book.chapters:
+        for path, figure in embeds(chapter):
+            # So many pages link to the style sheet rather than hold it.
+            add("embed", path, chapter=chapter, cover=figure, styles="")
     return pages
 
 
@@ -219,6 +225,7 @@ def render_page(
         "later_figures": [figure.id for figure in figures[1:]] if rows is None else (),
         "python": bool(site.runtime),
         "code_editor": site.code_editor,
+        "embed_folder": EMBED_FOLDER,
         "block_html": block_html,
         "simulation_view": simulation_view,
         "paper": rows is not None,
@@ -230,13 +237,19 @@ def render_page(
         site=site,
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         first_faces=FIRST_FACES,
-        styles=site.styles.replace('url("../', f'url("{assets}'),
         integrity=integrity,
         address=page_address(path) if path and site.book.address else None,
         card=card_path(chapter),
         scenes=_scenes(chapter, context.get("cover")) if site.runtime else (),
         origin=origin(site.book, path, chapter),
-        **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
+        **{
+            "styles": site.styles.replace('url("../', f'url("{assets}'),
+            "chapter": None,
+            "here": "",
+            "sections": (),
+            "back_matter": (),
+            **context,
+        },
     )
 
 

@@ -11,8 +11,6 @@ from site_builder.pages.environment import render_template
 FILES: Mapping[str, str] = {"apache": ".htaccess", "netlify": "_headers", "nginx": "nginx.conf"}
 """What each of them reads; ``_headers`` is known to others too."""
 POLICY = re.compile(rb'<meta http-equiv="Content-Security-Policy" content="([^"]*)">')
-FRAMES = "frame-ancestors 'self'"
-"""A rule that only a header can have."""
 
 
 def host_files(files: Mapping[str, Content], book: Book) -> dict[str, bytes]:
@@ -23,10 +21,19 @@ def host_files(files: Mapping[str, Content], book: Book) -> dict[str, bytes]:
     place = urlsplit(book.address).path or "/"
     return {
         FILES[host]: render_template(
-            f"publishing/{host}.txt", book, policy=policy, place=place, compressed=given.compressed
+            f"publishing/{host}.txt",
+            book,
+            policy=f"{policy}; {frame_rule(given.frames)}",
+            place=place,
+            compressed=given.compressed,
         ).encode()
         for host in given.hosts
     }
+
+
+def frame_rule(sites: Iterable[str]) -> str:
+    """Who may show pages in frames: the book and these, which only a header can say."""
+    return " ".join(("frame-ancestors 'self'", *sites))
 
 
 def common_policy(pages: Iterable[bytes]) -> str:
@@ -37,5 +44,4 @@ def common_policy(pages: Iterable[bytes]) -> str:
         for rule in policy.split("; "):
             name, *sources = rule.split()
             allowed.setdefault(name, {}).update(dict.fromkeys(sources))
-    rules = (f"{name} {' '.join(sources)}" for name, sources in allowed.items())
-    return "; ".join([*rules, FRAMES])
+    return "; ".join(f"{name} {' '.join(sources)}" for name, sources in allowed.items())

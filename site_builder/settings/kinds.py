@@ -75,6 +75,12 @@ SITE = Kind('"https://host/path/"', TEXT.legal, site_address)
 SOURCE = Kind(f'"https://host/…/{PATH}"', TEXT.legal, source_address)
 ISBN = text('"978-3-16-148410-0"', r"^(?:[\dX]-?){10}$|^(?:\d-?){13}$")
 DOI = text('"10.1000/xyz"', r"^10\.\d{4,}/\S+$")
+ORIGIN = text('"https://host"', r"^(?:\*|https?://(?:\*\.)?[\w.-]+(?::\d+)?)$")
+ORIGINS = Kind(
+    '["https://host", …]',
+    lambda value: isinstance(value, list) and all(map(ORIGIN.legal, value)),
+    tuple,
+)
 BOOLEAN = Kind("true or false", lambda value: isinstance(value, bool))
 DAY = Kind(
     "2026-11-22",

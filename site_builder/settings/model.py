@@ -13,6 +13,7 @@ from site_builder.settings.kinds import (
     DAY,
     DOI,
     ISBN,
+    ORIGINS,
     PREFIX,
     SITE,
     SOURCE,
@@ -90,6 +91,12 @@ class Publishing:
         texts(f"[some of {', '.join(f'"{host}"' for host in HOSTS)}]", among=HOSTS),
         "hosts that a configuration is written for, into the site's folder",
         (),
+    )
+    frames: tuple[str, ...] = key(
+        ORIGINS,
+        "the sites whose pages may show the book and its figures in frames; `[]`: none but its own",
+        ("*",),
+        without="all",
     )
     compressed: bool = key(
         BOOLEAN, "whether each file has copies packed by gzip and brotli beside it", False

@@ -9,8 +9,12 @@ from typing import Any
 
 import pytest
 from PIL import Image
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Browser, Locator, expect
+from support.host import hosting
 from support.reader import Reader
+
+from site_builder.publishing.hosting import common_policy, frame_rule
+from site_builder.settings.model import Publishing
 
 pytestmark = pytest.mark.browser
 
@@ -56,6 +60,42 @@ def test_where_copying_is_forbidden_the_link_is_shown_to_be_copied_by_hand(
     field.wait_for()
     guest.page.evaluate("delete navigator.clipboard.writeText")
     assert field.input_value().endswith(f"?{ID}.k1=-0.3#{ID}")
+
+
+def test_an_embedded_figure_lives_in_a_page_of_another_origin(
+    guest: Reader, figure: Locator, brisk_chromium: Browser, built_site: Path, tmp_path: Path
+) -> None:
+    figure.locator("[data-copy-embed]").click()
+    figure.locator(".tools-said", has_text="copied").wait_for()
+    html = guest.page.evaluate("navigator.clipboard.readText()")
+    assert f'src="{guest.root}embed/{CHAPTER}{ID}/?k1=-0.3"' in html
+    pages = [page.read_bytes() for page in built_site.rglob("*.html")]
+    policy = f"{common_policy(pages)}; {frame_rule(Publishing().frames)}"
+    rules = {"/*": {"Content-Security-Policy": policy}}
+    asked: list[str] = []
+    errors: list[str] = []
+    with hosting(tmp_path) as course, hosting(built_site, rules=rules) as book:
+        frame = html.replace(guest.root, book.url)
+        (tmp_path / "index.html").write_text(f"<!DOCTYPE html><link rel=icon href=data:,>{frame}")
+        with brisk_chromium.new_context() as context:
+            page = context.new_page()
+            context.on("request", lambda request: asked.append(request.url))
+            page.on("pageerror", lambda error: errors.append(str(error)))
+            page.on("console", lambda said: errors.extend([said.text] * (said.type == "error")))
+            page.goto(course.url)
+            inside = page.frame_locator("iframe")
+            inside.locator("simulation-figure[data-state=live]").wait_for(timeout=60_000)
+            assert inside.locator("[name=k1]").input_value() == "-0.3"
+            inside.locator("[name=k1]").fill("0.1")
+            expect(inside.locator("output[name=corner]")).to_have_text("20.0")
+            embedded = page.frames[1]
+            embedded.wait_for_url("**/?k1=0.1")
+            embedded.goto(f"{embedded.url}&k9=1")
+            said = inside.locator(".figure-message", has_text="k9=1")
+            expect(said).to_be_visible()
+    assert errors == []
+    outside = {url for url in asked if not url.startswith((book.url, "data:", "blob:"))}
+    assert outside == {course.url}
 
 
 def test_reset_returns_to_the_start_of_the_page_and_back_undoes_it(

@@ -5,6 +5,7 @@ import { all } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { EDITED, TIMEOUTS } from "../runtime/messages.ts";
 import { Runtime, sharedRuntime } from "../runtime/runtime.ts";
+import { isAddressed } from "./address.ts";
 import { moveControls } from "./controls.ts";
 import { LiveFigure } from "./live.ts";
 import { Overlay } from "./overlay.ts";
@@ -23,7 +24,7 @@ export class SimulationFigure extends HTMLElement {
     const runtime = sharedRuntime();
     if (!runtime) return;
     if (!Runtime.supported) this.#refuse();
-    else if (this.#isAddressed) this.#startAtAddress(runtime);
+    else if (isAddressed(this)) this.#startAtAddress(runtime);
     else this.#start(runtime);
   }
 
@@ -57,12 +58,6 @@ export class SimulationFigure extends HTMLElement {
   async judge(conditions: string[]): Promise<number | null> {
     if (!this.live) throw new Error(words("figure.does_not_run"));
     return this.live.judge(conditions);
-  }
-
-  /** Whether the address of the page sets some of the figure's controls. */
-  get #isAddressed() {
-    const id = this.closest("figure")?.id;
-    return [...new URLSearchParams(location.search).keys()].some((key) => key.startsWith(`${id}.`));
   }
 
   #start(runtime: Runtime) {

@@ -1,6 +1,7 @@
 /**
  * The state of figures in the address of their page:
- * `?<figure id>.<setting>=<value>&…`, of settings that differ from the page's start.
+ * `?<figure id>.<setting>=<value>&…`, of settings that differ from the page's start. A page of the
+ * figure's own, for frames in other pages, has them as `?<setting>=<value>&…`.
  *
  * A hand that moves a control replaces the present entry of the history once it rests, so that no
  * drag fills the history, and a reload or a return finds the figure as it was left. What jumps (a
@@ -12,6 +13,7 @@ import type { Choice } from "../../../simulations/engine/controls/choice/kind.ts
 import { all, data, one } from "../page/dom.ts";
 import { isArrived } from "../page/navigate.ts";
 import { words } from "../page/words.ts";
+import { isEmbed, prefixOf } from "./address.ts";
 import { KINDS } from "./control_kinds.js";
 import type { Control, Value } from "./control.ts";
 import { moveControls, readValues, uncover, type Schema } from "./controls.ts";
@@ -20,6 +22,9 @@ import { say } from "./status.ts";
 /** How many settings of an address that mean nothing are named, and how much of each. */
 const MOST_NAMED = 4;
 const LONGEST_NAME = 60;
+
+/** Pixels of a frame; a figure makes its panels fit. */
+const EMBED_HEIGHT = "760";
 
 /** A figure's form, and all that can be set in it, the accuracy included. */
 export function settingsOf(figure: HTMLElement) {
@@ -46,19 +51,20 @@ export function settingsOf(figure: HTMLElement) {
  *
  * @param values What is left out is as the figure shows it.
  * @param search What the address says so far.
+ * @param prefix Of the names of its settings there.
  */
 function addressOf(
   figure: HTMLElement,
   values: Record<string, Value> = {},
   search: string = location.search,
+  prefix: string = prefixOf(figure),
 ) {
   const { form, controls, start } = settingsOf(figure);
   const shown = { ...readValues(form, controls), ...values };
-  const id = idOf(figure);
   const query = new URLSearchParams(search);
-  for (const key of [...query.keys()]) if (key.startsWith(`${id}.`)) query.delete(key);
+  for (const key of [...query.keys()]) if (key.startsWith(prefix)) query.delete(key);
   for (const { name } of controls) {
-    if (shown[name] !== start[name]) query.set(`${id}.${name}`, String(shown[name]));
+    if (shown[name] !== start[name]) query.set(prefix + name, String(shown[name]));
   }
   const url = new URL(location.href);
   url.search = query.toString();
@@ -68,8 +74,30 @@ function addressOf(
 /** The address that shows another reader what this figure shows now, and nothing else. */
 export function permalink(figure: HTMLElement) {
   const url = addressOf(figure, {}, "");
-  url.hash = idOf(figure);
+  if (!isEmbed()) url.hash = idOf(figure);
   return url.href;
+}
+
+/**
+ * HTML of a frame that shows what this figure shows now, as wide as there is room.
+ *
+ * @param page The address of the figure's own page.
+ */
+export function embedding(figure: HTMLElement, page: string) {
+  const url = new URL(page, location.href);
+  url.search = addressOf(figure, {}, "", "").search;
+  const frame = document.createElement("iframe");
+  const given = {
+    src: url.href,
+    title: data(figure, "script.schema").title,
+    width: "100%",
+    height: EMBED_HEIGHT,
+    style: "border: 0",
+    loading: "lazy",
+    allow: "fullscreen; clipboard-write",
+  };
+  for (const [name, value] of Object.entries(given)) frame.setAttribute(name, value);
+  return frame.outerHTML;
 }
 
 /**
@@ -84,7 +112,7 @@ export function record(
 ) {
   const url = addressOf(figure, values);
   const id = idOf(figure);
-  if (url.search.includes(`${id}.`)) url.hash = id; // so that the address is the figure's link
+  if (!isEmbed() && url.search.includes(`${id}.`)) url.hash = id; // so that the address is the figure's link
   // A figure that has left with its page has nothing to say in the address of the next.
   if (!figure.isConnected || !isArrived() || url.href === location.href) return;
   if (entry === "replace") history.replaceState(history.state, "", url);
@@ -110,7 +138,7 @@ export function arrive(figure: HTMLElement) {
 
 /** What the address says of a figure, and what of it cannot be meant. */
 function addressed(figure: HTMLElement, controls: Control[]) {
-  const prefix = `${idOf(figure)}.`;
+  const prefix = prefixOf(figure);
   const values: Record<string, Value> = {};
   const ignored = [];
   for (const [key, text] of new URLSearchParams(location.search)) {

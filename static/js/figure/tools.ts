@@ -8,7 +8,7 @@ import { sharedRuntime } from "../runtime/runtime.ts";
 import { glide, jump } from "./animate.ts";
 import { readValues } from "./controls.ts";
 import { numbersOf } from "./numbers.ts";
-import { permalink, settingsOf } from "./permalink.ts";
+import { embedding, permalink, settingsOf } from "./permalink.ts";
 import { pictureOf } from "./picture.ts";
 
 /** How long it is said that something was copied or saved. */
@@ -24,6 +24,8 @@ const TOOLS: Record<string, Tool> = {
     button.ariaExpanded = String(button.ariaExpanded !== "true");
   },
   copyLink: (figure) => copy(figure, permalink(figure), words("tools.link_copied")),
+  copyEmbed: (figure, { dataset }) =>
+    copy(figure, embedding(figure, dataset.copyEmbed ?? ""), words("tools.embed_copied")),
   copyPython,
   saveNumbers: (figure) => save(figure, "numbers.csv", numbersOf(figure), "text/csv"),
   savePanel,

@@ -1,5 +1,6 @@
 /** The settings that kept photographs are measured with. */
 
+import { isAddressed } from "../figure/address.ts";
 import { moveControls, readValues } from "../figure/controls.ts";
 import type { SimulationFigure } from "../figure/element.ts";
 import { settingsOf } from "../figure/permalink.ts";
@@ -19,9 +20,5 @@ export function forgetSession(scene: string) {
 export function restoreSession(scene: string, figure: SimulationFigure) {
   const { form, controls } = settingsOf(figure);
   const kept = recall(keyOf(scene));
-  const id = figure.closest("figure")?.id;
-  const isAddressed = [...new URLSearchParams(location.search).keys()].some((key) =>
-    key.startsWith(`${id}.`),
-  );
-  if (kept && !isAddressed) moveControls(form, controls, kept, "change");
+  if (kept && !isAddressed(figure)) moveControls(form, controls, kept, "change");
 }

@@ -51,7 +51,8 @@ function turn(side: "prev" | "next") {
 }
 
 function openCard() {
-  const card = one(document, "dialog.keys", HTMLDialogElement);
+  const card = maybe(document, "dialog.keys", HTMLDialogElement);
+  if (!card) return;
   one(card, "input", HTMLInputElement).checked = recall(KEPT) !== false;
   card.showModal();
 }

@@ -15,6 +15,7 @@ def test_pages_are_listed_by_the_addresses_that_links_lead_to() -> None:
 
 def test_what_few_readers_need_is_left_to_the_network() -> None:
     files = FILES | {"assets/1/raw/libraw.wasm": b"decoder", "raw/index.html": b"a page"}
+    files |= {"embed/lens/figure-one/index.html": b"for a frame"}
     listed = json.loads(release_files(files, "assets/1/")[LIST])
     assert set(listed) == {"", "lens/", "assets/1/js/main.js", "raw/"}
 

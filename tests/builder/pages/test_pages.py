@@ -33,7 +33,8 @@ def chapter(pages: Mapping[str, Page]) -> Page:
 def test_all_pages_are_well_formed(pages: Mapping[str, Page]) -> None:
     folders = {path.removesuffix("index.html") for path in pages}
     module = "source/simulations/models/thing/"
-    assert folders == {"", "404.html", "first/", "second/", "class/", "licences/", module}
+    embeds = {"embed/first/figure-demo/", "embed/first/figure-demo-2/"}
+    assert folders == {"", "404.html", "first/", "second/", "class/", "licences/", module, *embeds}
 
 
 def test_every_relative_address_leads_to_a_file_or_an_element(
@@ -56,6 +57,18 @@ def resolved(page: str, file: str) -> str:
         return page
     target = posixpath.normpath(posixpath.join(posixpath.dirname(page), file)).lstrip("./")
     return target if "." in posixpath.basename(target) else f"{target}/index.html".lstrip("/")
+
+
+def test_a_page_for_frames_has_its_figure_and_leads_to_the_book(pages: Mapping[str, Page]) -> None:
+    page = pages["embed/first/figure-demo/index.html"]
+    assert len(page.all("simulation-figure")) == 1
+    assert not [item for tag in ("header", "nav", "footer", "dialog") for item in page.all(tag)]
+    links = [link.attributes for link in page.all("a") if "target" in link.attributes]
+    assert [link["href"] for link in links] == [
+        "../../../first/../second/#a-section",
+        "../../../first/#figure-demo",
+    ]
+    assert {link["target"] for link in links} == {"_blank"}
 
 
 def test_headings_never_skip_a_level(pages: Mapping[str, Page]) -> None:

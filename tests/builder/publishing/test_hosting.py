@@ -57,6 +57,27 @@ def test_the_policy_that_a_host_sends_allows_what_each_page_does(
     assert "/books/small/" in told
 
 
+@pytest.mark.parametrize(
+    ("frames", "rule"),
+    [
+        ("", "frame-ancestors 'self' *"),
+        ("frames = []", "frame-ancestors 'self'"),
+        (
+            'frames = ["https://course.example:8080"]',
+            "frame-ancestors 'self' https://course.example:8080",
+        ),
+    ],
+)
+def test_all_sites_may_frame_the_book_unless_it_says_which(
+    make_book: MakeBook, frames: str, rule: str
+) -> None:
+    outline = f'{OUTLINE}hosts = ["netlify"]\n{frames}\n'
+    told = content_bytes(
+        render_site(make_book("Words.", {"content/book.toml": outline}))["_headers"]
+    ).decode()
+    assert f"; {rule}\n" in told
+
+
 def test_only_what_is_named_by_what_is_in_it_is_kept_for_ever(
     site: Mapping[str, bytes], tmp_path: Path
 ) -> None:

@@ -1,0 +1,45 @@
+"""A page for each figure with nothing else on it, for frames in other pages: ``embed/<chapter>/<id
+of the figure>/``, as the same scene may stand in several chapters with other settings."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from markdown_it.token import Token
+
+from site_builder.book import Chapter
+from site_builder.page_model.blocks import Block, Simulation, walk
+from site_builder.page_model.passage import Passage
+
+FOLDER = "embed/"
+ROOT = "../../../"
+"""The root of the site, from such a page."""
+
+
+def embeds(chapter: Chapter) -> Iterator[tuple[str, Block]]:
+    """Path and figure of each, the links of its words leading to the chapter and from there."""
+    for block in walk(chapter.body):
+        if isinstance(figure := block.content, Simulation):
+            words = (
+                Passage(_from_outside(part.tokens, f"{ROOT}{chapter.url}", figure.id))
+                for part in (figure.caption, figure.about)
+            )
+            caption, about = words
+            content = replace(figure, caption=caption, about=about)
+            yield f"{FOLDER}{chapter.url}{figure.id}/index.html", replace(block, content=content)
+
+
+def _from_outside(tokens: Sequence[Token], chapter: str, figure: str) -> tuple[Token, ...]:
+    def moved(token: Token) -> Token:
+        attrs = dict(token.attrs)
+        if token.type == "link_open":
+            address = str(attrs["href"])
+            if address.startswith((".", "#", "?")):
+                attrs["href"] = chapter + address
+            attrs["target"] = "_blank"
+            attrs.pop("aria-describedby", None)  # the definition of a term, which the chapter has
+            if attrs.get("data-figure", figure) != figure:
+                del attrs["class"]  # it sets a figure that is not here
+        children = token.children and list(_from_outside(token.children, chapter, figure))
+        return replace(token, attrs=attrs, children=children)
+
+    return tuple(map(moved, tokens))
