@@ -7,7 +7,7 @@ from xml.etree.ElementTree import Element
 from site_builder.book import Book, Chapter
 from site_builder.build import Options, check_site
 from site_builder.editions.multiples import Row, render_rows
-from site_builder.editions.tree import parse
+from site_builder.editions.tree import elements, parse
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import BACK_MATTER, Site, back_matter_pages, render_page
@@ -100,4 +100,11 @@ def _answers(site: Site) -> Iterator[Section]:
     ]
     if chapters:
         html = render_page(site, "editions/answers.html", "../", rows=_no_rows, chapters=chapters)
-        yield Section(ANSWERS, site.book.words("edition.answers"), "", parse(html))
+        article = parse(html)
+        for (chapter, _), answers in zip(
+            chapters, elements(article, kind="answers-of"), strict=True
+        ):
+            for link in elements(answers, "a"):
+                if (place := link.get("href", "")).startswith("#"):  # on the question's page
+                    link.set("href", f"../{chapter.url}{place}")
+        yield Section(ANSWERS, site.book.words("edition.answers"), "", article)

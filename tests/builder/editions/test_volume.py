@@ -17,7 +17,7 @@ from site_builder.build import Options
 from site_builder.editions.compose import compose
 from site_builder.editions.links import Place
 from site_builder.editions.pdf import anchor_pages, make_pdf
-from site_builder.editions.tree import elements, words
+from site_builder.editions.tree import elements, first, words
 from site_builder.editions.volume import anchor, volume
 
 type MakeBook = Callable[..., Options]
@@ -94,3 +94,11 @@ def test_contents_and_links_name_the_pages_on_which_things_are(
     assert len({pages[name] for name in ("first", "second", "answers")}) == 3
     titles = [str(entry["/Title"]) for entry in reader.outline if isinstance(entry, dict)]
     assert titles[:3] == ["Contents", "First", "Second"]
+
+
+def test_an_answer_leads_to_the_equation_of_its_chapter(make_book: MakeBook) -> None:
+    asked = "- [x] this\n  : By {ref}`eq-a`.\n- [ ] that\n  : No.\n- [ ] more\n  : No.\n"
+    body = f"$$\nx = 1\n$$ (eq-a)\n\n:::{{quiz}} which\nWhich?\n{asked}- [ ] all\n  : No.\n:::\n"
+    document = volume(compose(make_book(body)))
+    answers = first(document, kind="answers")
+    assert "#first.eq-a" in [link.get("href") for link in elements(answers, "a")]
