@@ -124,6 +124,8 @@ def test_its_licence_is_its_own(german_site: Path) -> None:
 def test_a_visit_in_german(german_site: Path, german_book: Any, brisk_chromium: Browser) -> None:
     with serving(german_site) as server, visit(brisk_chromium, server, bypass_csp=True) as reader:
         figure = reader.open_figure(german_book, "fadenpendel")
+        figure.locator("input[name=length]").fill("1.5")
+        reader.settle(figure)  # a figure whose cost is not known yet drafts
         before = reader.frames(figure)
         figure.locator("input[name=length]").fill("1")
         reader.wait_frame(figure, before)

@@ -105,6 +105,7 @@ def test_a_part_that_the_table_does_not_list_is_fetched_when_python_asks_for_it(
     foresee_nothing(server, table)
     reader.open(address)
     for figure in reader.page.locator("simulation-figure").all():
+        figure.locator("input[type=range]").first.press("ArrowRight")
         reader.settle(figure)  # what only frames import comes after the page's own
     assert sorted(fetched) == sorted(AT_ONCE | parts)
 

@@ -35,7 +35,8 @@ class Fault:
 
 
 def half(content: bytes) -> bytes:
-    return content[: len(content) // 2]
+    """With an open bracket, since half of a script may be a script."""
+    return content[: len(content) // 2] + b"("
 
 
 def changed(content: bytes) -> bytes:

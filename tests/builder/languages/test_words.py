@@ -13,7 +13,10 @@ ROOT = Path(__file__).parents[3]
 OTHERS = [language for language in languages() if language != "en"]
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-NAMES = {"CPython", "Esc", "ISBN", "data", "embed", "feed", "xml", "urn", "uuid", "QTIv", "Package"}
+NAMES = {
+    "CPython", "DOI", "Esc", "ISBN", "ORCID", "QTIv", "Package",
+    "data", "doi", "embed", "feed", "https", "isbn", "org", "urn", "uuid", "xml",
+}  # fmt: skip
 """What is called the same in all languages, parts of addresses, and the name of QTI's packages."""
 OF_TEMPLATES = re.compile(r"""\bt\(\s*"([\w.-]+)("\s*~)?""")
 OF_PYTHON = re.compile(r"""\bwords\(\s*(f?)"([\w.-]+)""")
@@ -151,6 +154,7 @@ def bare(template: str) -> list[str]:
         scripts,
         r"\{#.*?#\}",
         r"<(script|style)\b.*?</\1>",
+        r"<meta property=.*?</meta>",
         r"\{[{%].*?[%}]\}",
         r"&\w+;",
     ):
