@@ -36,7 +36,7 @@ PHONE: dict[str, Any] = {
     "bypass_csp": True,
 }
 BOUND_MS = 250
-"""Within which a drag is answered at the 95th percentile."""
+"""Within which half of the moves of a slider are answered."""
 FRAMES = 60
 DRAWN = {"light": ("perspective-projection", "depth"), "middle": ("lens-distortion", "k1")}
 DRAWN["heavy"] = ("camera", "focal_length")

@@ -111,7 +111,7 @@ export class Prerendered {
   /** @returns Null where they do not arrive: Python is starting. */
   #fetch(): Promise<Frames | null> {
     const address = this.figure.dataset.prerendered ?? "";
-    this.#frames ??= fetch(address, { signal: this.#listeners.signal })
+    this.#frames ??= fetch(address)
       .then((reply) => (reply.ok ? reply.json() : null))
       .catch(() => null);
     return this.#frames;
