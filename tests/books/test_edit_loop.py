@@ -84,7 +84,7 @@ def author(
             page = context.new_page()
             page.set_default_timeout(30_000)
             address = f"http://localhost:{port}/"
-            page.goto(f"{address}strings/", wait_until="commit")
+            page.goto(f"{address}strings/", wait_until="domcontentloaded")
             title = page.title()
             expect(page.locator("h1")).to_contain_text("A String", timeout=LONGEST_S * 1000)
             yield Author(book, address, page, title)

@@ -67,7 +67,7 @@ CHOOSE_EACH = """(form, choices) => choices.map((chosen) => {
     box.checked = chosen.includes(Number(box.value));
   }
   form.requestSubmit();
-  const told = [...form.querySelectorAll('.feedback .explanation')];
+  const told = [...form.querySelectorAll('[role=status] .explanation')];
   return [form.dataset.answered, told.map((one) => one.innerText)];
 })"""
 """The verdict on each choice, and its explanations."""
@@ -98,7 +98,7 @@ KEPT = """() => [...document.querySelectorAll('form.quiz, form[data-predict]')]
   .filter((form) => form.querySelector('input:not([data-move])') && !form.dataset.figure
     && !form.querySelector('.order-item'))
   .map((form) => [form.id, 'answered' in form.dataset, form.dataset.answered,
-    form.querySelector('.feedback').innerText])"""
+    form.querySelector('[role=status]').innerText])"""
 
 
 def _form(reader: Reader, quiz: Any) -> Locator:

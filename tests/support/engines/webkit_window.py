@@ -13,7 +13,7 @@ gi.require_version("Gtk", "3.0")
 gi.require_version("WebKit2", "4.1")
 from gi.repository import Gtk, WebKit2  # noqa: E402
 
-WIDTH, HEIGHT = 1280, 900
+WIDTH, HEIGHT = 1440, 900
 
 
 def main(profile: Path) -> None:
