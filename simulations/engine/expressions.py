@@ -16,14 +16,16 @@ import numpy as np
 from simulations.engine.controls import suggestion
 
 MOST_BITS = 4096
-"""Of a whole number, so that no power takes minutes."""
+"""Of a whole number, so that no power or product takes minutes."""
+MOST_DIGITS = 400
+"""To which numbers are rounded: no float has more on either side of the point."""
 BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: lambda left, right: _product(left, right),
     ast.Div: operator.truediv,
     ast.FloorDiv: operator.floordiv,
-    ast.Mod: operator.mod,
+    ast.Mod: lambda left, right: _remainder(left, right),
     ast.Pow: lambda base, exponent: _power(base, exponent),
     ast.MatMult: np.matmul,
 }
@@ -50,7 +52,8 @@ MATHS: Mapping[str, object] = {
             "sqrt", "exp", "log", "log2", "log10", "floor", "ceil", "isfinite", "inf", "pi",
         )
     },
-    **{function.__name__: function for function in (abs, min, max, round, len, sum, np.allclose)},
+    **{function.__name__: function for function in (abs, min, max, len, sum, np.allclose)},
+    "round": lambda number, digits=None: _rounded(number, digits),
 }  # fmt: skip
 """Names that every expression can use."""
 
@@ -128,7 +131,22 @@ def _product(left: Any, right: Any) -> Any:
     for one, other in ((left, right), (right, left)):
         if isinstance(one, str | tuple) and isinstance(other, int):
             raise ExpressionError("a text or list times a number; legal: a product of numbers")
+    whole = isinstance(left, int) and isinstance(right, int)
+    if whole and left.bit_length() + right.bit_length() > MOST_BITS:
+        raise ExpressionError("a product beyond all measure; legal: below 1e1000")
     return left * right
+
+
+def _remainder(left: Any, right: Any) -> Any:
+    if isinstance(left, str):
+        raise ExpressionError("a text behind which '%' stands; legal: the remainder of numbers")
+    return left % right
+
+
+def _rounded(number: Any, digits: int | None) -> Any:
+    if digits is not None and abs(digits) > MOST_DIGITS:
+        raise ExpressionError(f"rounded to {digits} digits; legal: -{MOST_DIGITS} to {MOST_DIGITS}")
+    return round(number) if digits is None else round(number, digits)
 
 
 def _data(whole: object, name: str) -> object:

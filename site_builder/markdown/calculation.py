@@ -25,6 +25,7 @@ from site_builder.benchmarks.loading import imported
 from site_builder.benchmarks.measurements import SIDES
 from site_builder.blame import CodeError, raised_by_code
 from site_builder.diagnostics import cause, unknown
+from site_builder.markdown.model_functions import ModelFunction
 from site_builder.markdown.parse_context import ParseContext
 
 BLOCK = "calc"
@@ -188,4 +189,6 @@ def _imported(module: str, name: str) -> object:
     }
     if name not in public:
         raise LookupError(unknown(f"name of {module}", name, public))
-    return public[name]
+    value = public[name]
+    own = module.startswith("simulations.") and callable(value) and not isinstance(value, type)
+    return ModelFunction(value) if own else value

@@ -3,26 +3,34 @@
 from pathlib import Path
 
 import pytest
+from markdown_it.token import Token
+from support.small_package import PACKAGE, small_package
 
 from simulations.engine.scene import Scene
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics import Diagnostic, Diagnostics
 from site_builder.languages.words import ENGLISH
 from site_builder.markdown.inline import annotate
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
 from site_builder.page_model.passage import passage
 from site_builder.render.screen import screen_renderer
+from site_builder.sandbox import Limits, limited
 
 
 def load_scene(name: str) -> Scene[object]:
     raise LookupError(name)
 
 
-def rendered(text: str) -> str:
+def annotated(text: str) -> tuple[list[Token], list[Diagnostic]]:
     context = ParseContext("a.md", Shared(Path(), load_scene, make_parser()), Diagnostics())
     tokens = context.shared.parser.parse(text, context.env)
     annotate(tokens, context)
-    assert not context.problems.found
+    return tokens, context.problems.found
+
+
+def rendered(text: str) -> str:
+    tokens, mistakes = annotated(text)
+    assert not mistakes
     return screen_renderer(ENGLISH)(passage(tokens))
 
 
@@ -52,6 +60,26 @@ def test_a_block_names_functions_and_values_for_what_stands_below_it() -> None:
     block = "\n".join(("```calc", *lines, "```"))
     shown = rendered(block + "\n\nIt is {calc}`half(3)`, {calc}`a` and {calc}`b`.")
     assert shown == "<p>It is 1.5, 0.5 and 0.5.</p>"
+
+
+def test_functions_of_the_models_run_within_limits(tmp_path: Path) -> None:
+    source = """
+import os
+def loop():
+    while True: pass
+def read(name):
+    return len(open(name).read())
+def leave():
+    os._exit(3)
+"""
+    block = f"```calc\nfrom {PACKAGE}.odd import leave, loop, read\n```"
+    calls = ("loop()", "read('/etc/hostname')", "leave()")
+    with small_package(tmp_path, {"odd": source}), limited(Limits(seconds=0.3)):
+        _, mistakes = annotated("\n\n".join((block, *(f"{{calc}}`{call}`" for call in calls))))
+    expected = ("takes more than 0.3 s", "reads '/etc/hostname'", "ended by its own code, as 3")
+    assert [found.line for found in mistakes] == [5, 7, 9]
+    for found, words in zip(mistakes, expected, strict=True):
+        assert words in found.message
 
 
 def test_a_number_in_a_formula() -> None:
