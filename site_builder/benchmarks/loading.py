@@ -52,8 +52,10 @@ def _try_import(module: str, _sources: bytes) -> None:
     try:
         run_limited(partial(_import, module), IMPORT_SECONDS)
     except LimitError as error:
-        place = place_of(error) or f"{module.replace('.', '/')}.py:1"
-        raise remember(error, place, words_of(error)) from None
+        place, words = place_of(error), words_of(error)
+        if not place:  # it ended its process, at a line that nobody knows
+            place, words = f"{module.replace('.', '/')}.py:1", f"{words}, while it was imported"
+        raise remember(error, place, words) from None
 
 
 def _import(module: str) -> None:

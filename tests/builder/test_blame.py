@@ -6,8 +6,10 @@ from pathlib import Path
 import pytest
 from support.small_package import PACKAGE, small_package
 
+from site_builder.benchmarks.loading import imported
 from site_builder.blame import at_settings
 from site_builder.diagnostics import BuildError, Diagnostics, cause
+from site_builder.sandbox import LimitError, Limits, limited
 
 SLIPS = [
     ("return {'curve': 1}['curves']", "KeyError: 'curves'"),
@@ -37,6 +39,16 @@ def test_a_module_that_cannot_be_read_is_told_with_its_line(tmp_path: Path) -> N
         with pytest.raises(SyntaxError) as raised:
             import_module(f"{PACKAGE}.scene")
         assert cause(raised.value) == "SyntaxError: invalid syntax, at simulations/small/scene.py:1"
+
+
+def test_a_module_that_ends_its_process_is_told_with_its_file(tmp_path: Path) -> None:
+    with small_package(tmp_path, {"scene": "import os\nos._exit(3)\n"}), limited(Limits()):
+        with pytest.raises(LimitError) as raised:
+            imported(f"{PACKAGE}.scene")
+        assert cause(raised.value) == (
+            "LimitError: its process was ended by its own code, as 3, while it was imported, "
+            "at simulations/small/scene.py:1"
+        )
 
 
 def test_what_a_scene_raises_is_told_once_at_its_line_with_where_it_is_met(tmp_path: Path) -> None:
