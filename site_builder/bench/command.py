@@ -61,7 +61,7 @@ def bench(root: Path, chosen: Sequence[str]) -> int:
             ladders[ladder.id] = ladder_record(ladder, results)
             differing += disagreements(ladder, results)
             print(f"{ladder.id:24} {time.perf_counter() - started:6.1f} s", flush=True)
-    write(merge(root / DATA, machine, ladders, list(LADDER_MODULES)), root / DATA)
+    write(merge(root / DATA, machine, ladders, LADDER_MODULES), root / DATA)
     print(f"{DATA} written after {time.perf_counter() - began:.0f} s")
     complaints = differing + misplaced_defaults(root, chosen)
     print("\n".join(complaints), end="\n" if complaints else "", file=sys.stderr)

@@ -5,7 +5,7 @@ import json
 import math
 import os
 import platform
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -100,20 +100,19 @@ def close(one: float | None, other: float | None) -> bool:
 
 
 def merge(
-    file: Path, machine: Mapping[str, object], ladders: Mapping[str, Any], order: Sequence[str]
+    file: Path, machine: Mapping[str, object], ladders: Mapping[str, Any], known: Collection[str]
 ) -> dict[str, Any]:
-    """New measurements over old ones, in the order of their names; the old must be of the same
-    machine, and those of ladders that no longer exist are dropped."""
+    """New measurements over old ones, which keep their places in the file; new ladders come behind
+    them. The old must be of the same machine; those of ladders that are not ``known`` are dropped.
+    """
     old = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
     kept = old.get("ladders", {})
-    if set(order) <= set(ladders):
-        kept = {}
-    elif kept and old["machine"] != machine:
+    if kept and not set(known) <= set(ladders) and old["machine"] != machine:
         raise SystemExit(f"{file.name} was measured on another machine: run `{COMMAND}` for all")
     found = {**kept, **ladders}
     return {
         "machine": dict(machine),
-        "ladders": {name: found[name] for name in order if name in found},
+        "ladders": {name: entry for name, entry in found.items() if name in known},
     }
 
 

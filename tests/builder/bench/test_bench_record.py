@@ -57,9 +57,11 @@ def file(tmp_path: Path) -> Path:
     return path
 
 
-def test_one_ladder_measured_anew_leaves_the_others_and_the_order(file: Path) -> None:
-    merged = merge(file, MACHINE, {"b": 9}, ["b", "a", "new"])
-    assert list(merged["ladders"].items()) == [("b", 9), ("a", 1)]
+def test_one_ladder_measured_anew_leaves_the_others_and_their_places(file: Path) -> None:
+    merged = merge(file, MACHINE, {"a": 9}, ["b", "a", "new"])
+    assert list(merged["ladders"].items()) == [("a", 9), ("b", 2)]
+    merged = merge(file, MACHINE, {"new": 9}, ["b", "a", "new"])
+    assert list(merged["ladders"].items()) == [("a", 1), ("b", 2), ("new", 9)]
 
 
 def test_one_ladder_from_another_machine_is_refused(file: Path) -> None:
