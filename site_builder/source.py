@@ -41,7 +41,7 @@ from site_builder.settings.reading import read_settings
 from site_builder.source_text import Toml, read_text
 
 OWN_FOLDERS = (
-    "assets", "cards", "class", "glossary", "index-of-terms", "lecture-plan", "licences",
+    "assets", "cards", "class", "embed", "glossary", "index-of-terms", "lecture-plan", "licences",
     "references", "runtime", "search", "source", "symbols",
 )  # fmt: skip
 """Folders of the site beside those of its chapters."""

@@ -15,6 +15,11 @@ ROOT = "../../../"
 """The root of the site, from such a page."""
 
 
+def embed_address(chapter: Chapter, figure: str) -> str:
+    """Of the page of a figure, by its element id, from the site's root."""
+    return f"{FOLDER}{chapter.url}{figure}/"
+
+
 def embeds(chapter: Chapter) -> Iterator[tuple[str, Block]]:
     """Path and figure of each, the links of its words leading to the chapter and from there."""
     for block in walk(chapter.body):
@@ -25,7 +30,7 @@ def embeds(chapter: Chapter) -> Iterator[tuple[str, Block]]:
             )
             caption, about = words
             content = replace(figure, caption=caption, about=about)
-            yield f"{FOLDER}{chapter.url}{figure.id}/index.html", replace(block, content=content)
+            yield f"{embed_address(chapter, figure.id)}index.html", replace(block, content=content)
 
 
 def _from_outside(tokens: Sequence[Token], chapter: str, figure: str) -> tuple[Token, ...]:

@@ -4,9 +4,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from site_builder.book import Book, Chapter
+from site_builder.editions.questions.words import Text
 from site_builder.markdown.questions.kind import QuestionKind
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.page_model.questions import OTHERWISE, Option, Quiz
+from site_builder.pages.embeds import embed_address
+from site_builder.pages.environment import render_template
 from site_builder.pages.views.question import numbered_quizzes
 
 
@@ -18,8 +21,17 @@ class Asked:
     name: str
     """``Question 4.2``."""
     chapter: Chapter
-    page: str
-    """Address of its chapter; nothing where the book has none."""
+    site: str
+    """Address of the book; nothing where it has none."""
+
+    @property
+    def page(self) -> str:
+        """Address of its chapter; nothing where the book has none."""
+        return f"{self.site}{self.chapter.url}" if self.site else ""
+
+    def figure_page(self, figure: str) -> str:
+        """Address of the page that a figure of the chapter, by its element id, has to itself."""
+        return f"{self.site}{embed_address(self.chapter, figure)}"
 
     @property
     def kind(self) -> QuestionKind:
@@ -41,11 +53,22 @@ class Asked:
 def asked_in(book: Book) -> Iterator[Asked]:
     """Those that can be asked elsewhere: without the book's address, none that needs a figure."""
     for chapter in book.chapters:
-        page = f"{book.address}{chapter.url}" if book.address else ""
         for name, quiz in numbered_quizzes(chapter.body):
-            asked = Asked(quiz, name, chapter, page)
-            if page or not asked.kind.needs_page:
+            asked = Asked(quiz, name, chapter, book.address)
+            if book.address or not asked.kind.needs_page:
                 yield asked
+
+
+def written(book: Book, asked: Asked, platform: str, text: Text) -> str:
+    """The question for a ``platform``, whose passages are made by ``text``."""
+    return render_template(
+        asked.kind.export(platform),
+        book,
+        asked=asked,
+        quiz=asked.quiz,
+        chapter=asked.chapter,
+        text=text,
+    )
 
 
 def left_out(book: Book) -> int:

@@ -7,7 +7,7 @@ The shape is that of Moodle's own export, https://docs.moodle.org/en/Moodle_XML_
 from itertools import groupby
 
 from site_builder.book import Book
-from site_builder.editions.questions.asked import Asked, asked_in
+from site_builder.editions.questions.asked import Asked, asked_in, written
 from site_builder.editions.questions.words import moodle_text
 from site_builder.pages.environment import render_template
 
@@ -27,11 +27,4 @@ def _category(book: Book, *names: str) -> str:
 
 
 def _question(book: Book, asked: Asked) -> str:
-    return render_template(
-        asked.kind.export("moodle"),
-        book,
-        asked=asked,
-        quiz=asked.quiz,
-        chapter=asked.chapter,
-        text=moodle_text(asked.page, book.settings.macros),
-    )
+    return written(book, asked, "moodle", moodle_text(asked.page, book.settings.macros))

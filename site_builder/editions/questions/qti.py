@@ -7,7 +7,7 @@ import zipfile
 from itertools import groupby
 
 from site_builder.book import Book
-from site_builder.editions.questions.asked import Asked, asked_in
+from site_builder.editions.questions.asked import asked_in, written
 from site_builder.editions.questions.words import qti_text
 from site_builder.pages.environment import render_template
 
@@ -19,21 +19,13 @@ def make_qti(book: Book) -> bytes:
     files = {
         "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=asked),
         "test.xml": render_template("editions/qti-test.xml", book, chapters=chapters),
-        **{f"items/{item.id}.xml": _item(book, item) for item in asked},
+        **{
+            f"items/{item.id}.xml": written(book, item, "qti", qti_text(item.page))
+            for item in asked
+        },
     }
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():
             archive.writestr(zipfile.ZipInfo(name), content.encode(), zipfile.ZIP_DEFLATED)
     return packed.getvalue()
-
-
-def _item(book: Book, asked: Asked) -> str:
-    return render_template(
-        asked.kind.export("qti"),
-        book,
-        asked=asked,
-        quiz=asked.quiz,
-        chapter=asked.chapter,
-        text=qti_text(asked.page),
-    )

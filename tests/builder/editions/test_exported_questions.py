@@ -111,8 +111,8 @@ def test_a_question_about_a_figure_leads_to_it_and_tells_the_marker_a_solution(
     moodle: dict[str, Element],
 ) -> None:
     question = moodle["set-it"]
-    assert f'href="{SITE}first/#figure-demo"' in question.findtext("questiontext/text", "")
-    solved = f"{SITE}first/?figure-demo.k1=0.25&amp;figure-demo.kind=b#figure-demo"
+    assert f'href="{SITE}embed/first/figure-demo/"' in question.findtext("questiontext/text", "")
+    solved = f"{SITE}embed/first/figure-demo/?k1=0.25&amp;kind=b"
     assert f'href="{solved}"' in question.findtext("graderinfo/text", "")
 
 
