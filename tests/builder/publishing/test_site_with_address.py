@@ -126,13 +126,13 @@ def test_without_an_address_nothing_is_told_outside(make_book: MakeBook) -> None
     assert b"://" not in site["first/index.html"]
 
 
-def test_pages_say_by_what_they_are_cited(make_book: MakeBook) -> None:
+def test_pages_and_the_feed_say_by_what_and_whom_they_are_cited(make_book: MakeBook) -> None:
     outline = (
         'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
         f'address = "{ADDRESS}"\n[imprint]\nauthors = ["Ada", "B 0000-0002-1825-0097"]\n'
         "date = 2026-11-26\n"
     )
-    site = rendered(make_book(files={"content/book.toml": outline}))
+    site = rendered(make_book(files={"content/book.toml": outline, "content/news.toml": NEWS}))
     found = [item.attributes for item in read_html(site["second/index.html"]).all("meta")]
     cited = [
         (str(item["name"]).removeprefix("citation_"), item["content"])
@@ -146,4 +146,9 @@ def test_pages_say_by_what_they_are_cited(make_book: MakeBook) -> None:
         ("author", "B"),
         ("author_orcid", "https://orcid.org/0000-0002-1825-0097"),
         ("publication_date", "2026/11/26"),
+    ]
+    authors = ElementTree.fromstring(site["feed.xml"]).findall(f"{ATOM}author")
+    assert [[part.text for part in author] for author in authors] == [
+        ["Ada"],
+        ["B", "https://orcid.org/0000-0002-1825-0097"],
     ]
