@@ -101,11 +101,15 @@ class Drawing:
     labels: tuple[Label, ...] = ()
 
 
-def read_svg(data: bytes) -> Drawing:
-    """The faults of a file, in the order of its lines; none where it may be published."""
+def read_svg(data: bytes, *, in_page: bool = False) -> Drawing:
+    """The faults of a file, in the order of its lines; none where it may be published.
+
+    ``in_page``: it is a part of a page, where a ``<style>`` would hold for all of it, and by its
+    policy for nothing.
+    """
     from defusedxml.sax import make_parser  # slow to import
 
-    reader = _Reader()
+    reader = _Reader(in_page)
     parser = make_parser()
     parser.setFeature(feature_namespaces, True)
     parser.forbid_dtd = True
@@ -127,11 +131,12 @@ def read_svg(data: bytes) -> Drawing:
 
 def read_overlay(markup: str) -> Drawing:
     """The same of the content of ``<svg>``, as scenes and illustrations draw it."""
-    return read_svg(f'<svg xmlns="{SVG}">{markup}</svg>'.encode())
+    return read_svg(f'<svg xmlns="{SVG}">{markup}</svg>'.encode(), in_page=True)
 
 
 @dataclass(slots=True)
 class _Reader(ContentHandler):
+    in_page: bool
     faults: list[Fault] = field(default_factory=list)
     classes: set[str] = field(default_factory=set)
     labels: list[Label] = field(default_factory=list)
@@ -165,6 +170,8 @@ class _Reader(ContentHandler):
             self.fault(_strange("element", local, ELEMENTS))
         elif space != SVG and space not in NOTES:
             self.fault(f"<{local}> of {space or 'no'} namespace; legal: SVG")
+        elif self.in_page and local == "style":
+            self.fault("<style> in a drawing; legal: classes of the style sheets, and attributes")
         self.inside.append(local)
         given = {attribute: str(value) for (_, attribute), value in attrs.items()}
         self.moved.append("transform" in given or any(self.moved[-1:]) or local == "symbol")

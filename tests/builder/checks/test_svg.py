@@ -74,6 +74,11 @@ def test_drawings_of_scenes_are_held_to_the_same(name: str) -> None:
     assert read_overlay(ATTACKS[name]).faults
 
 
+def test_a_style_element_may_stand_in_a_file_and_not_in_a_drawing() -> None:
+    (fault,) = read_overlay(f"<g/>\n{INERT['own style']}").faults
+    assert (fault.line, fault.message.partition(";")[0]) == (2, "<style> in a drawing")
+
+
 @pytest.mark.parametrize("name", WHOLE)
 def test_files_that_are_no_drawing_are_told(name: str) -> None:
     assert read_svg(WHOLE[name].encode("latin-1")).faults
