@@ -21,6 +21,7 @@ from site_builder.browser_python import pack_for_browser
 from site_builder.cache import cached_result
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
+from site_builder.checks.skeletons import check_skeletons
 from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.engine_files import static_files
@@ -164,6 +165,7 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     """Raises `BuildError` with all mistakes found."""
     book, problems = loaded
     check_book(book, problems)
+    check_skeletons(options.root, book, problems)
     check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     initial_frames, pictures = render_initial_frames(
         book, problems, prerendered=options.runtime and not options.reload

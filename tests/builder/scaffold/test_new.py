@@ -11,6 +11,7 @@ from filelock import FileLock
 from support.engine import Engine, build_wheel, new_engine, run
 from support.places import ROOT
 
+from site_builder.checks.skeletons import PLACEHOLDERS
 from site_builder.scaffold.names import ScaffoldError, read_name
 from site_builder.scaffold.new_book import make_book
 from site_builder.scaffold.pieces import PIECES, make_new
@@ -73,9 +74,19 @@ def test_its_site_has_its_figures(engine: Engine, first_book: Path, tmp_path: Pa
     done = engine.run(
         first_book, "-m", "site_builder", "build", "--no-runtime", "--out", str(tmp_path / "site")
     )
-    assert (done.returncode, done.stderr) == (0, "")
+    assert done.returncode == 0, done.stderr
     page = (tmp_path / "site" / "a-falling-ball" / "index.html").read_text("utf-8")
     assert 'data-simulation="falling-ball"' in page
+
+
+def test_sentences_of_skeletons_are_warned_of(engine: Engine, first_book: Path) -> None:
+    done = engine.run(first_book, "-m", "site_builder", "check", "--no-runtime")
+    warned = re.findall(r"^(.+?):(\d+): warning: '(.+)' is still as", done.stderr, re.MULTILINE)
+    assert {sentence for _, _, sentence in warned} == {each.strip(": ") for each in PLACEHOLDERS}
+    for path, line, sentence in warned:
+        text = (first_book / path).read_text("utf-8").splitlines()
+        assert sentence in text[int(line) - 1]
+    assert done.stderr.count("warning") == len(warned)
 
 
 def test_its_code_is_formatted_and_free_of_lint(first_book: Path) -> None:
@@ -188,7 +199,7 @@ def test_a_changed_engine_reaches_a_book_by_an_upgrade(
     assert own.install(build_wheel(changed_engine, tmp_path / "wheels")).returncode == 0
     assert own.run(tmp_path, "-m", "site_builder", "--version").stdout == "site_builder 99.0\n"
     done = own.run(tmp_path / "book", *check)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.deep
