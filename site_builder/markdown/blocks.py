@@ -1,13 +1,13 @@
 """A flat list of tokens to a tree of blocks: runs of prose, and what directives make."""
 
 from collections.abc import Sequence
-from itertools import accumulate
 from typing import Any
 
 from markdown_it.token import Token
 
 from site_builder.markdown.directive import Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.text.tokens import end_of_element
 from site_builder.markdown.usage import checked
 from site_builder.page_model.blocks import Block, Prose
 from site_builder.page_model.passage import passage
@@ -28,7 +28,7 @@ def read_blocks(tokens: Sequence[Token], context: ParseContext) -> tuple[Block, 
 
     position = 0
     while position < len(tokens):
-        end = _end_of_element(tokens, position)
+        end = end_of_element(tokens, position)
         element = tokens[position:end]
         if element[0].type == "directive_open":
             end_prose()
@@ -53,11 +53,6 @@ def _read_directive(element: Sequence[Token], context: ParseContext) -> Block | 
         return None
     inside = body if directive.body.nests else ()
     return Block(directive.template, content, inside, context.placed.get(call.line))
-
-
-def _end_of_element(tokens: Sequence[Token], start: int) -> int:
-    depths = accumulate(token.nesting for token in tokens[start:])
-    return start + next(count for count, depth in enumerate(depths, start=1) if depth == 0)
 
 
 def _without_directives(element: Sequence[Token], context: ParseContext) -> list[Token]:

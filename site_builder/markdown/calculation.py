@@ -69,6 +69,13 @@ def truth(text: str, line: int, context: ParseContext) -> bool | None:
         return None
 
 
+def numbers(text: str, context: ParseContext) -> list[float]:
+    """The finite numbers that ``text`` stands for, one or several. Raises `ExpressionError`."""
+    value = evaluate(text, names_for(context))
+    several = isinstance(value, tuple) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    return [_as_number(item, text) for item in (value if several else (value,))]
+
+
 def number_text(written: str, context: ParseContext) -> str:
     """``expression`` or ``expression:.2f`` as running text shows it: 3, −0.25, 6.2 × 10⁻⁵; the
     numbers of a vector with commas between them. Raises `ExpressionError`.
@@ -148,10 +155,7 @@ def _assigned(target: ast.expr, value: object) -> Iterator[tuple[str, object]]:
 def _formatted(written: str, context: ParseContext) -> Iterator[tuple[str, str]]:
     """Digits, and the exponent of ten or nothing, of each number."""
     expression, spec = FORM.fullmatch(written).groups()  # type: ignore[union-attr]
-    value = evaluate(expression, names_for(context))
-    several = isinstance(value, tuple) or (isinstance(value, np.ndarray) and value.ndim > 0)
-    for item in value if several else (value,):
-        given = _as_number(item, expression)
+    for given in numbers(expression, context):
         try:
             text = format(given, spec or "g")
         except ValueError:

@@ -13,6 +13,7 @@ from site_builder.markdown.glossary_links.terms import mark_terms
 from site_builder.markdown.inline import annotate, inline_passage
 from site_builder.markdown.numbering import number_targets
 from site_builder.markdown.parse_context import PAGE_IDS, ParseContext
+from site_builder.markdown.questions.draws import set_aside
 from site_builder.markdown.targets import Targets
 from site_builder.page_model.places import Formula, Need, Target
 
@@ -75,9 +76,10 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
     """The whole chapter; mistakes are reported and reading goes on."""
     context = draft.context
     context.targets = targets
-    annotate(draft.tokens, context)
-    mark_terms(draft.tokens, context)
-    body = read_blocks(draft.tokens, context)
+    tokens = set_aside(draft.tokens)
+    annotate(tokens, context)
+    mark_terms(tokens, context)
+    body = read_blocks(tokens, context)
     before = tuple(
         Need(inline_passage(entry.text, entry.line, context), entry.chapter, entry.line)
         for entry in draft.matter.before

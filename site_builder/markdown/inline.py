@@ -8,8 +8,10 @@ from simulations.engine.expressions import ExpressionError
 from site_builder.blame import raised_by_code
 from site_builder.diagnostics import unknown
 from site_builder.markdown.calculation import BLOCK, compute_formula, define_names
+from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.headings import list_headings
 from site_builder.markdown.parse_context import ParseContext, Shared
+from site_builder.markdown.questions.draws import BODY, draw
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import UnknownLanguageError, check_language
@@ -41,6 +43,15 @@ def inline_passage(markdown: str, line: int, context: ParseContext) -> Passage:
         token.map = [line - 1, line]
     annotate(tokens, context)
     return passage(tokens)
+
+
+def _draw_numbers(token: Token, _line: int, context: ParseContext) -> None:
+    """Of a question that draws them: its body is annotated with each combination."""
+    if BODY in token.meta:
+        call: DirectiveCall = token.meta["call"]
+        context.drawn[call.line] = draw(call, token.meta[BODY], context)
+        for drawn in context.drawn[call.line]:
+            annotate(drawn.body, drawn.context)
 
 
 def _set_formula(token: Token, line: int, context: ParseContext) -> None:
@@ -140,6 +151,7 @@ def _refuse_picture(_token: Token, line: int, context: ParseContext) -> None:
 
 
 HANDLERS: Mapping[str, Callable[[Token, int, ParseContext], None]] = {
+    "directive_open": _draw_numbers,
     "math_inline": _set_formula,
     "math_block": _set_formula,
     "math_block_label": _set_formula,

@@ -2,7 +2,7 @@
 
 import hashlib
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 from site_builder.page_model.passage import Passage
 
@@ -39,13 +39,26 @@ class Question:
     """What only its kind knows."""
     decides: object = None
     """What else than the options decides what is right."""
+    drawn: str = ""
+    """The numbers that it draws, if it does: ``f = 24; N = 5.6``."""
+    others: tuple[Self, ...] = ()
+    """The same question with the other numbers that it may draw."""
 
+    @property
+    def variants(self) -> tuple[Self, ...]:
+        """The question with all the numbers that it may draw."""
+        return (self, *self.others)
 
-def _edition(question: Question, decides: object) -> str:
-    """A hash of what is asked and what is right: an answer to another edition is forgotten."""
-    answers = [(option.text, option.correct) for option in question.options]
-    asked = (question.kind, question.prompt_text, answers, decides)
-    return hashlib.sha256(repr(asked).encode()).hexdigest()[:8]
+    @property
+    def edition(self) -> str:
+        """A hash of what is asked and what is right: an answer to another edition is forgotten."""
+        answers = [(option.text, option.correct) for option in self.options]
+        asked = (self.kind, self.prompt_text, answers, self._decides)
+        return hashlib.sha256(repr(asked).encode()).hexdigest()[:8]
+
+    @property
+    def _decides(self) -> object:
+        return self.decides
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,17 +66,13 @@ class Quiz(Question):
     """A question with explained answers."""
 
     @property
-    def edition(self) -> str:
-        return _edition(self, self.decides or 0.0)
+    def _decides(self) -> object:
+        return self.decides or 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class Prediction(Question):
     """A question before its answer is looked up; guess and answer then stand side by side."""
-
-    @property
-    def edition(self) -> str:
-        return _edition(self, self.decides)
 
 
 @dataclass(frozen=True, slots=True)

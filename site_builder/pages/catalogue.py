@@ -49,10 +49,20 @@ def _simulation(scene: Scene[Any]) -> dict[str, object]:
 
 
 def _question(question: Quiz | Prediction, chapter: Chapter) -> dict[str, object]:
-    return {
+    entry: dict[str, object] = {
         "id": question.id,
         "chapter": chapter.id,
         "kind": question.kind,
+        **_asked(question),
+    }
+    if not question.others:
+        return entry
+    variants = [{"drawn": each.drawn, **_asked(each)} for each in question.variants]
+    return {**entry, "variants": variants}
+
+
+def _asked(question: Quiz | Prediction) -> dict[str, object]:
+    return {
         "prompt": question.prompt_text,
         "options": [_option(option) for option in question.options],
         **kind_of(question).catalogue(question),

@@ -283,10 +283,13 @@ def _counts(book: Book) -> dict[str, int]:
 
 
 def _progress(book: Book) -> Markup:
-    """Questions and their editions by chapter, from which a reader's progress is counted."""
+    """Questions and their editions by chapter, from which a reader's progress is counted; one that
+    draws numbers has several."""
     return json_for_html(
         {
-            chapter.id: {quiz.id: quiz.edition for quiz in chapter.quizzes}
+            chapter.id: {
+                quiz.id: [variant.edition for variant in quiz.variants] for quiz in chapter.quizzes
+            }
             for chapter in book.chapters
         }
     )

@@ -19,7 +19,7 @@ def test_every_question_and_prediction_judges_each_answer_and_remembers_until_th
             if quiz["kind"] in ("single", "multiple"):
                 assert_choices_are_judged(_form(plain_reader, quiz), quiz)
             elif quiz["kind"] == "number":
-                assert_numbers_are_judged(_form(plain_reader, quiz), quiz)
+                assert_all_numbers_are_judged(_form(plain_reader, quiz), quiz)
         for item in (each for each in book["predictions"] if each["chapter"] == chapter["id"]):
             form = page.locator(f'form[data-predict="{item["id"]}"]')
             told = form.evaluate(GUESS, right_guess(item))
@@ -40,6 +40,16 @@ def assert_choices_are_judged(form: Locator, quiz: Any) -> None:
         assert verdict == ("correct" if chosen == _right(quiz) else "wrong"), quiz["id"]
         assert len(explanations) == len(chosen), quiz["id"]
         assert all(text.strip() for text in explanations), quiz["id"]
+
+
+def assert_all_numbers_are_judged(form: Locator, quiz: Any) -> None:
+    """With each combination that a question draws."""
+    variants = quiz.get("variants", [quiz])
+    for number in range(len(variants)):
+        if number:
+            form.evaluate("form => form.querySelector('[data-draw]').click()")
+        asked = variants[int(form.get_attribute("data-variant") or 0)]
+        assert_numbers_are_judged(form, {**quiz, **asked})
 
 
 def assert_numbers_are_judged(form: Locator, quiz: Any) -> None:

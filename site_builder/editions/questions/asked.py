@@ -23,6 +23,10 @@ class Asked:
     chapter: Chapter
     site: str
     """Address of the book; nothing where it has none."""
+    key: str
+    """Unique in the book."""
+    drawn_from: str = ""
+    """The question that draws numbers, where this is it with some of them: ``Question 4.3``."""
 
     @property
     def page(self) -> str:
@@ -39,8 +43,8 @@ class Asked:
 
     @property
     def id(self) -> str:
-        """Unique in the book; no digit begins it, as XML wants."""
-        return f"quiz-{self.quiz.id}"
+        """Its key; no digit begins it, as XML wants."""
+        return f"quiz-{self.key}"
 
     @property
     def right_first(self) -> list[Option]:
@@ -51,12 +55,18 @@ class Asked:
 
 
 def asked_in(book: Book) -> Iterator[Asked]:
-    """Those that can be asked elsewhere: without the book's address, none that needs a figure."""
+    """Those that can be asked elsewhere: without the book's address, none that needs a figure. One
+    that draws numbers is there with each combination."""
     for chapter in book.chapters:
         for name, quiz in numbered_quizzes(chapter.body):
-            asked = Asked(quiz, name, chapter, book.address)
-            if book.address or not asked.kind.needs_page:
-                yield asked
+            if not book.address and kind_of(quiz).needs_page:
+                continue
+            if not quiz.others:
+                yield Asked(quiz, name, chapter, book.address, quiz.id)
+                continue
+            for place, each in enumerate(quiz.variants, start=1):
+                full, key = f"{name} ({each.drawn})", f"{quiz.id}_{place}"
+                yield Asked(each, full, chapter, book.address, key, drawn_from=name)
 
 
 def written(book: Book, asked: Asked, platform: str, text: Text) -> str:
@@ -73,4 +83,5 @@ def written(book: Book, asked: Asked, platform: str, text: Text) -> str:
 
 def left_out(book: Book) -> int:
     """How many questions are not exported."""
-    return sum(len(chapter.quizzes) for chapter in book.chapters) - len(list(asked_in(book)))
+    exported = {asked.quiz.id for asked in asked_in(book)}
+    return sum(len(chapter.quizzes) for chapter in book.chapters) - len(exported)

@@ -1,6 +1,7 @@
 """A package of QTI 2.1: a file for each question, a test with a section for each chapter, and the
-manifest that lists them. IMS Question and Test Interoperability 2.1, Assessment Test, Section and
-Item Information Model; IMS Content Packaging 1.1.4."""
+manifest that lists them. Of a question that draws numbers, the test selects one variant. IMS
+Question and Test Interoperability 2.1, Assessment Test, Section and Item Information Model; IMS
+Content Packaging 1.1.4."""
 
 import io
 import zipfile
@@ -15,7 +16,10 @@ from site_builder.pages.environment import render_template
 def make_qti(book: Book) -> bytes:
     """The archive. The same book is the same bytes."""
     asked = list(asked_in(book))
-    chapters = [(chapter, list(group)) for chapter, group in groupby(asked, lambda a: a.chapter)]
+    chapters = [
+        (chapter, [(name, list(some)) for name, some in groupby(group, lambda a: a.drawn_from)])
+        for chapter, group in groupby(asked, lambda a: a.chapter)
+    ]
     files = {
         "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=asked),
         "test.xml": render_template("editions/qti-test.xml", book, chapters=chapters),

@@ -40,4 +40,5 @@ QUIZ = question_directive(
     doc="a question with explained answers",
     kind_doc="how it is answered",
     numbered=Numbered("Question", lambda call: f"quiz-{call.argument}"),
+    draws=True,
 )

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from markdown_it.token import Token
@@ -16,6 +17,7 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.questions.draws import DRAW, report_first
 from site_builder.markdown.questions.kinds import (
     KINDS,
     kind_named,
@@ -37,12 +39,26 @@ def question_directive[Q: Question](
     doc: str,
     kind_doc: str,
     numbered: Numbered,
+    draws: bool = False,
 ) -> Directive[Any]:
-    """A directive that asks a question of one of the `KINDS`; it becomes a ``made``."""
+    """A directive that asks a question of one of the `KINDS`; it becomes a ``made``. ``draws``:
+    it may draw numbers."""
 
     def read(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Q | None:
         _check_id(call, context)
         _check_options(call, context)
+        if call.line not in context.drawn:
+            return ask(call, body, context)
+        drawn = context.drawn[call.line]
+        variants = [ask(call, each.body, each.context, each.named) for each in drawn]
+        if report_first(drawn, context):
+            return None
+        return _joined(call, [each for each in variants if each], context)
+
+    def ask(
+        call: DirectiveCall, body: Sequence[Token], context: ParseContext, drawn: str = ""
+    ) -> Q | None:
+        plain_tokens(call, body, context)
         asked = kind_named(call.text("kind")).read(call, body, context)
         if asked is None:
             return None
@@ -57,6 +73,7 @@ def question_directive[Q: Question](
             line=call.line,
             details=asked.details,
             decides=asked.decides,
+            drawn=drawn,
         )
 
     kind = OptionLine("kind", doc=kind_doc, expected=names_of_kinds(name))
@@ -64,13 +81,28 @@ def question_directive[Q: Question](
         name=name,
         doc=doc,
         argument=Argument("id", lacks="has no id"),
-        options=(kind, *options_of_kinds(name)),
-        body=Body("the question, and its answers as a list", plain_tokens),
+        options=(kind, *options_of_kinds(name), *([DRAW] if draws else [])),
+        body=Body("the question, and its answers as a list", lambda _call, body, _context: body),
         read=read,
         template=name,
         numbered=numbered,
         plain=lambda question: Plain((question.prompt,), "question"),
     )
+
+
+def _joined[Q: Question](
+    call: DirectiveCall, variants: Sequence[Q], context: ParseContext
+) -> Q | None:
+    """The first variant of a question, with the others; None where drawing leaves nothing."""
+    editions: dict[str, Q] = {}
+    for variant in variants:
+        other = editions.setdefault(variant.edition, variant)
+        if other is not variant:
+            what = f"{call.name} {call.argument!r} is the same with {other.drawn}"
+            message = f"{what} and with {variant.drawn}; legal: numbers that it uses"
+            context.problem(call.line_of(DRAW.name), message)
+            return None
+    return replace(variants[0], others=tuple(variants[1:])) if variants else None
 
 
 def prediction_id(call: DirectiveCall) -> str:
@@ -87,6 +119,10 @@ def _check_id(call: DirectiveCall, context: ParseContext) -> None:
 def _check_options(call: DirectiveCall, context: ParseContext) -> None:
     """Report options that mean nothing to this kind of question."""
     own = call.text("kind")
+    if DRAW.name in call.options and kind_named(own).needs_page:
+        expected = "what needs no figure"
+        message = f"option {DRAW.name!r} of a {own!r} {call.name}; legal: {expected}"
+        context.problem(call.line_of(DRAW.name), message)
     for name, option in call.options.items():
         kinds = [
             each

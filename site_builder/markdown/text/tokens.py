@@ -1,6 +1,7 @@
 """Walking the parser's tokens."""
 
 from collections.abc import Iterator, Sequence
+from itertools import accumulate
 
 from markdown_it.token import Token
 
@@ -23,6 +24,12 @@ def children_located(inline: Token, line: int) -> Iterator[tuple[Token, int]]:
             line += 1
         elif "\n" in child.content:
             line += child.content.count("\n")
+
+
+def end_of_element(tokens: Sequence[Token], start: int) -> int:
+    """The index behind the token that closes what the one at ``start`` opens."""
+    depths = accumulate(token.nesting for token in tokens[start:])
+    return start + next(count for count, depth in enumerate(depths, start=1) if depth == 0)
 
 
 def plain_text(inline: Token) -> str:

@@ -25,10 +25,15 @@ def class_data(book: Book) -> Markup:
 
 
 def _question(name: str, place: str, quiz: Quiz, words: Words) -> dict[str, Any]:
+    """Its variants are those of a question that draws numbers, else the question alone."""
+    variants = [_variant(each, words) for each in quiz.variants]
+    return {"id": quiz.id, "name": name, "place": place, "variants": variants}
+
+
+def _variant(quiz: Quiz, words: Words) -> dict[str, Any]:
     return {
         "id": quiz.id,
-        "name": name,
-        "place": place,
+        "drawn": quiz.drawn,
         "kind": quiz.kind,
         "edition": quiz.edition,
         "options": [

@@ -1,6 +1,6 @@
 """A question as its templates need it, and as the script of its page does."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from jinja2 import pass_context
 from jinja2.runtime import Context
@@ -20,22 +20,32 @@ def kind_view(context: Context, question: Question) -> object:
 
 
 @pass_context
-def question_data(context: Context, question: Quiz) -> Markup:
-    """JSON that is safe inside a script element."""
+def question_data(
+    context: Context, question: Question, fieldset: Callable[[Question], Markup] | None = None
+) -> Markup:
+    """JSON that is safe inside a script element. ``fieldset`` makes the HTML of what is asked, with
+    each of the numbers that a question may draw."""
+    said = _said(context, question)
+    if fieldset and question.others:
+        said["variants"] = [
+            {**_said(context, each), "fieldset_html": fieldset(each)} for each in question.variants
+        ]
+    return json_for_html(said)
+
+
+def _said(context: Context, question: Question) -> dict[str, object]:
     options = [
         {"correct": option.correct, "explanation_html": context["renderer"](option.explanation)}
         | ({} if option.value is None else {"value": option.value})
         for option in question.options
     ]
-    return json_for_html(
-        {
-            "id": question.id,
-            "kind": question.kind,
-            "edition": question.edition,
-            "options": options,
-            **kind_of(question).page_data(question),
-        }
-    )
+    return {
+        "id": question.id,
+        "kind": question.kind,
+        "edition": question.edition,
+        "options": options,
+        **kind_of(question).page_data(question),
+    }
 
 
 def numbered_quizzes(blocks: Iterable[Block]) -> Iterator[tuple[str, Quiz]]:

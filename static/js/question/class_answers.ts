@@ -4,10 +4,18 @@ import { numeral } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
 import type { Given, Question } from "./question.ts";
 
-export interface Asked extends Question {
+export interface Asked {
+  id: string;
   name: string;
   /** Its address, from the site's root. */
   place: string;
+  /** With each of the numbers that it draws; the question alone, where it draws none. */
+  variants: Variant[];
+}
+
+interface Variant extends Question {
+  /** `f = 24; N = 5.6`. */
+  drawn: string;
   options: (Question["options"][number] & { text: string })[];
   tolerance?: number;
 }
@@ -39,9 +47,10 @@ export function resultsOf(questions: Asked[], files: Map<string, Answers>): Resu
   const results = questions.map((question) => {
     const tried = [...files].flatMap(([who, answers]) => {
       const entry = answers[`quiz:${question.id}`];
-      if (entry?.edition !== question.edition) return [];
-      const last = judged(question, entry.answer);
-      const first = judged(question, entry.first) ?? last;
+      const asked = question.variants.find(({ edition }) => edition === entry?.edition);
+      if (!asked) return [];
+      const last = judged(asked, entry.answer);
+      const first = judged(asked, entry.first) ?? last;
       return first && last ? [{ who, first, last }] : [];
     });
     return { question, tried, trap: trapOf(tried) };
@@ -49,16 +58,19 @@ export function resultsOf(questions: Asked[], files: Map<string, Answers>): Resu
   return results.filter(({ tried }) => tried.length > 0);
 }
 
-function judged(question: Asked, given: Given | undefined): Try | null {
+function judged(question: Variant, given: Given | undefined): Try | null {
   const kind = KINDS[question.kind];
   if (given === undefined || !kind.fits(question, given)) return null;
   return { text: textOf(question, given), right: kind.judge(question, given).right };
 }
 
-function textOf({ options, tolerance }: Asked, given: Given) {
+function textOf({ options, tolerance, drawn }: Variant, given: Given) {
   const places = [given].flat();
-  if (tolerance !== undefined) return places.map((value) => numeral(String(value))).join(" ");
-  return places.map((at) => options[at].text).join(" · ");
+  const text =
+    tolerance === undefined
+      ? places.map((at) => options[at].text).join(" · ")
+      : places.map((value) => numeral(String(value))).join(" ");
+  return drawn ? `${drawn}: ${text}` : text;
 }
 
 function trapOf(tried: Tried[]): [string, number] | null {

@@ -8,6 +8,8 @@ import { KINDS } from "./book_kinds.js";
 import { forms, type Given, questionOf } from "./question.ts";
 
 interface Draft {
+  /** Of the question: what is asked. */
+  edition: string;
   /** The verdict on what was sent before, if anything was. */
   sent: string;
   given: Given | null;
@@ -38,8 +40,9 @@ export function restoreDrafts() {
   for (const form of forms()) {
     untouched.set(form, JSON.stringify(draftOf(form)));
     const draft = unsent?.[form.id];
-    if (draft?.sent !== (form.dataset.answered ?? "") || draft.given === null) continue;
     const question = questionOf(form);
+    if (draft?.edition !== question.edition || draft.given === null) continue;
+    if (draft.sent !== (form.dataset.answered ?? "")) continue;
     const kind = KINDS[question.kind];
     if (kind.fits(question, draft.given)) kind.put?.(form, draft.given);
   }
@@ -74,5 +77,7 @@ function draftOf(form: HTMLFormElement): Draft {
   const question = questionOf(form);
   const kind = KINDS[question.kind];
   const given = kind.put ? kind.read(form, question) : null;
-  return { sent: form.dataset.answered ?? "", given: given instanceof Promise ? null : given };
+  const { edition } = question;
+  const sent = form.dataset.answered ?? "";
+  return { edition, sent, given: given instanceof Promise ? null : given };
 }

@@ -52,8 +52,10 @@ export function forms() {
   return all(document, "main form:is([data-quiz], [data-predict])", HTMLFormElement);
 }
 
+/** With the numbers that the page shows, where it draws any. */
 export function questionOf(form: HTMLFormElement): Question {
-  return data(form, "script:is(.quiz-data, .predict-data)");
+  const question = data(form, "script:is(.quiz-data, .predict-data)");
+  return question.variants?.[Number(form.dataset.variant ?? 0)] ?? question;
 }
 
 export function isPrediction(form: HTMLFormElement) {

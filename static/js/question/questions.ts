@@ -9,6 +9,7 @@ import { onOtherTab, recall, remember } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
 import { installDrafts, restoreDrafts } from "./drafts.ts";
+import { draw, drawOthers, forgetOthers, keptWith, takeSeed } from "./draws.ts";
 import { answersTo, holdLinks, leadToHidden, revealedBy, sideBySide } from "./predictions.ts";
 import { showProgress } from "./progress.ts";
 import {
@@ -38,9 +39,14 @@ export function install() {
     const form = revealedBy(event);
     if (form) settle(form, null);
     leadToHidden(event);
+    const others = within(event, "[data-draw]", HTMLButtonElement)?.form;
+    if (others) askWithOthers(others);
   });
   document.addEventListener("answers-forgotten", forget);
-  document.addEventListener("answers-read", restoreAll);
+  document.addEventListener("answers-read", () => {
+    forgetOthers();
+    restoreAll();
+  });
   onOtherTab((key) => {
     for (const form of forms()) if (key === null || key === keyOf(form)) restore(form);
     showProgress();
@@ -56,6 +62,7 @@ export function install() {
 
 /** Put each question of the page in the reader's order, with the answer of an earlier visit. */
 export function arrive() {
+  takeSeed();
   for (const form of forms()) put(form);
   restoreDrafts();
   showProgress();
@@ -67,6 +74,7 @@ function keyOf(form: HTMLFormElement) {
 }
 
 function put(form: HTMLFormElement) {
+  draw(form);
   const question = questionOf(form);
   const kind = KINDS[question.kind];
   kind.prepare?.(form, question);
@@ -101,6 +109,13 @@ function restoreAll() {
   showProgress();
 }
 
+function askWithOthers(form: HTMLFormElement) {
+  drawOthers(form);
+  restore(form);
+  showProgress();
+  one(form, "fieldset input", HTMLInputElement).focus();
+}
+
 /** Forget the answers of this page. */
 function forget() {
   for (const form of forms()) remember(keyOf(form), null);
@@ -130,7 +145,7 @@ function settle(form: HTMLFormElement, given: Settled) {
   const right = form.dataset.answered === "correct";
   const entry = isPrediction(form)
     ? { edition, guess: given }
-    : { edition, answer: given, right, first: firstOf(form, question) ?? given };
+    : { edition, answer: given, right, first: firstOf(form, question) ?? given, ...keptWith(form) };
   remember(keyOf(form), entry);
   showProgress();
 }

@@ -11,20 +11,26 @@ let seed = "";
  * @param name What is to be put in order.
  */
 export function shuffled(name: string, count: number) {
+  const own = ownSeed();
+  const hashes = Array.from({ length: count }, (_, index) => hash(`${own}${name} ${index}`));
+  return [...hashes.keys()].sort((one, other) => hashes[one] - hashes[other]);
+}
+
+/** What is drawn for this reader alone follows from it. */
+export function ownSeed() {
   if (!seed) {
     const stored = recall("order");
     seed =
       typeof stored === "string" ? stored : crypto.getRandomValues(new Uint32Array(2)).join("-");
     remember("order", seed);
   }
-  const hashes = Array.from({ length: count }, (_, index) => hash(`${seed}${name} ${index}`));
-  return [...hashes.keys()].sort((one, other) => hashes[one] - hashes[other]);
+  return seed;
 }
 
 /**
  * FNV-1a, which spreads short texts over 32 bits, with the last step of MurmurHash3, which mixes them.
  */
-function hash(text: string) {
+export function hash(text: string) {
   let value = 0x811c9dc5;
   for (const letter of text) value = Math.imul(value ^ letter.charCodeAt(0), 0x01000193);
   value = Math.imul(value ^ (value >>> 16), 0x85ebca6b);
