@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import groupby
+from operator import attrgetter
 from typing import Any
 
 from simulations.engine.scene import Scene
@@ -79,6 +81,11 @@ class Chapter:
     def name(self) -> str:
         """``Chapter 4`` or ``Appendix A``."""
         return self.position.name
+
+    @property
+    def part(self) -> str:
+        """Title of the part of the book that it is in; nothing where it is in none."""
+        return self.position.part
 
     @property
     def is_appendix(self) -> bool:
@@ -168,6 +175,12 @@ class Book:
     """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
     news: tuple[News, ...] = ()
     """Newest first."""
+
+    @property
+    def parts(self) -> tuple[tuple[str, tuple[Chapter, ...]], ...]:
+        """Title and chapters of each, the appendices last; chapters in no part have no title."""
+        groups = groupby(self.chapters, attrgetter("part"))
+        return tuple((title, tuple(chapters)) for title, chapters in groups)
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

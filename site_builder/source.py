@@ -27,6 +27,7 @@ from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.math import Macros
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Position, chapter_id
+from site_builder.parts import check_parts, part_titles
 from site_builder.references.bibliography import EMPTY as NO_WORKS
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.bibliography import read_bibliography
@@ -159,6 +160,7 @@ def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:
     settings, toml = read_settings(root, problems)
     words = load_words(settings.language).labelled(asdict(settings.labels))
+    check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
     return Outline(
         settings,
         words,
@@ -184,12 +186,13 @@ def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
 def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
     """Chapters are numbered, appendices lettered from A."""
     chapters, first = settings.chapters, settings.first_number
-    for number, name in enumerate(chapters, start=first):
-        label = words.label("Chapter")
-        yield name, Position(number, str(number), "Chapter", label)
+    parts = part_titles(settings.parts, [*map(chapter_id, chapters)])
+    for number, (name, part) in enumerate(zip(chapters, parts, strict=True), start=first):
+        yield name, Position(number, str(number), "Chapter", words.label("Chapter"), part)
+    appended = words("frame.appendices")
     for index, name in enumerate(settings.appendices):
         letter, number = ascii_uppercase[index % 26], first + len(chapters) + index
-        yield name, Position(number, letter, "Appendix", words.label("Appendix"))
+        yield name, Position(number, letter, "Appendix", words.label("Appendix"), appended)
 
 
 def _chapter_files(root: Path) -> list[str]:

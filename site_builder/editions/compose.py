@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import groupby
+from operator import attrgetter
 from xml.etree.ElementTree import Element
 
 from site_builder.book import Book, Chapter
@@ -32,6 +34,8 @@ class Section:
     """Its links are those of the site, from ``ID/index.html``."""
     headings: tuple[tuple[str, str], ...] = ()
     """Id and HTML of what the contents list below its title."""
+    part: str = ""
+    """Title of the part of the book that it is in; nothing where it is in none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +50,12 @@ class Composed:
     """Folder of the files, relative to the site's root."""
     files: Files
     licences: tuple[Licence, ...]
+
+    @property
+    def parts(self) -> tuple[tuple[str, tuple[Section, ...]], ...]:
+        """Title and sections of each."""
+        groups = groupby(self.sections, attrgetter("part"))
+        return tuple((title, tuple(sections)) for title, sections in groups)
 
     @property
     def ids(self) -> tuple[str, ...]:
@@ -78,7 +88,7 @@ def _chapter(site: Site, chapter: Chapter, rows: Mapping[tuple[str, str], Row]) 
     html = render_page(site, "chapter.html", "../", rows=row_of, chapter=chapter, sections=())
     words = paper_renderer()
     headings = tuple((item.id, words(item.words)) for item in chapter.headings if item.level == 2)
-    return Section(chapter.id, chapter.title, chapter.name, parse(html), headings)
+    return Section(chapter.id, chapter.title, chapter.name, parse(html), headings, chapter.part)
 
 
 def _back_matter(site: Site) -> Iterator[Section]:

@@ -30,6 +30,8 @@ class Position:
     """``Chapter`` or ``Appendix``."""
     label: str = "Chapter"
     """The same in the words of the book."""
+    part: str = ""
+    """Title of the part of the book that it is in; nothing where it is in none."""
 
     @property
     def name(self) -> str:

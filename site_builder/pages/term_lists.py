@@ -19,7 +19,8 @@ class Card:
     name: str
     title: str
     summary: str
-    is_appendix: bool
+    part: str
+    """Title of the part of the book that it is in."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +69,7 @@ def card(chapter: Chapter) -> Card:
         chapter.name,
         chapter.title,
         chapter.summary,
-        chapter.is_appendix,
+        chapter.part,
     )
 
 

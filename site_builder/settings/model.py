@@ -123,6 +123,12 @@ class Settings:
         texts('["00-slug", …]', least=1), "the files of the chapters, in reading order"
     )
     appendices: tuple[str, ...] = key(texts('["00-slug", …]'), "those of the appendices", ())
+    parts: Mapping[str, str] = key(
+        entries('a table of titles with first chapters, "Geometry" = "chapter"'),
+        "parts of the book: headings of its contents, each with the chapter that begins it",
+        MappingProxyType({}),
+        without="none",
+    )
     hero: str = key(TEXT, "the simulation on the title page", "", without="none")
     hero_caption: str = key(TEXT, "a sentence about it", "", without="none")
     made_by: str = key(TEXT, "who made it, in a sentence for the title page", "", without="none")

@@ -1,0 +1,34 @@
+"""The parts of a book: each begins with a chapter, and ends where the next begins."""
+
+from collections.abc import Mapping, Sequence
+
+from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.settings.model import FILE_NAME
+from site_builder.source_text import Toml
+
+
+def part_titles(parts: Mapping[str, str], chapters: Sequence[str]) -> list[str]:
+    """For each of the ``chapters``, by id, the title of the part that it is in; nothing before the
+    first part. ``parts``: title to the id of the first chapter."""
+    begun = {first: title for title, first in parts.items()}
+    titles, title = [], ""
+    for chapter in chapters:
+        title = begun.get(chapter, title)
+        titles.append(title)
+    return titles
+
+
+def check_parts(
+    parts: Mapping[str, str], chapters: Sequence[str], toml: Toml, problems: Diagnostics
+) -> None:
+    """Report parts that begin with no chapter, and those that are not in the order of chapters."""
+    last, before = -1, ""
+    for title, first in parts.items():
+        line = toml.line("parts", title)
+        if first not in chapters:
+            problems.add(FILE_NAME, line, unknown("chapter", first, chapters))
+            continue
+        if (place := chapters.index(first)) <= last:
+            message = f"part {title!r} begins with {first!r}, where {before!r} has begun"
+            problems.add(FILE_NAME, line, f"{message}; legal: a chapter after {chapters[last]!r}")
+        last, before = max(last, place), title
