@@ -10,12 +10,10 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
-import numpy as np
-
-from simulations.engine.exif import exif_facts
 from simulations.engine.frame import Frame, Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
-from simulations.engine.photograph import Mosaic, Photograph
+from simulations.engine.page_pictures import photograph_from_page
+from simulations.engine.photograph import Photograph
 from simulations.engine.raster import opaque
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.scene import Scene
@@ -170,44 +168,12 @@ def pull(
 def photograph(figure: str, picture: Any) -> None:
     """Use the reader's picture for the frames of ``figure`` from now on; ``None`` removes it.
 
-    See `_photograph`.
+    See `photograph_from_page`.
     """
     if picture is None:
         _photographs.pop(figure, None)
     else:
-        _photographs[figure] = _photograph(picture)
-
-
-def _photograph(picture: Any) -> Photograph:
-    """A picture as the page hands it over: an object of JavaScript.
-
-    Its fields are ``number``, ``name``, ``width`` and ``height``, the ``full_width`` and
-    ``full_height`` before it was scaled down, ``draw``, which fills an array with its codes, and
-    ``head``, the first bytes of the file; those of a raw file also ``facts``, JSON in place of the
-    head's, and where wanted ``mosaic``.
-    """
-    codes = np.empty((picture.height, picture.width, 3), np.uint8)
-    picture.draw(codes)
-    full = {"full_width": picture.full_width, "full_height": picture.full_height}
-    told = getattr(picture, "facts", None)
-    return Photograph(
-        picture.number,
-        codes,
-        picture.name,
-        {**(json.loads(told) if told else exif_facts(picture.head.to_bytes())), **full},
-        _mosaic(getattr(picture, "mosaic", None)),
-    )
-
-
-def _mosaic(given: Any) -> Mosaic | None:
-    """Its fields are ``codes`` (two bytes each), their ``width`` and ``height``, and ``about``."""
-    if given is None:
-        return None
-    codes = np.frombuffer(given.codes.to_bytes(), "<u2").reshape(given.height, given.width)
-    about = json.loads(given.about)
-    first, second, third, fourth = map(float, about["black"])
-    black = (first, second, third, fourth)
-    return Mosaic(codes, about["colours"], black, int(about["white"]))
+        _photographs[figure] = photograph_from_page(picture)
 
 
 def read(scene_id: str, picture: Any) -> str:
@@ -220,7 +186,7 @@ def read(scene_id: str, picture: Any) -> str:
     if scene.read is None:
         raise TypeError(f"scene {scene_id!r} reads no photographs; legal: one with `read`")
     try:
-        data = dict(scene.read(_photograph(picture)))
+        data = dict(scene.read(photograph_from_page(picture)))
     except UnfitError as error:
         return json.dumps({"unfit": str(error)}, ensure_ascii=False)
     return json.dumps({"data": data}, ensure_ascii=False, allow_nan=False)
@@ -266,7 +232,7 @@ def develop(figure: str, scene_id: str, values: str, tier: str, picture: Any) ->
     if scene.develop is None:
         raise TypeError(f"scene {scene_id!r} develops no photographs; legal: one with `develop`")
     outputs = scene.run(*request).outputs
-    return opaque(scene.develop(_photograph(picture), request[0], outputs))
+    return opaque(scene.develop(photograph_from_page(picture), request[0], outputs))
 
 
 def _request(

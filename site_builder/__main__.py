@@ -13,8 +13,9 @@ from site_builder.addresses import site_address, source_address
 from site_builder.benchmarks.loading import import_figures
 from site_builder.book import Book
 from site_builder.build import Options, Warn, build_site, check_site
-from site_builder.cache import Cache, source_hash, using
+from site_builder.cache import Cache, using
 from site_builder.diagnostics import BuildError, Diagnostic, counted
+from site_builder.hashing import source_hash
 from site_builder.output.writer import advice
 from site_builder.sandbox import Limits, limited
 

@@ -3,8 +3,9 @@
 from dataclasses import dataclass, field, replace
 
 from site_builder.book import Chapter
-from site_builder.cache import cached_reading, cached_result, hash_of
+from site_builder.cache import cached_reading, cached_result
 from site_builder.diagnostics import Diagnostics
+from site_builder.hashing import hash_of
 from site_builder.markdown.chapter import Draft, Survey, parse_chapter, read_chapter, survey
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.targets import Targets

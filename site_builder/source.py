@@ -10,11 +10,12 @@ from typing import Any
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import OUTLINE, Book
-from site_builder.cache import cached_reading, hash_of, source_hash
+from site_builder.cache import cached_reading
 from site_builder.chapters import Page, targets_state
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.engine_files import ENGINE
 from site_builder.files import file_hash, folder_files, folder_hash
+from site_builder.hashing import hash_of, source_hash
 from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import find_targets

@@ -9,8 +9,9 @@ from types import ModuleType
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES, UnknownIdError
 from site_builder.blame import place_of, remember, words_of
-from site_builder.cache import cached, source_hash
+from site_builder.cache import cached
 from site_builder.diagnostics import cause
+from site_builder.hashing import source_hash
 from site_builder.sandbox import LimitError, run_limited
 
 IMPORT_SECONDS = 15.0

@@ -8,10 +8,11 @@ from typing import Any
 from markupsafe import Markup
 
 from site_builder.book import Book, Chapter
-from site_builder.cache import cached_result, hash_of
+from site_builder.cache import cached_result
 from site_builder.engine_files import own_or_engine
 from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.files import folder_hash
+from site_builder.hashing import hash_of
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.places import Heading

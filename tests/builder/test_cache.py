@@ -5,24 +5,14 @@ import sqlite3
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from simulations.registry import load_scene
-from site_builder import cache as module
-from site_builder.cache import (
-    FILE,
-    Cache,
-    UnhashableError,
-    cached,
-    cached_reading,
-    hash_of,
-    source_hash,
-    using,
-)
+from site_builder import cache, hashing
+from site_builder.cache import FILE, Cache, cached, cached_reading, using
 from site_builder.diagnostics import Diagnostics
 
 calls: list[object] = []
@@ -43,15 +33,9 @@ def scene_title(scene: object) -> str:
 @pytest.fixture(autouse=True)
 def _no_calls(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     calls.clear()
-    monkeypatch.setattr(module, "STARTED_NS", float("inf"))  # else sources may be too young
+    monkeypatch.setattr(hashing, "STARTED_NS", float("inf"))  # else sources may be too young
     yield
     calls.clear()
-
-
-@dataclass(frozen=True)
-class Point:
-    x: float
-    y: float
 
 
 def test_a_stored_result_serves_the_next_build(tmp_path: Path) -> None:
@@ -71,7 +55,7 @@ def test_scenes_count_as_their_sources(tmp_path: Path) -> None:
 def test_changed_sources_are_run_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with using(Cache(tmp_path)):
         double(1)
-        monkeypatch.setattr(module, "source_hash", lambda _module: b"other")
+        monkeypatch.setattr(cache, "source_hash", lambda _module: b"other")
         double(1)
     assert calls == [1, 1]
 
@@ -79,39 +63,10 @@ def test_changed_sources_are_run_again(tmp_path: Path, monkeypatch: pytest.Monke
 def test_what_sources_written_after_the_start_made_is_not_stored(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(module, "STARTED_NS", 0)
+    monkeypatch.setattr(hashing, "STARTED_NS", 0)
     with using(Cache(tmp_path)):
         assert (double(1), double(1)) == (2, 2)
     assert calls == [1, 1]
-
-
-VALUES = [
-    None, True, 1, 1.0, "1", b"1", Path("1"), (), ("",), ("", ""), ("ab",), ("a", "b"),
-    (("a",), "b"), {}, {"a": 1}, {"a": 1, "b": 2}, frozenset("ab"),
-    np.zeros(2), np.zeros((2, 1)), np.ones(2), Point(1, 2), Point(2, 1), float("nan"),
-]  # fmt: skip
-
-
-def test_different_values_have_different_hashes() -> None:
-    assert len({hash_of(value) for value in VALUES}) == len(VALUES)
-
-
-def test_equal_values_have_equal_hashes() -> None:
-    assert hash_of(Point(1, 2), {"a": [1]}) == hash_of(Point(1, 2), {"a": [1]})
-    assert hash_of(frozenset("abcdef")) == hash_of(frozenset("fedcba"))
-
-
-def test_a_function_with_a_closure_has_no_hash() -> None:
-    def make(number: int) -> Callable[[], int]:
-        return lambda: number
-
-    with pytest.raises(UnhashableError):
-        hash_of(make(1))
-
-
-def test_sources_include_what_is_imported_however_indirectly() -> None:
-    names = ("frame", "scene", "controls")
-    assert len({source_hash(f"simulations.engine.{name}") for name in names}) == len(names)
 
 
 def execute(file: Path, statement: str) -> None:

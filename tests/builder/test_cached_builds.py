@@ -8,7 +8,7 @@ import pytest
 from support.little_book import files_of
 
 from simulations.registry import load_scene
-from site_builder import cache, chapters
+from site_builder import chapters, hashing
 from site_builder.book import Chapter
 from site_builder.build import Options, render_site
 from site_builder.cache import Cache, using
@@ -33,7 +33,7 @@ type Built = Mapping[str, bytes] | str
 
 @pytest.fixture
 def book(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> Options:
-    monkeypatch.setattr(cache, "STARTED_NS", float("inf"))  # else sources may be too young
+    monkeypatch.setattr(hashing, "STARTED_NS", float("inf"))  # else sources may be too young
     return replace(make_book(files=files_of("cached")), load_scene=load_scene)
 
 
