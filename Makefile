@@ -7,6 +7,7 @@
 # make test      all tests; the first run may install a browser
 # make test-quick            those that need no browser
 # make test-deep             the wide sweeps, which run weekly and before a release (.ci/deep)
+#                            (needs epubcheck: apt-get install epubcheck)
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
 # make bench-pages           bytes of each page, and what Lighthouse says of it

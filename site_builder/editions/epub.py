@@ -24,6 +24,7 @@ from site_builder.pages.environment import render_template
 
 MEDIA = {
     ".xhtml": "application/xhtml+xml",
+    ".ncx": "application/x-dtbncx+xml",
     ".css": "text/css",
     ".png": "image/png",
     ".jpg": "image/jpeg",
@@ -37,6 +38,7 @@ ADDRESS = "%/:?#[]@!$&'()*+,;=~"
 """What may stand in an address, besides letters, digits and hyphens."""
 FOLDER = "book/"
 """Folder of everything that the package lists."""
+NCX = "toc.ncx"
 
 
 def make_epub(composed: Composed, root: Path) -> bytes:
@@ -48,6 +50,7 @@ def make_epub(composed: Composed, root: Path) -> bytes:
     images = _take_images(trees, composed)
     files: dict[str, bytes] = {
         **{name: xhtml(tree) for name, tree in trees.items()},
+        NCX: _ncx(composed).encode(),
         "style/book.css": book_style(root).encode(),
         **{
             f"fonts/{Path(name).name}": content_bytes(content)
@@ -122,12 +125,26 @@ def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[st
     package = render_template(
         "editions/epub-package.xml",
         composed.book,
-        identifier=uuid5(NAMESPACE_URL, composed.book.title),
+        identifier=_identifier(composed.book),
         modified=now.strftime("%Y-%m-%dT%H:%M:%SZ"),
         items=items,
         spine=[by_name[name] for name in spine],
+        ncx=by_name[NCX],
     )
     return package.encode()
+
+
+def _identifier(book: Book) -> str:
+    return f"urn:uuid:{uuid5(NAMESPACE_URL, book.title)}"
+
+
+def _ncx(composed: Composed) -> str:
+    return render_template(
+        "editions/epub-ncx.xml",
+        composed.book,
+        identifier=_identifier(composed.book),
+        sections=composed.sections,
+    )
 
 
 def _properties(name: str, trees: Mapping[str, Element]) -> str:

@@ -20,6 +20,8 @@ def plain(root: Element) -> Element:
         if element.tag in PLAIN:
             element.set("class", f"{element.get('class', '')} {element.tag}".strip())
             element.tag = PLAIN[element.tag]
+        if element.tag == "math":
+            element.attrib.pop("aria-label", None)  # EPUB has `alttext` for it
         if "panel-view" in classes(element):
             _draw_in_one(element)
         for name in ("data-count", "data-label"):

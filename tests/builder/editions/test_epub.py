@@ -20,6 +20,7 @@ from site_builder.output.light_theme import resolve
 ROOT = Path(__file__).parents[3]
 TOKENS = (ROOT / "static" / "css" / "tokens.css").read_text(encoding="utf-8")
 OPF = "{http://www.idpf.org/2007/opf}"
+NCX = "{http://www.daisy.org/z3986/2005/ncx/}"
 
 
 @pytest.fixture
@@ -32,6 +33,11 @@ def texts(book: zipfile.ZipFile) -> dict[str, ElementTree.Element]:
     """Parsing them is the test that they are well-formed."""
     names = [name for name in book.namelist() if name.endswith(".xhtml")]
     return {name: ElementTree.fromstring(book.read(name)) for name in names}
+
+
+def contents_of(book: zipfile.ZipFile) -> list[ElementTree.Element]:
+    """The items of its package."""
+    return list(ElementTree.fromstring(book.read(f"{FOLDER}book.opf")).iter(f"{OPF}item"))
 
 
 def test_its_first_file_tells_what_it_is_and_is_not_packed(book: zipfile.ZipFile) -> None:
@@ -52,6 +58,17 @@ def test_every_address_leads_to_a_file_and_an_element(book: zipfile.ZipFile) -> 
                 file = posixpath.normpath(posixpath.join(FOLDER, unquote(path))) if path else name
                 assert file in book.namelist(), f"{name}: {address}"
                 assert not fragment or fragment in ids[file], f"{name}: {address}"
+
+
+def test_readers_of_epub_2_find_every_part_but_the_title(book: zipfile.ZipFile) -> None:
+    contents = ElementTree.fromstring(book.read(f"{FOLDER}toc.ncx"))
+    targets = [link.get("src") for link in contents.iter(f"{NCX}content")]
+    parts = {name.removeprefix(FOLDER) for name in texts(book)} - {"title.xhtml", "nav.xhtml"}
+    assert set(targets) == parts
+    spine = ElementTree.fromstring(book.read(f"{FOLDER}book.opf")).find(f"{OPF}spine")
+    assert spine is not None
+    items = {item.get("id"): item for item in contents_of(book)}
+    assert items[spine.get("toc")].get("href") == "toc.ncx"
 
 
 def test_every_file_is_listed_once_and_marked_for_what_is_in_it(book: zipfile.ZipFile) -> None:

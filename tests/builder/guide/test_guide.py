@@ -48,7 +48,7 @@ def test_a_new_directive_without_an_example_is_told_where_to_write_one() -> None
 def test_every_class_that_a_drawing_may_have_is_on_the_page_of_drawings() -> None:
     sheets = ("overlay", "illustrations")
     css = "".join((STATIC / "css" / f"{name}.css").read_text("utf-8") for name in sheets)
-    rules = re.findall(r"^\.overlay (?!>)([^{]+) \{", css, re.MULTILINE)
+    rules = re.findall(r"^\.overlay (?!>)(.+?)(?: \{|,)$", css, re.MULTILINE)
     styled = {name for rule in rules for name in re.findall(r"\.([a-z-]+)", rule)}
     assert {"world", "dashed", "ground", "on-swatch", "sub"} <= styled
     page = guide_files()["content/05-drawings.md"].decode()
