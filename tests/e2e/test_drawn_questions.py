@@ -24,7 +24,7 @@ def test_a_seed_gives_a_class_the_same_numbers_and_stays(
     plain_reader: Reader, drawing: Any, url: str
 ) -> None:
     seen = []
-    for seed in ("spring", "summer", "autumn", "winter"):
+    for seed in ("spring", "summer", "autumn"):
         plain_reader.open(f"{url}?seed={seed}", live=False)
         seen.append(asked(plain_reader, drawing))
     assert len({*seen}) > 1
@@ -48,12 +48,18 @@ def test_an_answer_stays_with_its_numbers_until_others_are_asked_for(
     assert (asked(plain_reader, drawing), verdict(form)) == (first, "correct")
     others.click()
     second = asked(plain_reader, drawing)
+    assert form.locator("input[name=answer]").evaluate("field => field === document.activeElement")
     assert (second != first, verdict(form)) == (True, None)
     plain_reader.page.reload()
     assert (asked(plain_reader, drawing), verdict(form)) == (second, None)
+    plain_reader.page.evaluate("document.dispatchEvent(new Event('answers-read'))")
+    assert (asked(plain_reader, drawing), verdict(form)) == (first, "correct"), "as in a file"
+    others.click()
     answer(form, drawing)
     plain_reader.page.reload()
     assert (asked(plain_reader, drawing), verdict(form)) == (second, "correct")
+    plain_reader.open(live=False)
+    assert "1 of " in plain_reader.page.locator(".progress").inner_text()
     plain_reader.open(f"{url}?seed=", live=False)
     assert asked(plain_reader, drawing) == second, "without a class, the reader's own stay"
     seeds = (f"{url}?seed=class-{number}" for number in range(20))

@@ -113,7 +113,7 @@ function askWithOthers(form: HTMLFormElement) {
   drawOthers(form);
   restore(form);
   showProgress();
-  one(form, "fieldset input", HTMLInputElement).focus();
+  one(form, "fieldset :is(input:not([type=hidden]), button)", HTMLElement).focus();
 }
 
 /** Forget the answers of this page. */
