@@ -98,8 +98,9 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     )
     pages["404.html"] = render("not-found.html")  # which is served at any address
     add("licences", "licences/index.html", licences=licences)
-    if any(chapter.quizzes for chapter in book.chapters):
-        add("class", "class/index.html", questions=class_data(book))
+    if quizzes := [quiz for chapter in book.chapters for quiz in chapter.quizzes]:
+        draws = any(quiz.others for quiz in quizzes)
+        add("class", "class/index.html", questions=class_data(book), draws=draws)
     for name, context in back_matter_pages(book).items():
         add(name, f"{name}/index.html", here=name, **context)
     cards = [None, *map(card, book.chapters), None]
