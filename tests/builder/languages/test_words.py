@@ -15,7 +15,7 @@ PLACEHOLDER = re.compile(r"\{(\w+)\}")
 BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 NAMES = {
     "CPython", "DOI", "Esc", "ISBN", "ORCID", "QTIv", "Package",
-    "data", "doi", "embed", "feed", "https", "isbn", "org", "urn", "uuid", "xml",
+    "data", "doi", "embed", "feed", "https", "isbn", "orcid", "org", "urn", "uuid", "xml",
 }  # fmt: skip
 """What is called the same in all languages, parts of addresses, and the name of QTI's packages."""
 OF_TEMPLATES = re.compile(r"""\bt\(\s*"([\w.-]+)("\s*~)?""")
