@@ -2,6 +2,7 @@
 # make site      build it into build/site/ (ADDRESS=https://…/: for this place)
 # make pdf       typeset it into build/image-formation.pdf
 # make epub      pack it for readers of e-books, into build/image-formation.epub
+# make notebooks            each chapter as a Jupyter notebook, in build/notebooks/
 # make questions export them for learning platforms: Moodle XML and QTI 2.1 (ADDRESS=https://…/)
 # make guide     read the guide for authors: http://localhost:8000
 # make test      all tests; the first run may install a browser
@@ -43,7 +44,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub questions test test-quick test-deep check lock screenshot bench bench-pages bench-latency bench-edit links mutants clean
+.PHONY: serve guide site pdf epub notebooks questions test test-quick test-deep check lock screenshot bench bench-pages bench-latency bench-edit links mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -59,6 +60,9 @@ pdf: $(VENV)/test.stamp $(VENV)/chromium.stamp
 
 epub: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder epub
+
+notebooks: $(VENV)/book.stamp
+	@$(BIN)/python -m site_builder notebooks $(ADDRESS:%=--address "%")
 
 questions: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder questions $(ADDRESS:%=--address "%")

@@ -62,6 +62,15 @@ def load_ladder(ladder_id: str) -> Ladder:
     return _value(ladder_id, module, "LADDER", Ladder)
 
 
+def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
+    """Each tier and what the reader sees of it: the scene's own words, or its ladder's."""
+    labels = dict(scene.tier_labels)
+    if scene.ladder:
+        ladder = load_ladder(scene.ladder)
+        labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
+    return tuple((tier, labels[tier]) for tier in scene.tiers)
+
+
 def scene_module(scene_id: str) -> str:
     """The full name of the scene's module. Raises `UnknownIdError`."""
     return _module("simulation", scene_id, "scenes", "scene", SCENE_MODULES)

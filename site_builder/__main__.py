@@ -16,7 +16,7 @@ from site_builder.build import Options, Warn, build_site, check_site
 from site_builder.cache import Cache, using
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.hashing import source_hash
-from site_builder.output.writer import advice
+from site_builder.output.writer import advice, write_site
 from site_builder.sandbox import Limits, limited
 
 ROOT = Path.cwd()
@@ -95,6 +95,13 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
 
             composed = compose(Options(ROOT, runtime=False, warn=warn))
             written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
+        case "notebooks":
+            from site_builder.editions.notebooks.folder import REQUIREMENTS, make_notebooks
+
+            address = site_address(given.address)
+            checked = check_site(Options(ROOT, runtime=False, warn=warn, address=address))
+            write_site(make_notebooks(checked, ROOT), given.out, known_by=REQUIREMENTS)
+            print(f"{given.out}: {len(checked.book.chapters)} notebooks")
         case "questions":
             from site_builder.editions.questions.asked import left_out
             from site_builder.editions.questions.moodle import make_moodle
@@ -178,8 +185,12 @@ def _parser() -> argparse.ArgumentParser:
         ("epub", "pack the whole book for a reader of e-books"),
     ):
         add(name, purpose).add_argument("--out", type=Path, help="the file")
-    questions = add("questions", "export the questions, as Moodle XML and as QTI 2.1")
-    questions.add_argument("--address", default="", help="where the site is, for links to it")
+    address = argparse.ArgumentParser(add_help=False)
+    address.add_argument("--address", default="", help="where the site is, for links to it")
+    add("questions", "export the questions, as Moodle XML and as QTI 2.1", address)
+    notebooks = add("notebooks", "make each chapter a Jupyter notebook", address)
+    folder = ROOT / "build" / "notebooks"
+    notebooks.add_argument("--out", type=Path, default=folder, help="the folder")
     return parser
 
 

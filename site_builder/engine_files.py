@@ -18,7 +18,9 @@ ENGINE = HERE.parent
 PACKED = HERE / "packed"
 """In a wheel, the files that lie beside `site_builder` in the repository."""
 STATIC = next(folder / "static" for folder in (PACKED, ENGINE) if (folder / "static").is_dir())
-ENGINE_PARTS = ("browser", "editing", "engine", "late_imports", "models", "registry", "script")
+ENGINE_PARTS = (
+    "browser", "editing", "engine", "late_imports", "models", "notebook", "registry", "script",
+)  # fmt: skip
 """Packages and modules right below ``simulations``."""
 SHARED = ("simulations", "simulations/models")
 """The namespace packages."""

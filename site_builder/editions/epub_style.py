@@ -6,7 +6,7 @@ from pathlib import Path
 
 from site_builder.engine_files import own_or_engine
 from site_builder.output.font_faces import MATHS_FACES, face_rule
-from site_builder.output.light_theme import light_tokens, resolve, without_containers
+from site_builder.output.light_theme import style_of_drawings
 
 OWN = Path(__file__).with_name("epub.css")
 FACE = re.compile(r"^@font-face \{\n(?:(?!\}).*\n)*?  src: url\((?:.*\n)*?\}\n", re.MULTILINE)
@@ -15,10 +15,6 @@ FAMILIES = {"--serif": '"Book Serif", serif', "--sans": '"Book Sans", sans-serif
 
 def book_style(root: Path) -> str:
     """``root`` is the book's folder. Variables are resolved, to the light theme."""
-    tokens, fonts, overlay = (
-        own_or_engine(root, f"static/css/{name}.css").read_text(encoding="utf-8")
-        for name in ("tokens", "fonts", "overlay")
-    )
+    fonts = own_or_engine(root, "static/css/fonts.css").read_text(encoding="utf-8")
     faces = "".join((*FACE.findall(fonts), *map(face_rule, MATHS_FACES)))
-    drawings = without_containers(overlay) + OWN.read_text(encoding="utf-8")
-    return faces + resolve(drawings, light_tokens(tokens) | FAMILIES)
+    return faces + style_of_drawings(root, OWN.read_text(encoding="utf-8"), FAMILIES)

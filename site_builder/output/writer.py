@@ -13,15 +13,18 @@ from site_builder.files import file_hash
 from site_builder.output.assets import Content, content_bytes, content_hash
 
 
-def write_site(files: Mapping[str, Content], out: Path) -> tuple[str, ...]:
+def write_site(
+    files: Mapping[str, Content], out: Path, *, known_by: str = "book.json"
+) -> tuple[str, ...]:
     """Replace the folder ``out`` by ``files``; returns the names of those that are not as before.
 
     The last good site stays as it is until the new one is complete; of two builds into one folder
     the later one stays. Files that have not changed keep their modification time. Raises
-    `ValueError` where ``out`` holds something else than a site, which would be lost.
+    `ValueError` where ``out`` holds something else than a site, which would be lost: a folder
+    without the file that it is ``known_by``.
     """
     filled = any(out.iterdir()) if out.is_dir() else out.exists()
-    if filled and not (out / "book.json").is_file():
+    if filled and not (out / known_by).is_file():
         raise ValueError(f"{out} is not empty and holds no site; legal: an empty folder or a site")
     out.parent.mkdir(parents=True, exist_ok=True)
     with _locked(out.parent):

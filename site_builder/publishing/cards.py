@@ -7,11 +7,10 @@ from pathlib import Path
 
 from simulations.engine.frame import Panel
 from site_builder.book import Book, Chapter
-from site_builder.engine_files import own_or_engine
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
-from site_builder.output.light_theme import light_tokens, resolve, without_containers
+from site_builder.output.light_theme import style_of_drawings
 from site_builder.page_model.blocks import Simulation, contents
 from site_builder.pages.environment import render_template
 from site_builder.pages.outside import BOOK_CARD, card_path
@@ -68,13 +67,8 @@ def make_cards(
 
 def card_style(root: Path, fonts: Fonts) -> str:
     """How cards and the drawings on them look, in plain CSS."""
-    tokens, overlay = (
-        own_or_engine(root, f"static/css/{name}.css").read_text(encoding="utf-8")
-        for name in ("tokens", "overlay")
-    )
     families = {"--serif": f"'{fonts.serif}'", "--sans": f"'{fonts.sans}'"}
-    sheet = without_containers(overlay) + OWN.read_text(encoding="utf-8")
-    return resolve(sheet, light_tokens(tokens) | families)
+    return style_of_drawings(root, OWN.read_text(encoding="utf-8"), families)
 
 
 def _figures(

@@ -4,7 +4,6 @@ Formulae are TeX for Moodle, between ``\\(`` and ``\\)``, which its filter sets 
 as text. QTI has MathML, which is part of the format.
 """
 
-import re
 from collections.abc import Callable, Mapping
 from html import escape
 from urllib.parse import urljoin
@@ -18,6 +17,7 @@ from site_builder.editions.links import is_external
 from site_builder.editions.tree import MATHML, elements, parse
 from site_builder.page_model.passage import Passage
 from site_builder.render.screen import RULES, PassageRenderer, mathml_of, renderer_with
+from site_builder.render.tex import plain_tex
 
 KEPT = frozenset({"href", "start", "colspan", "rowspan"})
 LENGTHS = ("lspace", "rspace", "width", "height", "depth")
@@ -74,28 +74,7 @@ def _plain_formula(element: Element) -> None:
 
 
 def _tex(token: Token, macros: Mapping[str, str]) -> str:
-    r"""``\(f = 50\)``, with the commands of the book's own that it uses, and without colours."""
-    tex = re.sub(r"\\role\{[\w-]*\}", "", token.content.strip())
-    tex = re.sub(r"\\bm\b", r"\\boldsymbol", tex)
-    tex = re.sub(r"\\.|%", lambda sign: r"\%" if sign[0] == "%" else sign[0], tex)
+    r"""``\(f = 50\)``."""
     start, end = (r"\[", r"\]") if 'display="block"' in mathml_of(token) else (r"\(", r"\)")
     before, after = (str(token.meta.get(side, "")) for side in ("before", "after"))
-    return escape(f"{before}{start}{_definitions(tex, macros)}{tex}{end}{after}")
-
-
-def _definitions(tex: str, macros: Mapping[str, str]) -> str:
-    r"""``\def\R{\mathbb{R}}`` for each that the formula uses, also by way of another."""
-    used: dict[str, str] = {}
-    left = re.findall(r"\\([A-Za-z]+)", tex)
-    while left:
-        name = left.pop()
-        if name in macros and name not in used:
-            used[name] = macros[name]
-            left += re.findall(r"\\([A-Za-z]+)", macros[name])
-    return "".join(f"\\def\\{name}{_places(body)}{{{body}}}" for name, body in used.items())
-
-
-def _places(body: str) -> str:
-    """``#1#2`` where it has two arguments."""
-    count = max((int(digit) for digit in re.findall(r"#(\d)", body)), default=0)
-    return "".join(f"#{place + 1}" for place in range(count))
+    return escape(f"{before}{start}{plain_tex(token.content, macros)}{end}{after}")

@@ -9,8 +9,7 @@ from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.message import Message
 from simulations.engine.photograph import Whole
-from simulations.engine.scene import Scene
-from simulations.registry import load_ladder
+from simulations.registry import tier_labels
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Simulation
@@ -203,15 +202,6 @@ def _makes_files(figure: Simulation) -> bool:
 def _size(photograph: tuple[int, int] | Whole | None) -> tuple[int, int] | float | None:
     """Width and height in px, or most megapixels."""
     return photograph.most_megapixels if isinstance(photograph, Whole) else photograph
-
-
-def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
-    """Each tier and what the reader sees of it: the scene's own words, or its ladder's."""
-    labels = dict(scene.tier_labels)
-    if scene.ladder:
-        ladder = load_ladder(scene.ladder)
-        labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
-    return tuple((tier, labels[tier]) for tier in scene.tiers)
 
 
 def reason_text(reason: str | Sequence[Message], words: Words = ENGLISH) -> str:

@@ -11,11 +11,11 @@ from simulations.engine.frame import Frame, readout
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs
+from simulations.registry import tier_labels
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.passage import Passage
 from site_builder.pages.views.control import ControlView, control_cells, readouts_in_sight
-from site_builder.pages.views.simulation import tier_labels
 
 MEASURED = tuple(readout(name, name.upper(), 1.0) for name in "vwxyz")
 
@@ -88,7 +88,7 @@ def tiered(**fields: Any) -> Scene[Empty]:
 
 @pytest.fixture(autouse=True)
 def _of_the_book(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("site_builder.pages.views.simulation.load_ladder", toy_ladder)
+    monkeypatch.setattr("simulations.registry.load_ladder", toy_ladder)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,1 @@
+"""Figures in Jupyter notebooks: a scene with the widgets of its controls."""

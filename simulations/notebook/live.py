@@ -1,0 +1,105 @@
+"""A figure of the book in a notebook: ``figure("lens-distortion", k1=-0.2)``.
+
+The only part of the engine that needs ipywidgets, with `simulations.notebook.controls`.
+"""
+
+from collections.abc import Callable
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import ipywidgets as widgets
+
+from simulations.engine.controls import Action, Slider, Value
+from simulations.engine.frame import Frame, Readout
+from simulations.engine.scene import Scene
+from simulations.engine.settings import values_of
+from simulations.engine.stages import StageCache
+from simulations.notebook.controls import Widget, described, mover, widget_of
+from simulations.notebook.picture import frame_svg
+from simulations.registry import load_scene, tier_labels
+
+STYLE = Path(__file__).with_name("style.css")
+"""Written beside this module by ``python -m site_builder notebooks``, from the site's own."""
+TILES = {"grid_template_columns": "repeat(auto-fill, minmax(26em, 1fr))", "grid_gap": "0 1.5em"}
+
+
+def figure(scene_id: str, /, *, tier: str = "", **values: object) -> "Figure":
+    """The scene with these values in place of its own, in the accuracy ``tier`` or its usual one.
+
+    Raises `UnknownIdError`, and `ControlError` for values that its controls do not have.
+    """
+    scene = load_scene(scene_id)
+    return Figure(scene, scene.check(values), tier or scene.default_tier)
+
+
+class Figure:
+    """A scene, its widgets and its present frame. A notebook shows it as the value of a cell."""
+
+    def __init__(self, scene: Scene[Any], settings: object, tier: str) -> None:
+        self.scene = scene
+        self.values = values_of(settings)
+        self.tier = tier
+        self.widgets = self._make_widgets()
+        """By the names of the controls, and ``tier``; a value that is set here moves the figure."""
+        self._cache = StageCache()
+        self._style = STYLE.read_text(encoding="utf-8")
+        self._picture = widgets.Image(format="svg+xml", layout={"max_width": "100%"})
+        self._numbers = widgets.HTML()
+        tiles = widgets.GridBox([*self.widgets.values()], layout=TILES)
+        self._box = widgets.VBox([self._picture, tiles, self._numbers])
+        self._show()
+
+    def _repr_mimebundle_(self, **asked: object) -> object:
+        return self._box._repr_mimebundle_(**asked)
+
+    @property
+    def picture(self) -> str:
+        """The frame as SVG."""
+        return frame_svg(self.frame.panels, self._style)
+
+    def _make_widgets(self) -> dict[str, Widget]:
+        made: dict[str, Widget] = {}
+        controls = {control.name: control for control in self.scene.controls}
+        for name, control in controls.items():
+            widget = widget_of(control, self.values[name], self._setter(name))
+            if widget is not None:
+                made[name] = widget
+        for name, control in controls.items():
+            if isinstance(control, Action) and control.drives:
+                driven = controls[control.drives]
+                assert isinstance(driven, Slider)  # which a scene checks
+                made[name] = mover(control, driven, made[control.drives])
+        if self.scene.tiers:
+            made["tier"] = self._menu_of_tiers()
+        return made
+
+    def _menu_of_tiers(self) -> Widget:
+        options = [(label, tier) for tier, label in tier_labels(self.scene)]
+        menu = widgets.Dropdown(value=self.tier, options=options, **described("tier"))
+        menu.observe(self._set_tier, "value")
+        return menu
+
+    def _setter(self, name: str) -> Callable[[Value], None]:
+        def changed(value: Value) -> None:
+            self.values[name] = value
+            self._show()
+
+        return changed
+
+    def _set_tier(self, change: dict[str, str]) -> None:
+        self.tier = change["new"]
+        self._show()
+
+    def _show(self) -> None:
+        settings = self.scene.clamp(self.values)
+        self.frame: Frame = self.scene.render(settings, self.tier, self._cache)
+        self._picture.value = self.picture.encode()
+        numbers = "&ensp; ".join(map(_number, self.frame.readouts))
+        self._numbers.value = f"<p>{numbers}</p><p>{escape(self.frame.description)}</p>"
+
+
+def _number(shown: Readout) -> str:
+    value = "<br>".join(map(escape, shown.text.split("\n")))
+    unit = shown.unit if shown.unit == "°" else f" {shown.unit}"
+    return f"{escape(shown.label)} <b>{value}</b>{escape(unit)}".rstrip()

@@ -1,0 +1,82 @@
+"""Questions: what is asked, and the answers in a fold."""
+
+import re
+from collections.abc import Iterator
+from string import ascii_uppercase
+
+from simulations.engine.frame import Panel
+from site_builder.editions.notebooks.cells import Part, Text
+from site_builder.editions.notebooks.page import Page, folded, named
+from site_builder.markdown.questions.kinds import kind_of
+from site_builder.page_model.blocks import Block
+from site_builder.page_model.questions import OTHERWISE, Option, Prediction, Question, Quiz
+from site_builder.pages.environment import render_template
+from site_builder.render.markdown import escaped
+
+DRAWING = re.compile(
+    r'<svg class="overlay" viewBox="0 0 ([\d.]+) ([\d.]+)"[^>]*>(.*?)</svg>', re.DOTALL
+)
+
+
+def quiz(question: Quiz, block: Block, page: Page) -> Iterator[Part]:
+    asked = (f"{named(block.target)}{page.markdown(question.prompt)}", _offered(question, page))
+    answers = "\n".join(_answers(question, page))
+    yield Text("\n\n".join((*filter(None, asked), folded(page.words("question.answer"), answers))))
+
+
+def predict(question: Prediction, block: Block, page: Page) -> Iterator[Part]:
+    """The text that follows has the answer, except for what is right of options and sketches."""
+    title = f"{named(block.target)}{escaped(page.words('predict.title'))}"
+    asked = [title, page.markdown(question.prompt), _offered(question, page)]
+    pictures = {}
+    right = [_answer(option, page) for option in question.options if option.correct]
+    if drawing := _sketch(question, page):
+        name = f"{question.id}.png"
+        pictures = {name: page.picture([drawing])}
+        right = [f"![{escaped(page.words('predict.computed_curve'))}](attachment:{name})"]
+    asked += [folded(page.words("question.answer"), "\n\n".join(right))] if right else []
+    yield Text("\n\n".join(filter(None, asked)), pictures)
+
+
+def _offered(question: Question, page: Page) -> str:
+    """What can be chosen, or ordered."""
+    kind = kind_of(question)
+    if kind.numbered:
+        options = [option for _, option in kind.view(question, ())]  # type: ignore[attr-defined]
+    elif kind.folder == "choice":
+        options = list(question.options)
+    else:
+        return ""
+    lines = zip(ascii_uppercase, options, strict=False)
+    return "\n".join(f"- {letter}: {page.markdown(option.words)}" for letter, option in lines)
+
+
+def _answers(question: Quiz, page: Page) -> Iterator[str]:
+    """A line for each answer, with its explanation."""
+    kind = kind_of(question)
+    if kind.needs_page:  # its other answers are settings that only a page can judge
+        yield from (f"- {page.markdown(o.explanation)}" for o in question.options if o.correct)
+        if solution := kind.view(question, page.chapter.simulations):
+            yield f"- {escaped(page.words('edition.one_way', settings=solution))}"
+        return
+    for place, option in enumerate(question.options, 1):
+        verdict = page.words("question.right" if option.correct else "question.wrong")
+        yield f"{f'{place}.' if kind.numbered else f'- **{verdict}:**'} {_answer(option, page)}"
+
+
+def _answer(option: Option, page: Page) -> str:
+    otherwise = page.words("question.otherwise") if option.text == OTHERWISE else ""
+    said = otherwise or page.markdown(option.words)
+    return "  \n  ".join(filter(None, (said, page.markdown(option.explanation))))
+
+
+def _sketch(question: Prediction, page: Page) -> Panel | None:
+    """Axes and the true curve of what is to be drawn; None where nothing is."""
+    template = "editions/notebook-sketch.html"
+    if question.kind != "sketch":
+        return None
+    html = render_template(template, page.book, question=question, chapter=page.chapter)
+    found = DRAWING.search(html)
+    assert found  # the template has one
+    width, height, marks = found.groups()
+    return Panel("sketch", "", float(width), float(height), overlay=marks)
