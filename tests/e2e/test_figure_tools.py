@@ -208,6 +208,13 @@ def test_the_error_is_measured_only_while_it_is_shown(visitor: Reader) -> None:
     assert figure.locator(".accuracy-value").inner_text() != "…"
 
 
-def test_numbers_do_not_speak_while_they_change(plain_reader: Reader) -> None:
+def test_numbers_can_be_heard_and_do_not_speak_while_they_change(plain_reader: Reader) -> None:
     plain_reader.open(CHAPTER, live=False)
-    assert plain_reader.page.locator('output:not([aria-live="off"])').count() == 0
+    figure = plain_reader.figure("lens-distortion")
+    readouts = figure.locator(".readouts").first
+    heard = readouts.aria_snapshot()
+    assert "status" not in heard
+    assert readouts.locator("output").first.inner_text() in heard
+    panels = figure.locator(".panels")
+    assert panels.locator("svg text").count() > 0
+    assert "text:" not in panels.aria_snapshot(), "of drawings, only their names"

@@ -41,8 +41,12 @@ def test_the_answer_can_be_asked_for_without_a_guess(plain_reader: Reader, book:
     plain_reader.page.keyboard.press("Enter")
     assert form.get_attribute("data-answered") == "revealed"
     assert form.locator(".guessed").count() == 0
+    told = form.locator("[role=status]")
+    assert told.get_attribute("aria-live") == "polite", "asked for, it is announced"
+    assert told.locator("> *").count() == 1, "as one"
     plain_reader.page.reload()
     assert form.get_attribute("data-answered") == "revealed"
+    assert told.get_attribute("aria-live") == "off", "shown again, it is not"
 
 
 def test_the_answer_is_shown_from_where_it_waits(plain_reader: Reader, book: Any) -> None:

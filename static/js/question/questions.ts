@@ -33,11 +33,15 @@ export function install() {
     const form = within(event, "form:is([data-quiz], [data-predict])", HTMLFormElement);
     if (!form) return;
     event.preventDefault();
+    readOut(form, true);
     submit(form);
   });
   document.addEventListener("click", (event) => {
     const form = revealedBy(event);
-    if (form) settle(form, null);
+    if (form) {
+      readOut(form, true);
+      settle(form, null);
+    }
     leadToHidden(event);
     const others = within(event, "[data-draw]", HTMLButtonElement)?.form;
     if (others) askWithOthers(others);
@@ -80,7 +84,14 @@ function put(form: HTMLFormElement) {
   kind.prepare?.(form, question);
   const given = stored(form, question);
   if (given !== undefined && given !== null) kind.put?.(form, given);
+  readOut(form, false);
   show(form, question, given);
+}
+
+/** Feedback is announced where it was asked for, and not where it is shown again. */
+function readOut(form: HTMLFormElement, isAsked: boolean) {
+  const feedback = one(form, ".feedback", HTMLElement);
+  feedback.setAttribute("aria-live", isAsked ? "polite" : "off");
 }
 
 /** The stored answer; undefined where there is none to this edition of the question. */
@@ -132,8 +143,7 @@ function submit(form: HTMLFormElement) {
     settle(form, given);
   } else {
     show(form, question, undefined);
-    one(form, ".feedback", HTMLElement).textContent =
-      KINDS[question.kind].missing?.(question) ?? "";
+    say(form, KINDS[question.kind].missing?.(question) ?? "");
     showProgress();
   }
 }
@@ -153,8 +163,14 @@ function settle(form: HTMLFormElement, given: Settled) {
 function fail(form: HTMLFormElement, error: unknown) {
   show(form, questionOf(form), undefined);
   const reason = message(error);
-  one(form, ".feedback", HTMLElement).textContent = words("question.no_judge", { reason });
+  say(form, words("question.no_judge", { reason }));
   showProgress();
+}
+
+/** Instead of a verdict. */
+function say(form: HTMLFormElement, text: string) {
+  const said = Object.assign(element("p", ""), { textContent: text });
+  one(form, ".feedback", HTMLElement).replaceChildren(said);
 }
 
 /** The verdict on an answer, or none. */
@@ -175,7 +191,10 @@ function show(form: HTMLFormElement, question: Question, given: Settled | undefi
     form.dataset.answered = given === null ? "revealed" : verdict.right ? "correct" : "wrong";
     const compared = isPrediction(form) ? kind.compare?.(form, question, given) : undefined;
     const beside = compared ? [sideBySide(...compared)] : [];
-    feedback.replaceChildren(...beside, ...explained(verdict, isPrediction(form)));
+    const whole = element("div", "");
+    whole.ariaAtomic = "true"; // it comes as one and is announced as one, in its order
+    whole.append(...beside, ...explained(verdict, isPrediction(form)));
+    feedback.replaceChildren(whole);
   }
   kind.mark?.(form, question, given ?? null);
 }

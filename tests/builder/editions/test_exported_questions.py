@@ -103,7 +103,7 @@ def test_a_number_has_its_tolerance_its_unit_and_the_replies_to_known_mistakes(
         ("0.3", 0, "That is the sum."),
         ("*", 0, "That is something else."),
     ]
-    assert [each.text for each in question.iter("tolerance")] == ["1", "1", "0"]
+    assert [each.text for each in question.iter("tolerance")] == ["1", "0.15", "0"], "0.3 is not 0"
     assert [each.text for each in question.iter("unit_name")] == ["mm"]
 
 

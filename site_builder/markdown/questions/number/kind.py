@@ -37,6 +37,12 @@ class Measure:
     tolerance: float
     """How far from the right number is right."""
 
+    def within(self, option: Option) -> float:
+        """How far from an option's number an answer may be and is taken for it. As far as half of a
+        mistake that is small: no answer is taken for one that is nearer to 0."""
+        size = abs(option.value or 0.0)
+        return self.tolerance if option.correct else min(self.tolerance, size / 2)
+
 
 def read_number(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
     is_quiz = call.name == "quiz"

@@ -45,10 +45,12 @@ function field(form: HTMLFormElement) {
   return one(form, "fieldset input", HTMLInputElement);
 }
 
-/** The nearest of the known answers that a number may be taken for. */
+/** The nearest of the known answers that a number may be taken for: as `Measure.within` of kind.py. */
 function recognised(options: Option[], given: number, tolerance: number): Option | undefined {
   const distance = ({ value = Infinity }: Option) => Math.abs(value - given);
-  const slack = tolerance * (1 + 1e-9); // what stands at the border is inside
-  const near = options.filter((option) => distance(option) <= slack);
+  const within = ({ correct, value = 0 }: Option) =>
+    correct ? tolerance : Math.min(tolerance, Math.abs(value) / 2);
+  const slack = 1 + 1e-9; // what stands at the border is inside
+  const near = options.filter((option) => distance(option) <= within(option) * slack);
   return near.sort((first, second) => distance(first) - distance(second))[0];
 }
