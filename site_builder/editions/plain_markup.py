@@ -13,6 +13,9 @@ PLAIN = {
     "output": "span",
 }
 
+UNITS_PER_EM = 16
+"""So that labels of illustrations are as large as on the site."""
+
 
 def plain(root: Element) -> Element:
     """``root``, changed."""
@@ -24,6 +27,9 @@ def plain(root: Element) -> Element:
             element.attrib.pop("aria-label", None)  # EPUB has `alttext` for it
         if "panel-view" in classes(element):
             _draw_in_one(element)
+        if "drawing" in classes(element):
+            _, _, width, _ = next(elements(element, "svg")).get("viewBox", "").split()
+            element.set("style", f"max-width: {float(width) / UNITS_PER_EM:g}em")
         for name in ("data-count", "data-label"):
             element.attrib.pop(name, None)
     return root
