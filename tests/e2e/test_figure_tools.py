@@ -69,6 +69,7 @@ def test_an_embedded_figure_lives_in_a_page_of_another_origin(
     figure.locator(".tools-said", has_text="copied").wait_for()
     html = guest.page.evaluate("navigator.clipboard.readText()")
     assert f'src="{guest.root}embed/{CHAPTER}{ID}/?k1=-0.3"' in html
+    assert ' height="900"' in html  # three panels
     pages = [page.read_bytes() for page in built_site.rglob("*.html")]
     policy = f"{common_policy(pages)}; {frame_rule(Publishing().frames)}"
     rules = {"/*": {"Content-Security-Policy": policy}}

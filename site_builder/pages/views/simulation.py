@@ -79,6 +79,8 @@ class SimulationView:
     makes_files: bool
     """Whether there are files to save: those of an instrument only where it has the reader's
     photographs."""
+    frame_height: int
+    """Pixels of a frame in another page, 730 px wide or more, that shows all of the figure."""
 
     @property
     def side(self) -> str:
@@ -119,6 +121,7 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         prerendered=f"{assets}prerendered/{still.prerendered.file}" if still.prerendered else "",
         takes_picture=scene.photograph is not None and not scene.measures_photographs,
         makes_files=_makes_files(figure),
+        frame_height=760 + 140 * (len(frame.panels) > 2) + 100 * figure.yours,
     )
 
 

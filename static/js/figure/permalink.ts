@@ -23,9 +23,6 @@ import { say } from "./status.ts";
 const MOST_NAMED = 4;
 const LONGEST_NAME = 60;
 
-/** Pixels of a frame; a figure makes its panels fit. */
-const EMBED_HEIGHT = "760";
-
 /** A figure's form, and all that can be set in it, the accuracy included. */
 export function settingsOf(figure: HTMLElement) {
   const { controls, values, tiers, default_tier: tier }: Schema = data(figure, "script.schema");
@@ -82,8 +79,9 @@ export function permalink(figure: HTMLElement) {
  * HTML of a frame that shows what this figure shows now, as wide as there is room.
  *
  * @param page The address of the figure's own page.
+ * @param height Pixels of the frame.
  */
-export function embedding(figure: HTMLElement, page: string) {
+export function embedding(figure: HTMLElement, page: string, height: string) {
   const url = new URL(page, location.href);
   url.search = addressOf(figure, {}, "", "").search;
   const frame = document.createElement("iframe");
@@ -91,7 +89,7 @@ export function embedding(figure: HTMLElement, page: string) {
     src: url.href,
     title: data(figure, "script.schema").title,
     width: "100%",
-    height: EMBED_HEIGHT,
+    height,
     style: "border: 0",
     loading: "lazy",
     allow: "fullscreen; clipboard-write",

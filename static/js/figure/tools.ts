@@ -24,8 +24,8 @@ const TOOLS: Record<string, Tool> = {
     button.ariaExpanded = String(button.ariaExpanded !== "true");
   },
   copyLink: (figure) => copy(figure, permalink(figure), words("tools.link_copied")),
-  copyEmbed: (figure, { dataset }) =>
-    copy(figure, embedding(figure, dataset.copyEmbed ?? ""), words("tools.embed_copied")),
+  copyEmbed: (figure, { dataset: { copyEmbed = "", height = "" } }) =>
+    copy(figure, embedding(figure, copyEmbed, height), words("tools.embed_copied")),
   copyPython,
   saveNumbers: (figure) => save(figure, "numbers.csv", numbersOf(figure), "text/csv"),
   savePanel,
