@@ -15,6 +15,7 @@ from support.places import ROOT
 
 from site_builder.cache import Cache, using
 from site_builder.files import folder_files
+from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.publishing.compressed import compressed_copies
 
 SITE = ROOT / "build" / "site"
@@ -64,9 +65,14 @@ def first_live_frame(browser: Browser, host: Host, address: str) -> int:
 
 
 def measure(browser: Browser, host: Host) -> Iterator[tuple[str, int, int | None]]:
-    """Each page's address, and both numbers in bytes; the second None where no figure is."""
+    """Each page's address, and both numbers in bytes; the second None where no figure is.
+
+    Pages of one figure alone are left out: the book's pages have the same figures.
+    """
     for file in sorted(host.root.rglob("index.html")):
         page = _below(host.root, file)
+        if page.startswith(EMBED_FOLDER):
+            continue
         address = page.removesuffix("index.html")
         has_figure = "<simulation-figure" in file.read_text(encoding="utf-8")
         live = first_live_frame(browser, host, address) if has_figure else None

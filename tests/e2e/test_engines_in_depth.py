@@ -91,10 +91,10 @@ def test_every_control_is_answered_and_every_handle_follows(
 
 def follows(walk: Walk, scene: str, handle: str) -> bool:
     """Whether a handle, where it is shown, moves its settings when it is pulled."""
-    start = walk.grasp(scene, handle)
+    start, width = walk.grasp(scene, handle), walk.engine.ask("() => innerWidth")
     for right, down in PULLS if start["shown"] else ():
         x, y = start["x"], start["y"]
-        drag(walk.engine, (x, y), (x + right, y + down))
+        drag(walk.engine, (x, y), (min(x + right, width - 1), y + down))
         pulled = walk.grasp(scene, handle)
         if pulled["values"] != start["values"]:
             return bool(pulled["frames"] > start["frames"])

@@ -10,22 +10,17 @@ from PIL import Image
 from playwright.sync_api import Page, expect
 from support.dng import dng
 from support.edges import gaussian_edge, gaussian_half
-from support.flat_fields import as_srgb, light_of, pairs_of
+from support.noise_files import (
+    BLACK,
+    PHOTOGRAPHS,
+    RAW,
+    dng_files,
+    sheet_of_photographs,
+    sheet_of_raw,
+)
 from support.reader import Reader
 
-from simulations.engine.photograph import Mosaic, Photograph
-from simulations.engine.reading import Reading
-from simulations.engine.stages import StageCache
-from simulations.scenes.photon_transfer.reading import read
-from simulations.scenes.photon_transfer.results import sheet
-from simulations.scenes.photon_transfer.scene import SCENE
-
 pytestmark = pytest.mark.browser
-
-LEVELS = (20.0, 60.0, 110.0, 170.0)
-PHOTOGRAPHS = [
-    as_srgb(light_of(level, 2 * k + i)) for k, level in enumerate(LEVELS) for i in (0, 1)
-]
 
 
 @pytest.fixture
@@ -39,29 +34,14 @@ def files(tmp_path: Path) -> list[Path]:
     return paths
 
 
-BLACK = (64.0, 70.0, 67.0, 73.0)
-RAW = [
-    np.minimum(frame + np.tile(np.array([[0, 6], [3, 9]], np.uint16), (75, 75)), 4095)
-    for pair in pairs_of(150, 5, count=8)[1:5]
-    for frame in pair
-]
-
-
 @pytest.fixture
 def raw_files(tmp_path: Path) -> list[Path]:
     """Four pairs, and a file that was cut off."""
-    files = [dng(codes, black=BLACK, exposure_s=0.01 * (k // 2)) for k, codes in enumerate(RAW, 2)]
+    files = dng_files()
     paths = [tmp_path / f"{index}.dng" for index in range(len(files) + 1)]
     for path, data in zip(paths, [*files, files[0][:5000]], strict=True):
         path.write_bytes(data)
     return paths
-
-
-def lines_of_sheet(photographs: list[Photograph]) -> list[list[str]]:
-    readings = tuple(Reading(one.number, one.name, read(one)) for one in photographs)
-    settings = SCENE.check({})
-    outputs = SCENE.run(settings, "", StageCache(), None, readings).outputs
-    return [[line.label, line.text] for line in sheet(settings, outputs)]
 
 
 def saved_lines(page: Page) -> list[list[str]]:
@@ -86,9 +66,7 @@ def test_the_reader_s_pairs_and_raw_files_are_measured_as_in_this_python(
     expect(box.locator(".intake-photo").last).to_contain_text("not evenly lit")
     expect(figure.locator("output[name=gain_true]")).to_contain_text("unknown")
     expect(page.locator(".data-sheet tbody")).to_contain_text("Conversion gain")
-    assert saved_lines(page) == lines_of_sheet(
-        [Photograph(index, codes) for index, codes in enumerate(PHOTOGRAPHS)]
-    )
+    assert saved_lines(page) == sheet_of_photographs()
     assert not any("libraw" in url for url in asked)
 
     box.get_by_role("button", name="Remove all").click()
@@ -100,13 +78,7 @@ def test_the_reader_s_pairs_and_raw_files_are_measured_as_in_this_python(
     expect(page.locator(".data-sheet tbody")).to_contain_text("green, row 0")
     reader.settle(figure)
     assert any("libraw" in url for url in asked)
-    picture = np.zeros((8, 8, 3), np.uint8)
-    assert saved_lines(page) == lines_of_sheet(
-        [
-            Photograph(k, picture, mosaic=Mosaic(codes, "RGGB", BLACK, 4095))
-            for k, codes in enumerate(RAW)
-        ]
-    )
+    assert saved_lines(page) == sheet_of_raw()
     measures_the_edge_of_a_raw_file(reader, raw_files[0].with_name("edge.dng"))
 
 
