@@ -1,13 +1,13 @@
 """What the browser runs of a book: the scenes and ladders that its pages show."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.blame import place_of
 from site_builder.book import Book
 from site_builder.cache import cached_result
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.engine_files import ENGINE
 from site_builder.files import folder_hash
 from site_builder.markdown.directives.ladder import LadderFigure
@@ -15,13 +15,18 @@ from site_builder.page_model.blocks import contents
 from site_builder.runtime.freeze import MissingModuleError
 from site_builder.runtime.modules import Modules
 from site_builder.runtime.pack import RuntimeBundle, pack_runtime
+from site_builder.runtime.packages import PackageError, differing
 from site_builder.runtime.store import is_whole
+from site_builder.settings.model import FILE_NAME
+from site_builder.settings.reading import read_settings
 
 RUNTIME = Path(__file__).parent / "runtime"
 """What makes it, with programs for other interpreters."""
 
 
-def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle | None:
+def pack_for_browser(
+    root: Path, book: Book, warn: Callable[[Diagnostic], None], *, compiled: bool
+) -> RuntimeBundle | None:
     """What the browser runs, with the scenes and ladders inside that the book shows; None of a book
     that shows none. An author who tries a change does not wait until it is ``compiled``. Raises
     `BuildError` where the browser could not run it."""
@@ -29,33 +34,54 @@ def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle
     ladders = {item.measured.ladder.id for item in shown_ladders(book)}
     if not (scenes or ladders):
         return None
+    packages = book.settings.runtime.packages
     try:
-        return _bundle(
+        bundle = _bundle(
             root / "simulations",
             _only(SCENE_MODULES, scenes),
             _only(LADDER_MODULES, ladders),
             compiled=compiled,
+            packages=packages,
         )
+    except PackageError as error:
+        raise BuildError([_asked_at(root, str(error))]) from error
     except MissingModuleError as error:
         path, _, line = error.place.rpartition(":")
-        message = f"{error.message}; legal: its standard library, and numpy"
+        expected = f"its standard library, numpy, and 'packages' of [runtime] in {FILE_NAME}"
+        message = f"{error.message}; legal: {expected}"
         raise BuildError([Diagnostic(path, int(line), message)]) from error
     except SyntaxError as error:  # in a module that no chapter shows
         path, _, line = place_of(error).rpartition(":")
         raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
+    for message in differing(bundle.packages):
+        warn(_asked_at(root, message, fails=False))
+    return bundle
+
+
+def _asked_at(root: Path, message: str, *, fails: bool = True) -> Diagnostic:
+    """About what a book asks for in its outline."""
+    _, toml = read_settings(root, Diagnostics())
+    return Diagnostic(FILE_NAME, toml.line("runtime", "packages"), message, fails=fails)
 
 
 def _bundle(
-    simulations: Path, scenes: Modules, ladders: Modules, *, compiled: bool
+    simulations: Path,
+    scenes: Modules,
+    ladders: Modules,
+    *,
+    compiled: bool,
+    packages: Sequence[str],
 ) -> RuntimeBundle:
     """The runtime, packed again where it is not cached or files of it are gone."""
 
     def pack() -> RuntimeBundle:
-        return pack_runtime(simulations, scenes=scenes, ladders=ladders, compiled=compiled)
+        return pack_runtime(
+            simulations, scenes=scenes, ladders=ladders, compiled=compiled, packages=packages
+        )
 
     folders = (simulations, ENGINE / "simulations")
     sources = [folder_hash(RUNTIME), *(folder_hash(folder, "*.py") for folder in folders)]
-    bundle = cached_result("runtime", (sources, scenes, ladders, compiled), pack)
+    bundle = cached_result("runtime", (sources, scenes, ladders, compiled, packages), pack)
     is_good = all(map(is_whole, bundle.files.values())) and not bundle.snapshot_error
     return bundle if is_good else pack()
 

@@ -184,7 +184,7 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
 def _pack(book: Book, options: Options) -> RuntimeBundle | None:
     if not options.runtime:
         return None
-    return pack_for_browser(options.root, book, compiled=not options.reload)
+    return pack_for_browser(options.root, book, options.warn, compiled=not options.reload)
 
 
 def render(
@@ -289,8 +289,8 @@ PROCESSORS: tuple[Processor, ...] = (_listed, _published, _searched, _released, 
 
 
 def _licences(root: Path, parts: BrowserParts, book: Book) -> tuple[Licence, ...]:
-    packages = (parts.editor.packages, parts.search.packages, parts.decoder.packages)
-    given = (parts.bundle.versions, *packages)
+    built_in = (parts.editor.packages, parts.search.packages, parts.decoder.packages)
+    given = (parts.bundle.versions, *built_in, parts.bundle.packages)
 
     def gather() -> tuple[Licence, ...]:
         return gather_licences(root, *given, book.settings, book.words)

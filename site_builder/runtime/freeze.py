@@ -8,7 +8,7 @@ import io
 import json
 import shutil
 import tempfile
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -66,8 +66,9 @@ def freeze_libraries(
     at_once: Mapping[str, str],
     later: Mapping[str, str],
     store: Path,
+    others: Sequence[Path] = (),
 ) -> Frozen:
-    """Python's library and numpy, in chunks: see ``compiler.py``.
+    """Python's library, numpy and other packages, in chunks: see ``compiler.py``.
 
     Parameters
     ----------
@@ -80,6 +81,8 @@ def freeze_libraries(
     at_once, later
         Modules that will be imported when the interpreter starts, and afterwards; and a place
         that asks for each, for the message where the browser lacks it.
+    others
+        Wheels of other packages for the browser.
 
     Raises
     ------
@@ -89,13 +92,16 @@ def freeze_libraries(
         Where the interpreter fails.
     """
     order = {"at_once": sorted(at_once), "later": sorted(set(later) - set(at_once))}
-    ingredients = [*(interpreter[name] for name in INTERPRETER), python, numpy, DRIVER, PROGRAM]
+    wheels = (numpy, *others)
+    ingredients = [*(interpreter[name] for name in INTERPRETER), python, *wheels, DRIVER, PROGRAM]
     hashes = [stores.sha256(file.read_bytes()) for file in (*ingredients, Path(__file__))]
     recipe = stores.sha256(json.dumps([order, LOCK, version("pyodide-build"), hashes]).encode())
 
     def make() -> Mapping[str, bytes]:
         with tempfile.TemporaryDirectory() as scratch:
-            modules = unpack_for_browser(numpy, Path(scratch) / "wheel")
+            for wheel in wheels:
+                folder = Path(scratch) / "wheels"
+                modules = unpack_for_browser(wheel, folder, with_tests=wheel == numpy)
             out = _compile(Path(scratch), interpreter, order, python, modules, {**later, **at_once})
             return _products(out)
 
@@ -135,13 +141,13 @@ def _compile(
 ) -> Path:
     """Run ``compiler.py`` in ``scratch``; returns the folder of what it wrote.
 
-    Moves the folder ``modules`` to where the program looks for it: numpy, or sources to compile
+    Moves the folder ``modules`` to where the program looks for it: packages, or sources to compile
     where there is no ``order``.
     """
     freezer = scratch / "freezer"
     freezer.mkdir()
     shutil.copyfile(python, freezer / "python.zip")
-    modules.rename(freezer / ("numpy" if order else "sources"))
+    modules.rename(freezer / ("packages" if order else "sources"))
     (freezer / "lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
     (freezer / "order.json").write_text(json.dumps(order), encoding="utf-8")
     try:

@@ -1,7 +1,7 @@
 """Everything that the browser loads to run our Python, and the table of it: ``runtime.json``."""
 
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -10,6 +10,7 @@ from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.cache import cached_result
 from site_builder.engine_files import ENGINE, is_engine
 from site_builder.files import file_hash, integrity
+from site_builder.npm import Package
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import (
@@ -25,6 +26,7 @@ from site_builder.runtime.freeze import (
 )
 from site_builder.runtime.imports import Table, imports_of, module_files, outside, reach
 from site_builder.runtime.modules import CORE, ENTRY, Modules, archive_of, cut, sources_of
+from site_builder.runtime.packages import fetch_packages
 from site_builder.runtime.pinned import (
     NUMPY_WHEEL,
     PYTHON_LIBRARY,
@@ -41,6 +43,8 @@ SITE_PACKAGES = f"/lib/python{PYTHON_VERSION.rpartition('.')[0]}/site-packages"
 LIBRARY = f"/lib/python{PYTHON_VERSION.rpartition('.')[0].replace('.', '')}.zip"
 AT_ONCE = ("python", "numpy")
 """The chunks that the interpreter starts with."""
+PACKAGE = "package-"
+"""Begins the names of chunks of packages besides numpy."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +56,8 @@ class RuntimeBundle:
     versions: Versions
     snapshot_error: str = ""
     """Why there is no snapshot for Python to begin with, where there should be one."""
+    packages: tuple[Package, ...] = ()
+    """Those that the book asks for, and all that they need."""
 
     @property
     def sources(self) -> str:
@@ -75,30 +81,36 @@ def pack_runtime(
     ladders: Modules = LADDER_MODULES,
     *,
     compiled: bool = True,
+    packages: Sequence[str] = (),
 ) -> RuntimeBundle:
     """Fetch what is pinned, cut it into chunks, and pack the simulations beside it.
 
     Of a book's folder ``simulations``, that is what its pages run: the ``scenes`` and ``ladders``
     that they show, and all that these import; ``compiled``, with a snapshot of an interpreter that
     has imported the core, as every reader would else wait for that; and as sources beside it, for
-    those who edit them. Equal sources give equal bytes, so a hash over the files names the runtime.
+    those who edit them. Besides numpy they may import ``packages`` of Pyodide's release. Equal
+    sources give equal bytes, so a hash over the files names the runtime.
 
     Raises
     ------
     RuntimeFetchError
         Where the pinned files are neither cached nor to be had.
+    PackageError
+        Where Pyodide's release has no such package.
     FreezeError
         Where the simulations import what the browser lacks.
     """
     folder = store or stores.default_store()
     fetched = fetch_runtime(folder)
+    wheels = fetch_packages(packages, folder)
     machine = {name: fetched[name] for name in INTERPRETER}
     python, numpy = fetched[PYTHON_LIBRARY.name], fetched[NUMPY_WHEEL.name]
     files = book_modules(simulations)
     imports = imports_of(files)
     modules = page_modules(imports, scenes, ladders)
     at_once, later = outside(imports, reach(imports, ENTRY)), outside(imports, modules)
-    frozen = freeze_libraries(machine, python, numpy, at_once, later, folder)
+    others = [wheel.path for wheel in wheels]
+    frozen = freeze_libraries(machine, python, numpy, at_once, later, folder, others)
     byte_code: Mapping[str, bytes] = {}
     if compiled:
         sources = sources_of(files, modules)
@@ -124,7 +136,7 @@ def pack_runtime(
                 archives["python.zip"],
                 frozen.libraries,
                 [archives["numpy.zip"], archives[f"{CORE}.zip"]],
-                [ENTRY, *sorted(chunks[CORE])],
+                [ENTRY, *sorted(chunks[CORE] - importing_packages(imports, frozen))],
                 SITE_PACKAGES,
                 folder,
             )
@@ -134,7 +146,14 @@ def pack_runtime(
         runtime_table(loaded, frozen, imports, scenes, ladders), indent=1, sort_keys=True
     )
     listed = {TABLE_NAME: stores.put(folder, TABLE_NAME, table.encode())}
-    return RuntimeBundle({**loaded, **listed}, VERSIONS, snapshot_error)
+    shipped = tuple(wheel.package for wheel in wheels)
+    return RuntimeBundle({**loaded, **listed}, VERSIONS, snapshot_error, shipped)
+
+
+def importing_packages(imports: Table, frozen: Frozen) -> frozenset[str]:
+    """The simulations that need a package besides numpy, which no snapshot has."""
+    packages = {name: of for name, of in frozen.modules.items() if name.startswith(PACKAGE)}
+    return frozenset(module for module in imports if chunks_of(imports, module, packages))
 
 
 def book_modules(simulations: Path) -> dict[str, Path]:
@@ -184,7 +203,8 @@ def runtime_table(
     ``folder``: where modules are unpacked, and ``library``: where Python looks for its own.
     ``libraries``: where in the folder the machine code of each library belongs that is loaded at
     once. ``modules``: of each chunk of a library that is not, the modules in it; ``machine_code``:
-    which of these chunks hold some. ``scenes`` and ``ladders``: which chunks each of them imports.
+    which of numpy's among these hold some. ``scenes`` and ``ladders``: which chunks each of them
+    imports.
     """
     later = {chunk: names for chunk, names in frozen.modules.items() if chunk not in AT_ONCE}
 
@@ -199,7 +219,11 @@ def runtime_table(
         "folder": SITE_PACKAGES,
         "library": LIBRARY,
         "libraries": {file.name: path for path, file in frozen.libraries.items()},
-        "machine_code": sorted(chunk for chunk in later if libraries_of(frozen.archives[chunk])),
+        "machine_code": sorted(
+            chunk
+            for chunk in later
+            if libraries_of(frozen.archives[chunk]) and not chunk.startswith(PACKAGE)
+        ),
         "integrity": {name: integrity(file.read_bytes()) for name, file in loaded.items()},
         "modules": later,
         "scenes": chunks("scene", scenes),

@@ -50,6 +50,11 @@ RUNTIME_FILES = (
     NUMPY_WHEEL,
 )
 
+RELEASE_LOCK = RuntimeFile(
+    "pyodide-lock.json", "c963d22858f6bcb8f41586a2142f03905ab370c88ea22a86a2736e95fac2a8f3"
+)
+"""The release's own list of its packages, with their hashes."""
+
 LOCK_INFO = {
     "abi_version": "2026_0",
     "arch": "wasm32",

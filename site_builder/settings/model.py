@@ -104,6 +104,17 @@ class Publishing:
 
 
 @dataclass(frozen=True, slots=True)
+class Runtime:
+    """What figures are computed with."""
+
+    packages: tuple[str, ...] = key(
+        texts('["scipy", …]'),
+        "packages of Pyodide's release that scenes may import besides numpy",
+        (),
+    )
+
+
+@dataclass(frozen=True, slots=True)
 class Trust:
     """What goes from the sources into the pages unchecked."""
 
@@ -162,4 +173,5 @@ class Settings:
         without="the first chapter",
     )
     publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
+    runtime: Runtime = key(table(Runtime), "what figures are computed with", Runtime())
     trust: Trust = key(table(Trust), "what goes into the pages unchecked", Trust())

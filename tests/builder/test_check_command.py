@@ -114,7 +114,7 @@ def test_an_import_that_the_browser_lacks_is_found_as_the_build_finds_it(
     (found,) = find(options)
     assert str(found) == (
         "simulations/scenes/orbit/scene.py:1: imports scipy, which the browser's Python lacks; "
-        "legal: its standard library, and numpy"
+        "legal: its standard library, numpy, and 'packages' of [runtime] in content/book.toml"
     )
     with pytest.raises(BuildError) as raised:
         render_site(options)

@@ -30,6 +30,12 @@ def test_modules_stay_and_tests_go(tmp_path: Path) -> None:
     assert files(folder) == {"lens/__init__.py", fast}
 
 
+def test_what_the_release_has_sifted_stays_as_it_is(tmp_path: Path) -> None:
+    members = {"lens/__init__.py": b"", "lens/_trend_test.py": b""}
+    given = wheel(tmp_path, members)
+    assert files(unpack_for_browser(given, tmp_path / "out", with_tests=False)) == {*members}
+
+
 def test_extensions_for_another_machine_are_refused_by_name(tmp_path: Path) -> None:
     path = wheel(tmp_path, {"lens/fast.cpython-314-x86_64-linux-gnu.so": b"\x7fELF\x02\x01\x01"})
     with pytest.raises(WheelError, match=r"lens-1.0.*: fast.*x86_64.* is not WebAssembly"):
