@@ -1,4 +1,4 @@
-"""A square grid through four lenses: ideal, barrel, pincushion, moustache."""
+"""A square grid without distortion, and through three lenses: barrel, pincushion, moustache."""
 
 import numpy as np
 
