@@ -33,6 +33,8 @@ LEGAL = "legal: 'from simulations.… import name', 'name = expression', 'assert
 PACKAGES = ("simulations.", "numpy.linalg")
 FORM = re.compile(r"(.*?)(?::([^:\"']*))?", re.DOTALL)
 IN_FORMULA = re.compile(r"\\calc\{([^{}]*)\}")
+DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
+"""In TeX, where it would have a space behind it."""
 NARROW_SPACE = "\u202f"
 
 
@@ -86,7 +88,7 @@ def number_text(written: str, context: ParseContext) -> str:
             mantissa += f"{NARROW_SPACE}×{NARROW_SPACE}{power_of_ten(int(exponent))}"
         return context.shared.words.numeral(mantissa.replace("-", "−").replace(",", "\u00a0"))
 
-    return ", ".join(text(*parts) for parts in _formatted(written, context))
+    return _separator(context).join(text(*parts) for parts in _formatted(written, context))
 
 
 def compute_formula(tex: str, context: ParseContext) -> str:
@@ -97,12 +99,19 @@ def compute_formula(tex: str, context: ParseContext) -> str:
 
     def number_tex(mantissa: str, exponent: str) -> str:
         power = rf" \cdot 10^{{{int(exponent)}}}" if exponent else ""
-        return mantissa.replace(",", r"\,") + power
+        numeral = context.shared.words.numeral(mantissa.replace(",", r"\,"))
+        return DECIMAL_COMMA.sub("{,}", numeral) + power
 
     def numbers(match: re.Match[str]) -> str:
-        return ", ".join(number_tex(*parts) for parts in _formatted(match[1], context))
+        shown = (number_tex(*parts) for parts in _formatted(match[1], context))
+        return _separator(context).join(shown)
 
     return IN_FORMULA.sub(numbers, tex)
+
+
+def _separator(context: ParseContext) -> str:
+    """Between numbers, of which it is no part."""
+    return "; " if context.shared.words("language.decimal") == "," else ", "
 
 
 def define_names(token: Token, line: int, context: ParseContext) -> None:

@@ -92,12 +92,19 @@ class _Numbering:
     def heading(self, tokens: Sequence[Token]) -> None:
         opening, inline, closing = tokens
         line, text = (opening.map or [0])[0] + 1, plain_text(inline)
-        name = self.context.take_id(slug(text), line, "heading")
+        name = self.context.take_id(self._heading_id(opening, text, line), line, "heading")
         opening.attrSet("id", name)
         shown = self.context.shared.words("labels.section", title=text)
         target = Target("Section", self.chapter, name, "", text, line, name=shown)
         closing.meta["target"] = target
         self.targets.append(target)
+
+    def _heading_id(self, opening: Token, text: str, line: int) -> str:
+        given = str(opening.meta.get("id", ""))
+        if given and slug(given) != given:
+            expected = "small letters, digits and hyphens"
+            self.context.problem(line, f"heading id {given!r}; legal: {expected}")
+        return given or slug(text)
 
     def _labelled(self, label: str, line: int, kind: str) -> str:
         if not LABEL_FORM.fullmatch(label):

@@ -12,6 +12,7 @@ from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import directive_rule
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
+from site_builder.markdown.text.heading_ids import heading_ids_rule
 from site_builder.markdown.text.stray_marks import stray_marks_rule
 from site_builder.markdown.text.typography import typography_rule
 
@@ -34,6 +35,7 @@ def make_parser(words: Words = ENGLISH) -> MarkdownIt:
     parser.inline.ruler.before("backticks", "role", roles)
     parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
     parser.core.ruler.before("smartquotes", "typography", typography_rule)
+    parser.core.ruler.before("typography", "heading_ids", heading_ids_rule)
     # Before escaped characters, which are meant, are joined with the text around them.
     parser.core.ruler.before("text_join", "stray_marks", stray_marks_rule)
     return parser
