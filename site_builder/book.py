@@ -33,6 +33,9 @@ from site_builder.settings.model import FILE_NAME, Settings
 OUTLINE = FILE_NAME
 """The file that names the book, its chapters and the figure on its cover."""
 UNSET = Settings("", "", "", ())
+type Languages = Mapping[str, frozenset[str]]
+"""By the tag of each language, the ids of the chapters that are written in it: the original's
+first; empty where a book has no translation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +70,8 @@ class Chapter:
     """Element ids of its simulations, also of those that cannot be shown."""
     cache_key: bytes = b""
     """The hash of all that it was made from, which the cache takes for that of its contents."""
+    folder: str = ""
+    """Where its page lies below the site's root: ``de/`` for a translation into German."""
 
     @property
     def number(self) -> int:
@@ -94,7 +99,7 @@ class Chapter:
     @property
     def url(self) -> str:
         """Address relative to the site's root."""
-        return f"{self.id}/"
+        return f"{self.folder}{self.id}/"
 
     @property
     def simulations(self) -> tuple[Simulation, ...]:
@@ -175,6 +180,11 @@ class Book:
     """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
     news: tuple[News, ...] = ()
     """Newest first."""
+    languages: Languages = field(default_factory=dict)
+    """Those that it can be read in."""
+    folder: str = ""
+    """Where the pages of a translation lie below the site's root, ``de/``; chapters that are not
+    translated are the original's."""
 
     @property
     def parts(self) -> tuple[tuple[str, tuple[Chapter, ...]], ...]:

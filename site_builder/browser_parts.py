@@ -81,7 +81,7 @@ def _editor(warn: Warn) -> EditorBundle:
 
 def _search_library(book: Book, warn: Warn) -> SearchLibrary:
     message = "the book cannot be searched"
-    fetch = partial(fetch_library, book.words.language)
+    fetch = partial(fetch_library, *(book.languages or (book.words.language,)))
     return _or_without(fetch, SearchLibrary({}), "search", message, warn)
 
 

@@ -22,7 +22,7 @@ from site_builder.cache import cached_result
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
 from site_builder.checks.skeletons import check_skeletons
-from site_builder.checks.whole_book import check_book
+from site_builder.checks.whole_book import check_book, check_translation
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.engine_files import static_files
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
@@ -32,7 +32,7 @@ from site_builder.offline.release import no_release, release_files
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import Site, render_pages
+from site_builder.pages.render import Site, render_pages, render_translation
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.compressed import compressed_copies
 from site_builder.publishing.hosting import host_files
@@ -41,9 +41,9 @@ from site_builder.publishing.listings import make_listings
 from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
-from site_builder.search.index import index_of, indexing
+from site_builder.search.index import index_file, index_of, indexing
 from site_builder.search.library import SearchLibrary
-from site_builder.search.records import make_records
+from site_builder.search.records import make_records, translated_records
 from site_builder.site_assets import (
     NOW,
     Files,
@@ -53,6 +53,7 @@ from site_builder.site_assets import (
     prerendered_files,
 )
 from site_builder.source import read_book
+from site_builder.translated_source import read_translations
 
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
@@ -110,6 +111,7 @@ class LoadedBook(NamedTuple):
 
     book: Book
     problems: Diagnostics
+    translations: tuple[Book, ...] = ()
 
 
 class CheckedBook(NamedTuple):
@@ -119,6 +121,7 @@ class CheckedBook(NamedTuple):
     initial_frames: InitialFrames
     pictures: Mapping[str, bytes]
     """Those of the initial frames, by file name."""
+    translations: tuple[Book, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,14 +161,17 @@ def load(options: Options) -> LoadedBook:
     problems = Diagnostics()
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
-    return LoadedBook(book, problems)
+    translations = read_translations(options.root, book, problems, options.load_scene, measurements)
+    return LoadedBook(book, problems, translations)
 
 
 def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     """Raises `BuildError` with all mistakes found."""
-    book, problems = loaded
+    book, problems, translations = loaded
     check_book(book, problems)
     check_skeletons(options.root, book, problems)
+    for translation in translations:
+        check_translation(translation, problems)
     check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     initial_frames, pictures = render_initial_frames(
         book, problems, prerendered=options.runtime and not options.reload
@@ -175,10 +181,12 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
         options.warn(warning)
     if problems:
         raise BuildError(problems.found)
-    book = replace(
-        book, address=options.address or book.address, source=options.source or book.source
-    )
-    return CheckedBook(book, initial_frames, pictures)
+
+    def placed(book: Book) -> Book:
+        address, source = options.address or book.address, options.source or book.source
+        return replace(book, address=address, source=source)
+
+    return CheckedBook(placed(book), initial_frames, pictures, tuple(map(placed, translations)))
 
 
 def _pack(book: Book, options: Options) -> RuntimeBundle | None:
@@ -190,7 +198,7 @@ def _pack(book: Book, options: Options) -> RuntimeBundle | None:
 def render(
     checked: CheckedBook, options: Options, bundle: RuntimeBundle | None, threads: Executor
 ) -> RenderedSite:
-    book, initial_frames, pictures = checked
+    book, initial_frames, pictures, translations = checked
     root, reload = options.root, options.reload
     parts = browser_parts(book, bundle, options.warn, search=options.search, reload=reload)
     search_index = threads.submit(_search_index, checked, parts.search)
@@ -219,6 +227,8 @@ def render(
         **in_page(assets, reload=reload),
     )
     pages = render_pages(site, _licences(root, parts, book))
+    for translation in translations:
+        pages |= render_translation(replace(site, book=translation), book)
     return RenderedSite(
         checked,
         options,
@@ -233,9 +243,14 @@ def render(
 def _search_index(checked: CheckedBook, library: SearchLibrary) -> Files:
     if not library.scripts:
         return {}
-    means = indexing(library, checked.book.words)
-    records = make_records(checked.book, describing(checked.initial_frames))
-    return {SEARCH_INDEX: index_of(records, means)}
+    describe = describing(checked.initial_frames)
+    indices = {SEARCH_INDEX: (checked.book, make_records(checked.book, describe))}
+    for book in checked.translations:
+        indices[index_file(book.words.language)] = book, translated_records(book, describe)
+    return {
+        name: index_of(records, indexing(library, book.words))
+        for name, (book, records) in indices.items()
+    }
 
 
 def assemble(site: RenderedSite) -> Files:
@@ -256,7 +271,7 @@ def _listed(site: RenderedSite, _files: Files) -> Files:
 
 def _published(site: RenderedSite, _files: Files) -> Files:
     """What others see of a site that has an address."""
-    book, initial_frames, pictures = site.checked
+    book, initial_frames, pictures, _ = site.checked
     if not book.address:
         return {}
     return {

@@ -9,6 +9,7 @@ from site_builder.book import Book
 from site_builder.engine_files import static_files
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_files, integrity
+from site_builder.languages.words import load_words
 from site_builder.markdown.files.content_files import PICTURES
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
@@ -82,7 +83,14 @@ def _scripts(book: Book, static: Files) -> Bundle:
 
 def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
     """The sheet of all pages, and those that scripts load."""
-    own = book_css(book.words) + "".join(map(face_rule, MATHS_FACES))
+    others = [load_words(language) for language in [*book.languages][1:]]
+    own = "".join(
+        (
+            book_css(book.words),
+            *(book_css(words, f":root:lang({words.language})") for words in others),
+            *map(face_rule, MATHS_FACES),
+        )
+    )
     sheets = {name: file for name, file in static.items() if name.startswith("css/")}
     joined = join_style_sheets(sheets, STYLE_SHEET, own)
     return {name: file for name, file in joined.items() if name in {STYLE_SHEET, *beside}}

@@ -16,7 +16,7 @@ from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.engine_files import ENGINE
 from site_builder.files import file_hash, folder_files, folder_hash
 from site_builder.hashing import hash_of, source_hash
-from site_builder.languages.words import Words, load_words
+from site_builder.languages.words import Words, languages, load_words
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary_links.definitions import read_definitions, read_meanings
@@ -34,13 +34,14 @@ from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.bibliography import read_bibliography
 from site_builder.references.glossary import EMPTY as NO_TERMS
 from site_builder.references.glossary import FILE as GLOSSARY
-from site_builder.references.glossary import read_glossary
+from site_builder.references.glossary import Glossary, read_glossary
 from site_builder.references.news import read_news
 from site_builder.references.symbols import FILE as SYMBOLS
 from site_builder.references.symbols import read_symbols
 from site_builder.settings.model import Settings
 from site_builder.settings.reading import read_settings
 from site_builder.source_text import Toml, read_text
+from site_builder.translations.languages import find_languages, folder_of
 
 OWN_FOLDERS = (
     "assets", "cards", "class", "embed", "glossary", "index-of-terms", "lecture-plan", "licences",
@@ -67,6 +68,9 @@ class Outline:
     """By the words of the link."""
     macros: Macros
     """Those whose names are legal."""
+    path: str = OUTLINE
+    folder: str = ""
+    """Of a translation, below ``content/`` and below the site's root: ``de/``."""
 
 
 def read_book(
@@ -76,26 +80,11 @@ def read_book(
     measurements: Measurements | None = None,
 ) -> Book:
     """The whole book; mistakes go to ``problems`` and reading goes on."""
-    outline = _read_outline(root, problems)
+    outline = read_outline(root, problems)
     settings, words = outline.settings, outline.words
-    shared = Shared(
-        root,
-        load_scene,
-        make_parser(words),
-        words,
-        measurements or Measurements(),
-        settings.trust.raw_html,
-        outline.macros,
-        cached_reading(
-            BIBLIOGRAPHY,
-            (file_hash(root / BIBLIOGRAPHY), words),
-            problems,
-            lambda own: read_bibliography(root, own, words),
-        ),
-        read_glossary(root, problems, words),
-    )
-    state_of = _states(root, outline)
-    pages = list(_pages(outline, shared, state_of, problems))
+    glossary_terms = read_glossary(root, problems, words)
+    shared = read_shared(root, outline, glossary_terms, load_scene, measurements, problems)
+    pages = list(list_pages(outline, shared, problems))
     targets = find_targets([page.survey() for page in pages], problems)
     known = targets_state(targets)
     _check_addresses(outline, problems)
@@ -113,32 +102,63 @@ def read_book(
         settings=settings,
         words=words,
         hero=_read_hero(outline, shared, problems),
-        starts=tuple(_read_starts(outline, targets, problems)),
+        starts=tuple(read_starts(outline, targets, problems)),
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
         glossary=read_definitions(glossary),
         symbols=read_meanings(read_symbols(root, problems), symbols),
+        languages=find_languages(root, settings),
     )
 
 
-def _pages(
-    outline: Outline, shared: Shared, state_of: Callable[[str], bytes], problems: Diagnostics
-) -> Iterator[Page]:
-    root = shared.root
+def read_shared(
+    root: Path,
+    outline: Outline,
+    glossary: Glossary,
+    load_scene: Callable[[str], Scene[Any]],
+    measurements: Measurements | None,
+    problems: Diagnostics,
+) -> Shared:
+    """What the chapters of an outline are read with."""
+    settings, words = outline.settings, outline.words
+    bibliography = cached_reading(
+        BIBLIOGRAPHY,
+        (file_hash(root / BIBLIOGRAPHY), words),
+        problems,
+        lambda own: read_bibliography(root, own, words),
+    )
+    return Shared(
+        root,
+        load_scene,
+        make_parser(words),
+        words,
+        measurements or Measurements(),
+        settings.trust.raw_html,
+        outline.macros,
+        bibliography,
+        glossary,
+    )
+
+
+def list_pages(outline: Outline, shared: Shared, problems: Diagnostics) -> Iterator[Page]:
+    """The chapters' files, those of a translation where there are any."""
+    root, state_of = shared.root, _states(shared.root, outline)
     for name, line, position in outline.chapters:
-        path = f"content/{name}.md"
+        path, own = f"content/{name}.md", f"content/{outline.folder}{name}.md"
         if not (root / path).is_file():
             problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(root)))
             continue
         _check_name(name, line, problems)
+        path = own if (root / own).is_file() else path
         yield Page(path, read_text(root, path, problems), position, shared, state_of(path))
 
 
 def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
     """The hash of what a file is read with: those of ``content/`` that are no chapters, and all
     code but that of scenes that it does not name."""
-    chapters = {f"{name}.md" for name, _, _ in outline.chapters}
+    folders = ("", *map(folder_of, find_languages(root, outline.settings)))
+    chapters = {f"{folder}{name}.md" for name, _, _ in outline.chapters for folder in folders}
     content = folder_files(root / "content").items()
     files = {name: file_hash(file) for name, file in content if name not in chapters}
     code: dict[str, list[bytes | None]] = {"": []}
@@ -158,7 +178,8 @@ def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
     return state_of
 
 
-def _read_outline(root: Path, problems: Diagnostics) -> Outline:
+def read_outline(root: Path, problems: Diagnostics) -> Outline:
+    """The book's; mistakes are reported."""
     settings, toml = read_settings(root, problems)
     words = load_words(settings.language).labelled(asdict(settings.labels))
     check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
@@ -167,7 +188,7 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
         words,
         chapters=tuple(
             (name, toml.line_of_text(name), position)
-            for name, position in _positions(settings, words)
+            for name, position in positions(settings, words)
         ),
         hero_line=toml.line("hero"),
         start_lines={words: toml.line("starts", words) for words in settings.starts},
@@ -184,7 +205,7 @@ def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
     return sound
 
 
-def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
+def positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
     """Chapters are numbered, appendices lettered from A."""
     chapters, first = settings.chapters, settings.first_number
     parts = part_titles(settings.parts, [*map(chapter_id, chapters)])
@@ -208,7 +229,8 @@ def _check_name(name: str, line: int, problems: Diagnostics) -> None:
 
 def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
     """Two pages at one address: one would silently take the other's place."""
-    taken = dict.fromkeys(OWN_FOLDERS, "a folder of the site's own")
+    own = (*OWN_FOLDERS, *languages())
+    taken = dict.fromkeys(own, "a folder of the site's own")
     for name, line, _ in outline.chapters:
         slug = chapter_id(name)
         if slug in taken:
@@ -218,7 +240,9 @@ def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
 
 
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
-    listed = {f"content/{name}.md" for name, _, _ in outline.chapters}
+    folders = ("", *map(folder_of, find_languages(root, outline.settings)))
+    names = [name for name, _, _ in outline.chapters]
+    listed = {f"content/{folder}{name}.md" for name in names for folder in folders}
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
         if listed and file.is_file() and path not in listed:
@@ -251,7 +275,7 @@ def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simul
     )
 
 
-def _read_starts(
+def read_starts(
     outline: Outline, targets: Targets, problems: Diagnostics
 ) -> Iterator[tuple[str, str]]:
     """The words and the address of each link of the title page."""
@@ -259,6 +283,6 @@ def _read_starts(
         try:
             found = targets.find(place, "")
         except LookupError as error:
-            problems.add(OUTLINE, outline.start_lines[words], str(error))
+            problems.add(outline.path, outline.start_lines[words], str(error))
         else:
             yield words, f"{found.chapter}/#{found.id}" if found.id else f"{found.chapter}/"

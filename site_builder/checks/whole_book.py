@@ -2,6 +2,7 @@
 what belongs together on a page."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import PurePosixPath
 
 from site_builder.book import Book, Chapter
@@ -33,8 +34,22 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     check_glossary(book, problems)
     check_order(book, problems)
     check_symbols(book, problems)
+    _check_links(book.chapters, book, problems)
+
+
+def check_translation(book: Book, problems: Diagnostics) -> None:
+    """The same of the chapters that are translated, but for what their originals are checked for:
+    `same.py` holds them to these."""
+    translated = tuple(chapter for chapter in book.chapters if chapter.folder)
+    for chapter in translated:
+        _check_reveals(chapter, problems)
+    check_questions(replace(book, chapters=translated), problems)
+    _check_links(translated, book, problems)
+
+
+def _check_links(chapters: Sequence[Chapter], book: Book, problems: Diagnostics) -> None:
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
-    for chapter in book.chapters:
+    for chapter in chapters:
         for link in chapter.links:
             if message := _fault_of(link, chapter, by_file):
                 problems.add(chapter.path, link.line, message)

@@ -10,24 +10,28 @@ STYLE = "style."
 """Begins the keys of the texts in the style sheet."""
 
 
-def book_css(words: Words) -> str:
-    """Rules for the end of the style sheet."""
+def book_css(words: Words, selector: str = ":root") -> str:
+    """Rules for the end of the style sheet, for pages that ``selector`` is true of."""
     texts = {key.removeprefix(STYLE): words(key) for key in words.texts if key.startswith(STYLE)}
     # CSS takes the strings of JSON but for escapes of control characters, which no text has.
     rules = (
         f"  --word-{name}: {json.dumps(text, ensure_ascii=False)};\n"
         for name, text in texts.items()
     )
-    return f"\n:root {{\n{''.join(rules)}}}\n"
+    return f"\n{selector} {{\n{''.join(rules)}}}\n"
+
+
+def spoken(words: Words) -> dict[str, object]:
+    """What scripts say in one language; a page of a translation carries its own."""
+    return {"DECIMAL": words("language.decimal"), "WORDS": words.of_scripts}
 
 
 def book_script(settings: Settings, words: Words) -> bytes:
     """The module ``js/book.js``, which all scripts import; ``.ci/web/book.d.ts`` has its types."""
     exports = {
         "LANGUAGE": words.language,
-        "DECIMAL": words("language.decimal"),
         "STORAGE": f"{storage_prefix(settings)}:",
-        "WORDS": words.of_scripts,
+        **spoken(words),
     }
     lines = (
         f"export const {name} = {json.dumps(value, ensure_ascii=False)};\n"

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 
@@ -21,8 +22,11 @@ from site_builder.book import Book
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.markdown.text.code import highlighted_lines
+from site_builder.output.book_files import spoken
 from site_builder.page_model.passage import Passage
+from site_builder.pages.embedding import json_for_html
 from site_builder.pages.policy import page_policy
+from site_builder.pages.versions import lead_to_original, original_of
 from site_builder.pages.views.control import FOLDER as CONTROL_KINDS
 from site_builder.pages.views.glossary import marked_terms
 from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
@@ -59,6 +63,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "marked_terms": marked_terms,
     "passage": passage_html,
     "spoken": spoken_html,
+    "spoken_by_scripts": lambda words: json_for_html(spoken(words)),
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """Functions of templates, for what is computed from the page model."""
@@ -75,7 +80,10 @@ def book_context(book: Book) -> dict[str, object]:
         "book": book,
         "words": book.words,
         "t": book.words.html,
-        "renderer": screen_renderer(book.words),
+        "renderer": replace(
+            screen_renderer(book.words), relink=partial(lead_to_original, book=book)
+        ),
+        "original": original_of(book),
         "policy": partial(
             page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
         ),

@@ -1,6 +1,6 @@
 """From the page model to HTML, by templates. No markup is made here."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.reading_time import reading_minutes
 from site_builder.pages.term_lists import card
+from site_builder.pages.versions import Version, versions_of
 from site_builder.pages.views.class_page import class_data
 from site_builder.pages.views.glossary import view_glossary
 from site_builder.pages.views.index import view_index
@@ -80,22 +81,13 @@ class Site:
 
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
-    book, render = site.book, _renderer(site)
+    book, render = site.book, _renderer(site, back_matter(site.book))
     pages: dict[str, bytes] = {}
 
     def add(template: str, path: str, **context: object) -> None:
         pages[path] = render(f"{template}.html", path, **context)
 
-    cover = Block(SIMULATION.template, book.hero) if book.hero else None
-    add(
-        "landing",
-        "index.html",
-        cover=cover,
-        starts=book.starts,
-        thumbnails={item.id: thumbnail(item, site.initial_frames) for item in book.chapters},
-        counts=_counts(book),
-        progress=_progress(book),
-    )
+    add("landing", "index.html", **_title_page(site))
     pages["404.html"] = render("not-found.html")  # which is served at any address
     add("licences", "licences/index.html", licences=licences)
     if quizzes := [quiz for chapter in book.chapters for quiz in chapter.quizzes]:
@@ -103,17 +95,8 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         add("class", "class/index.html", questions=class_data(book), draws=draws)
     for name, context in back_matter_pages(book).items():
         add(name, f"{name}/index.html", here=name, **context)
-    cards = [None, *map(card, book.chapters), None]
-    for index, chapter in enumerate(book.chapters):
-        add(
-            "chapter",
-            f"{chapter.url}index.html",
-            chapter=chapter,
-            sections=nest_headings(chapter.headings),
-            place=index + 1,
-            previous=cards[index],
-            following=cards[index + 2],
-        )
+    for chapter, context in _chapter_pages(book):
+        add("chapter", f"{chapter.url}index.html", **context)
     for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
         folder, _, file = path.rpartition("/")
         code = own_or_engine(site.root, path).read_text(encoding="utf-8-sig")
@@ -124,6 +107,48 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             # So many pages link to the style sheet rather than hold it.
             add("embed", path, chapter=chapter, cover=figure, styles="")
     return pages
+
+
+def render_translation(site: Site, original: Book) -> dict[str, bytes]:
+    """The pages of a translation, whose book ``site`` has: its title page, and the chapters that
+    are translated."""
+    book = site.book
+    follows = [(address, book.words(BACK_MATTER[address])) for address, _ in back_matter(original)]
+    render = _renderer(site, follows)
+    title_page = f"{book.folder}index.html"
+    pages = {title_page: render("landing.html", title_page, **_title_page(site))}
+    for chapter, context in _chapter_pages(book):
+        if chapter.folder:
+            path = f"{chapter.url}index.html"
+            pages[path] = render("chapter.html", path, **context)
+    return pages
+
+
+def _title_page(site: Site) -> dict[str, Any]:
+    book = site.book
+    return {
+        "cover": Block(SIMULATION.template, book.hero) if book.hero else None,
+        "starts": book.starts,
+        "thumbnails": {item.id: thumbnail(item, site.initial_frames) for item in book.chapters},
+        "counts": _counts(book),
+        "progress": _progress(book),
+    }
+
+
+def _chapter_pages(book: Book) -> Iterator[tuple[Chapter, dict[str, Any]]]:
+    """Each chapter with the context of its page."""
+    cards = [None, *map(card, book.chapters), None]
+    for index, chapter in enumerate(book.chapters):
+        yield (
+            chapter,
+            {
+                "chapter": chapter,
+                "sections": nest_headings(chapter.headings),
+                "place": index + 1,
+                "previous": cards[index],
+                "following": cards[index + 2],
+            },
+        )
 
 
 def back_matter_pages(book: Book) -> dict[str, dict[str, Any]]:
@@ -138,11 +163,11 @@ def back_matter_pages(book: Book) -> dict[str, dict[str, Any]]:
     return {name: context for name, context in found.items() if context}
 
 
-def _renderer(site: Site) -> Callable[..., bytes]:
-    """Makes the pages of a site. Those of chapters are cached by what all share and what they are
-    given; their initial frames follow from their figures."""
+def _renderer(site: Site, follows: Sequence[tuple[str, str]]) -> Callable[..., bytes]:
+    """Makes the pages of a site, whose contents list what ``follows`` the chapters. Those of
+    chapters are cached by what all share and what they are given; their initial frames follow from
+    their figures."""
     shared = replace(site, root=Path(), book=_bare(site.book), initial_frames={})
-    follows = back_matter(site.book)
     shared_hash = hash_of(shared, follows, *(folder_hash(folder, "*.html") for folder in FOLDERS))
     seen = replace(shared, initial_frames=site.initial_frames)
 
@@ -250,9 +275,16 @@ def render_page(
             "here": "",
             "sections": (),
             "back_matter": (),
+            "versions": _versions(site.book, template, chapter),
             **context,
         },
     )
+
+
+def _versions(book: Book, template: str, chapter: Chapter | None) -> tuple[Version, ...]:
+    """Only title pages and chapters are translated."""
+    there = template in ("landing.html", "chapter.html")
+    return versions_of(book, chapter) if there else ()
 
 
 def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:

@@ -38,11 +38,13 @@ class Term:
     line: int = 1
     endings: tuple[str, ...] = ("s", "es")
     """Of plurals, in the language of the book."""
+    original: str = ""
+    """Its name in the glossary that this entry is translated from; nothing in that."""
 
     @property
     def id(self) -> str:
         """Of its entry, among the ids of the glossary."""
-        return re.sub(r"[^\w]+", "-", self.name.lower()).strip("-")
+        return re.sub(r"[^\w]+", "-", (self.original or self.name).lower()).strip("-")
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -122,11 +124,11 @@ def read_glossary(root: Path, problems: Diagnostics, words: Words = ENGLISH) -> 
     ]
     terms.sort(key=lambda term: term.name.casefold())
     glossary = Glossary({term.name: term for term in terms})
-    _check_names(glossary, problems)
+    check_names(glossary, FILE, problems)
     return glossary
 
 
-def _check_names(glossary: Glossary, problems: Diagnostics) -> None:
+def check_names(glossary: Glossary, path: str, problems: Diagnostics) -> None:
     """Report a name that two terms have, and related terms that there are not."""
     first: dict[str, Term] = {}
     for term in glossary.terms.values():
@@ -134,10 +136,10 @@ def _check_names(glossary: Glossary, problems: Diagnostics) -> None:
             other = first.setdefault(name, term)
             if other is not term:
                 message = f"{name!r} is a name of {other.name!r} too; legal: of one term"
-                problems.add(FILE, term.line, message)
+                problems.add(path, term.line, message)
         others = [name for name in glossary.terms if name != term.name]
         for name in term.related:
             if name not in others:
                 problems.add(
-                    FILE, term.line, unknown(f"term related to {term.name!r}", name, others)
+                    path, term.line, unknown(f"term related to {term.name!r}", name, others)
                 )

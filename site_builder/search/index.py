@@ -17,7 +17,6 @@ from site_builder.search.records import PageRecords, Record
 ADDRESS = "search/index.json"
 """Where pages look for it. It is made of the pages, so they cannot carry a hash of it."""
 NAMES = tuple(each.name for each in fields(Record))
-LIBRARY = ("minisearch.js", "stemmer.js")
 SHARED = ("js/search/ranking.ts", "js/search/words.ts")
 """What index and page share, below ``static/``."""
 PROGRAM = HERE / "index.mjs"
@@ -32,10 +31,20 @@ class Means:
     """Stop words and synonyms."""
 
 
+def index_file(language: str) -> str:
+    """Of a translation.
+
+    >>> index_file("de")
+    'search/de.json'
+    """
+    return f"search/{language}.json"
+
+
 def indexing(library: SearchLibrary, words: Words) -> Means:
     """For pages in the language of ``words``."""
+    names = ("minisearch.js", library.stemmers[words.language])
     return Means(
-        (*(library.scripts[name] for name in LIBRARY), *(STATIC / name for name in SHARED)),
+        (*(library.scripts[name] for name in names), *(STATIC / name for name in SHARED)),
         (words("script.search.stop_words"), words("script.search.synonyms")),
     )
 

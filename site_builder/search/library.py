@@ -1,7 +1,7 @@
 """What searches, from packages that ``package-lock.json`` here pins."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from site_builder.npm import Package, installed_packages, read_package
@@ -23,12 +23,18 @@ class SearchLibrary:
 
     scripts: Mapping[str, Path]
     packages: tuple[Package, ...] = ()
+    stemmers: Mapping[str, str] = field(default_factory=dict)
+    """Names of scripts by language."""
 
 
-def fetch_library(language: str = "en") -> SearchLibrary:
-    """The library for pages in ``language``. Raises `NodeError` where it cannot be had."""
+def fetch_library(*languages: str) -> SearchLibrary:
+    """The library for pages in these. Raises `NodeError` where it cannot be had."""
     packages = installed_packages(HERE) / "node_modules"
-    shipped = {"minisearch.js": SEARCH, "stemmer.js": STEMMERS[language]}
+    stemmers = {language: f"stemmer-{language}.js" for language in languages}
+    shipped = {
+        "minisearch.js": SEARCH,
+        **{name: STEMMERS[language] for language, name in stemmers.items()},
+    }
     return SearchLibrary(
         {name: packages / path for name, path in shipped.items()},
         tuple(
@@ -36,4 +42,5 @@ def fetch_library(language: str = "en") -> SearchLibrary:
             for name, licence in LICENCES.items()
             if any(path.startswith(f"{name}/") for path in shipped.values())
         ),
+        stemmers,
     )

@@ -80,13 +80,23 @@ def make_records(book: Book, describe: Describe) -> PageRecords:
     return tuple(records.of_page(path, sections) for path, sections in pages)
 
 
+def translated_records(book: Book, describe: Describe) -> PageRecords:
+    """Those of the chapters that a translation has; the others are found in the original's."""
+    records = Records(explained_terms(book))
+    return tuple(
+        records.of_page(f"{chapter.url}index.html", chapter_sections(chapter, describe))
+        for chapter in book.chapters
+        if chapter.folder
+    )
+
+
 def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
     """By the address of a section: the names of the glossary's terms that it explains, the entries
     that authors have marked in it for the index, and the symbols that it introduces."""
     explained: dict[str, list[str]] = {}
     for definition in book.glossary:
         if target := definition.explained:
-            address = _address(f"{target.chapter}/index.html", target.id)
+            address = _address(f"{book.folder}{target.chapter}/index.html", target.id)
             explained.setdefault(address, []).extend(definition.term.names)
     for chapter in book.chapters:
         for mark in chapter.index_marks:

@@ -25,6 +25,46 @@ def test_turning_the_page_keeps_the_interpreter(visitor: Reader, book: Any) -> N
     assert second["title"] in (current.text_content() or "")
 
 
+def test_another_language_keeps_section_interpreter_and_answers(visitor: Reader) -> None:
+    page, section = visitor.page, "exploit-it-or-compensate-for-it"
+    visitor.turn_to("why-image-formation/")
+    (worker,) = page.workers
+    page.locator("#quiz-why-model-formation input[value='3']").check()
+    page.locator("#quiz-why-model-formation button[type=submit]").click()
+    page.evaluate(
+        "id => document.getElementById(id).scrollIntoView({behavior: 'instant'})", section
+    )
+    page.locator(f".other-language[href$='#{section}']").click()
+    page.wait_for_url(f"{visitor.root}de/why-image-formation/#{section}")
+    assert page.locator("html").get_attribute("lang") == "de"
+    page.wait_for_function(
+        "id => Math.abs(document.getElementById(id).getBoundingClientRect().top) < 120", arg=section
+    )
+    reply = page.locator("#quiz-why-model-formation [role=status]").inner_text()
+    assert "Die Höhe in Pixeln" in reply
+    visitor.wait_live()
+    assert page.workers == [worker]
+    assert page.locator("#figure-formation-pipeline .control-value").first.inner_text() == "0,60"
+    page.go_back()
+    page.wait_for_function("document.documentElement.lang === 'en'")
+    assert page.locator(f".other-language[href$='#{section}']").inner_text() == "Deutsch"
+
+
+def test_a_search_in_another_language_finds_what_is_not_translated_too(visitor: Reader) -> None:
+    visitor.turn_to("why-image-formation/", live=False)
+    visitor.turn_to("de/why-image-formation/", live=False)
+    found = visitor.page.locator(".search-results a")
+    for words, address in (("Farbtupfer", "/de/why-image-formation/"), ("vignetting", "/lens-")):
+        visitor.page.keyboard.press("/")
+        visitor.page.locator("dialog.search input").fill(words)
+        visitor.page.wait_for_function(
+            "start => document.querySelector('.search-results a')?.href.includes(start)",
+            arg=address,
+        )
+        assert found.count()
+        visitor.page.keyboard.press("Escape")
+
+
 def test_back_returns_to_the_place_that_was_left(plain_reader: Reader, book: Any) -> None:
     first, second = (chapter["url"] for chapter in book["chapters"][1:3])
     plain_reader.open(first, live=False)

@@ -14,6 +14,7 @@ from support.static_server import StaticServer
 pytestmark = pytest.mark.browser
 
 LISTS = ("references/", "lecture-plan/", "glossary/", "symbols/", "index-of-terms/")
+TRANSLATED = ("de/", "de/why-image-formation/")
 LARGER_LETTERS = """html { font-size: 34px !important; }"""
 """Twice those of a phone, as a reader may set them without enlarging the rest."""
 
@@ -160,7 +161,7 @@ ON_PAPER = [Look("can be pressed", PRESSED_ON_PAPER), Look("is shut", SHUT_ON_PA
 
 
 def pages(book: Any) -> list[str]:
-    return ["", *LISTS, *(chapter["url"] for chapter in book["chapters"])]
+    return ["", *TRANSLATED, *LISTS, *(chapter["url"] for chapter in book["chapters"])]
 
 
 def found(reader: Reader, looks: Iterable[Look], where: str) -> Iterator[str]:

@@ -86,6 +86,8 @@ def test_after_one_visit_every_page_its_figures_and_the_search_work_without_a_ne
             for chapter in book["chapters"]:
                 page.goto(kept.root + chapter["url"])
                 assert chapter["title"] in page.title()
+            page.goto(kept.root + "de/why-image-formation/")
+            assert page.locator("html").get_attribute("lang") == "de"
             for end in ("glossary", "glossary/?figure-camera.k1=0", "glossary/#term-vignetting"):
                 page.goto(kept.root + end)
                 assert page.title().startswith("Glossary")

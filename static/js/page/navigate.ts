@@ -9,7 +9,7 @@ import { linkedPage } from "./links.ts";
 import { notice } from "./notice.ts";
 import { HostError, fetchPage } from "./prefetch.ts";
 import { isOfRelease } from "./release.ts";
-import { words } from "./words.ts";
+import { speakAs, words } from "./words.ts";
 
 /** What a head says of its own page, or with addresses relative to it. */
 const OF_A_PAGE = [
@@ -113,6 +113,8 @@ function parsed(url: URL, { text, type, redirected }: import("./prefetch.ts").Pa
 /** Called when the address is already the new page's, so that relative links resolve. */
 function putInPlace(page: Document) {
   document.title = page.title;
+  document.documentElement.lang = page.documentElement.lang;
+  speakAs(page);
   const old = document.head.querySelectorAll(OF_A_PAGE);
   document.head.append(...page.head.querySelectorAll(OF_A_PAGE));
   for (const part of old) part.remove();

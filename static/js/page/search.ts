@@ -59,19 +59,23 @@ async function refresh(dialog: HTMLDialogElement) {
   }
 }
 
-let fetching: Promise<{
-  show: Results["show"];
-  index: import("../search/results.ts").Index;
-}> | null = null;
+type Opened = { show: Results["show"]; index: import("../search/results.ts").Index };
+
+/** By the language of the page. */
+const fetching: Map<string, Promise<Opened>> = new Map();
 
 function fetchResults() {
-  fetching ??= import("../search/results.ts")
-    .then(async ({ show, fetchIndex }) => ({ show, index: await fetchIndex() }))
-    .catch((error) => {
-      fetching = null;
-      throw error;
-    });
-  return fetching;
+  const { lang } = document.documentElement;
+  const opened =
+    fetching.get(lang) ??
+    import("../search/results.ts")
+      .then(async ({ show, fetchIndex }) => ({ show, index: await fetchIndex() }))
+      .catch((error) => {
+        fetching.delete(lang);
+        throw error;
+      });
+  fetching.set(lang, opened);
+  return opened;
 }
 
 function pressed(event: KeyboardEvent) {

@@ -1,4 +1,4 @@
-/** Which section is read: its links in the contents are marked. */
+/** Which section is read: its links in the contents are marked, and other languages begin there. */
 
 import { all } from "./dom.ts";
 
@@ -26,6 +26,9 @@ function mark() {
   const current = listed().findLast(
     (heading) => heading.getBoundingClientRect().top < LINE * innerHeight,
   );
+  for (const link of all(document, ".other-language", HTMLAnchorElement)) {
+    link.hash = current?.id ?? "";
+  }
   for (const link of all(document, ".sections a", HTMLAnchorElement)) {
     const isCurrent = current !== undefined && idOf(link) === current.id;
     link.ariaCurrent = isCurrent ? "location" : null;

@@ -1,13 +1,22 @@
 /** What scripts say, in the language of the book: `site_builder/languages/` has the texts. */
 
-import { DECIMAL, WORDS } from "../book.js";
+import * as book from "../book.js";
+
+/** Those of the page that is shown, which may be a translation. */
+let spoken: Pick<typeof book, "DECIMAL" | "WORDS"> = book;
+
+/** Speak the language of a page: a translation has its words in it, all others those of the book. */
+export function speakAs(page: Document) {
+  const own = page.getElementById("words");
+  spoken = own ? JSON.parse(own.textContent ?? "") : book;
+}
 
 /**
  * The text under `key` with its placeholders filled; of one that depends on a number, the form for
  * `count`.
  */
 export function words(key: string, values: Record<string, string | number> = {}): string {
-  const text = WORDS[key];
+  const text = spoken.WORDS[key];
   const form = typeof text === "string" ? text : text[values.count === 1 ? "one" : "other"];
   return form.replaceAll(/\{(\w+)\}/g, (_, name) => String(values[name]));
 }
@@ -30,11 +39,13 @@ export function numeral(text: string): string {
   if (text === "undefined") return words("number.undefined");
   const [, limit] = /^under (.+)$/.exec(text) ?? [];
   if (limit) return words("number.under", { limit: numeral(limit) });
+  const { DECIMAL } = spoken;
   return DECIMAL === "." ? text : text.replaceAll(/(?<=\d)\.(?=\d)/g, DECIMAL);
 }
 
 /** The same number for other programs. */
 export function fromNumeral(text: string) {
+  const { DECIMAL } = spoken;
   return DECIMAL === "." ? text : text.replaceAll(DECIMAL, ".");
 }
 
@@ -49,7 +60,7 @@ export function numberTyped(text: string) {
     .replace(/^[-−–‐‑﹣－]\s*/, "-")
     .replaceAll(/(?<=\d)[\s'’](?=\d{3}(?!\d))/g, "");
   const [last = ""] = /[.,](?=[^.,]*$)/.exec(bare) ?? [];
-  const isGrouped = last !== DECIMAL && /^[-+]?[1-9]\d{0,2}[.,]\d{3}$/.test(bare);
+  const isGrouped = last !== spoken.DECIMAL && /^[-+]?[1-9]\d{0,2}[.,]\d{3}$/.test(bare);
   const decimal = isGrouped || bare.split(last).length > 2 ? "" : last;
   const thousands = /[.,](?=\d{3}(?!\d))/g;
   const number = bare.replaceAll(thousands, (sign) => (sign === decimal ? sign : ""));

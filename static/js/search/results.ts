@@ -7,10 +7,10 @@ import { excerpt } from "./excerpt.ts";
 import { find, settings, type Hit } from "./ranking.ts";
 import { language, type Language } from "./words.ts";
 
-/** The sections of the book, and how their words are compared. */
+/** The sections of the book, and how words of the page's language are compared. */
 export interface Index {
-  /** A MiniSearch. */
-  sections: any;
+  /** One MiniSearch, or two: of a translation, then of the original for what that lacks. */
+  sections: any[];
   language: Language;
 }
 
@@ -29,17 +29,22 @@ export async function fetchIndex(): Promise<Index> {
   const again = attempts > 0 ? `?again=${attempts}` : "";
   attempts += 1;
   const library = (name: string) => import(address("assets", `search/${name}`) + again);
-  const [{ default: MiniSearch }, { stemmer }, reply] = await Promise.all([
+  const { language: translation } = document.body.dataset;
+  const names = translation ? [translation, "index"] : ["index"];
+  const [{ default: MiniSearch }, { stemmer }, ...indices] = await Promise.all([
     library("minisearch.js"),
-    library("stemmer.js"),
-    fetch(address("root", "search/index.json"), { cache: "no-cache" }),
+    library(`stemmer-${document.documentElement.lang}.js`),
+    ...names.map((name) => fetchJson(`search/${name}.json`)),
   ]);
-  if (!reply.ok) throw new Error(words("search.index_answered", { status: reply.status }));
   const compared = language(stemmer, words("search.stop_words"), words("search.synonyms"));
-  return {
-    sections: MiniSearch.loadJS(await reply.json(), settings(compared)),
-    language: compared,
-  };
+  const sections = indices.map((index) => MiniSearch.loadJS(index, settings(compared)));
+  return { sections, language: compared };
+}
+
+async function fetchJson(path: string) {
+  const reply = await fetch(address("root", path), { cache: "no-cache" });
+  if (!reply.ok) throw new Error(words("search.index_answered", { status: reply.status }));
+  return reply.json();
 }
 
 function address(folder: "assets" | "root", path: string) {
@@ -55,7 +60,11 @@ export function show(dialog: HTMLDialogElement, { sections, language: compared }
   const list = one(dialog, ".search-results", HTMLElement);
   if (shown.get(list) === query) return;
   shown.set(list, query);
-  const { hits, exact } = find(sections, compared, query);
+  const found = sections.map((index) => find(index, compared, query));
+  const { hits, exact } =
+    found.find((each) => each.exact && each.hits.length > 0) ??
+    found.find((each) => each.hits.length > 0) ??
+    found[0];
   const template = one(dialog, "template", HTMLTemplateElement);
   list.replaceChildren(...hits.slice(0, MOST).map((hit) => item(template, hit, compared)));
   list.scrollTop = 0;

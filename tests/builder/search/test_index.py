@@ -20,7 +20,7 @@ RECORDS = ((record(0), record(1)), (record(2),))
 
 @pytest.fixture(scope="module")
 def means() -> Means:
-    return indexing(fetch_library(), ENGLISH)
+    return indexing(fetch_library("en"), ENGLISH)
 
 
 def test_every_section_is_in_the_index(means: Means) -> None:

@@ -1,0 +1,1 @@
+"""A book in further languages: what is translated stands in ``content/LANGUAGE/``."""
