@@ -19,16 +19,20 @@ def part_titles(parts: Mapping[str, str], chapters: Sequence[str]) -> list[str]:
 
 
 def check_parts(
-    parts: Mapping[str, str], chapters: Sequence[str], toml: Toml, problems: Diagnostics
+    parts: Mapping[str, str],
+    chapters: Sequence[str],
+    toml: Toml,
+    problems: Diagnostics,
+    path: str = FILE_NAME,
 ) -> None:
     """Report parts that begin with no chapter, and those that are not in the order of chapters."""
     last, before = -1, ""
     for title, first in parts.items():
         line = toml.line("parts", title)
         if first not in chapters:
-            problems.add(FILE_NAME, line, unknown("chapter", first, chapters))
+            problems.add(path, line, unknown("chapter", first, chapters))
             continue
         if (place := chapters.index(first)) <= last:
             message = f"part {title!r} begins with {first!r}, where {before!r} has begun"
-            problems.add(FILE_NAME, line, f"{message}; legal: a chapter after {chapters[last]!r}")
+            problems.add(path, line, f"{message}; legal: a chapter after {chapters[last]!r}")
         last, before = max(last, place), title

@@ -18,7 +18,8 @@ from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.targets import Targets
 from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.places import Position
+from site_builder.page_model.places import Position, chapter_id
+from site_builder.parts import check_parts
 from site_builder.references.glossary import read_glossary
 from site_builder.source import (
     Outline,
@@ -78,6 +79,9 @@ def read_translations(
 def _outline(root: Path, language: str, original: Outline, problems: Diagnostics) -> Outline:
     settings, toml = translated_settings(root, language, original.settings, problems)
     words = load_words(language).labelled(asdict(settings.labels))
+    if toml.table.get("parts"):
+        chapters = [*map(chapter_id, settings.chapters)]
+        check_parts(settings.parts, chapters, toml, problems, file_of(language))
     places: Mapping[str, Position] = dict(positions(settings, words))
     own = bool(toml.table.get("starts"))
     return replace(
