@@ -9,7 +9,6 @@ PLAIN = {
     "ladder-bench": "div",
     "form": "div",
     "fieldset": "div",
-    "legend": "div",
     "output": "span",
 }
 

@@ -75,7 +75,7 @@ def form_of(reader: Reader, quiz: Any) -> Locator:
 
 
 def asked(reader: Reader, quiz: Any) -> str:
-    return form_of(reader, quiz).locator("legend").inner_text()
+    return form_of(reader, quiz).locator(".asked").inner_text()
 
 
 def verdict(form: Locator) -> str | None:

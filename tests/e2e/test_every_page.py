@@ -74,7 +74,7 @@ PRESSED_ON_PAPER = """() => [...document.querySelectorAll("button, select, [type
 SHUT_ON_PAPER = """() => [...document.querySelectorAll(":is(.extremes, .ladder-table) tbody tr")]
   .filter((one) => !one.checkVisibility()).map((one) => one.textContent.slice(0, 40))"""
 UNSAID = """() => [...document.querySelectorAll(
-    "canvas.live, :is(a, label, legend, button, h1, h2, h3, figcaption, [id$=-caption]) math")]
+    "canvas.live, :is(a, label, .asked, button, h1, h2, h3, figcaption, [id$=-caption]) math")]
   .filter((thing) => !(thing.ariaLabel ?? thing.getAttribute("aria-labelledby")))
   .map((thing) => thing.parentElement.textContent.slice(0, 60))"""
 """Pictures, and formulae in names; axe asks it of what else has a name."""

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from html.parser import HTMLParser
 
 VOID = {"meta", "link", "img", "input", "br", "hr", "source", "track"}
-NO_PARAGRAPHS_INSIDE = {"p", "legend", "h1", "h2", "h3", "h4", "label", "summary", "a", "span"}
+NO_PARAGRAPHS_INSIDE = {"p", "h1", "h2", "h3", "h4", "label", "summary", "a", "span"}
 BLOCKS = {"p", "div", "ul", "ol", "table", "figure", "section", "aside", "form", "pre"}
 
 

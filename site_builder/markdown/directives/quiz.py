@@ -12,7 +12,7 @@ from site_builder.page_model.questions import Quiz
 
 
 def _prompt(call: DirectiveCall, prompt: Sequence[Token], context: ParseContext) -> Passage:
-    """The question as phrasing content, all that a ``legend`` may hold: one line below another."""
+    """The question as phrasing content, all that a paragraph may hold: one line below another."""
     shown: list[list[Token]] = []
     for token in prompt:
         if token.type == "inline":

@@ -51,7 +51,7 @@ function listMissed(section: HTMLElement) {
     ...missed.map((form) => {
       const [item, link] = [document.createElement("li"), document.createElement("a")];
       link.href = `#${form.id}`;
-      link.textContent = form.querySelector("legend")?.textContent?.trim() ?? "";
+      link.textContent = form.querySelector(".asked")?.textContent?.trim() ?? "";
       item.append(link);
       return item;
     }),

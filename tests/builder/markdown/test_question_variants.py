@@ -88,13 +88,13 @@ def test_a_chapter_collects_what_is_in_the_first_combination_alone(book: Book) -
 
 def test_the_page_shows_the_first_and_carries_all(options: Options) -> None:
     page = rendered(options)["first/index.html"].decode()
-    (legend,) = re.findall(r"<legend>(How wide.*?)</legend>", page, re.DOTALL)
-    assert "50" in legend
+    (asked,) = re.findall(r'<p class="asked"[^>]*>(How wide.*?)</p>', page, re.DOTALL)
+    assert "50" in asked
     found = re.findall(r'class="quiz-data">(.*?)</script>', page, re.DOTALL)
     drawn, undrawn = map(json.loads, found)
-    legends = [variant["fieldset_html"] for variant in drawn["variants"]]
-    assert ["100" in text for text in legends] == [False, False, True, True]
-    assert all('name="answer"' in text for text in legends)
+    variants = [variant["fieldset_html"] for variant in drawn["variants"]]
+    assert ["100" in text for text in variants] == [False, False, True, True]
+    assert all('name="answer"' in text for text in variants)
     assert "variants" not in undrawn
     assert page.count("data-draw") == 1
 
