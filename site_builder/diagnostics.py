@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sized
 from dataclasses import dataclass, field
 
 from site_builder.blame import place_of, settings_of, words_of
+from site_builder.removed import replacement
 
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
@@ -82,7 +83,9 @@ def counted(found: Sized, name: str) -> str:
 
 def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
     """``unknown KIND 'given'``, then the nearest legal name or, where none is near, the legal ones:
-    all of them, or the first of many."""
+    all of them, or the first of many. Of a name that an earlier version had: what replaces it."""
+    if instead := replacement(kind, given):
+        return f"unknown {kind} {given!r}; instead: {instead}"
     names = list(expected)
     near = difflib.get_close_matches(given, names, n=1)
     listed = ", ".join(names[:MOST_LISTED]) or "none"
