@@ -3,7 +3,8 @@ that every new book begins with."""
 
 from pathlib import Path
 
-from site_builder.engine_files import STATIC
+from site_builder.engine_files import ENGINE, STATIC, own_or_engine
+from site_builder.guide.changes import changes_page
 from site_builder.guide.classes import read_classes
 from site_builder.guide.controls import MARK, controls_table
 from site_builder.guide.pages import directive_page, drawing_page, role_page, settings_page
@@ -25,6 +26,7 @@ def guide_files() -> dict[str, bytes]:
         "content/05-drawings.md": drawing_page(classes.roles, classes.manners, classes.texts),
         SCENE: (OWN / SCENE).read_text(encoding="utf-8").replace(MARK, controls_table()),
         "content/08-settings.md": settings_page(),
+        "content/11-changes.md": changes_page(own_or_engine(ENGINE, "CHANGELOG.md")),
         "simulations/models/classes.py": (
             f'"""Made by the guide."""\n\nROLES = {classes.roles!r}\n'
             f"MANNERS = {tuple(classes.manners)!r}\nTEXTS = {classes.texts!r}\n"

@@ -84,8 +84,7 @@ def settings_page() -> str:
     return _chapter(
         "Settings",
         "Every key of content/book.toml, what it sets, and what holds without it.",
-        "`python -m site_builder schema` prints the same as a JSON schema, by which an editor "
-        "completes and checks the file as you type.",
+        "A key that is not in this table, or a value of another kind, is a mistake with its line.",
         [f"## The keys\n\n{settings_table()}\n"],
     )
 
