@@ -20,6 +20,10 @@ def test_a_wrong_number_stands_beside_the_computed_one_with_its_reply(
     assert form.locator(".guessed dd").inner_text() == "40 px"
     assert form.locator(".computed dd").inner_text().replace("\u00a0", " ") == "\u221240.0 px"
     assert "inwards" in form.locator(".explanation").inner_text()
+    plain_reader.page.locator("[data-progress-reset]").click()
+    form.locator("input[name=guess]").fill("0")
+    form.locator("button[type=submit]").click()
+    assert form.locator(".explanation").count() == 0, "not taken for the mistake of −0.2"
 
 
 def test_a_wrong_choice_is_answered_and_the_right_one_shown(
