@@ -44,19 +44,20 @@ class Figure:
         """By the names of the controls, and ``tier``; a value that is set here moves the figure."""
         self._cache = StageCache()
         self._style = STYLE.read_text(encoding="utf-8")
-        self._picture = widgets.Image(format="svg+xml", layout={"max_width": "100%"})
+        self._pictures = widgets.Box(layout={"flex_flow": "row wrap", "align_items": "flex-start"})
         self._numbers = widgets.HTML()
         tiles = widgets.GridBox([*self.widgets.values()], layout=TILES)
-        self._box = widgets.VBox([self._picture, tiles, self._numbers])
+        self._box = widgets.VBox([self._pictures, tiles, self._numbers])
         self._show()
 
     def _repr_mimebundle_(self, **asked: object) -> object:
         return self._box._repr_mimebundle_(**asked)
 
     @property
-    def picture(self) -> str:
-        """The frame as SVG."""
-        return frame_svg(self.frame.panels, self._style)
+    def pictures(self) -> list[str]:
+        """The panels as SVG, the one that leads first."""
+        panels = sorted(self.frame.panels, key=lambda panel: not panel.lead)
+        return [frame_svg([panel], self._style) for panel in panels]
 
     def _make_widgets(self) -> dict[str, Widget]:
         made: dict[str, Widget] = {}
@@ -94,9 +95,18 @@ class Figure:
     def _show(self) -> None:
         settings = self.scene.clamp(self.values)
         self.frame: Frame = self.scene.render(settings, self.tier, self._cache)
-        self._picture.value = self.picture.encode()
+        if len(self._pictures.children) != len(self.frame.panels):
+            self._pictures.children = [_image() for _ in self.frame.panels]
+        for image, svg in zip(self._pictures.children, self.pictures, strict=True):
+            image.value = svg.encode()
         numbers = "&ensp; ".join(map(_number, self.frame.readouts))
         self._numbers.value = f"<p>{numbers}</p><p>{escape(self.frame.description)}</p>"
+
+
+def _image() -> Widget:
+    """Of a panel: beside others as long as its letters can be read."""
+    layout = {"flex": "1 1 340px", "max_width": "640px", "min_width": "0"}
+    return widgets.Image(format="svg+xml", layout=layout)
 
 
 def _number(shown: Readout) -> str:

@@ -1,22 +1,23 @@
 """The cells of each directive."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
 from site_builder.editions.notebooks.cells import Code, Part, Text, wrapped
 from site_builder.editions.notebooks.figures import figure, illustration, simulation, video
 from site_builder.editions.notebooks.page import Page, folded, named
-from site_builder.editions.notebooks.questions import predict, quiz
+from site_builder.editions.notebooks.questions import predict, quiz, right
 from site_builder.editions.notebooks.tables import extremes, ladder, ladder_table, stage_costs
 from site_builder.markdown.directives.callout import Callout
 from site_builder.markdown.directives.data_sheet import DataSheet
 from site_builder.markdown.directives.download import Download
 from site_builder.markdown.directives.example import Example
 from site_builder.markdown.directives.table import Table
-from site_builder.page_model.blocks import Block, Prose, Source
+from site_builder.page_model.blocks import Block, Prose, Source, walk
 from site_builder.page_model.passage import Passage
-from site_builder.page_model.questions import Reveal
+from site_builder.page_model.questions import Prediction, Reveal
 from site_builder.render.markdown import code, escaped, fenced, link, quoted
 
 
@@ -49,10 +50,19 @@ def _quoted(title: str, block: Block, page: Page) -> Iterator[Part]:
 
 
 def answer(content: Reveal, block: Block, page: Page) -> Iterator[Part]:
-    """Named after its question, as cells may lie between the two."""
-    name = page.name_of(content.prediction)
+    """Named after its prediction, as cells may lie between the two; what is right comes first."""
+    asked, name = _prediction(content.prediction, page)
     summary = f"{name}: {page.words('question.answer')}"
-    return wrapped(parts_of(block.inside, page), lambda words: folded(summary, words))
+    parts = (*right(asked, page), *parts_of(block.inside, page))
+    return wrapped(parts, partial(folded, summary))
+
+
+def _prediction(id: str, page: Page) -> tuple[Prediction, str]:
+    """The one of that id, and its name."""
+    for block in walk(page.chapter.body):
+        if isinstance(block.content, Prediction) and block.content.id == id and block.target:
+            return block.content, block.target.name
+    raise LookupError(f"no prediction {id!r}")  # which a check reports
 
 
 def source(content: Source, _block: Block, page: Page) -> Iterator[Part]:

@@ -13,9 +13,8 @@ from site_builder.build import CheckedBook
 from site_builder.editions.links import is_external
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import Words
-from site_builder.page_model.blocks import Simulation, walk
+from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Target
-from site_builder.page_model.questions import Prediction
 from site_builder.publishing.vector import Fonts, png_of
 from site_builder.render.markdown import MarkdownRenderer, escaped
 
@@ -55,16 +54,6 @@ class Page:
 
     def still(self, figure: Simulation) -> InitialFrame:
         return self.checked.initial_frames[figure.path, figure.line]
-
-    def name_of(self, prediction: str) -> str:
-        """``Prediction 4.2``."""
-        asked = (
-            block.target.name
-            for block in walk(self.chapter.body)
-            if isinstance(block.content, Prediction)
-            if block.content.id == prediction and block.target
-        )
-        return next(asked, "")
 
     def picture(self, panels: Sequence[Panel]) -> bytes:
         """The panels as one PNG."""

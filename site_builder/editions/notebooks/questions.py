@@ -2,14 +2,15 @@
 
 import re
 from collections.abc import Iterator
+from functools import partial
 from string import ascii_uppercase
 
 from simulations.engine.frame import Panel
-from site_builder.editions.notebooks.cells import Part, Text
+from site_builder.editions.notebooks.cells import Part, Text, wrapped
 from site_builder.editions.notebooks.page import Page, folded, named
 from site_builder.markdown.questions.kinds import kind_of
-from site_builder.page_model.blocks import Block
-from site_builder.page_model.questions import OTHERWISE, Option, Prediction, Question, Quiz
+from site_builder.page_model.blocks import Block, contents
+from site_builder.page_model.questions import OTHERWISE, Option, Prediction, Question, Quiz, Reveal
 from site_builder.pages.environment import render_template
 from site_builder.render.markdown import escaped
 
@@ -25,17 +26,22 @@ def quiz(question: Quiz, block: Block, page: Page) -> Iterator[Part]:
 
 
 def predict(question: Prediction, block: Block, page: Page) -> Iterator[Part]:
-    """The text that follows has the answer, except for what is right of options and sketches."""
+    """What is right begins the `answer`; where none follows, it stands here."""
     title = f"{named(block.target)}{escaped(page.words('predict.title'))}"
-    asked = [title, page.markdown(question.prompt), _offered(question, page)]
-    pictures = {}
-    right = [_answer(option, page) for option in question.options if option.correct]
+    asked = (title, page.markdown(question.prompt), _offered(question, page))
+    yield Text("\n\n".join(filter(None, asked)))
+    answers = contents(page.chapter.body, Reveal)
+    if question.id not in (each.prediction for each in answers):
+        yield from wrapped(right(question, page), partial(folded, page.words("question.answer")))
+
+
+def right(question: Prediction, page: Page) -> Iterator[Text]:
+    """The right option, number or curve."""
+    yield from (Text(_answer(option, page)) for option in question.options if option.correct)
     if drawing := _sketch(question, page):
         name = f"{question.id}.png"
-        pictures = {name: page.picture([drawing])}
-        right = [f"![{escaped(page.words('predict.computed_curve'))}](attachment:{name})"]
-    asked += [folded(page.words("question.answer"), "\n\n".join(right))] if right else []
-    yield Text("\n\n".join(filter(None, asked)), pictures)
+        shown = f"![{escaped(page.words('predict.computed_curve'))}](attachment:{name})"
+        yield Text(shown, {name: page.picture([drawing])})
 
 
 def _offered(question: Question, page: Page) -> str:

@@ -86,7 +86,8 @@ def test_words_around_code_are_quoted_and_answers_are_folded(
     words = "\n\n".join(sources(cells(SOME_OF_ALL), "markdown"))
     assert "> **Aside**\n>\n> First words." in words
     assert "> Last words." in words
-    assert "<summary>Prediction 0.1: Answer</summary>\n\nThere are nine.\n\n</details>" in words
+    right = "Nine  \n  That is all."
+    assert f"Prediction 0.1: Answer</summary>\n\n{right}\n\nThere are nine.\n\n</details>" in words
     assert "**Figure 0.1** Pull it.\n\nMore of it." in words
 
 
