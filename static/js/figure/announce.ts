@@ -4,15 +4,16 @@ import { setText } from "../page/text.ts";
 const REST = 500;
 
 /**
- * A function that writes text into `element`, a polite live region, once changes have come to
- * rest: a drag is announced by its result only. The rest itself is told by `figure-rest`.
+ * A function that writes text into `element`, once changes have come to rest: a drag is announced
+ * by its result only, and what a page arrives with is not. The rest itself is told by `figure-rest`.
  */
 export function announcer(element: Element): (text: string) => void {
-  element.setAttribute("aria-live", "polite");
   let timer = 0;
   return (text) => {
     clearTimeout(timer);
     timer = setTimeout(() => {
+      const isArrival = navigator.userActivation?.hasBeenActive === false;
+      element.setAttribute("aria-live", isArrival ? "off" : "polite");
       setText(element, text);
       element.dispatchEvent(new Event("figure-rest", { bubbles: true }));
     }, REST);
