@@ -10,7 +10,7 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
-from simulations.engine.frame import Frame, Raster, Readout, to_json
+from simulations.engine.frame import Frame, Raster, Readout, Samples, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.page_pictures import photograph_from_page
 from simulations.engine.photograph import Photograph
@@ -59,6 +59,7 @@ class Reply:
     """`simulations.engine.frame.to_json` of the frame."""
     rasters: tuple[Raster, ...]
     """Pixels of the panels that have any, in the panels' order."""
+    sound: Samples | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +122,7 @@ def _cache_of(figure: str, scene: Scene[Any]) -> StageCache:
 
 def _reply(frame: Frame) -> Reply:
     rasters = tuple(panel.raster for panel in frame.panels if panel.raster is not None)
-    return Reply(to_json(frame), rasters)
+    return Reply(to_json(frame), rasters, frame.sound.samples if frame.sound else None)
 
 
 def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -> str:

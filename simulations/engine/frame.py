@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 type Raster = NDArray[np.uint8]
+type Samples = NDArray[np.float32]
 
 ROLES = ("", "world", "camera", "ray", "image", "light", "error")
 """Colour roles, one per idea, the same in every figure, formula and sentence."""
@@ -86,6 +87,29 @@ class Readout:
 
 
 @dataclass(frozen=True, slots=True)
+class Sound:
+    """What a figure lets its reader hear, on the press of a button."""
+
+    samples: Samples
+    """(N,) float32 from -1 to 1, one channel."""
+    rate: int = 22_050
+    """Samples per second, in Hz."""
+
+    def __post_init__(self) -> None:
+        samples = self.samples
+        if not isinstance(samples, np.ndarray) or samples.dtype != np.float32:
+            kind = getattr(samples, "dtype", type(samples).__name__)
+            raise TypeError(f"samples {kind}; legal: an array of float32")
+        if samples.ndim != 1 or not len(samples) or not samples.flags.c_contiguous:
+            raise ValueError(f"samples {samples.shape}; legal: (N,), at least one, C-contiguous")
+        peak = float(np.abs(samples).max())
+        if not peak <= 1:
+            raise ValueError(f"samples up to {peak:g}; legal: from -1 to 1")
+        if not 8000 <= self.rate <= 96_000:
+            raise ValueError(f"rate {self.rate} Hz; legal: 8000 to 96000 Hz, as Web Audio plays")
+
+
+@dataclass(frozen=True, slots=True)
 class Place:
     """The place of a handle: see `simulations.engine.handles`."""
 
@@ -119,6 +143,8 @@ class Frame:
     stages: tuple[StageReport, ...] = field(default=())
     handles: tuple[Place, ...] = ()
     """Places of the handles that can be grabbed; set by the engine, not by the scene."""
+    sound: Sound | None = None
+    """A scene has one in all of its frames or in none."""
 
     def __post_init__(self) -> None:
         for name, entries, legal in (
@@ -129,6 +155,8 @@ class Frame:
                 entries_given = entries if isinstance(entries, tuple) else (entries,)
                 given = ", ".join(type(entry).__name__ for entry in entries_given)
                 raise TypeError(f"{name} {given}; legal: a tuple of {legal.__name__}")
+        if not isinstance(self.sound, Sound | None):
+            raise TypeError(f"sound {type(self.sound).__name__}; legal: a Sound")
         leads = [panel.name for panel in self.panels if panel.lead]
         if len(leads) > 1:
             raise ValueError(f"panels {leads} all lead; legal: at most one")
@@ -207,7 +235,9 @@ def power_of_ten(exponent: int) -> str:
 
 
 def to_json(frame: Frame) -> str:
-    """The frame without its pixels: panel ``i`` has a raster or not, in the panels' order."""
+    """The frame without its pixels and samples: panel ``i`` has a raster or not, in the panels'
+    order."""
+    sound = {"sound": {"rate": frame.sound.rate}} if frame.sound else {}
     return json.dumps(
         {
             "panels": [
@@ -244,6 +274,7 @@ def to_json(frame: Frame) -> str:
                 | ({"step": round(place.step, 5)} if place.step else {})
                 for place in frame.handles
             ],
+            **sound,
         },
         ensure_ascii=False,
         allow_nan=False,

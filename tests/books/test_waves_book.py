@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, expect
 from support.engine import Engine
 from support.found import ILLUSTRATIONS, TABLES
 from support.places import WAVES
@@ -124,4 +124,44 @@ def test_its_figures_live(waves_site: Path, waves_book: Any, brisk_chromium: Bro
         reader.wait_frame(figure, before)
         assert (figure.locator("output[name=still]").text_content() or "").startswith("6")
         reader.turn_to_figure(waves_book, "leakage")
+        reader.assert_no_complaints()
+
+
+LISTEN = """
+const {start} = AudioBufferSourceNode.prototype;
+window.heard = [];
+AudioBufferSourceNode.prototype.start = function (when, offset) {
+  const samples = this.buffer.getChannelData(0);
+  const peak = samples.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  window.heard.push({length: samples.length, rate: this.buffer.sampleRate, peak, offset});
+  this.loop = true; // or the sound may end before a busy machine has drawn the next frame
+  return start.call(this, when, offset);
+};
+"""
+
+
+@pytest.mark.browser
+def test_a_press_plays_its_samples_and_a_moved_control_changes_them(
+    waves_site: Path, waves_book: Any, brisk_chromium: Browser
+) -> None:
+    with serving(waves_site) as server, visit(brisk_chromium, server, LISTEN) as reader:
+        figure = reader.open_figure(waves_book, "standing-waves")
+        button = figure.locator("[data-play-sound]")
+        assert reader.page.evaluate("heard") == []
+        button.click()
+        reader.page.wait_for_function("heard.length === 1")
+        expect(button).to_have_text("Stop the sound")
+        figure.locator("input[name=number]").fill("5")
+        reader.page.wait_for_function("heard.length === 2")
+        first, second = reader.page.evaluate("heard")
+        assert (first["length"], first["rate"], first["offset"]) == (44_100, 22_050, 0)
+        assert 0.4 < first["peak"] <= 0.5
+        assert second["offset"] > 0, "goes on where the first was"
+        reader.uncover(figure)
+        before = reader.frames(figure)
+        figure.locator("input[name=phase]").fill("0.5")
+        reader.wait_frame(figure, before)
+        button.click()
+        expect(button).to_have_text("Play the sound")
+        assert len(reader.page.evaluate("heard")) == 2, "the same samples are not begun again"
         reader.assert_no_complaints()

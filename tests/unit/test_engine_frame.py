@@ -9,6 +9,7 @@ from simulations.engine.frame import (
     Frame,
     Panel,
     Readout,
+    Sound,
     StageReport,
     format_magnitude,
     format_number,
@@ -124,3 +125,27 @@ def test_pixels_are_rounded_clipped_and_never_undefined() -> None:
 def test_coverage_becomes_the_alpha_channel() -> None:
     rgba = to_rgba8(np.ones((1, 2, 3)), alpha=np.array([[0.0, 1.0]]))
     assert rgba[0].tolist() == [[255, 255, 255, 0], [255, 255, 255, 255]]
+
+
+@pytest.mark.parametrize(
+    ("samples", "rate", "legal"),
+    [
+        (np.zeros(4), 22_050, "legal: an array of float32"),
+        (np.zeros((2, 4), np.float32), 22_050, r"legal: \(N,\)"),
+        (np.array([0.5, -1.5], np.float32), 22_050, "up to 1.5; legal: from -1 to 1"),
+        (np.array([np.nan], np.float32), 22_050, "up to nan"),
+        (np.zeros(4, np.float32), 4000, "legal: 8000 to 96000 Hz"),
+    ],
+)
+def test_sounds_that_no_page_could_play_are_refused(
+    samples: np.ndarray, rate: int, legal: str
+) -> None:
+    with pytest.raises((TypeError, ValueError), match=legal):
+        Sound(samples, rate)
+
+
+def test_a_frame_tells_the_rate_of_its_sound() -> None:
+    panel = Panel("a", "", 400, 300)
+    sound = Sound(np.zeros(4, np.float32), 8000)
+    assert json.loads(to_json(Frame((panel,), (), "Hum.", sound=sound)))["sound"] == {"rate": 8000}
+    assert "sound" not in json.loads(to_json(Frame((panel,), (), "Silent.")))

@@ -7,6 +7,7 @@ from typing import Any
 
 from site_builder.markdown.directive import Directive
 from site_builder.markdown.directives.answer import ANSWER
+from site_builder.markdown.directives.audio import AUDIO
 from site_builder.markdown.directives.callout import CALLOUTS
 from site_builder.markdown.directives.data_sheet import DATA_SHEET
 from site_builder.markdown.directives.download import DOWNLOAD
@@ -35,6 +36,7 @@ DIRECTIVES: tuple[Directive[Any], ...] = (
     ILLUSTRATION,
     FIGURE,
     VIDEO,
+    AUDIO,
     DOWNLOAD,
     TABLE,
     EXTREMES,

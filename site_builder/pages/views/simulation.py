@@ -74,6 +74,8 @@ class SimulationView:
     """JSON that is safe inside a script element."""
     prerendered: str
     """Address of what can be shown before Python has started; nothing where that is nothing."""
+    sounds: bool
+    """Whether it can be heard."""
     takes_picture: bool
     """Whether the reader can show a picture in place of the book's."""
     makes_files: bool
@@ -119,6 +121,7 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         stages_text=count_stages(frame.stages, words),
         schema=json_for_html(schema(still)),
         prerendered=f"{assets}prerendered/{still.prerendered.file}" if still.prerendered else "",
+        sounds=frame.sound is not None,
         takes_picture=scene.photograph is not None and not scene.measures_photographs,
         makes_files=_makes_files(figure),
         frame_height=760 + 140 * (len(frame.panels) > 2) + 100 * figure.yours,

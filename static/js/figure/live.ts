@@ -36,6 +36,8 @@ type Job = { values: string; tier: string; time: number; urgency: number };
 /** A frame that the reader waits for goes before one that only should be ready. */
 const URGENCY = { idle: -1, far: 0, near: 1, touched: 2, held: 3 };
 
+export type Sound = { rate: number; samples: Float32Array<ArrayBuffer> };
+
 let figures = 0;
 /** When the device last found a network again: earlier requests may have failed for lack of it. */
 let onlineSince = 0;
@@ -47,6 +49,7 @@ export class LiveFigure {
   #near = false;
   /** What the last frame was requested for. */
   #asked = "";
+  #sound: Sound | null = null;
   /** Of an initial frame that was taken for the live one, and is not computed yet. */
   #uncached: Job | null = null;
 
@@ -133,6 +136,19 @@ export class LiveFigure {
     const request = this.#request(this.#values, chosenTier(this.form, this.schema));
     const judged = { ...request, conditions };
     return (await this.runtime.call("judge", judged, () => URGENCY.touched)).met;
+  }
+
+  /**
+   * What the present frame sounds like; null where its scene is silent.
+   *
+   * @throws {RuntimeFailure}
+   */
+  async sound(): Promise<Sound | null> {
+    if (this.#sound) return this.#sound;
+    beginAll();
+    const reply = await this.runtime.call("render", this.request(), () => URGENCY.touched);
+    this.#sound ??= soundOf(reply);
+    return this.#sound;
   }
 
   /** Ask for the first frame as soon as it is known whether the figure is in view. */
@@ -317,6 +333,7 @@ export class LiveFigure {
     this.prerendered.end();
     this.painter.paint(meta, reply.rasters);
     this.stages = meta.stages;
+    this.#sound = soundOf(reply);
     this.handles.show(meta.handles);
     showStages(this.figure, meta.stages);
     this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
@@ -347,6 +364,10 @@ export class LiveFigure {
     say(this.figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
     this.figure.dispatchEvent(new Event("figure-rest", { bubbles: true }));
   }
+}
+
+function soundOf({ meta, sound }: FrameReply): Sound | null {
+  return sound ? { rate: JSON.parse(meta).sound.rate, samples: new Float32Array(sound) } : null;
 }
 
 addEventListener("online", () => {

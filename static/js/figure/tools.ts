@@ -27,6 +27,7 @@ const TOOLS: Record<string, Tool> = {
   copyEmbed: (figure, { dataset: { copyEmbed = "", height = "" } }) =>
     copy(figure, embedding(figure, copyEmbed, height), words("tools.embed_copied")),
   copyPython,
+  playSound: async (figure, button) => (await import("./sound.ts")).toggleSound(figure, button),
   saveNumbers: (figure) => save(figure, "numbers.csv", numbersOf(figure), "text/csv"),
   savePanel,
 };

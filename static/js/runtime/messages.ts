@@ -7,8 +7,13 @@
 /** A frame: of which figure and scene, at which control values (as JSON), by which tier. */
 export type FrameRequest = { figure: string; scene: string; values: string; tier: string };
 
-/** `meta`: the frame as JSON; `rasters`: the pixels of its panels, transferred. */
-export type FrameReply = { meta: string; rasters: ArrayBuffer[]; computeMs: number };
+/** `meta`: the frame as JSON; `rasters`: the pixels of its panels, and `sound`: samples, transferred. */
+export type FrameReply = {
+  meta: string;
+  rasters: ArrayBuffer[];
+  sound?: ArrayBuffer;
+  computeMs: number;
+};
 
 /** What the interpreter starts from. */
 export interface StartRequest {

@@ -5,7 +5,7 @@ import { SOURCES, type Chunks } from "./chunks.ts";
 import { free } from "./free.ts";
 import { startInterpreter } from "./interpreter.ts";
 import { LoadError } from "./load_error.ts";
-import type { CallName, Picture, Replies, Requests } from "./messages.ts";
+import type { CallName, FrameReply, Picture, Replies, Requests } from "./messages.ts";
 import { draw } from "./pixels.ts";
 
 /** Functions of `simulations.browser`. */
@@ -95,7 +95,7 @@ const CALLS: {
 
   async develop({ figure, scene, values, tier, picture }) {
     const raster = python.develop(figure, scene, values, tier, drawable(picture));
-    return { rasters: [takeRaster(raster)] };
+    return { rasters: [takeArray(raster)] };
   },
 
   async sheet({ figure, scene, values, tier }) {
@@ -118,7 +118,8 @@ self.onmessage = async ({ data }) => {
     if (chunks && data.call !== "start") await provideFor(data, chunks);
     const call: (request: any) => Promise<{}> = CALLS[data.call as CallName];
     const reply = await call(data);
-    const transfer = "rasters" in reply ? (reply.rasters as ArrayBuffer[]) : [];
+    const { rasters = [], sound = [] } = reply as { rasters?: ArrayBuffer[]; sound?: ArrayBuffer };
+    const transfer = rasters.concat(sound);
     self.postMessage({ id, ok: true, ...reply }, { transfer });
   } catch (error) {
     self.postMessage({ id, ok: false, ...explain(error) });
@@ -202,18 +203,20 @@ function drawable({ bitmap, ...about }: Picture) {
 }
 
 /** A frame, copied out of the interpreter's memory and released there. */
-function takeFrame(frame: any): { meta: string; rasters: ArrayBuffer[] } {
-  const { meta, rasters } = frame;
+function takeFrame(frame: any): Omit<FrameReply, "computeMs"> {
+  const { meta, rasters, sound } = frame;
   try {
     const indices = Array.from({ length: rasters.length }, (_, index) => index);
-    return { meta, rasters: indices.map((index) => takeRaster(rasters.get(index))) };
+    const taken = { meta, rasters: indices.map((index) => takeArray(rasters.get(index))) };
+    return sound ? { ...taken, sound: takeArray(sound) } : taken;
   } finally {
     rasters.destroy();
     frame.destroy();
   }
 }
 
-function takeRaster(array: any): ArrayBuffer {
+/** The bytes of an array. */
+function takeArray(array: any): ArrayBuffer {
   const view = array.getBuffer("u8");
   try {
     return view.data.slice().buffer;

@@ -1,4 +1,4 @@
-"""What an author brings from other files: pictures, films, downloads."""
+"""What an author brings from other files: pictures, films, recordings, downloads."""
 
 import re
 from collections.abc import Callable
@@ -26,8 +26,16 @@ FILM = """
 The board slides by.
 :::
 """
+RECORDING = """
+:::{audio} clips/string.mp3
+:title: The open string.
+:licence: Ada Lovelace, CC BY 4.0
+A *low* note that dies away.
+:::
+"""
 FILES: dict[str, str | None] = {
     "content/clips/pan.mp4": "a film",
+    "content/clips/string.mp3": "a recording",
     "content/clips/pan.vtt": "WEBVTT\n\n00:00.000 --> 00:01.000\nHello.\n",
     "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 400"/>',
     "content/images/night.svg": '<svg xmlns="http://www.w3.org/2000/svg" width="32" height="20"/>',
@@ -77,6 +85,24 @@ def test_on_paper_a_film_is_its_still(make_book: MakeBook) -> None:
     assert still.get("src", "").endswith("images/plan.svg")
     assert still.get("alt") == "A camera that pans over a checkerboard"
     assert not list(elements(article, "video"))
+
+
+def test_a_recording_waits_and_has_its_words_below_it(make_book: MakeBook) -> None:
+    options = make_book(RECORDING, FILES)
+    html = page(options)
+    (player,) = re.findall(r"<audio[^>]*>", html)
+    assert "autoplay" not in player
+    assert re.search(r'<source src="[^"]+string\.mp3" type="audio/mpeg">', html)
+    assert "Ada Lovelace, CC BY 4.0" in html
+    assert re.search(r"<details class=.transcript.>.*A <em>low</em> note", html, re.DOTALL)
+    assert any(name.endswith("clips/string.mp3") for name in rendered(options))
+
+
+def test_on_paper_a_recording_is_its_words(make_book: MakeBook) -> None:
+    article = compose(make_book(RECORDING, FILES)).sections[0].article
+    assert not list(elements(article, "audio"))
+    (transcript,) = elements(article, kind="transcript")
+    assert "A low note that dies away." in "".join(transcript.itertext())
 
 
 def test_a_film_is_found_by_what_it_shows(make_book: MakeBook) -> None:
