@@ -66,7 +66,9 @@ def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: Make
     files = {f"content/{name}": text for name, text in lists.items()}
     site = render_site(make_book(body, files))
     folders = {path.split("/")[0] for path in site if "/" in path}
-    assert folders - {"first", "second"} | {"cards", "runtime", "search"} == set(OWN_FOLDERS)
+    assert folders - {"first", "second"} | {"cards", "embed", "runtime", "search"} == set(
+        OWN_FOLDERS
+    )
 
 
 def test_source_is_shown_where_python_finds_it(make_book: MakeBook) -> None:
