@@ -215,6 +215,7 @@ def test_numbers_can_be_heard_and_do_not_speak_while_they_change(plain_reader: R
     readouts = figure.locator(".readouts").first
     heard = readouts.aria_snapshot()
     assert "status" not in heard
+    assert "paragraph" in heard, "Firefox tells of no flexible box without a role"
     assert readouts.locator("output").first.inner_text() in heard
     panels = figure.locator(".panels")
     assert panels.locator("svg text").count() > 0
