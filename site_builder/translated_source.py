@@ -32,6 +32,7 @@ from site_builder.source import (
 from site_builder.source_text import read_text
 from site_builder.translations.adopted import adopted
 from site_builder.translations.glossary import glossary_of, translated_glossary
+from site_builder.translations.labels import read_labels
 from site_builder.translations.languages import folder_of
 from site_builder.translations.same import check_contents, check_places
 from site_builder.translations.settings import file_of, translated_settings
@@ -78,7 +79,10 @@ def read_translations(
 
 def _outline(root: Path, language: str, original: Outline, problems: Diagnostics) -> Outline:
     settings, toml = translated_settings(root, language, original.settings, problems)
-    words = load_words(language).labelled(asdict(settings.labels))
+    words = replace(
+        load_words(language).labelled(asdict(settings.labels)),
+        figures=read_labels(root, language, problems),
+    )
     if toml.table.get("parts"):
         chapters = [*map(chapter_id, settings.chapters)]
         check_parts(settings.parts, chapters, toml, problems, file_of(language))

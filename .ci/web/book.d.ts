@@ -5,6 +5,7 @@ declare module "*/book.js" {
   export const LANGUAGE: string;
   export const DECIMAL: string;
   export const STORAGE: string;
+  export const FIGURES: Record<string, string>;
   export const WORDS: Record<string, string | { one: string; other: string }>;
 }
 

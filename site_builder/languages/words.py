@@ -8,7 +8,7 @@ chosen by ``count``. Scripts use the texts below ``script``.
 import re
 import tomllib
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
@@ -31,6 +31,8 @@ class Words:
     language: str
     """Its tag, as in ``lang``: ``de``."""
     texts: Mapping[str, Text]
+    figures: Mapping[str, str] = field(default_factory=dict)
+    """What figures say, by what it is in the language that they are drawn in."""
 
     def __call__(self, key: str, **values: object) -> str:
         """The text with its placeholders filled. Raises `KeyError` where there is none."""

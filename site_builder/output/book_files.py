@@ -23,7 +23,11 @@ def book_css(words: Words, selector: str = ":root") -> str:
 
 def spoken(words: Words) -> dict[str, object]:
     """What scripts say in one language; a page of a translation carries its own."""
-    return {"DECIMAL": words("language.decimal"), "WORDS": words.of_scripts}
+    return {
+        "DECIMAL": words("language.decimal"),
+        "FIGURES": dict(words.figures),
+        "WORDS": words.of_scripts,
+    }
 
 
 def book_script(settings: Settings, words: Words) -> bytes:

@@ -13,6 +13,7 @@ from site_builder.engine_files import own_or_engine
 from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.files import folder_hash
 from site_builder.hashing import hash_of
+from site_builder.markdown.directives.illustration import Drawn as Illustration
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.places import Heading
@@ -34,6 +35,7 @@ from site_builder.pages.views.symbols import view_symbols
 from site_builder.pages.views.thumbnail import thumbnail
 from site_builder.references.bibliography import EMPTY
 from site_builder.render.paper import paper_renderer
+from site_builder.translations.labels import figure_markup
 
 BACK_MATTER = {
     "glossary": "glossary.title",
@@ -229,15 +231,15 @@ def render_page(
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
-        return Markup(
-            template.render(
-                shared,
-                block=block.content,
-                inside=block.inside,
-                target=block.target,
-                chapter=chapter,
-            )
+        html = template.render(
+            shared,
+            block=block.content,
+            inside=block.inside,
+            target=block.target,
+            chapter=chapter,
         )
+        is_figure = isinstance(block.content, Simulation | Illustration)
+        return Markup(figure_markup(html, site.book.words) if is_figure else html)
 
     def integrity(name: str) -> Markup:
         known = site.hashes.get(name)

@@ -3,6 +3,7 @@
 from typing import Any, Literal
 
 import pytest
+from playwright.sync_api import expect
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
@@ -45,6 +46,9 @@ def test_another_language_keeps_section_interpreter_and_answers(visitor: Reader)
     visitor.wait_live()
     assert page.workers == [worker]
     assert page.locator("#figure-formation-pipeline .control-value").first.inner_text() == "0,60"
+    drawing = page.locator("#figure-formation-pipeline svg.overlay").last
+    page.locator("#figure-formation-pipeline").get_by_text("Weiter", exact=True).click()
+    expect(drawing).to_contain_text("(0,40; −0,30; 4,00) m von der Kamera")
     page.go_back()
     page.wait_for_function("document.documentElement.lang === 'en'")
     assert page.locator(f".other-language[href$='#{section}']").inner_text() == "Deutsch"

@@ -4,6 +4,8 @@
  * that differ are styled, laid out and painted anew.
  */
 
+import { figureMarkup } from "../page/words.ts";
+
 /** Where markup is parsed: an `svg`, so that its children are read as those of an overlay. */
 const scratch = document.createElementNS("http://www.w3.org/2000/svg", "svg");
 
@@ -16,7 +18,7 @@ export class Overlay {
   /** Show what `markup` says, as if it had been parsed into the place. */
   show(markup: string) {
     if (markup === this.#shown) return;
-    scratch.innerHTML = markup;
+    scratch.innerHTML = figureMarkup(markup);
     changeChildren(this.svg, scratch);
     scratch.replaceChildren();
     this.#shown = markup;

@@ -3,7 +3,7 @@
 import * as book from "../book.js";
 
 /** Those of the page that is shown, which may be a translation. */
-let spoken: Pick<typeof book, "DECIMAL" | "WORDS"> = book;
+let spoken: Pick<typeof book, "DECIMAL" | "FIGURES" | "WORDS"> = book;
 
 /** Speak the language of a page: a translation has its words in it, all others those of the book. */
 export function speakAs(page: Document) {
@@ -41,6 +41,24 @@ export function numeral(text: string): string {
   if (limit) return words("number.under", { limit: numeral(limit) });
   const { DECIMAL } = spoken;
   return DECIMAL === "." ? text : text.replaceAll(/(?<=\d)\.(?=\d)/g, DECIMAL);
+}
+
+const NUMBER = /[−-]?\d+(?:\.\d+)?/g;
+
+/** What a figure says, in the language of the page where that has it; `#` is each number of it. */
+export function figureText(text: string) {
+  const label = spoken.FIGURES[text.trim().replaceAll(NUMBER, "#")];
+  if (label === undefined) return text;
+  const numbers = text.match(NUMBER) ?? [];
+  let next = 0;
+  return label.replaceAll("#", () => numeral(numbers[next++]));
+}
+
+/** A drawing with its texts in the language of the page. */
+export function figureMarkup(markup: string) {
+  const { FIGURES } = spoken;
+  if (Object.keys(FIGURES).length === 0) return markup;
+  return markup.replaceAll(/(?<=>)[^<>]+(?=<)/g, (text) => figureText(text));
 }
 
 /** The same number for other programs. */

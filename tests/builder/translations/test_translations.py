@@ -11,6 +11,8 @@ from support.html_outline import Page, read_html
 from support.little_book import diagnostics, rendered
 
 from site_builder.build import Options
+from site_builder.languages.words import load_words
+from site_builder.translations.labels import figure_markup
 
 ORIGINAL = """\
 ## How far {#far}
@@ -136,6 +138,19 @@ def test_a_translation_speaks_its_language(site: Mapping[str, bytes]) -> None:
     assert 'id="words"' not in site["first/index.html"].decode()
     css = next(site[name].decode() for name in site if name.endswith("css/book.css"))
     assert ":root:lang(de)" in css
+
+
+def test_figures_say_what_is_translated_with_the_decimal_sign(translate: Translate) -> None:
+    labels = '"Distortion" = "Verzeichnung"\n"# px" = "# Pixel"\n"Plan" = 1\n"# m" = "m"\n'
+    path = "content/de/labels.toml"
+    assert len(diagnostics(translate(files={path: labels}))) == 2
+    sound = labels.partition('"Plan"')[0]
+    page = rendered(translate(files={path: sound}))["de/first/index.html"].decode()
+    assert ">Verzeichnung</label>" in page
+    assert '"label": "Verzeichnung"' in page
+    assert ">Distortion<" not in page
+    words = replace(load_words("de"), figures={"(#, #) px": "(#; #) px"})
+    assert figure_markup("<text>(0.5, −2) px</text>", words) == "<text>(0,5; −2) px</text>"
 
 
 def test_a_title_page_alone_is_a_translation(make_book: Callable[..., Options]) -> None:

@@ -1,0 +1,45 @@
+"""``content/LANGUAGE/labels.toml``: what figures say, by what it is in the original. ``#`` stands
+for each number. As ``figureText`` and ``figureMarkup`` of ``static/js/page/words.ts``."""
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from site_builder.diagnostics import Diagnostics
+from site_builder.languages.words import Words
+from site_builder.source_text import read_toml
+
+NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
+TEXT = re.compile(r"(?<=>)[^<>]+(?=<)")
+SPOKEN = re.compile(r'((?:aria-\w+|alt|data-hint|"label"):?[= ]")([^"]+)(?=")')
+"""Attributes of elements, and labels in the data of a figure."""
+
+
+def read_labels(root: Path, language: str, problems: Diagnostics) -> Mapping[str, str]:
+    path = f"content/{language}/labels.toml"
+    toml = read_toml(root, path, problems) if (root / path).is_file() else None
+    labels: dict[str, str] = {}
+    for text, label in toml.table.items() if toml else ():
+        if not isinstance(label, str) or label.count("#") != text.count("#"):
+            expected = f"a text with {text.count('#')} '#'"
+            problems.add(path, toml.line(text) if toml else 1, f"{text!r}; legal: {expected}")
+        else:
+            labels[text] = label
+    return labels
+
+
+def figure_text(text: str, words: Words) -> str:
+    """In the language of the page, where that has it."""
+    label = words.figures.get(NUMBER.sub("#", text.strip()))
+    if label is None:
+        return text
+    numbers = iter(NUMBER.findall(text))
+    return re.sub("#", lambda _: words.numeral(next(numbers)), label)
+
+
+def figure_markup(html: str, words: Words) -> str:
+    """A figure with its texts and spoken names in the language of the page."""
+    if not words.figures:
+        return html
+    html = TEXT.sub(lambda found: figure_text(found[0], words), html)
+    return SPOKEN.sub(lambda found: found[1] + figure_text(found[2], words), html)
