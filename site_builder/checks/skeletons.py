@@ -35,8 +35,8 @@ def check_skeletons(root: Path, book: Book, problems: Diagnostics) -> None:
 
 def _written(root: Path, book: Book) -> Iterator[str]:
     """Paths of files that ``new`` may have written."""
-    yield OUTLINE
-    yield from (chapter.path for chapter in book.chapters if (root / chapter.path).is_file())
+    paths = (OUTLINE, *(chapter.path for chapter in book.chapters))
+    yield from (path for path in paths if (root / path).is_file())
     for room in ROOMS:
         for file in sorted((root / "simulations" / room).rglob("*.py")):
             yield file.relative_to(root).as_posix()
