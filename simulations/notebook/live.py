@@ -21,6 +21,8 @@ from simulations.registry import load_scene, tier_labels
 
 STYLE = Path(__file__).with_name("style.css")
 """Written beside this module by ``python -m site_builder notebooks``, from the site's own."""
+PANELS = {"grid_template_columns": "repeat(auto-fit, minmax(min(340px, 100%), 1fr))"}
+"""Beside each other as long as their letters can be read."""
 TILES = {"grid_template_columns": "repeat(auto-fill, minmax(26em, 1fr))", "grid_gap": "0 1.5em"}
 
 
@@ -44,7 +46,7 @@ class Figure:
         """By the names of the controls, and ``tier``; a value that is set here moves the figure."""
         self._cache = StageCache()
         self._style = STYLE.read_text(encoding="utf-8")
-        self._pictures = widgets.Box(layout={"flex_flow": "row wrap", "align_items": "flex-start"})
+        self._pictures = widgets.GridBox(layout={**PANELS, "align_items": "flex-start"})
         self._numbers = widgets.HTML()
         tiles = widgets.GridBox([*self.widgets.values()], layout=TILES)
         self._box = widgets.VBox([self._pictures, tiles, self._numbers])
@@ -96,17 +98,14 @@ class Figure:
         settings = self.scene.clamp(self.values)
         self.frame: Frame = self.scene.render(settings, self.tier, self._cache)
         if len(self._pictures.children) != len(self.frame.panels):
-            self._pictures.children = [_image() for _ in self.frame.panels]
+            layout = {"width": "100%", "max_width": "640px"}
+            self._pictures.children = [
+                widgets.Image(format="svg+xml", layout=layout) for _ in self.frame.panels
+            ]
         for image, svg in zip(self._pictures.children, self.pictures, strict=True):
             image.value = svg.encode()
         numbers = "&ensp; ".join(map(_number, self.frame.readouts))
         self._numbers.value = f"<p>{numbers}</p><p>{escape(self.frame.description)}</p>"
-
-
-def _image() -> Widget:
-    """Of a panel: beside others as long as its letters can be read."""
-    layout = {"flex": "1 1 340px", "max_width": "640px", "min_width": "0"}
-    return widgets.Image(format="svg+xml", layout=layout)
 
 
 def _number(shown: Readout) -> str:
