@@ -10,6 +10,7 @@ from site_builder.editions.notebooks.figures import figure, illustration, simula
 from site_builder.editions.notebooks.page import Page, folded, named
 from site_builder.editions.notebooks.questions import predict, quiz, right
 from site_builder.editions.notebooks.tables import extremes, ladder, ladder_table, stage_costs
+from site_builder.markdown.directives.audio import Audio
 from site_builder.markdown.directives.callout import Callout
 from site_builder.markdown.directives.data_sheet import DataSheet
 from site_builder.markdown.directives.download import Download
@@ -87,6 +88,13 @@ def download(content: Download, _block: Block, page: Page) -> Iterator[Part]:
     yield Text(f"{given}\n\n{page.markdown(content.words)}".strip())
 
 
+def audio(content: Audio, block: Block, page: Page) -> Iterator[Part]:
+    """The file lies beside the notebook; what is heard in it stands here."""
+    given = f"{named(block.target)}{link(escaped(content.title), f'content/{content.file}')}"
+    terms = escaped(content.licence)
+    yield Text("\n\n".join(filter(None, (given, terms, page.markdown(content.transcript)))))
+
+
 def data_sheet(content: DataSheet, _block: Block, page: Page) -> Iterator[Part]:
     """Its words alone: a notebook measures no photographs."""
     yield Text(page.markdown(content.words))
@@ -95,6 +103,7 @@ def data_sheet(content: DataSheet, _block: Block, page: Page) -> Iterator[Part]:
 type Maker = Callable[[Any, Block, Page], Iterable[Part]]
 PARTS: Mapping[str, Maker] = {
     "answer": answer,
+    "audio": audio,
     "callout": callout,
     "data-sheet": data_sheet,
     "download": download,
