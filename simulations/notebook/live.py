@@ -3,6 +3,8 @@
 The only part of the engine that needs ipywidgets, with `simulations.notebook.controls`.
 """
 
+import io
+import wave
 from collections.abc import Callable
 from html import escape
 from pathlib import Path
@@ -11,7 +13,7 @@ from typing import Any
 import ipywidgets as widgets
 
 from simulations.engine.controls import Action, Slider, Value
-from simulations.engine.frame import Frame, Readout
+from simulations.engine.frame import Frame, Readout, Sound
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
@@ -49,8 +51,10 @@ class Figure:
         self._pictures = widgets.GridBox(layout={**PANELS, "align_items": "flex-start"})
         self._numbers = widgets.HTML()
         tiles = widgets.GridBox([*self.widgets.values()], layout=TILES)
-        self._box = widgets.VBox([self._pictures, tiles, self._numbers])
+        self.player = widgets.Audio(format="wav", autoplay=False, loop=False)
         self._show()
+        heard = [self.player] if self.frame.sound else []
+        self._box = widgets.VBox([self._pictures, tiles, *heard, self._numbers])
 
     def _repr_mimebundle_(self, **asked: object) -> object:
         return self._box._repr_mimebundle_(**asked)
@@ -104,6 +108,8 @@ class Figure:
             ]
         for image, svg in zip(self._pictures.children, self.pictures, strict=True):
             image.value = svg.encode()
+        if self.frame.sound:
+            self.player.value = _wav(self.frame.sound)
         numbers = "&ensp; ".join(map(_number, self.frame.readouts))
         self._numbers.value = f"<p>{numbers}</p><p>{escape(self.frame.description)}</p>"
 
@@ -112,3 +118,12 @@ def _number(shown: Readout) -> str:
     value = "<br>".join(map(escape, shown.text.split("\n")))
     unit = shown.unit if shown.unit == "°" else f" {shown.unit}"
     return f"{escape(shown.label)} <b>{value}</b>{escape(unit)}".rstrip()
+
+
+def _wav(sound: Sound) -> bytes:
+    """A file of 16-bit samples."""
+    file = io.BytesIO()
+    with wave.open(file, "wb") as written:
+        written.setparams((1, 2, sound.rate, len(sound.samples), "NONE", ""))
+        written.writeframes((sound.samples * 32767).astype("<i2").tobytes())
+    return file.getvalue()

@@ -1,5 +1,7 @@
 """Figures in notebooks: widgets that move a scene, and a picture with all of its frame."""
 
+import io
+import wave
 from base64 import b64decode
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,7 +12,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.drawing import line
-from simulations.engine.frame import Frame, Panel, readout
+from simulations.engine.frame import Frame, Panel, Sound, readout
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, points, slider, toggle
 from simulations.engine.stages import Outputs
@@ -39,7 +41,9 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         Panel("picture", "", 400, 200, raster=raster, pixelated=True, lead=True),
     )
     said = f"{settings.size} {settings.kind} {settings.on} {settings.again}"
-    return Frame(panels, (readout("size", "Size", settings.size, "px"),), said)
+    numbers = (readout("size", "Size", settings.size, "px"),)
+    sound = Sound(np.full(settings.size, -0.5, np.float32), 8000)
+    return Frame(panels, numbers, said, sound=sound)
 
 
 SCENE = Scene("demo", "Demo", Settings, draw)
@@ -78,6 +82,14 @@ def test_a_picture_has_the_pixels_and_the_drawings_of_its_frame(
     assert np.array_equal(pixels(b64decode(image.get("href", "").partition(",")[2])), raster)
     assert [text.text for text in plan.iter(f"{SVG}text")] == ["A < B"]
     assert len([*plan.iter(f"{SVG}line")]) == 1
+
+
+def test_the_sound_of_a_frame_can_be_played(demo: Callable[..., Figure]) -> None:
+    shown = demo()
+    shown.widgets["size"].value = 3
+    with wave.open(io.BytesIO(shown.player.value)) as heard:
+        assert (heard.getframerate(), heard.getnchannels()) == (8000, 1)
+        assert np.frombuffer(heard.readframes(9), "<i2").tolist() == [-16383] * 3
 
 
 def test_buttons_step_to_the_next_whole_number_and_sweep_to_the_end(

@@ -6,11 +6,10 @@ from itertools import pairwise
 from typing import Any
 
 from site_builder.editions.notebooks.cells import Code, Part, Text, wrapped
-from site_builder.editions.notebooks.figures import figure, illustration, simulation, video
+from site_builder.editions.notebooks.figures import audio, figure, illustration, simulation, video
 from site_builder.editions.notebooks.page import Page, folded, named
 from site_builder.editions.notebooks.questions import predict, quiz, right
 from site_builder.editions.notebooks.tables import extremes, ladder, ladder_table, stage_costs
-from site_builder.markdown.directives.audio import Audio
 from site_builder.markdown.directives.callout import Callout
 from site_builder.markdown.directives.data_sheet import DataSheet
 from site_builder.markdown.directives.download import Download
@@ -86,13 +85,6 @@ def download(content: Download, _block: Block, page: Page) -> Iterator[Part]:
     """The file lies beside the notebook."""
     given = f"{link(escaped(content.name), f'content/{content.file}')} ({content.size})"
     yield Text(f"{given}\n\n{page.markdown(content.words)}".strip())
-
-
-def audio(content: Audio, block: Block, page: Page) -> Iterator[Part]:
-    """The file lies beside the notebook; what is heard in it stands here."""
-    given = f"{named(block.target)}{link(escaped(content.title), f'content/{content.file}')}"
-    terms = escaped(content.licence)
-    yield Text("\n\n".join(filter(None, (given, terms, page.markdown(content.transcript)))))
 
 
 def data_sheet(content: DataSheet, _block: Block, page: Page) -> Iterator[Part]:

@@ -4,16 +4,18 @@ import json
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import PurePosixPath
+from urllib.parse import quote
 
 from site_builder.editions.notebooks.cells import Code, Part, Text
-from site_builder.editions.notebooks.page import Page, named
+from site_builder.editions.notebooks.page import Page, folded, named
 from site_builder.figures.frames import pixels
+from site_builder.markdown.directives.audio import Audio
 from site_builder.markdown.directives.figure import Figure
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.markdown.directives.video import Video
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.passage import Passage
-from site_builder.render.markdown import escaped
+from site_builder.render.markdown import escaped, link
 
 LONGEST = 80
 """Characters of a call on one line."""
@@ -60,8 +62,20 @@ def figure(shown: Figure, block: Block, page: Page) -> Iterator[Part]:
 
 
 def video(film: Video, block: Block, page: Page) -> Iterator[Part]:
-    """Its still; a link to its number leads to the film, where the site has an address."""
+    """Its still, and a link to the film, which lies beside the notebook."""
     yield _pictured(block, page, film.alt, _file(film.poster, page), film.caption)
+    yield Text(link(escaped(film.alt), f"content/{film.file}"))
+
+
+def audio(recording: Audio, block: Block, page: Page) -> Iterator[Part]:
+    """The recording lies beside the notebook; its transcript is folded."""
+    licence = f" ({escaped(recording.licence)})" if recording.licence else ""
+    parts = (
+        f'<audio controls src="content/{quote(recording.file)}"></audio>',
+        f"{named(block.target)}{escaped(recording.title)}{licence}",
+        folded(page.words("figure.transcript"), page.markdown(recording.transcript)),
+    )
+    yield Text("\n\n".join(parts))
 
 
 def _pictured(

@@ -4,6 +4,7 @@ import re
 from base64 import b64decode
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import nbformat
@@ -132,3 +133,25 @@ def test_references_lead_to_the_site_where_it_has_an_address(
     )
     assert text.startswith("## Here\n\nSee ")
     assert (link in text) if link else "](" not in text
+
+
+def test_a_recording_lies_beside_its_notebook_and_its_transcript_is_folded(
+    make_book: Callable[..., Options],
+) -> None:
+    body = ":::{audio} sounds/a tone.wav\n:title: A tone\n:licence: Mine\nIt *hums*.\n:::\n"
+    options = make_book(body, {"content/sounds/a tone.wav": "RIFF"})
+    files = make_notebooks(check_site(options), options.root)
+    assert content_bytes(files["content/sounds/a tone.wav"]) == b"RIFF"
+    (_, cell) = nbformat.reads(content_bytes(files["first.ipynb"]).decode(), as_version=4).cells
+    assert cell.source.startswith('<audio controls src="content/sounds/a%20tone.wav"></audio>')
+    assert "**Figure 0.1** A tone (Mine)" in cell.source
+    assert "<details>\n<summary>What is heard, in words</summary>\n\nIt *hums*." in cell.source
+
+
+def test_only_a_folder_of_notebooks_is_replaced(run: Callable[..., int], tmp_path: Path) -> None:
+    out, full = tmp_path / "out", tmp_path / "full"
+    full.mkdir()
+    (full / "thesis.txt").touch()
+    assert [run("notebooks", "--out", str(folder)) for folder in (out, out, full)] == [0, 0, 1]
+    assert (out / "first.ipynb").is_file()
+    assert [file.name for file in full.iterdir()] == ["thesis.txt"]
