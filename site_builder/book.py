@@ -33,6 +33,9 @@ from site_builder.settings.model import FILE_NAME, Settings
 OUTLINE = FILE_NAME
 """The file that names the book, its chapters and the figure on its cover."""
 UNSET = Settings("", "", "", ())
+
+type Colours = Mapping[str, tuple[str, str]]
+"""Names of the book's own colours, each with its values on light and on dark paper."""
 type Languages = Mapping[str, frozenset[str]]
 """By the tag of each language, the ids of the chapters that are written in it: the original's
 first; empty where a book has no translation."""
@@ -185,6 +188,11 @@ class Book:
     folder: str = ""
     """Where the pages of a translation lie below the site's root, ``de/``; chapters that are not
     translated are the original's."""
+
+    @property
+    def colours(self) -> Colours:
+        pairs = {name: text.partition(" ") for name, text in self.settings.colours.items()}
+        return {name: (light, dark) for name, (light, _, dark) in pairs.items()}
 
     @property
     def parts(self) -> tuple[tuple[str, tuple[Chapter, ...]], ...]:

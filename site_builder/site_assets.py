@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from site_builder.book import Book
+from site_builder.colours import colour_rules
 from site_builder.engine_files import static_files
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_files, integrity
@@ -88,6 +89,7 @@ def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
         (
             book_css(book.words),
             *(book_css(words, f":root:lang({words.language})") for words in others),
+            colour_rules(book.colours),
             *map(face_rule, MATHS_FACES),
         )
     )

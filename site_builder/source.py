@@ -12,6 +12,7 @@ from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import OUTLINE, Book
 from site_builder.cache import cached_reading
 from site_builder.chapters import Page, targets_state
+from site_builder.colours import check_colours
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.engine_files import ENGINE
 from site_builder.files import file_hash, folder_files, folder_hash
@@ -138,6 +139,7 @@ def read_shared(
         outline.macros,
         bibliography,
         glossary,
+        tuple(settings.colours),
     )
 
 
@@ -182,6 +184,7 @@ def read_outline(root: Path, problems: Diagnostics) -> Outline:
     """The book's; mistakes are reported."""
     settings, toml = read_settings(root, problems)
     words = load_words(settings.language).labelled(asdict(settings.labels))
+    check_colours(settings.colours, root, toml, problems)
     check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
     return Outline(
         settings,

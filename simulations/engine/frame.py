@@ -19,6 +19,12 @@ ROLES = ("", "world", "camera", "ray", "image", "light", "error")
 """Colour roles, one per idea, the same in every figure, formula and sentence."""
 
 
+def is_role(name: str) -> bool:
+    """Whether it may be one: which others besides `ROLES` there are, a book says, and the builder
+    checks."""
+    return name in ROLES or (name.isascii() and name.isalpha() and name.islower())
+
+
 @dataclass(frozen=True, slots=True)
 class Panel:
     """One drawing area. A figure's panels stand side by side, or stacked where space is short."""
@@ -76,14 +82,14 @@ class Readout:
     """The value as shown; rows of a matrix are separated by newlines, entries by spaces."""
     unit: str = ""
     role: str = ""
-    """One of `ROLES`: the colour of the idea that the number belongs to."""
+    """One of `ROLES`, or a colour of the book's: that of the idea that the number belongs to."""
 
     def __post_init__(self) -> None:
         if not isinstance(self.text, str):
             kind = type(self.text).__name__
             raise TypeError(f"readout {self.name!r}: text {kind}; legal: a str, as by readout()")
-        if self.role not in ROLES:
-            raise ValueError(f"readout {self.name!r}: role {self.role!r}; legal: {ROLES}")
+        if not is_role(self.role):
+            raise ValueError(f"readout {self.name!r}: role {self.role!r}; legal: small letters")
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,7 @@ from numbers import Real
 from typing import Any, Literal
 
 from simulations.engine.controls import Control, Slider, Value
-from simulations.engine.frame import ROLES, Panel, Place
+from simulations.engine.frame import Panel, Place, is_role
 from simulations.engine.stages import Outputs
 
 type Point = tuple[float, float]
@@ -53,7 +53,7 @@ class Handle[S]:
     there; without a mark by dragging from anywhere, which moves it by the same distance; or by
     pressing at a place."""
     role: str = ""
-    """One of `simulations.engine.frame.ROLES`: the colour of its mark."""
+    """One of `simulations.engine.frame.ROLES`, or a colour of the book's: that of its mark."""
     reversed: tuple[str, ...] = ()
     """Settings that move it left or down as they increase: their arrow keys are reversed."""
     step: Callable[[S, Outputs], float] | None = None
@@ -150,6 +150,6 @@ def mistakes(handles: tuple[Handle[Any], ...], controls: tuple[Control, ...]) ->
             for name in handle.reversed
             if name not in handle.drives
         ]
-        if handle.role not in ROLES:
-            found.append(f"{who}: role {handle.role!r}; legal: {ROLES}")
+        if not is_role(handle.role):
+            found.append(f"{who}: role {handle.role!r}; legal: small letters")
     return found

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from simulations.engine.frame import Panel
+from simulations.engine.frame import ROLES, Panel
 from site_builder.book import Book
 from site_builder.cache import cached
 from site_builder.checks.svg import Label, read_overlay
@@ -38,6 +38,8 @@ def check_frames(
 ) -> None:
     """Those of the figures as they first appear, and the illustrations."""
     known = known_classes(static)
+    known |= frozenset(book.colours) if known else known
+    roles = (*ROLES, *book.colours)
     for (path, line), still in initial_frames.items():
         scene = still.figure.scene
         if fault := formula_fault(scene):
@@ -48,6 +50,11 @@ def check_frames(
             if name not in names:
                 which = f"control or readout of {scene.id}"
                 problems.add(path, line, unknown(which, name, names))
+        shown = [(item.name, item.role) for item in still.frame.readouts]
+        for name, role in shown + [(handle.name, handle.role) for handle in scene.handles]:
+            if role not in roles:
+                said = unknown("colour role", role, roles[1:])
+                problems.add(path, line, f"{scene.id}: {name!r} has an {said}")
         for panel in still.frame.panels:
             picture = still.pictures.get(panel.name)
             pixels = picture.width * picture.height if picture else 0

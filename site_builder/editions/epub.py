@@ -51,7 +51,7 @@ def make_epub(composed: Composed, root: Path) -> bytes:
     files: dict[str, bytes] = {
         **{name: xhtml(tree) for name, tree in trees.items()},
         NCX: _ncx(composed).encode(),
-        "style/book.css": book_style(root).encode(),
+        "style/book.css": book_style(root, composed.book.colours).encode(),
         **{
             f"fonts/{Path(name).name}": content_bytes(content)
             for name, content in composed.files.items()

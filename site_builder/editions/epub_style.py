@@ -4,6 +4,8 @@ e-books lack."""
 import re
 from pathlib import Path
 
+from site_builder.book import Colours
+from site_builder.colours import paper_rules
 from site_builder.engine_files import own_or_engine
 from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.light_theme import style_of_drawings
@@ -13,8 +15,10 @@ FACE = re.compile(r"^@font-face \{\n(?:(?!\}).*\n)*?  src: url\((?:.*\n)*?\}\n",
 FAMILIES = {"--serif": '"Book Serif", serif', "--sans": '"Book Sans", sans-serif'}
 
 
-def book_style(root: Path) -> str:
-    """``root`` is the book's folder. Variables are resolved, to the light theme."""
+def book_style(root: Path, colours: Colours) -> str:
+    """``root`` is the book's folder, ``colours`` are its own. Variables are resolved, to the light
+    theme."""
     fonts = own_or_engine(root, "static/css/fonts.css").read_text(encoding="utf-8")
     faces = "".join((*FACE.findall(fonts), *map(face_rule, MATHS_FACES)))
-    return faces + style_of_drawings(root, OWN.read_text(encoding="utf-8"), FAMILIES)
+    own = OWN.read_text(encoding="utf-8") + paper_rules(colours)
+    return faces + style_of_drawings(root, own, FAMILIES)

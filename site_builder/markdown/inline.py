@@ -71,7 +71,13 @@ def _mathml(formula: Token, shared: Shared) -> str:
     tex, display = formula.content.strip(), formula.type != "math_inline"
     parts = displayed_parts(tex) if display else [tex]
     return "".join(
-        to_mathml(part, display=display, macros=shared.macros, language=shared.words.language)
+        to_mathml(
+            part,
+            display=display,
+            macros=shared.macros,
+            language=shared.words.language,
+            colours=shared.colours,
+        )
         for part in parts or [tex]
     )
 
@@ -139,8 +145,9 @@ def _drop_html(token: Token, line: int, context: ParseContext) -> None:
 
 
 def _open_role(token: Token, line: int, context: ParseContext) -> None:
-    if token.info not in ROLE_NAMES:
-        context.problem(line, unknown("role", token.info, ROLE_NAMES))
+    names = (*ROLE_NAMES, *context.shared.colours)
+    if token.info not in names:
+        context.problem(line, unknown("role", token.info, names))
     elif "role" in token.meta:
         _set_link(token, line, context)
 

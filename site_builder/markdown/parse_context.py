@@ -91,6 +91,8 @@ class Shared:
     """TeX commands of the book's own."""
     bibliography: Bibliography = EMPTY
     glossary: Glossary = NO_TERMS
+    colours: tuple[str, ...] = ()
+    """Names of the book's own."""
 
 
 @dataclass(slots=True)

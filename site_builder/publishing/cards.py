@@ -7,6 +7,7 @@ from pathlib import Path
 
 from simulations.engine.frame import Panel
 from site_builder.book import Book, Chapter
+from site_builder.colours import paper_rules
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
@@ -46,7 +47,7 @@ def make_cards(
     ``pictures`` are the files of the stills; ``root`` is the book's folder.
     """
     fonts = whole_fonts()
-    style = card_style(root, fonts)
+    style = card_style(root, fonts) + paper_rules(book.colours)
     cover = _still(book.hero, initial_frames, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:

@@ -166,6 +166,12 @@ class Settings:
         MappingProxyType({}),
         without="none",
     )
+    colours: Mapping[str, str] = key(
+        entries('a table of names with colours on light and dark paper, heat = "#ad4209 #f79c63"'),
+        "colours of the book's own ideas, for words, formulae and figures",
+        MappingProxyType({}),
+        without="none",
+    )
     starts: Mapping[str, str] = key(
         entries('a table of texts with places, "Begin here" = "chapter#figure-id"'),
         "where the title page invites to start: chapters, sections and figures",

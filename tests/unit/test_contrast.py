@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from simulations.engine.frame import ROLES
+from site_builder.colours import Rgb, contrast, rgb
 from site_builder.languages.words import ENGLISH
 from site_builder.output.book_files import STYLE
 
@@ -18,30 +19,12 @@ GROUNDS = ("paper", "raised", "sunken")
 IDEAS = tuple(role for role in ROLES if role)
 TEXT_COLOURS = ("ink", "ink-soft", "accent", *IDEAS)
 
-type Rgb = tuple[float, float, float]
-
 
 def token(name: str, theme: str) -> Rgb:
     """A token of tokens.css as sRGB in 0..1; the file writes light-dark(#paper, #ink)."""
     pair = re.search(rf"--{name}: light-dark\((#[0-9a-f]{{6}}), (#[0-9a-f]{{6}})\);", TOKENS)
     assert pair, f"tokens.css has no colour --{name}"
-    digits = pair[1 + THEMES.index(theme)]
-    red, green, blue = (int(digits[start : start + 2], 16) / 255 for start in (1, 3, 5))
-    return red, green, blue
-
-
-def luminance(colour: Rgb) -> float:
-    """Relative luminance, WCAG 2.2."""
-    linear = [
-        value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4 for value in colour
-    ]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-def contrast(one: Rgb, other: Rgb) -> float:
-    """Contrast ratio, WCAG 2.2: 1 for equal colours, 21 for black on white."""
-    low, high = sorted((luminance(one), luminance(other)))
-    return (high + 0.05) / (low + 0.05)
+    return rgb(pair[1 + THEMES.index(theme)])
 
 
 def lightness_and_opponents(colour: Rgb) -> tuple[float, float, float]:

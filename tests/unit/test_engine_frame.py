@@ -95,8 +95,8 @@ def test_a_raster_must_be_the_bytes_of_a_canvas(raster: np.ndarray) -> None:
 
 
 def test_an_unknown_role_is_refused() -> None:
-    with pytest.raises(ValueError, match="role 'violet'"):
-        Readout("x", "x", "1", role="violet")
+    with pytest.raises(ValueError, match="role 'Light blue'"):
+        Readout("x", "x", "1", role="Light blue")
 
 
 def test_the_frame_without_its_pixels_is_json() -> None:

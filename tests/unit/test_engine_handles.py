@@ -106,7 +106,7 @@ def test_a_place_must_be_one() -> None:
         ({"drives": ("grid",)}, "drives 'grid'; legal: across, along, kind"),
         ({"drives": ()}, "legal: one or two settings"),
         ({"reversed": ("kind",)}, "reverses 'kind'; legal: across, along"),
-        ({"role": "lamp"}, "role 'lamp'; legal:"),
+        ({"role": "the lamp"}, "role 'the lamp'; legal:"),
     ],
 )
 def test_a_scene_refuses_a_handle_that_contradicts_it(wrong: Any, message: str) -> None:

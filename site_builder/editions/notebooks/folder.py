@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from site_builder.build import CheckedBook
+from site_builder.colours import paper_rules
 from site_builder.editions.notebooks.notebook import make_notebook
 from site_builder.editions.notebooks.page import Page
 from site_builder.output.assets import Content
@@ -23,7 +24,8 @@ STYLE = "simulations/notebook/style.css"
 def make_notebooks(checked: CheckedBook, root: Path) -> dict[str, Content]:
     """All files by path. ``root`` is the book's folder."""
     fonts = whole_fonts()
-    style = notebook_style(root, fonts)
+    style = notebook_style(root, fonts) + paper_rules(checked.book.colours)
+    asked_for = "".join(f"{name}\n" for name in checked.book.settings.runtime.packages)
     content = root / "content"
     pages = [Page(checked, chapter, content, style, fonts) for chapter in checked.book.chapters]
     modules = book_modules(root / "simulations")
@@ -33,7 +35,7 @@ def make_notebooks(checked: CheckedBook, root: Path) -> dict[str, Content]:
         **{archive_path(name, file): file for name, file in modules.items()},
         **{f"content/{name}": content / name for name in sorted(handed_out)},
         STYLE: style.encode(),
-        REQUIREMENTS: NEEDED.encode(),
+        REQUIREMENTS: (NEEDED + asked_for).encode(),
     }
 
 

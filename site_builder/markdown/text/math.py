@@ -1,7 +1,7 @@
 """TeX to MathML, at build time. What Temml cannot set is an error, never garbled output."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from simulations.engine import frame
 from site_builder.cache import cached
@@ -29,11 +29,19 @@ class UnsupportedTexError(ValueError):
 
 
 def to_mathml(
-    tex: str, *, display: bool, macros: Macros = NO_MACROS, language: str = SPOKEN
+    tex: str,
+    *,
+    display: bool,
+    macros: Macros = NO_MACROS,
+    language: str = SPOKEN,
+    colours: Sequence[str] = (),
 ) -> str:
-    """A ``<math>`` element, in English with words as ``alttext``. Raises `UnsupportedTexError`."""
+    """A ``<math>`` element, in English with words as ``alttext``. Besides `COLOURS` it may name
+    the book's own. Raises `UnsupportedTexError`."""
     sources = tuple(file_hash(file) for file in SOURCES)
-    return _to_mathml(tex, display, language == SPOKEN, macros, sources)
+    named = _as_classes(tex, (*COLOURS, *colours))
+    bodies = {name: _as_classes(body, (*COLOURS, *colours)) for name, body in macros.items()}
+    return _to_mathml(named, display, language == SPOKEN, bodies, sources)
 
 
 @cached
@@ -59,16 +67,20 @@ def quoted(tex: str) -> str:
 
 
 def _for_temml(tex: str) -> str:
-    """With its colours as classes; ``%``, which begins a comment in TeX, is a percent sign."""
-    written = re.sub(r"\\role\{([\w-]*)\}", _role, tex)
-    written = re.sub(r"\\bm\b", r"\\boldsymbol", written)
+    """``%``, which begins a comment in TeX, as a percent sign."""
+    written = re.sub(r"\\bm\b", r"\\boldsymbol", tex)
     return re.sub(r"\\.|%", lambda sign: r"\%" if sign[0] == "%" else sign[0], written)
 
 
-def _role(match: re.Match[str]) -> str:
-    if match[1] not in COLOURS:
-        raise UnsupportedTexError(unknown("colour role", match[1], COLOURS))
-    return rf"\class{{role-{match[1]}}}"
+def _as_classes(tex: str, colours: Sequence[str]) -> str:
+    """With its colours as classes."""
+
+    def named(match: re.Match[str]) -> str:
+        if match[1] not in colours:
+            raise UnsupportedTexError(unknown("colour role", match[1], colours))
+        return rf"\class{{role-{match[1]}}}"
+
+    return re.sub(r"\\role\{([\w-]*)\}", named, tex)
 
 
 def _in_words(message: str, tex: str) -> str:

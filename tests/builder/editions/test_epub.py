@@ -118,4 +118,4 @@ def test_variables_are_resolved_to_the_light_theme() -> None:
 
 
 def test_the_style_of_an_e_book_has_no_variables() -> None:
-    assert "var(" not in book_style(ROOT)
+    assert "var(" not in book_style(ROOT, {"heat": ("#ad4209", "#f79c63")})

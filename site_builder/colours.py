@@ -1,0 +1,96 @@
+"""Colours of ideas that a book names besides the engine's: checked, and as rules of the style
+sheet."""
+
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from site_builder.checks.frames import known_classes
+from site_builder.diagnostics import Diagnostics
+from site_builder.engine_files import own_or_engine, static_files
+from site_builder.settings.model import FILE_NAME
+from site_builder.source_text import Toml
+
+NAME = re.compile(r"[a-z]+")
+PAIR = re.compile(r"(#[0-9a-f]{6}) (#[0-9a-f]{6})")
+GROUND = re.compile(r"--(?:paper|raised|sunken): light-dark\((#[0-9a-f]{6}), (#[0-9a-f]{6})\)")
+LEAST_CONTRAST = 4.5
+"""Of text (WCAG 2.2, success criterion 1.4.3)."""
+LIT = ".handle, .readout"
+
+type Rgb = tuple[float, float, float]
+
+
+def check_colours(
+    colours: Mapping[str, str], root: Path, toml: Toml, problems: Diagnostics
+) -> None:
+    """Report names that are taken, values that are no pairs, and pairs that are hard to read."""
+    if not colours:
+        return
+    taken = known_classes(static_files(root))
+    tokens = own_or_engine(root, "static/css/tokens.css").read_text(encoding="utf-8")
+    grounds = GROUND.findall(tokens)
+    for name, text in colours.items():
+        pair = PAIR.fullmatch(text)
+        if not NAME.fullmatch(name) or name in taken:
+            message = f"colour {name!r}; legal: small letters, and no class of the style sheets"
+        elif not pair:
+            message = f"colour {name!r} is {text!r}; legal: as in '#125b9c #7fbaf2'"
+        elif (least := min(_contrasts(pair.groups(), grounds))) < LEAST_CONTRAST:
+            where = "with the light paper and with the dark"
+            message = f"colour {name!r} has a contrast of {least:.2f}"
+            message += f"; legal: {LEAST_CONTRAST} {where}"
+        else:
+            continue
+        problems.add(FILE_NAME, toml.line("colours", name), message)
+
+
+def colour_rules(colours: Mapping[str, tuple[str, str]]) -> str:
+    """What ``tokens.css``, ``overlay.css``, ``readouts.css`` and ``tools.css`` say of a role."""
+    return "".join(
+        f"""
+:root {{ --idea-{name}: light-dark({light}, {dark}); }}
+.overlay .{name}, .role-{name} {{ color: var(--idea-{name}); }}
+.readout.role-{name} {{ --mark: var(--idea-{name}); }}
+simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ opacity: 0.25; }}
+[data-lit="{name}"] .role-{name}:not({LIT}) {{
+  border-radius: var(--radius);
+  background: color-mix(in srgb, currentColor 14%, transparent);
+}}
+[data-lit="{name}"] .readout.role-{name} {{ border-top-color: var(--mark); }}
+"""
+        for name, (light, dark) in colours.items()
+    )
+
+
+def paper_rules(colours: Mapping[str, tuple[str, str]]) -> str:
+    """The same for what knows neither variables nor themes."""
+    return "".join(
+        f".overlay .{name}, .role-{name} {{ color: {light}; }}\n"
+        for name, (light, _) in colours.items()
+    )
+
+
+def contrast(one: Rgb, other: Rgb) -> float:
+    """Contrast ratio, WCAG 2.2: 1 for equal colours, 21 for black on white; sRGB from 0 to 1."""
+    low, high = sorted((_luminance(one), _luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def rgb(digits: str) -> Rgb:
+    """sRGB from 0 to 1 of ``#rrggbb``."""
+    red, green, blue = (int(digits[start : start + 2], 16) / 255 for start in (1, 3, 5))
+    return red, green, blue
+
+
+def _contrasts(pair: tuple[str, ...], grounds: list[tuple[str, str]]) -> Iterator[float]:
+    """With each ground of both themes; 21 where there is none."""
+    yield 21.0
+    for ground in grounds:
+        yield from (contrast(rgb(a), rgb(b)) for a, b in zip(pair, ground, strict=True))
+
+
+def _luminance(colour: Rgb) -> float:
+    """Relative luminance, WCAG 2.2."""
+    linear = [v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in colour]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
