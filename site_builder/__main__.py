@@ -21,7 +21,7 @@ from site_builder.sandbox import Limits, limited
 
 ROOT = Path.cwd()
 """The book's folder."""
-NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
+NEW = ("book", "chapter", "scene", "model", "ladder", "directive", "translation")
 """What ``new`` makes."""
 
 

@@ -1,4 +1,5 @@
-"""A new chapter, scene, model, ladder or directive, with its tests: skeletons that work at once."""
+"""A new chapter, scene, model, ladder or directive, with its tests, or a chapter to be translated:
+skeletons that work at once."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -9,6 +10,7 @@ from site_builder.book import OUTLINE
 from site_builder.scaffold.files import filled, packages, write_new
 from site_builder.scaffold.names import Name, ScaffoldError, read_name
 from site_builder.scaffold.new_book import make_book
+from site_builder.scaffold.translation import translation
 
 type Made = tuple[dict[str, str], str]
 """Files by path, and what is to be done next."""
@@ -132,6 +134,7 @@ PIECES: dict[str, Callable[[Path, str], Made]] = {
     "model": model,
     "ladder": ladder,
     "directive": directive,
+    "translation": translation,
 }
 """What ``new`` can make in a book."""
 

@@ -22,6 +22,7 @@ PIECES_MADE = (
     ("model", "air-drag"),
     ("model", "mechanics/spring"),
     ("ladder", "exponential"),
+    ("translation", "de/a-falling-ball"),
 )
 MAKE_PIECES = """\
 import sys
