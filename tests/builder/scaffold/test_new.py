@@ -37,7 +37,15 @@ from site_builder.cache import Cache, using
 with using(Cache()): sys.exit(pytest.main(sys.argv[1:]))
 """
 """Fonts that another test has cut need not be cut again."""
-PARTS = (".github", "LICENSE", "pyproject.toml", "simulations", "site_builder", "static")
+PARTS = (
+    ".github",
+    "CHANGELOG.md",
+    "LICENSE",
+    "pyproject.toml",
+    "simulations",
+    "site_builder",
+    "static",
+)
 """Of the repository: what its wheel is made of."""
 
 
