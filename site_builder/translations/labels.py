@@ -11,7 +11,9 @@ from site_builder.source_text import read_toml
 
 NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
 TEXT = re.compile(r"(?<=>)[^<>]+(?=<)")
-SPOKEN = re.compile(r'((?:aria-\w+|alt|data-hint|"label"):?[= ]")([^"]+)(?=")')
+SPOKEN = re.compile(
+    r'((?:aria-(?:label|description|valuetext)|alt|data-hint|"label"):?[= ]")([^"]+)(?=")'
+)
 """Attributes of elements, and labels in the data of a figure."""
 
 

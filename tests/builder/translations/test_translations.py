@@ -149,8 +149,10 @@ def test_figures_say_what_is_translated_with_the_decimal_sign(translate: Transla
     assert ">Verzeichnung</label>" in page
     assert '"label": "Verzeichnung"' in page
     assert ">Distortion<" not in page
-    words = replace(load_words("de"), figures={"(#, #) px": "(#; #) px"})
+    words = replace(load_words("de"), figures={"(#, #) px": "(#; #) px", "#": "#"})
     assert figure_markup("<text>(0.5, −2) px</text>", words) == "<text>(0,5; −2) px</text>"
+    slider = '<div aria-label="1.5" aria-valuenow="1.5"></div>'
+    assert figure_markup(slider, words) == '<div aria-label="1,5" aria-valuenow="1.5"></div>'
 
 
 def test_a_title_page_alone_is_a_translation(make_book: Callable[..., Options]) -> None:
