@@ -32,7 +32,8 @@ from site_builder.offline.release import no_release, release_files
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import Site, render_pages, render_translation
+from site_builder.pages.page import Site
+from site_builder.pages.render import render_pages, render_translation
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.compressed import compressed_copies
 from site_builder.publishing.hosting import host_files

@@ -1,10 +1,9 @@
-"""Reading ``content/``: the outline in ``book.toml``, and the chapters it lists."""
+"""Reading ``content/``: the chapters of the outline, and what they are read with."""
 
 import re
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
-from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
@@ -12,12 +11,10 @@ from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import OUTLINE, Book
 from site_builder.cache import cached_reading
 from site_builder.chapters import Page, targets_state
-from site_builder.colours import check_colours
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.engine_files import ENGINE
 from site_builder.files import file_hash, folder_files, folder_hash
 from site_builder.hashing import hash_of, source_hash
-from site_builder.languages.words import Words, languages, load_words
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary_links.definitions import read_definitions, read_meanings
@@ -26,10 +23,8 @@ from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.scenes import find_scene
 from site_builder.markdown.targets import Targets
-from site_builder.markdown.text.math import Macros
+from site_builder.outline import Outline, check_addresses, read_outline
 from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.places import Position, chapter_id
-from site_builder.parts import check_parts, part_titles
 from site_builder.references.bibliography import EMPTY as NO_WORKS
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.bibliography import read_bibliography
@@ -39,39 +34,13 @@ from site_builder.references.glossary import Glossary, read_glossary
 from site_builder.references.news import read_news
 from site_builder.references.symbols import FILE as SYMBOLS
 from site_builder.references.symbols import read_symbols
-from site_builder.settings.model import Settings
-from site_builder.settings.reading import read_settings
-from site_builder.source_text import Toml, read_text
+from site_builder.source_text import read_text
 from site_builder.translations.languages import find_languages, folder_of
 
-OWN_FOLDERS = (
-    "assets", "cards", "class", "embed", "glossary", "index-of-terms", "lecture-plan", "licences",
-    "references", "runtime", "search", "source", "symbols",
-)  # fmt: skip
-"""Folders of the site beside those of its chapters."""
 SCENE_FILE = re.compile(r"scenes/([^_/]\w*)/")
 """What is no scene's alone stands in folders whose names begin with an underscore."""
 WORDS = re.compile(r"\{ref\}`[^`]*`|(\w+)")
 """Without references, as a chapter may have the name of a scene."""
-
-
-@dataclass(frozen=True, slots=True)
-class Outline:
-    """``book.toml``, with its chapters in order."""
-
-    settings: Settings
-    words: Words
-    """The language's, with the author's labels."""
-    chapters: tuple[tuple[str, int, Position], ...]
-    """File names without ``.md``, each with its line in this file and its place in the book."""
-    hero_line: int
-    start_lines: Mapping[str, int]
-    """By the words of the link."""
-    macros: Macros
-    """Those whose names are legal."""
-    path: str = OUTLINE
-    folder: str = ""
-    """Of a translation, below ``content/`` and below the site's root: ``de/``."""
 
 
 def read_book(
@@ -88,7 +57,7 @@ def read_book(
     pages = list(list_pages(outline, shared, problems))
     targets = find_targets([page.survey() for page in pages], problems)
     known = targets_state(targets)
-    _check_addresses(outline, problems)
+    check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
     glossary = ParseContext(GLOSSARY, shared, problems, targets=targets)
@@ -180,46 +149,6 @@ def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
     return state_of
 
 
-def read_outline(root: Path, problems: Diagnostics) -> Outline:
-    """The book's; mistakes are reported."""
-    settings, toml = read_settings(root, problems)
-    words = load_words(settings.language).labelled(asdict(settings.labels))
-    check_colours(settings.colours, root, toml, problems)
-    check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
-    return Outline(
-        settings,
-        words,
-        chapters=tuple(
-            (name, toml.line_of_text(name), position)
-            for name, position in positions(settings, words)
-        ),
-        hero_line=toml.line("hero"),
-        start_lines={words: toml.line("starts", words) for words in settings.starts},
-        macros=_sound_macros(settings.macros, toml, problems),
-    )
-
-
-def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
-    """Those that TeX can name; the others are reported."""
-    sound = {name: body for name, body in macros.items() if re.fullmatch(r"[A-Za-z]+", name)}
-    for name in macros.keys() - sound.keys():
-        message = f"macro {name!r} is no name; legal: letters, without a backslash"
-        problems.add(OUTLINE, toml.line("macros", name), message)
-    return sound
-
-
-def positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
-    """Chapters are numbered, appendices lettered from A."""
-    chapters, first = settings.chapters, settings.first_number
-    parts = part_titles(settings.parts, [*map(chapter_id, chapters)])
-    for number, (name, part) in enumerate(zip(chapters, parts, strict=True), start=first):
-        yield name, Position(number, str(number), "Chapter", words.label("Chapter"), part)
-    appended = words("frame.appendices")
-    for index, name in enumerate(settings.appendices):
-        letter, number = ascii_uppercase[index % 26], first + len(chapters) + index
-        yield name, Position(number, letter, "Appendix", words.label("Appendix"), appended)
-
-
 def _chapter_files(root: Path) -> list[str]:
     return sorted(file.stem for file in (root / "content").glob("*.md") if file.is_file())
 
@@ -228,18 +157,6 @@ def _check_name(name: str, line: int, problems: Diagnostics) -> None:
     """A number in front is for the listing of the folder; it means nothing."""
     if not re.fullmatch(r"(\d+-)?[a-z0-9]+(-[a-z0-9]+)*", name):
         problems.add(OUTLINE, line, f"chapter {name!r}; legal: 'NN-slug'")
-
-
-def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
-    """Two pages at one address: one would silently take the other's place."""
-    own = (*OWN_FOLDERS, *languages())
-    taken = dict.fromkeys(own, "a folder of the site's own")
-    for name, line, _ in outline.chapters:
-        slug = chapter_id(name)
-        if slug in taken:
-            message = f"chapter {name!r} has the address {slug}/, as {taken[slug]} has"
-            problems.add(OUTLINE, line, f"{message}; legal: one of its own")
-        taken.setdefault(slug, f"chapter {name!r}")
 
 
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:

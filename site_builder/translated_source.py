@@ -17,18 +17,12 @@ from site_builder.markdown.glossary_links.definitions import read_definitions
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.targets import Targets
+from site_builder.outline import Outline, positions, read_outline
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Position, chapter_id
 from site_builder.parts import check_parts
 from site_builder.references.glossary import read_glossary
-from site_builder.source import (
-    Outline,
-    list_pages,
-    positions,
-    read_outline,
-    read_shared,
-    read_starts,
-)
+from site_builder.source import list_pages, read_shared, read_starts
 from site_builder.source_text import read_text
 from site_builder.translations.adopted import adopted
 from site_builder.translations.glossary import glossary_of, translated_glossary
@@ -65,7 +59,7 @@ def read_translations(
             prerequisites=own.settings.prerequisites,
             settings=own.settings,
             words=own.words,
-            hero=_hero(original.hero, own, shared, problems),
+            hero=_hero(original, own, shared, problems),
             starts=tuple(_starts(original, language, own, targets, problems)),
             chapters=tuple(chapters),
             bibliography=shared.bibliography,
@@ -87,7 +81,6 @@ def _outline(root: Path, language: str, original: Outline, problems: Diagnostics
         chapters = [*map(chapter_id, settings.chapters)]
         check_parts(settings.parts, chapters, toml, problems, file_of(language))
     places: Mapping[str, Position] = dict(positions(settings, words))
-    own = bool(toml.table.get("starts"))
     return replace(
         original,
         settings=settings,
@@ -95,7 +88,7 @@ def _outline(root: Path, language: str, original: Outline, problems: Diagnostics
         chapters=tuple((name, line, places[name]) for name, line, _ in original.chapters),
         hero_line=toml.line("hero_caption"),
         start_lines={words: toml.line("starts", words) for words in settings.starts},
-        path=file_of(language) if own else original.path,
+        path=file_of(language),
         folder=folder_of(language),
     )
 
@@ -121,18 +114,20 @@ def _chapters(
         yield adopted(chapter, first, outline.folder)
 
 
-def _hero(
-    first: Simulation | None, outline: Outline, shared: Shared, problems: Diagnostics
-) -> Simulation | None:
+def _hero(book: Book, outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:
     """The figure of the title page, with its caption translated."""
-    context = ParseContext(outline.path, shared, problems)
     caption = outline.settings.hero_caption
-    return first and replace(first, caption=inline_passage(caption, outline.hero_line, context))
+    is_translated = caption != book.settings.hero_caption
+    context = ParseContext(outline.path, shared, problems if is_translated else Diagnostics())
+    passage = inline_passage(caption, outline.hero_line, context)
+    return book.hero and replace(book.hero, caption=passage)
 
 
 def _starts(
     book: Book, language: str, outline: Outline, targets: Targets, problems: Diagnostics
 ) -> Iterator[tuple[str, str]]:
-    for words, address in read_starts(outline, targets, problems):
+    is_translated = outline.settings.starts != book.settings.starts
+    told = problems if is_translated else Diagnostics()
+    for words, address in read_starts(outline, targets, told):
         there = address.partition("/")[0] in book.languages[language]
         yield words, f"{outline.folder}{address}" if there else address

@@ -11,8 +11,9 @@ from site_builder.build import Options, check_site
 from site_builder.editions.multiples import Row, render_rows
 from site_builder.editions.tree import elements, parse
 from site_builder.page_model.blocks import Simulation
+from site_builder.pages.back_matter import BACK_MATTER, back_matter_pages
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import BACK_MATTER, Site, back_matter_pages, render_page
+from site_builder.pages.page import Site, render_page
 from site_builder.pages.views.question import numbered_quizzes
 from site_builder.render.paper import paper_renderer
 from site_builder.runtime.pinned import Versions

@@ -1,9 +1,7 @@
 """The book as an EPUB 3: a folder of XHTML in a zip, readable without a script."""
 
-import io
 import os
 import re
-import zipfile
 from collections.abc import Mapping
 from copy import deepcopy
 from datetime import UTC, datetime
@@ -12,6 +10,7 @@ from urllib.parse import quote, unquote
 from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
+from site_builder.archive import archive_of
 from site_builder.book import Book
 from site_builder.editions.compose import Composed, Section
 from site_builder.editions.epub_style import book_style
@@ -162,18 +161,10 @@ def _properties(name: str, trees: Mapping[str, Element]) -> str:
 
 def _packed(book: Book, files: Mapping[str, bytes]) -> bytes:
     """The archive, whose first file is its media type."""
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr(zipfile.ZipInfo("mimetype"), "application/epub+zip", zipfile.ZIP_STORED)
-        container = render_template(
-            "editions/epub-container.xml", book, package=f"{FOLDER}book.opf"
-        )
-        _write(archive, "META-INF/container.xml", container.encode())
-        for name, content in files.items():
-            _write(archive, FOLDER + name, content)
-    return packed.getvalue()
-
-
-def _write(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
-    """With no time of its own, so that the same book is the same file."""
-    archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
+    container = render_template("editions/epub-container.xml", book, package=f"{FOLDER}book.opf")
+    members = {
+        "mimetype": b"application/epub+zip",
+        "META-INF/container.xml": container.encode(),
+        **{FOLDER + name: content for name, content in files.items()},
+    }
+    return archive_of(members, stored=["mimetype"])

@@ -23,6 +23,14 @@ def is_external(address: str) -> bool:
     return ABSOLUTE.match(address) is not None
 
 
+def on_site(href: str, page: str) -> str:
+    """Where a link of a page leads from outside the book; nothing where it leads nowhere, as
+    ``page``, the address of the page, is nothing for a book without an address."""
+    if is_external(href):
+        return href
+    return urljoin(page, href) if href and page else ""
+
+
 def place_of(address: str, page: str, pages: Collection[str]) -> Place | None:
     """The target of ``address`` on ``page``; None where that is none of ``pages``.
 

@@ -8,8 +8,8 @@ from site_builder.editions.compose import Composed, Section
 from site_builder.editions.links import Place, bind_links
 from site_builder.editions.page_numbers import page_number
 from site_builder.editions.tree import elements, first, parse
+from site_builder.pages.back_matter import BACK_MATTER
 from site_builder.pages.environment import render_template
-from site_builder.pages.render import BACK_MATTER
 
 BEYOND_ASCII = re.compile(r"[^\x21-\x7e]")
 

@@ -1,7 +1,5 @@
 """The simulations in chunks: what the worker starts with, and what each scene and ladder adds."""
 
-import io
-import zipfile
 from collections import Counter
 from collections.abc import Collection, Mapping
 from pathlib import Path
@@ -12,7 +10,6 @@ ENTRY = "simulations.browser"
 """The module that the browser's worker imports."""
 CORE = "core"
 """The chunk that it starts with."""
-EPOCH = (2020, 1, 1, 0, 0, 0)
 
 type Modules = Mapping[str, str]
 """Id to the name of a module."""
@@ -35,12 +32,3 @@ def cut(imports: Table, scenes: Modules, ladders: Modules) -> dict[str, frozense
 def sources_of(files: Mapping[str, Path], modules: Collection[str]) -> dict[str, Path]:
     """The files of those ``modules`` that have one, by their path in an archive."""
     return {archive_path(name, file): file for name, file in files.items() if name in modules}
-
-
-def archive_of(members: Mapping[str, bytes]) -> bytes:
-    """Equal members give equal bytes."""
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path, content in members.items():
-            archive.writestr(zipfile.ZipInfo(path, EPOCH), content, zipfile.ZIP_DEFLATED)
-    return buffer.getvalue()

@@ -7,6 +7,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
+from site_builder.archive import archive_of
 from site_builder.cache import cached_result
 from site_builder.engine_files import ENGINE, is_engine
 from site_builder.files import file_hash, integrity
@@ -25,7 +26,7 @@ from site_builder.runtime.freeze import (
     libraries_of,
 )
 from site_builder.runtime.imports import Table, imports_of, module_files, outside, reach
-from site_builder.runtime.modules import CORE, ENTRY, Modules, archive_of, cut, sources_of
+from site_builder.runtime.modules import CORE, ENTRY, Modules, cut, sources_of
 from site_builder.runtime.packages import fetch_packages
 from site_builder.runtime.pinned import (
     NUMPY_WHEEL,

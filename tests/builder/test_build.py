@@ -10,8 +10,8 @@ from support.little_book import OUTLINE
 from site_builder import build
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import BuildError
+from site_builder.outline import OWN_FOLDERS
 from site_builder.output.assets import content_bytes
-from site_builder.source import OWN_FOLDERS
 
 type MakeBook = Callable[..., Options]
 

@@ -4,13 +4,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from urllib.parse import urljoin
 
 from simulations.engine.frame import Panel
 from simulations.notebook.picture import frame_svg
 from site_builder.book import Book, Chapter
 from site_builder.build import CheckedBook
-from site_builder.editions.links import is_external
+from site_builder.editions.links import on_site
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import Words
 from site_builder.page_model.blocks import Simulation
@@ -48,9 +47,8 @@ class Page:
 
     def address(self, href: str) -> str:
         """Where a link of the chapter leads: into the site, where that has an address."""
-        if not href or is_external(href):
-            return href
-        return urljoin(f"{self.book.address}{self.chapter.url}", href) if self.book.address else ""
+        site = self.book.address
+        return on_site(href, f"{site}{self.chapter.url}" if site else "")
 
     def still(self, figure: Simulation) -> InitialFrame:
         return self.checked.initial_frames[figure.path, figure.line]

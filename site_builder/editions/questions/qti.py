@@ -3,10 +3,9 @@ manifest that lists them. Of a question that draws numbers, the test selects one
 Question and Test Interoperability 2.1, Assessment Test, Section and Item Information Model; IMS
 Content Packaging 1.1.4."""
 
-import io
-import zipfile
 from itertools import groupby
 
+from site_builder.archive import archive_of
 from site_builder.book import Book
 from site_builder.editions.questions.asked import asked_in, written
 from site_builder.editions.questions.words import qti_text
@@ -28,8 +27,4 @@ def make_qti(book: Book) -> bytes:
             for item in asked
         },
     }
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in files.items():
-            archive.writestr(zipfile.ZipInfo(name), content.encode(), zipfile.ZIP_DEFLATED)
-    return packed.getvalue()
+    return archive_of({name: content.encode() for name, content in files.items()})

@@ -6,18 +6,17 @@ as text. QTI has MathML, which is part of the format.
 
 from collections.abc import Callable, Mapping
 from html import escape
-from urllib.parse import urljoin
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
 from markdown_it.token import Token
 from markupsafe import Markup
 
-from site_builder.editions.links import is_external
+from site_builder.editions.links import on_site
 from site_builder.editions.tree import MATHML, elements, parse
+from site_builder.formulae.tex import plain_tex
 from site_builder.page_model.passage import Passage
 from site_builder.render.screen import RULES, PassageRenderer, mathml_of, renderer_with
-from site_builder.render.tex import plain_tex
 
 KEPT = frozenset({"href", "start", "colspan", "rowspan"})
 LENGTHS = ("lspace", "rspace", "width", "height", "depth")
@@ -55,10 +54,11 @@ def _plain(root: Element, page: str) -> Element:
             continue
         address = element.get("href", "")
         element.attrib = {name: text for name, text in element.attrib.items() if name in KEPT}
-        if element.tag == "a" and page:
-            element.set("href", urljoin(page, address))
-        elif element.tag == "a" and not is_external(address):
-            element.tag, element.attrib = "span", {}
+        if element.tag == "a":
+            if there := on_site(address, page):
+                element.set("href", there)
+            else:
+                element.tag, element.attrib = "span", {}
     return root
 
 

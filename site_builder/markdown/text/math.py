@@ -8,6 +8,7 @@ from site_builder.cache import cached
 from site_builder.diagnostics import unknown
 from site_builder.files import file_hash
 from site_builder.formulae.temml import SOURCES, TexError, set_tex
+from site_builder.formulae.tex import common_tex
 
 COLOURS = (*frame.ROLES[1:], "muted")
 """Roles of colours that a formula may name; frames also have the empty role."""
@@ -51,9 +52,9 @@ def _to_mathml(tex: str, display: bool, spoken: bool, macros: Macros, _sources: 
     for name, legal in INSTEAD.items():
         if re.search(rf"\\{name}(?![A-Za-z])", tex):
             raise UnsupportedTexError(rf"\{name} in {quoted(tex)}; legal: {legal}")
-    bodies = {f"\\{name}": _for_temml(body) for name, body in macros.items()}
+    bodies = {f"\\{name}": common_tex(body) for name, body in macros.items()}
     try:
-        mathml = set_tex(_for_temml(tex), display=display, spoken=spoken, macros=bodies)
+        mathml = set_tex(common_tex(tex), display=display, spoken=spoken, macros=bodies)
     except TexError as error:
         raise UnsupportedTexError(_in_words(str(error), tex)) from error
     if not re.search(r">[^<\s]", mathml):
@@ -64,12 +65,6 @@ def _to_mathml(tex: str, display: bool, spoken: bool, macros: Macros, _sources: 
 def quoted(tex: str) -> str:
     r"""TeX as its author wrote it, on one line: ``'\frac{a}{b}'``, its backslashes single."""
     return f"'{' '.join(tex.split())}'"
-
-
-def _for_temml(tex: str) -> str:
-    """``%``, which begins a comment in TeX, as a percent sign."""
-    written = re.sub(r"\\bm\b", r"\\boldsymbol", tex)
-    return re.sub(r"\\.|%", lambda sign: r"\%" if sign[0] == "%" else sign[0], written)
 
 
 def _as_classes(tex: str, colours: Sequence[str]) -> str:

@@ -17,7 +17,8 @@ READ_AGAIN = MarkdownIt("commonmark").enable("table").use(dollarmath_plugin)
 @pytest.fixture
 def written(make_book: Callable[..., Options]) -> Callable[[str], str]:
     """The Markdown of a body's prose; links lead nowhere but out."""
-    render = MarkdownRenderer({"R": r"\mathbb{R}"}, lambda href: href if ":" in href else "")
+    macros = {"R": r"\role{ray}{\bm{R}}"}
+    render = MarkdownRenderer(macros, lambda href: href if ":" in href else "")
 
     def write(body: str) -> str:
         loaded = load(make_book(body))
@@ -56,7 +57,7 @@ def test_formulae_have_their_numbers_and_the_commands_of_the_book(
 ) -> None:
     body = "In $\\role{ray}{x} \\in \\R$, (half of $a$).\n\n$$\nx^2\n$$ (eq-square)\n"
     assert written(body) == (
-        r"In $\def\R{\mathbb{R}}{x} \in \R$, (half of $a$)." "\n\n$$\nx^2 \\tag{0.1}\n$$"
+        r"In $\def\R{{\boldsymbol{R}}}{x} \in \R$, (half of $a$)." "\n\n$$\nx^2 \\tag{0.1}\n$$"
     )
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import pytest
 from support.html_outline import Page, read_html
-from support.little_book import diagnostics, rendered
+from support.little_book import OUTLINE, diagnostics, rendered
 
 from site_builder.build import Options
 from site_builder.languages.words import load_words
@@ -201,6 +201,13 @@ def test_files_of_a_translation_are_checked(
 ) -> None:
     found = [item for item in diagnostics(translate(files={path: text})) if item.path == path]
     assert [told in item.message for item in found] == [True]
+
+
+def test_mistakes_of_what_is_not_translated_are_told_once(translate: Translate) -> None:
+    outline = OUTLINE + '[starts]\n"Begin" = "nowhere"\n'
+    files = {"content/book.toml": outline, "content/de/book.toml": 'title = "Kleines Buch"\n'}
+    found = [item for item in diagnostics(translate(files=files)) if item.fails]
+    assert [(item.path, item.line) for item in found] == [("content/book.toml", 6)]
 
 
 def test_a_translation_as_it_should_be_has_no_mistake(translate: Translate) -> None:

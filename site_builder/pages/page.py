@@ -1,0 +1,144 @@
+"""One page of the site or of an edition, from its template. No markup is made here."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from markupsafe import Markup
+
+from site_builder.book import Book, Chapter
+from site_builder.figures.initial_frames import InitialFrames, describing
+from site_builder.markdown.directives.illustration import Drawn as Illustration
+from site_builder.page_model.blocks import Block, Simulation
+from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
+from site_builder.pages.environment import book_context, template_environment
+from site_builder.pages.outside import card_path, origin, page_address
+from site_builder.pages.reading_time import reading_minutes
+from site_builder.pages.versions import Version, versions_of
+from site_builder.pages.views.simulation import SimulationView, view_simulation
+from site_builder.render.paper import paper_renderer
+from site_builder.translations.labels import figure_markup
+
+FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
+"""Of what a reader meets first: text, and the line above it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """What all pages share."""
+
+    root: Path
+    """The project, with the modules that chapters quote."""
+    book: Book
+    initial_frames: InitialFrames
+    assets: str
+    """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
+    runtime: str
+    """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
+    sources: str = ""
+    """Hash of the simulations that this Python has: those that drew the stills."""
+    table: str = ""
+    """Hash of the table of this Python's files, which has the hashes of all others."""
+    code_editor: bool = False
+    """Whether readers can rewrite the Python of a figure, or only read it."""
+    search: bool = False
+    """Whether there is an index to search."""
+    scripts: tuple[str, ...] = ()
+    """What the pages' script imports, below ``assets``."""
+    reload: bool = False
+    """Whether pages reload themselves when the site has been built anew."""
+    styles: str = ""
+    """The style sheet, with addresses relative to its folder, which each page holds;
+    nothing where pages link to it."""
+    hashes: Mapping[str, str] = field(default_factory=dict)
+    """Of assets that pages name, as in W3C Subresource Integrity."""
+
+
+def render_page(
+    site: Site,
+    template: str,
+    root: str,
+    path: str = "",
+    rows: Callable[[Simulation], object] | None = None,
+    **context: object,
+) -> str:
+    """One page, or a part of one. ``root`` is the site's root relative to it, ``path`` its own
+    place below that; nothing where it has none to be known by. With ``rows``, which finds the small
+    multiples of a figure, it is XHTML for paper."""
+    environment = template_environment()
+    assets = f"{root}{site.assets}"
+    given = context.get("chapter")
+    chapter = given if isinstance(given, Chapter) else None
+    figures = chapter.simulations if chapter else ()
+
+    def simulation_view(figure: Simulation) -> SimulationView:
+        return view_simulation(
+            site.initial_frames[figure.path, figure.line], assets, site.book.words
+        )
+
+    def block_html(block: Block) -> Markup:
+        template = environment.get_template(f"blocks/{block.template}.html")
+        html = template.render(
+            shared,
+            block=block.content,
+            inside=block.inside,
+            target=block.target,
+            chapter=chapter,
+        )
+        is_figure = isinstance(block.content, Simulation | Illustration)
+        return Markup(figure_markup(html, site.book.words) if is_figure else html)
+
+    def integrity(name: str) -> Markup:
+        known = site.hashes.get(name)
+        return Markup(' integrity="{}"').format(known) if known else Markup()
+
+    shared = {
+        **book_context(site.book),
+        **({} if rows is None else {"renderer": paper_renderer()}),
+        "root": root,
+        "assets": assets,
+        "anchors": chapter.anchors if chapter else (),
+        "later_figures": [figure.id for figure in figures[1:]] if rows is None else (),
+        "python": bool(site.runtime),
+        "code_editor": site.code_editor,
+        "embed_folder": EMBED_FOLDER,
+        "block_html": block_html,
+        "simulation_view": simulation_view,
+        "paper": rows is not None,
+        "row_of": rows,
+        "minutes": reading_minutes(chapter, describing(site.initial_frames)) if chapter else 0,
+    }
+    return environment.get_template(template).render(
+        shared,
+        site=site,
+        runtime=f"{root}{site.runtime}" if site.runtime else "",
+        first_faces=FIRST_FACES,
+        integrity=integrity,
+        address=page_address(path) if path and site.book.address else None,
+        card=card_path(chapter),
+        scenes=_scenes(chapter, context.get("cover")) if site.runtime else (),
+        origin=origin(site.book, path, chapter),
+        **{
+            "styles": site.styles.replace('url("../', f'url("{assets}'),
+            "chapter": None,
+            "here": "",
+            "sections": (),
+            "back_matter": (),
+            "versions": _versions(site.book, template, chapter),
+            **context,
+        },
+    )
+
+
+def _versions(book: Book, template: str, chapter: Chapter | None) -> tuple[Version, ...]:
+    """Only title pages and chapters are translated."""
+    there = template in ("landing.html", "chapter.html")
+    return versions_of(book, chapter) if there else ()
+
+
+def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:
+    """The scenes of a page, which starts Python at once if it has any."""
+    figures = chapter.simulations if chapter else ()
+    if isinstance(cover, Block) and isinstance(cover.content, Simulation):
+        figures = (cover.content,)
+    return tuple(dict.fromkeys(figure.scene.id for figure in figures))
