@@ -49,6 +49,8 @@ def test_another_language_keeps_section_interpreter_and_answers(visitor: Reader)
     drawing = page.locator("#figure-formation-pipeline svg.overlay").last
     page.locator("#figure-formation-pipeline").get_by_text("Weiter", exact=True).click()
     expect(drawing).to_contain_text("(0,40; −0,30; 4,00) m von der Kamera")
+    description = page.locator("#figure-formation-pipeline .description[lang=de]")
+    expect(description).to_contain_text("Die Pose der Kamera macht aus")
     page.go_back()
     page.wait_for_function("document.documentElement.lang === 'en'")
     assert page.locator(f".other-language[href$='#{section}']").inner_text() == "Deutsch"

@@ -15,6 +15,7 @@ from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.views.control import Cell, control_cells, readouts_in_sight, value_text
+from site_builder.translations.labels import figure_text
 
 SECOND = 0.53
 """Width of a panel beside one that leads, as a share of that one's (``static/css/figure.css``)."""
@@ -58,6 +59,8 @@ class SimulationView:
     name: str
     """The scene's title, numbered where the page shows the scene again."""
     description: str
+    is_described: bool
+    """In the language of a translation."""
     panels: tuple[PanelView, ...]
     """The one that leads first."""
     cells: tuple[Cell, ...]
@@ -103,7 +106,8 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
     readouts, folded_readouts = readouts_in_sight(still)
     return SimulationView(
         name=_name(figure),
-        description=frame.description,
+        description=figure_text(frame.description, words),
+        is_described=figure_text(frame.description, words) != frame.description,
         panels=tuple(
             PanelView(
                 panel, *_picture(still, panel.name, assets), _handles(still, panel.name, words)
@@ -154,7 +158,10 @@ def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView,
     def view(handle: Handle[Any]) -> HandleView:
         driven = [controls[name] for name in handle.drives]
         values = still.values
-        said = (f"{item.label} {value_text(item, values[item.name], words)}" for item in driven)
+        said = (
+            f"{figure_text(item.label, words)} {value_text(item, values[item.name], words)}"
+            for item in driven
+        )
         reach = None
         if len(driven) == 1 and not isinstance(driven[0], Points):
             reach = driven[0].span(values[driven[0].name])
@@ -167,7 +174,8 @@ def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView,
 
 
 def _hint(handle: Handle[Any], words: Words) -> str:
-    key, label = "figure.press" if handle.reach == "aim" else "figure.drag", handle.label
+    key = "figure.press" if handle.reach == "aim" else "figure.drag"
+    label = figure_text(handle.label, words)
     begins = words(key, handle="").startswith(" ")
     return words(key, handle=label if begins else label[:1].lower() + label[1:])
 
@@ -176,8 +184,8 @@ def _keys(driven: Sequence[Control], words: Words) -> str:
     if isinstance(driven[0], Points):
         return words("figure.arrows_move")
     if len(driven) == 1:
-        return words("figure.arrows", control=driven[0].label)
-    across, along = (control.label for control in driven)
+        return words("figure.arrows", control=figure_text(driven[0].label, words))
+    across, along = (figure_text(control.label, words) for control in driven)
     return words("figure.arrows_both", across=across, along=along)
 
 

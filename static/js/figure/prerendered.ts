@@ -8,6 +8,7 @@ import { maybe, one } from "../page/dom.ts";
 import { formatValue } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
+import { describe } from "./announce.ts";
 import type { Value } from "./control.ts";
 import { readValues, type Schema } from "./controls.ts";
 import type { Place } from "./handles.ts";
@@ -87,7 +88,7 @@ export class Prerendered {
       if (still) still.src = address;
     }
     this.place(frame.handles);
-    one(figure, ".description", HTMLElement).textContent = frame.description;
+    describe(one(figure, ".description", HTMLElement), frame.description);
     this.#mark(words("figure.early", { setting: this.#setting(control, frame.value) }));
     figure.dataset.early = String(frame.value);
   }
