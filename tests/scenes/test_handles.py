@@ -20,6 +20,8 @@ SCENES = {id_: load_scene(id_) for id_ in SCENE_MODULES}
 ALL = [(scene, handle) for scene in SCENES.values() for handle in scene.handles]
 PLACED = [(scene, handle) for scene, handle in ALL if handle.reach != "aim"]
 """Handles that have a place of their own."""
+CACHES = {id_: StageCache() for id_ in SCENES}
+"""What no handle moves is computed once."""
 FAR = 1e7
 FINGER = 24 / 267
 """Of a panel's width: the 24 CSS pixels of WCAG 2.2 (2.5.8) where a phone is 320 pixels wide."""
@@ -35,7 +37,8 @@ class Outputs(Mapping[str, Any]):
     """What the stages make of some settings: of them only those that a handle asks for."""
 
     def __init__(self, scene: Scene[Any], settings: object) -> None:
-        self._scene, self._settings, self._cache = scene, settings, StageCache()
+        self._scene, self._settings = scene, settings
+        self._cache = CACHES[scene.id]
 
     def __getitem__(self, name: str) -> Any:
         wanted = {name}
