@@ -22,7 +22,6 @@ from site_builder.runtime.pack import (
     book_modules,
     chunk_archive,
     chunks_of,
-    pack_runtime,
     page_modules,
     runtime_table,
 )
@@ -105,16 +104,6 @@ def test_a_module_needs_the_parts_that_it_imports_from(package: Path) -> None:
     imports = read_imports(package)
     assert chunks_of(imports, "simulations.models.noise", modules) == ["numpy-random"]
     assert chunks_of(imports, "simulations.models", modules) == []
-
-
-def test_the_runtime_folder_holds_every_file_that_its_table_names() -> None:
-    bundle = pack_runtime(WAVES / "simulations", scenes=SCENES, ladders=LADDERS)
-    table = json.loads(bundle.files["runtime.json"].read_text())
-    assert {*table["integrity"], "runtime.json"} == set(bundle.files)
-    assert {f"{part}.zip" for part in table["modules"]} <= set(bundle.files)
-    wanted = set().union(*table["scenes"].values(), *table["ladders"].values())
-    assert {f"{part}.zip" for part in wanted} <= set(table["integrity"])
-    assert wanted & set(table["modules"]), "some scene asks for more than numpy's core"
 
 
 def test_browser_and_host_run_the_same_numpy() -> None:

@@ -1,12 +1,14 @@
 """The snapshot that readers begin with: the same wherever and whenever it is made."""
 
-from collections.abc import Sequence
+import json
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
 from support.places import WAVES
 from support.waves import LADDERS, SCENES
 
+from site_builder.cache import Cache, using
 from site_builder.runtime import pack
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError
@@ -17,9 +19,10 @@ FETCHED = fetch_runtime()
 
 
 @pytest.fixture(scope="module")
-def bundle() -> RuntimeBundle:
-    """Of the book on waves, which is kept between builds."""
-    return pack_runtime(WAVES / "simulations", None, SCENES, LADDERS)
+def bundle(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RuntimeBundle]:
+    """Of the book on waves, which is kept between builds; its byte code until the last test."""
+    with using(Cache(tmp_path_factory.mktemp("cache"))):
+        yield pack_runtime(WAVES / "simulations", None, SCENES, LADDERS)
 
 
 def make(bundle: RuntimeBundle, folder: Path, modules: Sequence[str]) -> Path:
@@ -27,6 +30,15 @@ def make(bundle: RuntimeBundle, folder: Path, modules: Sequence[str]) -> Path:
     files = bundle.files
     archives = [files["core.zip"]]
     return make_snapshot(machine, files["python.zip"], {}, archives, modules, SITE_PACKAGES, folder)
+
+
+def test_the_runtime_folder_holds_every_file_that_its_table_names(bundle: RuntimeBundle) -> None:
+    table = json.loads(bundle.files["runtime.json"].read_text())
+    assert {*table["integrity"], "runtime.json"} == set(bundle.files)
+    assert {f"{part}.zip" for part in table["modules"]} <= set(bundle.files)
+    wanted = set().union(*table["scenes"].values(), *table["ladders"].values())
+    assert {f"{part}.zip" for part in wanted} <= set(table["integrity"])
+    assert wanted & set(table["modules"]), "some scene asks for more than numpy's core"
 
 
 @pytest.mark.deep

@@ -64,14 +64,6 @@ def first_book(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_
     return folder
 
 
-def test_a_new_book_is_small(engine: Engine, tmp_path: Path) -> None:
-    done = engine.run(tmp_path, "-m", "site_builder", "new", "book", "small")
-    files = [file for file in (tmp_path / "small").rglob("*") if file.is_file()]
-    assert done.stdout.startswith(f"small: {len(files)} files\n")
-    assert len(files) <= 25
-    assert sum(len(file.read_text("utf-8").splitlines()) for file in files) <= 600
-
-
 def test_all_its_tests_pass(engine: Engine, first_book: Path) -> None:
     done = engine.run(first_book, "-m", "pytest", "-q", "-p", "no:cacheprovider")
     assert done.returncode == 0, done.stdout + done.stderr
@@ -79,17 +71,15 @@ def test_all_its_tests_pass(engine: Engine, first_book: Path) -> None:
         assert len([*first_book.glob(f"tests/**/test_{name}.py")]) == 1
 
 
-def test_its_site_has_its_figures(engine: Engine, first_book: Path, tmp_path: Path) -> None:
+def test_its_site_has_its_figures_and_sentences_of_skeletons_are_warned_of(
+    engine: Engine, first_book: Path, tmp_path: Path
+) -> None:
     done = engine.run(
         first_book, "-m", "site_builder", "build", "--no-runtime", "--out", str(tmp_path / "site")
     )
     assert done.returncode == 0, done.stderr
     page = (tmp_path / "site" / "a-falling-ball" / "index.html").read_text("utf-8")
     assert 'data-simulation="falling-ball"' in page
-
-
-def test_sentences_of_skeletons_are_warned_of(engine: Engine, first_book: Path) -> None:
-    done = engine.run(first_book, "-m", "site_builder", "check", "--no-runtime")
     warned = re.findall(r"^(.+?):(\d+): warning: '(.+)' is still as", done.stderr, re.MULTILINE)
     assert {sentence for _, _, sentence in warned} == {each.strip(": ") for each in PLACEHOLDERS}
     for path, line, sentence in warned:
@@ -194,12 +184,16 @@ def test_a_new_directive_has_tests_that_pass(changed_engine: Path) -> None:
         assert done.returncode == 0, done.stdout
 
 
-def test_a_changed_engine_reaches_a_book_by_an_upgrade(
+def test_a_new_book_is_small_and_a_changed_engine_reaches_it_by_an_upgrade(
     engine: Engine, changed_engine: Path, tmp_path: Path
 ) -> None:
     own = new_engine(tmp_path / "environment")
     assert own.install(engine.wheel).returncode == 0
-    assert engine.run(tmp_path, "-m", "site_builder", "new", "book", "book").returncode == 0
+    done = engine.run(tmp_path, "-m", "site_builder", "new", "book", "book")
+    files = [file for file in (tmp_path / "book").rglob("*") if file.is_file()]
+    assert done.stdout.startswith(f"book: {len(files)} files\n")
+    assert len(files) <= 25
+    assert sum(len(file.read_text("utf-8").splitlines()) for file in files) <= 600
     chapter = tmp_path / "book" / "content" / "01-a-falling-ball.md"
     with chapter.open("a", encoding="utf-8") as text:
         text.write("\n:::{aside} Of no weight\nA feather falls as fast, in a vacuum.\n:::\n")
