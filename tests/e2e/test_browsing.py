@@ -71,47 +71,39 @@ def test_a_search_in_another_language_finds_what_is_not_translated_too(visitor: 
         visitor.page.keyboard.press("Escape")
 
 
-def test_back_returns_to_the_place_that_was_left(plain_reader: Reader, book: Any) -> None:
+def test_a_link_to_a_heading_arrives_at_it_and_back_returns_to_the_place_that_was_left(
+    plain_reader: Reader, book: Any
+) -> None:
     first, second = (chapter["url"] for chapter in book["chapters"][1:3])
     plain_reader.open(first, live=False)
+    link = plain_reader.page.locator("#contents .sections a").last
+    target = (link.get_attribute("href") or "").removeprefix("#")
+    link.click()
+    plain_reader.page.wait_for_function(IN_VIEW, arg=target)
     plain_reader.page.evaluate("scrollTo({top: 700, behavior: 'instant'})")
     left_at = plain_reader.page.evaluate("scrollY")
     plain_reader.turn_to(second, live=False)
     assert plain_reader.page.evaluate("scrollY") == 0
     plain_reader.page.go_back()
     plain_reader.page.wait_for_function(
-        "url => location.href === url", arg=plain_reader.root + first
+        "url => location.href === url", arg=f"{plain_reader.root}{first}#{target}"
     )
     plain_reader.page.wait_for_function("top => Math.abs(scrollY - top) < 3", arg=left_at)
 
 
-def test_back_to_a_page_of_another_folder_turns_to_it(plain_reader: Reader, book: Any) -> None:
+def test_what_a_head_says_of_its_page_turns_with_it_there_and_back(
+    plain_reader: Reader, book: Any
+) -> None:
     plain_reader.open("", live=False)
-    page = plain_reader.page
+    page, chapter = plain_reader.page, book["chapters"][1]
     page.evaluate("window.stays = true")
-    plain_reader.turn_to(book["chapters"][1]["url"], live=False)
+    plain_reader.turn_to(chapter["url"], live=False)
+    turned = page.evaluate(HEAD)
     page.evaluate("history.back()")
-    page.wait_for_function(
-        "title => !document.title.includes(title)", arg=book["chapters"][1]["title"]
-    )
+    page.wait_for_function("title => !document.title.includes(title)", arg=chapter["title"])
     assert page.evaluate("window.stays")
-
-
-def test_what_a_head_says_of_its_page_turns_with_it(plain_reader: Reader, book: Any) -> None:
-    plain_reader.open("", live=False)
-    plain_reader.turn_to(book["chapters"][1]["url"], live=False)
-    turned = plain_reader.page.evaluate(HEAD)
-    plain_reader.page.reload()
-    assert turned == plain_reader.page.evaluate(HEAD)
-
-
-def test_a_link_to_a_heading_arrives_at_it(plain_reader: Reader, book: Any) -> None:
-    chapter = book["chapters"][1]
     plain_reader.open(chapter["url"], live=False)
-    link = plain_reader.page.locator("#contents .sections a").last
-    target = (link.get_attribute("href") or "").removeprefix("#")
-    link.click()
-    plain_reader.page.wait_for_function(IN_VIEW, arg=target)
+    assert turned == page.evaluate(HEAD)
 
 
 IN_VIEW = """(id) => {
@@ -131,16 +123,8 @@ def test_the_whole_book_is_read_by_next_links(plain_reader: Reader, book: Any) -
         assert plain_reader.page.evaluate("document.activeElement.id") == "main"
 
 
-def test_the_theme_is_remembered(plain_reader: Reader) -> None:
-    plain_reader.open(live=False)
-    plain_reader.page.locator(".theme-toggle").click()
-    assert plain_reader.page.locator("html").get_attribute("data-theme") == "dark"
-    plain_reader.open(live=False)
-    assert plain_reader.page.locator("html").get_attribute("data-theme") == "dark"
-
-
 @pytest.mark.parametrize(("system", "pressed"), [("light", "dark"), ("dark", "light")])
-def test_the_first_press_of_the_theme_button_changes_what_is_seen(
+def test_the_first_press_of_the_theme_button_changes_what_is_seen_and_is_remembered(
     plain_reader: Reader, system: Literal["light", "dark"], pressed: str
 ) -> None:
     page = plain_reader.page
@@ -151,6 +135,8 @@ def test_the_first_press_of_the_theme_button_changes_what_is_seen(
     page.locator(".theme-toggle").click()
     assert page.locator("html").get_attribute("data-theme") == pressed
     assert page.evaluate(ground) != before
+    plain_reader.open(live=False)
+    assert page.locator("html").get_attribute("data-theme") == pressed
 
 
 def test_a_reload_keeps_the_place_though_the_address_names_a_figure(plain_reader: Reader) -> None:

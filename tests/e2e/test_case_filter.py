@@ -1,21 +1,15 @@
 """The field that filters the tables of hard cases."""
 
 import pytest
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import expect
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
 
-@pytest.fixture
-def field(plain_reader: Reader) -> Locator:
+def test_only_the_cases_with_every_typed_word_are_shown(plain_reader: Reader) -> None:
     plain_reader.open("where-the-models-break/", live=False)
-    return plain_reader.page.get_by_role("searchbox", name="Filter the cases")
-
-
-def test_only_the_cases_with_every_typed_word_are_shown(
-    plain_reader: Reader, field: Locator
-) -> None:
+    field = plain_reader.page.get_by_role("searchbox", name="Filter the cases")
     field.fill("quaternion zero")
     rows = plain_reader.page.locator(".extremes tbody tr").locator("visible=true")
     expect(rows).not_to_have_count(0)
@@ -24,11 +18,6 @@ def test_only_the_cases_with_every_typed_word_are_shown(
         assert "zero" in text.lower()
     count = plain_reader.page.locator(".case-filter [role=status]")
     expect(count).to_have_text(f"{rows.count()} case{'s' if rows.count() > 1 else ''}")
-
-
-def test_an_emptied_field_closes_the_tables_and_shows_all_of_them(
-    plain_reader: Reader, field: Locator
-) -> None:
     tables = plain_reader.page.locator("details.extremes")
     field.fill("no such case")
     expect(tables.locator("visible=true")).to_have_count(0)

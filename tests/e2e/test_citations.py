@@ -12,7 +12,9 @@ IN_VIEW = """(id) => {
 }"""
 
 
-def test_a_citation_leads_to_its_work_and_the_work_back(plain_reader: Reader) -> None:
+def test_a_citation_leads_to_its_work_and_back_and_keys_show_a_section_s_link(
+    plain_reader: Reader,
+) -> None:
     page = plain_reader.page
     plain_reader.open("lens-distortion/", live=False)
     citation = page.locator("a.citation").first
@@ -22,11 +24,6 @@ def test_a_citation_leads_to_its_work_and_the_work_back(plain_reader: Reader) ->
     page.wait_for_function(IN_VIEW, arg=key)
     page.locator(f'#{key} a[href$="lens-distortion/#{place}"]').click()
     page.wait_for_function(IN_VIEW, arg=place)
-
-
-def test_a_section_s_link_is_shown_to_the_keyboard(plain_reader: Reader) -> None:
-    page = plain_reader.page
-    plain_reader.open("lens-distortion/", live=False)
     link = page.locator("a.anchor").first
     expect(link).to_have_css("opacity", "0")
     link.focus()

@@ -32,7 +32,9 @@ def open_page(reader: Reader, address: str) -> None:
     reader.page.evaluate("document.fonts.ready")
 
 
-def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) -> None:
+def test_other_controls_wait_behind_a_line_on_a_phone_until_words_or_an_address_move_them(
+    phone: Reader, book: Any
+) -> None:
     camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
     open_page(phone, camera)
     figure = phone.figure("camera")
@@ -40,6 +42,14 @@ def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) 
     assert not folded.is_visible()
     figure.locator(".more-controls > summary").tap()
     assert folded.is_visible()
+    figure.locator(".more-controls > summary").tap()
+    assert not folded.is_visible()
+    link = phone.page.locator("a.set[data-values*='\"shot_noise\": false']").first
+    link.evaluate("link => link.click()")  # it may stand in an answer that waits
+    folded.wait_for(state="visible")
+    phone.page.goto("about:blank")
+    open_page(phone, f"{camera}?figure-camera.shot_noise=false")
+    folded.wait_for(state="visible")
 
 
 def test_other_tools_wait_behind_dots_on_a_phone(phone: Reader, book: Any) -> None:
@@ -61,21 +71,6 @@ IN_ONE_ROW = """(one, other) => {
 }"""
 
 
-def test_words_that_move_a_folded_control_unfold_it(phone: Reader, book: Any) -> None:
-    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
-    open_page(phone, camera)
-    folded = phone.figure("camera").locator("[name=shot_noise]")
-    link = phone.page.locator("a.set[data-values*='\"shot_noise\": false']").first
-    link.evaluate("link => link.click()")  # it may stand in an answer that waits
-    folded.wait_for(state="visible")
-
-
-def test_an_address_that_names_a_folded_control_unfolds_it(phone: Reader, book: Any) -> None:
-    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
-    open_page(phone, f"{camera}?figure-camera.shot_noise=false")
-    phone.figure("camera").locator("[name=shot_noise]").wait_for(state="visible")
-
-
 def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
     visitor: Reader, book: Any
 ) -> None:
@@ -93,24 +88,18 @@ def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
 
 
 def test_a_dot_brings_its_panel_into_view_and_tells_of_it(phone: Reader, book: Any) -> None:
-    address = next(c["url"] for c in book["chapters"] if "lens-distortion" in c["simulations"])
-    open_page(phone, address)
-    figure = phone.figure("lens-distortion")
-    dots = figure.locator(".panel-dots > button")
-    dots.nth(1).tap()
-    strip = figure.locator(".other-panels").element_handle()
-    phone.page.wait_for_function(SECOND_IS_SHOWN, arg=strip)
-    figure.locator('.panel-dots > button:nth-child(2)[aria-current="true"]').wait_for()
-
-
-def test_a_title_waits_while_its_panel_shows_only_its_edge(phone: Reader, book: Any) -> None:
+    """Whose title waits while only its edge is shown."""
     address = next(c["url"] for c in book["chapters"] if "lens-distortion" in c["simulations"])
     open_page(phone, address)
     figure = phone.figure("lens-distortion")
     title = figure.locator(".other-panels > :last-child > .panel-title").element_handle()
     assert title.evaluate("title => getComputedStyle(title).opacity") == "0"
-    figure.locator(".panel-dots > button").nth(1).tap()
+    dots = figure.locator(".panel-dots > button")
+    dots.nth(1).tap()
     phone.page.wait_for_function("title => getComputedStyle(title).opacity === '1'", arg=title)
+    strip = figure.locator(".other-panels").element_handle()
+    phone.page.wait_for_function(SECOND_IS_SHOWN, arg=strip)
+    figure.locator('.panel-dots > button:nth-child(2)[aria-current="true"]').wait_for()
 
 
 SECOND_IS_SHOWN = """(strip) => {

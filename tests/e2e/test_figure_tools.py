@@ -48,16 +48,11 @@ def test_the_link_that_is_copied_opens_the_figure_as_it_is(guest: Reader, figure
     figure.locator(".tools-said", has_text="copied").wait_for()
     link = guest.page.evaluate("navigator.clipboard.readText()")
     assert link == f"{guest.root}{CHAPTER}?{ID}.k1=-0.3#{ID}"
-
-
-def test_where_copying_is_forbidden_the_link_is_shown_to_be_copied_by_hand(
-    guest: Reader, figure: Locator
-) -> None:
     forbid = "() => { navigator.clipboard.writeText = () => Promise.reject(new Error('no')); }"
     guest.page.evaluate(forbid)
     figure.locator("[data-copy-link]").click()
     field = figure.locator(".copied")
-    field.wait_for()
+    field.wait_for()  # it is shown to be copied by hand
     guest.page.evaluate("delete navigator.clipboard.writeText")
     assert field.input_value().endswith(f"?{ID}.k1=-0.3#{ID}")
 
@@ -112,15 +107,18 @@ def test_reset_returns_to_the_start_of_the_page_and_back_undoes_it(
     guest.page.wait_for_function(is_at, arg=[figure.element_handle(), "-0.3"])
 
 
-def test_the_numbers_are_saved_with_the_settings_that_they_belong_to(figure: Locator) -> None:
+def test_numbers_pictures_and_drawings_are_saved(figure: Locator) -> None:
+    """The numbers with the settings that they belong to."""
     text = saved(figure, "[data-save-numbers]").read_text(encoding="utf-8")
     rows = {(row["kind"], row["name"]): row for row in csv.DictReader(io.StringIO(text))}
     assert rows["setting", "k1"]["value"] == "-0.3"
     assert float(rows["readout", "corner"]["value"]) == -60.0
     assert rows["readout", "corner"]["unit"] == "px"
+    saves_a_picture_at_twice_its_size_with_its_drawing(figure)
+    saves_a_drawing_as_svg_that_needs_no_style_sheet(figure)
 
 
-def test_a_picture_is_saved_at_twice_its_size_with_its_drawing(figure: Locator) -> None:
+def saves_a_picture_at_twice_its_size_with_its_drawing(figure: Locator) -> None:
     view = figure.locator('[data-panel="picture"] .panel-view')
     with Image.open(saved(figure, '[data-save-panel="picture"]')) as picture:
         assert picture.format == "PNG"
@@ -131,7 +129,7 @@ def test_a_picture_is_saved_at_twice_its_size_with_its_drawing(figure: Locator) 
     assert tuple(int(part) for part in re.findall(r"\d+", painted)) in colours
 
 
-def test_a_drawing_is_saved_as_svg_that_needs_no_style_sheet(figure: Locator) -> None:
+def saves_a_drawing_as_svg_that_needs_no_style_sheet(figure: Locator) -> None:
     drawing = saved(figure, '[data-save-panel="grid"]').read_text(encoding="utf-8")
     assert "class=" not in drawing
     assert "data:font/woff2" in drawing or "data:application" in drawing

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
-from support.reader import START_MS, Reader
+from support.reader import DESK, START_MS, Reader
 
 pytestmark = pytest.mark.browser
 
@@ -80,19 +80,44 @@ def drawn(reader: Reader, figure: Locator) -> Any:
     return move(reader, figure, "ArrowLeft")
 
 
+def open_by_keyboard(reader: Reader, figure: Locator, part: str) -> None:
+    page = reader.page
+    figure.locator(".open-python").focus()
+    page.keyboard.press("Enter")
+    figure.locator(".workshop").wait_for()
+    page.wait_for_function("document.activeElement.matches('.workshop-part')")
+    while page.evaluate("document.activeElement.textContent").split()[0] != part:
+        page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    while not page.evaluate("document.activeElement.matches('.cm-content')"):
+        page.keyboard.press("Tab")
+
+
 def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     visitor: Reader,
 ) -> None:
+    """The first edit is made by keyboard alone."""
     visitor.turn_to(CHAPTER)
+    page = visitor.page
     edited, other = figures(visitor)[:2]
     for figure in (other, edited):
         visitor.bring(figure)
     book, others = drawn(visitor, edited), drawn(visitor, other)
-    open_python(edited)
-    assert "def _encoded" in edited.locator(".cm-content").inner_text()
-    write(visitor, edited, NEGATIVE + "print('hello')\n")
-    assert "Running your code" in run(visitor, edited)
-    assert edited.locator(".workshop-printed").inner_text() == "hello\n"
+    open_by_keyboard(visitor, edited, "encoded")
+    page.keyboard.press("ControlOrMeta+a")
+    page.keyboard.type("def _encoded(photo):\nreturn ")
+    page.keyboard.insert_text("to_rgba8(encode_srgb_table(1 - photo.linear))")
+    assert edited.locator(".cm-line").nth(1).inner_text().startswith("    return"), "indented"
+    page.keyboard.press("Home")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.matches('.cm-content')"), "Tab indents"
+    page.keyboard.press("ControlOrMeta+Enter")
+    assert "Running your code" in result(visitor, edited)
+    page.keyboard.press("Escape")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.matches('.workshop button')"), "the way out"
+    hint = edited.locator(".cm-content").get_attribute("aria-describedby")
+    assert "press Escape" in page.locator(f"[id='{hint}']").inner_text()
     visitor.settle(edited)
     changed = visitor.shown(edited)
     assert changed["pixels"] != book["pixels"]
@@ -105,8 +130,10 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     assert edited.locator(".workshop-part", has_text="pinhole").inner_text().endswith("reused")
     edited.locator(".use", has_text="encode_srgb").click()
     assert "simulations/models/color/srgb.py" in edited.locator(".workshop-place").inner_text()
-    write(visitor, edited, "def encode_srgb_table(linear):\n    return linear\n")
+    linear = "def encode_srgb_table(linear):\n    return linear\n"
+    write(visitor, edited, f"{linear}print('hello')\n")
     run(visitor, edited)
+    assert edited.locator(".workshop-printed").inner_text() == "hello\n"
     visitor.settle(edited)
     assert visitor.shown(edited)["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
     edited.locator(".put-all-back").click()
@@ -115,30 +142,25 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     assert visitor.shown(edited) == book
     edited.locator(".workshop-part", has_text="encoded").click()
     assert "def _encoded(photo: Photo)" in edited.locator(".cm-content").inner_text()
-    assert len(visitor.page.workers) == 1
+    assert len(page.workers) == 1
+    edited.locator(".workshop .close").press("Enter")
+    assert page.evaluate("document.activeElement.matches('.open-python')")
 
 
-def test_the_editor_opens_on_the_formula_whose_change_changes_the_figure(visitor: Reader) -> None:
+def test_mistakes_point_at_their_line_and_an_edit_survives_a_reload_as_long_as_it_fits(
+    visitor: Reader,
+) -> None:
+    """The editor opens on the formula whose change changes the figure; mistakes leave it as it
+    is."""
     visitor.turn_to(CHAPTER)
     figure = figures(visitor)[0]
     book = visitor.shown(figure)
     figure.locator(".open-python").click()
-    first = figure.locator(".workshop-part").first
-    assert first.inner_text() == "The formula"
-    assert first.get_attribute("aria-current") == "true"
+    formula = figure.locator(".workshop-part").first
+    assert formula.inner_text() == "The formula"
+    assert formula.get_attribute("aria-current") == "true"
     assert "def distort(" in figure.locator(".cm-content").inner_text()
-    write(visitor, figure, "def distort(xy, d):\n    return 0.5 * xy\n")
-    assert "Running your code" in run(visitor, figure)
-    visitor.settle(figure)
-    assert visitor.shown(figure) != book
-    figure.locator(".put-all-back").click()
-
-
-def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(visitor: Reader) -> None:
-    visitor.turn_to(CHAPTER)
-    figure = figures(visitor)[0]
-    book = visitor.shown(figure)
-    open_python(figure)
+    figure.locator(".workshop-part", has_text="encoded").first.click()
     first = int(figure.locator(".place-line").inner_text())
     write(visitor, figure, "def _encoded(photo):\n    return (photo\n")
     told = run(visitor, figure)
@@ -153,103 +175,27 @@ def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(visitor: Rea
     figure.locator(".result-place").click()
     visitor.page.keyboard.insert_text("# here ")
     assert figure.locator(".cm-problem").inner_text() == "    # here return phot"
+    write(visitor, figure, "\n" * 40 + "def _encoded(photo)")
+    assert "SyntaxError" in run(visitor, figure)
+    for width, height in ((1440, 900), (390, 844)):
+        visitor.page.set_viewport_size({"width": width, "height": height})
+        figure.locator(".cm-content").click()
+        visitor.page.keyboard.press("ControlOrMeta+End")
+        for part in (".panel .panel-view", ".result-words", ".cm-problem"):
+            assert figure.locator(part).first.evaluate(IN_VIEW), (part, width)
+    visitor.page.set_viewport_size(DESK)
     assert visitor.shown(figure) == book
     assert figure.get_attribute("data-state") == "live"
     assert move(visitor, figure, "ArrowRight") != book
     assert figure.locator(".python-state").inner_text() == "Your changes to its code are kept."
-
-
-def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws_it(
-    visitor: Reader,
-) -> None:
-    visitor.turn_to(CHAPTER)
-    figure, other = figures(visitor)[:2]
-    book = drawn(visitor, figure)
-    open_python(figure)
-    usual = visitor.page.evaluate(LIMIT, {"ms": 500, "times": 0})
-    write(visitor, figure, "def _encoded(photo):\n    while True:\n        pass\n")
-    figure.locator(".workshop .run").click()
-    assert move(visitor, other, "ArrowRight"), "another figure does not wait for it"
-    told = result(visitor, figure)
-    assert "was stopped: it did not finish within" in told
-    assert visitor.shown(figure) == book
-    assert "figure stays as it was" in told
-    moved = move(visitor, figure, "ArrowRight")
-    assert move(visitor, figure, "ArrowLeft") == book
-    # Of which this takes a hundredth, until it is to loop; on a slow machine what the book's does.
-    visitor.page.evaluate(LIMIT, {"ms": 1500, "times": 2})
-    loops_later = ("while k1 != 0.15:", "    pass", "return Drawings('', '', '', '')")
-    figure.locator(".put-all-back").click()
-    figure.locator(".workshop-part", has_text="drawings").click()
-    write(visitor, figure, "\n    ".join(["def _drawings(k1, k2):", *loops_later]))
-    assert "Running your code" in run(visitor, figure)
-    figure.locator(".workshop .close").click()
-    assert move(visitor, figure, "ArrowRight") == moved, "the book's frame instead"
-    told = figure.locator(".python-state").inner_text()
-    assert "was stopped" in told
-    assert "The figure runs the book’s code" in told
-    visitor.page.evaluate(LIMIT, usual)
-
-
-def test_stop_ends_the_code_at_once_and_run_starts_it_again(visitor: Reader) -> None:
-    visitor.turn_to(CHAPTER)
-    figure = figures(visitor)[0]
-    book = drawn(visitor, figure)
-    open_python(figure)
-    stop = figure.locator(".workshop .stop")
-    assert stop.get_attribute("aria-disabled") == "true"
-    usual = visitor.page.evaluate(LIMIT, {"ms": 10 * START_MS, "times": 0})
-    write(visitor, figure, "def _encoded(photo):\n    while True:\n        pass\n")
-    figure.locator(".workshop .run").click()
-    stop.click()
-    assert result(visitor, figure).startswith("Stopped.")
-    assert "failed" not in (figure.locator(".workshop-result").get_attribute("class") or "")
-    assert stop.get_attribute("aria-disabled") == "true"
-    assert visitor.shown(figure) == book
-    assert move(visitor, figure, "ArrowRight") != book, "the book's code draws on"
-    assert move(visitor, figure, "ArrowLeft") == book
+    move(visitor, figure, "ArrowLeft")
     write(visitor, figure, NEGATIVE)
+    formula.click()
+    write(visitor, figure, "def distort(xy, d):\n    return 0.5 * xy\n")
     assert "Running your code" in run(visitor, figure)
-    visitor.settle(figure)
-    assert visitor.shown(figure)["pixels"] != book["pixels"]
-    stop.click()
-    assert result(visitor, figure).startswith("Stopped.")
-    visitor.settle(figure)
-    assert visitor.shown(figure) == book, "what ran well can be stopped, too"
-    assert figure.locator(".cm-content").inner_text().strip() == NEGATIVE.strip()
-    assert len(visitor.page.workers) == 1
-    visitor.page.evaluate(LIMIT, usual)
-
-
-@pytest.mark.parametrize(
-    ("width", "height"), [pytest.param(1440, 900, marks=pytest.mark.deep), (390, 844)]
-)
-def test_picture_and_message_are_in_view_while_the_code_is_edited(
-    visitor: Reader, width: int, height: int
-) -> None:
-    visitor.page.set_viewport_size({"width": width, "height": height})
-    visitor.turn_to(CHAPTER)
-    figure = figures(visitor)[0]
-    open_python(figure, "The formula")
-    write(visitor, figure, "\n" * 40 + "def distort(xy, d)")
-    assert "SyntaxError" in run(visitor, figure)
-    figure.locator(".cm-content").click()
-    visitor.page.keyboard.press("ControlOrMeta+End")
-    for part in (".panel .panel-view", ".result-words", ".cm-problem"):
-        assert figure.locator(part).first.evaluate(IN_VIEW), part
-
-
-def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(
-    visitor: Reader,
-) -> None:
-    visitor.turn_to(CHAPTER)
-    figure, other = figures(visitor)[:2]
-    book = visitor.shown(figure)
-    open_python(figure)
-    write(visitor, figure, NEGATIVE)
-    run(visitor, figure)
     visitor.settle(figure)
     changed = visitor.shown(figure)
+    assert changed["drawings"] != book["drawings"]
     visitor.open(CHAPTER)
     figure, other = figures(visitor)[:2]
     figure.locator(".python-state", has_text="runs your code").wait_for(timeout=START_MS)
@@ -277,37 +223,55 @@ def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(
     assert not visitor.page.evaluate("Object.keys(localStorage).some((k) => k.includes('python:'))")
 
 
-def test_all_of_it_can_be_done_by_keyboard(visitor: Reader) -> None:
+def test_code_that_does_not_end_is_stopped_by_the_clock_or_by_hand_and_the_figure_is_the_book_s(
+    visitor: Reader,
+) -> None:
     visitor.turn_to(CHAPTER)
-    figure, page = figures(visitor)[0], visitor.page
-    book = visitor.shown(figure)
-    figure.locator(".open-python").focus()
-    page.keyboard.press("Enter")
-    figure.locator(".workshop").wait_for()
-    page.wait_for_function("document.activeElement.matches('.workshop-part')")
-    while page.evaluate("document.activeElement.textContent").split()[0] != "encoded":
-        page.keyboard.press("Tab")
-    page.keyboard.press("Enter")
-    while not page.evaluate("document.activeElement.matches('.cm-content')"):
-        page.keyboard.press("Tab")
-    page.keyboard.press("ControlOrMeta+a")
-    page.keyboard.type("def _encoded(photo):\nreturn ")
-    page.keyboard.insert_text("to_rgba8(1 - photo.linear)")  # each key of it would be like these
-    assert figure.locator(".cm-line").nth(1).inner_text().startswith("    return"), "indented"
-    page.keyboard.press("Home")
-    page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.matches('.cm-content')"), "Tab indents"
-    page.keyboard.press("ControlOrMeta+Enter")
-    assert "Running your code" in result(visitor, figure)
+    figure, other = figures(visitor)[:2]
+    book = drawn(visitor, figure)
+    open_python(figure)
+    stop = figure.locator(".workshop .stop")
+    assert stop.get_attribute("aria-disabled") == "true"
+    usual = visitor.page.evaluate(LIMIT, {"ms": 500, "times": 0})
+    write(visitor, figure, "def _encoded(photo):\n    while True:\n        pass\n")
+    figure.locator(".workshop .run").click()
+    assert move(visitor, other, "ArrowRight"), "another figure does not wait for it"
+    told = result(visitor, figure)
+    assert "was stopped: it did not finish within" in told
+    assert "figure stays as it was" in told
+    assert visitor.shown(figure) == book
+    visitor.page.evaluate(LIMIT, {"ms": 10 * START_MS, "times": 0})
+    figure.locator(".workshop .run").click()
+    stop.click()
+    assert result(visitor, figure).startswith("Stopped.")
+    assert "failed" not in (figure.locator(".workshop-result").get_attribute("class") or "")
+    assert stop.get_attribute("aria-disabled") == "true"
+    assert visitor.shown(figure) == book
+    moved = move(visitor, figure, "ArrowRight")
+    assert moved != book, "the book's code draws on"
+    assert move(visitor, figure, "ArrowLeft") == book
+    # Of which this takes a hundredth, until it is to loop; on a slow machine what the book's does.
+    visitor.page.evaluate(LIMIT, {"ms": 1500, "times": 2})
+    loops_later = ("while k1 != 0.15:", "    pass", "return Drawings('', '', '', '')")
+    write(visitor, figure, NEGATIVE)
+    figure.locator(".workshop-part", has_text="drawings").click()
+    write(visitor, figure, "\n    ".join(["def _drawings(k1, k2):", *loops_later]))
+    assert "Running your code" in run(visitor, figure)
     visitor.settle(figure)
     assert visitor.shown(figure)["pixels"] != book["pixels"]
-    page.keyboard.press("Escape")
-    page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.matches('.workshop button')"), "the way out"
-    hint = figure.locator(".cm-content").get_attribute("aria-describedby")
-    assert "press Escape" in page.locator(f"[id='{hint}']").inner_text()
-    figure.locator(".workshop .close").press("Enter")
-    assert page.evaluate("document.activeElement.matches('.open-python')")
+    stop.click()
+    assert result(visitor, figure).startswith("Stopped.")
+    visitor.settle(figure)
+    assert visitor.shown(figure) == book, "what ran well can be stopped, too"
+    assert "while k1 != 0.15:" in figure.locator(".cm-content").inner_text()
+    assert len(visitor.page.workers) == 1
+    assert "Running your code" in run(visitor, figure)
+    figure.locator(".workshop .close").click()
+    assert move(visitor, figure, "ArrowRight") == moved, "the book's frame instead"
+    told = figure.locator(".python-state").inner_text()
+    assert "was stopped" in told
+    assert "The figure runs the book’s code" in told
+    visitor.page.evaluate(LIMIT, usual)
 
 
 def test_without_the_editor_the_python_can_be_read(visitor: Reader) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import expect
 from support.reader import Reader
 
 from simulations.engine.photograph import Photograph
@@ -46,31 +46,23 @@ def calibrated() -> dict[str, Any]:
     return read
 
 
-def with_photographs(reader: Reader, files: list[Path]) -> Locator:
-    """The figure, with photographs chosen for it."""
-    reader.open("measure-your-camera/")
-    figure = reader.page.locator("simulation-figure[data-simulation=calibration]")
-    whole = reader.page.locator("figure", has=figure)
-    reader.bring(whole.locator(".intake"))
-    reader.settle(figure)
-    whole.locator("input[type=file]").set_input_files(files)
-    return whole
-
-
-def test_a_file_that_cannot_be_made_says_what_to_do(reader: Reader, files: list[Path]) -> None:
-    whole = with_photographs(reader, files[:1])
-    expect(whole.locator("output[name=focal]")).to_have_text("not determined")
-    whole.get_by_role("button", name="JSON", exact=True).click()
-    expect(whole.locator(".made-files-said")).to_contain_text(": At least 3 photographs")
-    whole.locator(".intake-clear").click()
-    expect(whole.locator(".made-files-said")).to_have_text("")
-
-
 def test_the_reader_s_boards_calibrate_the_camera_as_in_this_python(
     reader: Reader, files: list[Path]
 ) -> None:
-    whole = with_photographs(reader, files)
+    """Of too few no file can be made: it says what to do."""
+    reader.open("measure-your-camera/")
+    figure = reader.page.locator("simulation-figure[data-simulation=calibration]")
+    whole = reader.page.locator("figure", has=figure)
     box = whole.locator(".intake")
+    reader.bring(box)
+    reader.settle(figure)
+    whole.locator("input[type=file]").set_input_files(files[:1])
+    expect(whole.locator("output[name=focal]")).to_have_text("not determined")
+    whole.get_by_role("button", name="JSON", exact=True).click()
+    expect(whole.locator(".made-files-said")).to_contain_text(": At least 3 photographs")
+    box.locator(".intake-clear").click()
+    expect(whole.locator(".made-files-said")).to_have_text("")
+    whole.locator("input[type=file]").set_input_files(files)
     expect(box.locator(".intake-said")).to_contain_text(f"{COUNT} of {COUNT + 1}")
     expect(box.locator(".intake-photo").last).to_contain_text("No chequerboard found")
     expect(whole.locator("output[name=supported]")).not_to_have_text("")

@@ -17,31 +17,31 @@ def chapter_with_sections(book: Any) -> str:
     return url
 
 
-def test_the_section_that_is_read_is_marked(plain_reader: Reader, book: Any) -> None:
+def test_on_a_phone_the_sections_are_in_a_fold_and_the_header_leaves_and_comes_back(
+    plain_reader: Reader, book: Any
+) -> None:
     page = plain_reader.page
+    page.set_viewport_size({"width": 390, "height": 800})
     plain_reader.open(chapter_with_sections(book), live=False)
-    links = page.locator("#contents .sections a")
-    for link in (links.nth(2), links.nth(5), links.nth(2)):
-        link.click()
-        expect(link).to_have_attribute("aria-current", "location")
-        assert page.locator("#contents .sections a[aria-current]").count() == 1
-    page.evaluate(SCROLL_TO, page.evaluate("document.body.scrollHeight"))  # past all headings
-    expect(links.last).to_have_attribute("aria-current", "location")
-
-
-def test_on_a_narrow_screen_the_sections_are_in_a_fold(plain_reader: Reader, book: Any) -> None:
-    plain_reader.page.set_viewport_size({"width": 390, "height": 800})
-    plain_reader.open(chapter_with_sections(book), live=False)
-    fold = plain_reader.page.locator("details.on-this-page")
+    for top, away in ((1500, True), (1300, False), (1600, True), (0, False)):
+        page.evaluate(SCROLL_TO, top)
+        page.wait_for_function(
+            "away => document.querySelector('.site-header').classList.contains('away') === away",
+            arg=away,
+        )
+    box = page.locator(".site-header").bounding_box()
+    assert box
+    assert box["height"] <= 48
+    fold = page.locator("details.on-this-page")
     expect(fold.locator("a").first).to_be_hidden()
     fold.locator("summary").click()
     last = fold.locator("a").last
     target = (last.get_attribute("href") or "").removeprefix("#")
     last.click()
-    expect(plain_reader.page.locator(f"#{target}")).to_be_in_viewport()
+    expect(page.locator(f"#{target}")).to_be_in_viewport()
 
 
-def test_the_line_in_the_header_tells_how_far_the_chapter_is_read(
+def test_the_section_that_is_read_is_marked_and_the_header_tells_how_far_one_is(
     plain_reader: Reader, book: Any
 ) -> None:
     page = plain_reader.page
@@ -50,43 +50,32 @@ def test_the_line_in_the_header_tells_how_far_the_chapter_is_read(
     assert page.evaluate(read) == 0
     page.evaluate(SCROLL_TO, page.evaluate("document.querySelector('article').scrollHeight / 2"))
     page.wait_for_function(f"{read} > 0.4 && {read} < 0.7")
-    page.evaluate(SCROLL_TO, 1e6)
+    links = page.locator("#contents .sections a")
+    for link in (links.nth(2), links.nth(5), links.nth(2)):
+        link.click()
+        expect(link).to_have_attribute("aria-current", "location")
+        assert page.locator("#contents .sections a[aria-current]").count() == 1
+    page.evaluate(SCROLL_TO, 1e6)  # past all headings
+    expect(links.last).to_have_attribute("aria-current", "location")
     page.wait_for_function(f"{read} === 1")
 
 
-def test_on_a_phone_the_header_leaves_and_comes_back(plain_reader: Reader, book: Any) -> None:
-    page = plain_reader.page
-    page.set_viewport_size({"width": 390, "height": 800})
-    plain_reader.open(chapter_with_sections(book), live=False)
-    header = page.locator(".site-header")
-    for top, away in ((1500, True), (1300, False), (1600, True), (0, False)):
-        page.evaluate(SCROLL_TO, top)
-        page.wait_for_function(
-            "away => document.querySelector('.site-header').classList.contains('away') === away",
-            arg=away,
-        )
-    box = header.bounding_box()
-    assert box
-    assert box["height"] <= 48
-
-
-@pytest.mark.parametrize(("width", "height"), SIZES)
-def test_the_header_is_one_slim_line_at_every_width(
-    plain_reader: Reader, book: Any, width: int, height: int
-) -> None:
-    plain_reader.page.set_viewport_size({"width": width, "height": height})
+def test_the_header_is_one_slim_line_at_every_width(plain_reader: Reader, book: Any) -> None:
+    header = plain_reader.page.locator(".site-header")
     for address in ("", chapter_with_sections(book)):
         plain_reader.open(address, live=False)
-        header = plain_reader.page.locator(".site-header")
-        box = header.bounding_box()
-        assert box
-        assert box["height"] <= 48
-        assert header.evaluate("header => header.scrollWidth <= header.clientWidth")
-        search = plain_reader.page.locator("button[data-search]")
-        expect(search).to_be_in_viewport(ratio=1)
+        for width, height in SIZES:
+            plain_reader.page.set_viewport_size({"width": width, "height": height})
+            box = header.bounding_box()
+            assert box
+            assert box["height"] <= 48, width
+            assert header.evaluate("header => header.scrollWidth <= header.clientWidth"), width
+            expect(header.locator("button[data-search]")).to_be_in_viewport(ratio=1)
 
 
-def test_keys_turn_the_page_and_open_the_card(visitor: Reader, book: Any) -> None:
+def test_keys_turn_the_page_and_open_the_card_and_can_be_turned_off(
+    visitor: Reader, book: Any
+) -> None:
     chapters, keyboard = book["chapters"], visitor.page.keyboard
     visitor.turn_to(chapters[9]["url"], live=False)
     keyboard.press("]")
@@ -100,6 +89,15 @@ def test_keys_turn_the_page_and_open_the_card(visitor: Reader, book: Any) -> Non
     expect(card).to_be_hidden()
     visitor.page.locator("button[data-keys]").click()
     expect(card).to_be_visible()
+    card.get_by_role("checkbox").uncheck()
+    keyboard.press("Escape")
+    keyboard.press("/")
+    assert visitor.page.locator("dialog[open]").count() == 0
+    visitor.page.locator("button[data-keys]").click()
+    card.get_by_role("checkbox").check()
+    keyboard.press("Escape")
+    keyboard.press("/")
+    expect(visitor.page.locator("dialog.search")).to_be_visible()
     keyboard.press("Escape")
 
 
@@ -116,18 +114,3 @@ def test_keys_are_letters_where_one_types(visitor: Reader, book: Any) -> None:
         visitor.page.keyboard.press(key)
     assert visitor.page.locator("dialog[open]").count() == 0
     assert visitor.page.url == visitor.root + url
-
-
-def test_keys_can_be_turned_off(visitor: Reader) -> None:
-    card = visitor.page.locator("dialog.keys")
-    visitor.page.locator("button[data-keys]").click()
-    card.get_by_role("checkbox").uncheck()
-    visitor.page.keyboard.press("Escape")
-    visitor.page.keyboard.press("/")
-    assert visitor.page.locator("dialog[open]").count() == 0
-    visitor.page.locator("button[data-keys]").click()
-    card.get_by_role("checkbox").check()
-    visitor.page.keyboard.press("Escape")
-    visitor.page.keyboard.press("/")
-    expect(visitor.page.locator("dialog.search")).to_be_visible()
-    visitor.page.keyboard.press("Escape")

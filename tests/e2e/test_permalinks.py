@@ -47,22 +47,26 @@ def test_an_address_sets_its_figure_and_no_other(visitor: Reader) -> None:
 
 
 def test_numbers_are_brought_into_range_and_onto_the_steps(visitor: Reader) -> None:
-    assert values(open_at(visitor, k1="-7", k2="0.1234"), "k1", "k2") == ["-0.5", "0.12"]
+    """The link of the chapter itself leads back to its start and keeps the interpreter."""
+    figure = open_at(visitor, k1="-7", k2="0.1234")
+    assert values(figure, "k1", "k2") == ["-0.5", "0.12"]
+    worker = visitor.page.workers[0]
+    visitor.turn_to(CHAPTER)
+    assert values(figure, "k1") == [start(figure, "k1")]
+    assert visitor.page.workers == [worker]
 
 
-@pytest.mark.parametrize(
-    "meaningless",
-    [{"k1": "1e", "k2": "", "k9": "1"}, {"picture": "%E0%A4%A", "correct": "yes", "tier": "best"}],
-)
-def test_what_an_address_cannot_mean_is_ignored_with_a_word(
-    visitor: Reader, meaningless: dict[str, str]
-) -> None:
-    figure = open_at(visitor, **meaningless)
-    names = ("k1", "k2", "picture")
-    assert values(figure, *names) == [start(figure, name) for name in names]
-    assert values(figure, "tier") == ["closed-form"]
-    said = figure.locator(".figure-message").inner_text()
-    assert all(f"{name}=" in said for name in meaningless)
+def test_what_an_address_cannot_mean_is_ignored_with_a_word(visitor: Reader) -> None:
+    for meaningless in (
+        {"k1": "1e", "k2": "", "k9": "1"},
+        {"picture": "%E0%A4%A", "correct": "yes", "tier": "best"},
+    ):
+        figure = open_at(visitor, **meaningless)
+        names = ("k1", "k2", "picture")
+        assert values(figure, *names) == [start(figure, name) for name in names]
+        assert values(figure, "tier") == ["closed-form"]
+        said = figure.locator(".figure-message").inner_text()
+        assert all(f"{name}=" in said for name in meaningless)
     figure.locator("[name=k1]").fill("0.1")
     figure.locator(".figure-status").wait_for(state="hidden")
 
@@ -70,7 +74,9 @@ def test_what_an_address_cannot_mean_is_ignored_with_a_word(
 def test_a_hand_at_rest_is_kept_in_the_address_without_an_entry_of_the_history(
     visitor: Reader,
 ) -> None:
+    """After another chapter the figure is found as it was left."""
     visitor.turn_to(CHAPTER)
+    worker = visitor.page.workers[0]
     figure = visitor.figure("lens-distortion")
     entries = visitor.page.evaluate("history.length")
     visitor.uncover(figure)
@@ -80,19 +86,11 @@ def test_a_hand_at_rest_is_kept_in_the_address_without_an_entry_of_the_history(
     assert visitor.page.evaluate("history.length") == entries
     figure.locator("[name=k1]").fill(start(figure, "k1"))
     wait_address(visitor, f"?{ID}.k2=-0.1")
-
-
-def test_a_figure_is_found_as_it_was_left_after_another_chapter(visitor: Reader) -> None:
-    visitor.turn_to(CHAPTER)
-    worker = visitor.page.workers[0]
-    figure = visitor.figure("lens-distortion")
-    figure.locator("[name=k1]").fill("0.3")
-    wait_address(visitor, f"?{ID}.k1=0.3")
     visitor.turn_to("lighting-and-reflectance/")
     visitor.page.go_back()
     visitor.page.locator(f"#{ID}").wait_for()
     visitor.wait_live()
-    assert values(figure, "k1") == ["0.3"]
+    assert values(figure, "k1", "k2") == [start(figure, "k1"), "-0.1"]
     assert visitor.page.workers == [worker]
 
 
@@ -104,13 +102,3 @@ def test_a_page_that_is_loaded_finds_its_figure_where_the_address_says(reader: R
     reader.page.wait_for_function(
         "id => document.getElementById(id).querySelector('[name=k1]').value === '0.3'", arg=ID
     )
-
-
-def test_the_link_of_the_chapter_itself_leads_to_its_start_and_keeps_the_interpreter(
-    visitor: Reader,
-) -> None:
-    figure = open_at(visitor, k1="0.3")
-    worker = visitor.page.workers[0]
-    visitor.turn_to(CHAPTER)
-    assert values(figure, "k1") == [start(figure, "k1")]
-    assert visitor.page.workers == [worker]

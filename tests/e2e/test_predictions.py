@@ -10,7 +10,7 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-def test_a_wrong_number_stands_beside_the_computed_one_with_its_reply(
+def test_a_wrong_number_stands_beside_the_computed_one_until_it_is_taken_back(
     plain_reader: Reader, book: Any
 ) -> None:
     form = opened(plain_reader, book, "corner-of-a-barrel")
@@ -21,12 +21,20 @@ def test_a_wrong_number_stands_beside_the_computed_one_with_its_reply(
     assert form.locator(".computed dd").inner_text().replace("\u00a0", " ") == "\u221240.0 px"
     assert "inwards" in form.locator(".explanation").inner_text()
     plain_reader.page.locator("[data-progress-reset]").click()
+    assert form.get_attribute("data-answered") is None
+    assert form.locator("input[name=guess]").is_enabled()
+    answer = plain_reader.page.locator('[data-answers="corner-of-a-barrel"]')
+    assert not answer.locator(".answer-body").is_visible()
     form.locator("input[name=guess]").fill("0")
     form.locator("button[type=submit]").click()
     assert form.locator(".explanation").count() == 0, "not taken for the mistake of −0.2"
+    plain_reader.page.locator("[data-progress-reset]").click()
+    answer.locator("[data-reveal]").click()
+    assert answer.locator(".answer-body").is_visible(), "it is shown from where it waits"
+    assert form.get_attribute("data-answered") == "revealed"
 
 
-def test_a_wrong_choice_is_answered_and_the_right_one_shown(
+def test_a_wrong_choice_is_answered_and_the_right_one_shown_until_it_is_taken_back(
     plain_reader: Reader, book: Any
 ) -> None:
     form = opened(plain_reader, book, "sharp-again")
@@ -35,6 +43,10 @@ def test_a_wrong_choice_is_answered_and_the_right_one_shown(
     assert form.get_attribute("data-answered") == "wrong"
     assert form.locator(".computed dd").inner_text() == "Softer near the border"
     assert form.locator(".explanation").count() == 2
+    marks = form.locator("label:is(.correct, .wrong)")
+    assert marks.count() == 2
+    plain_reader.page.locator("[data-progress-reset]").click()
+    assert marks.count() == 0
 
 
 def test_the_answer_can_be_asked_for_without_a_guess(plain_reader: Reader, book: Any) -> None:
@@ -51,14 +63,6 @@ def test_the_answer_can_be_asked_for_without_a_guess(plain_reader: Reader, book:
     plain_reader.page.reload()
     assert form.get_attribute("data-answered") == "revealed"
     assert told.get_attribute("aria-live") == "off", "shown again, it is not"
-
-
-def test_the_answer_is_shown_from_where_it_waits(plain_reader: Reader, book: Any) -> None:
-    form = opened(plain_reader, book, "corner-of-a-barrel")
-    answer = plain_reader.page.locator('[data-answers="corner-of-a-barrel"]')
-    answer.locator("[data-reveal]").click()
-    assert answer.locator(".answer-body").is_visible()
-    assert form.get_attribute("data-answered") == "revealed"
 
 
 def test_links_to_the_experiment_wait_for_the_guess(plain_reader: Reader, book: Any) -> None:
@@ -118,27 +122,6 @@ def test_a_sketch_is_made_by_arrow_keys_alone(plain_reader: Reader, book: Any) -
     assert form.get_attribute("data-answered") == "wrong"
     numbers = re.findall(r"\d[\w.]*\b", form.locator(".feedback").inner_text())
     assert numbers == ["90", "0.51", "0"], "the cosine of 90° is no more than rounding away from 0"
-
-
-def test_a_reset_takes_guesses_back(plain_reader: Reader, book: Any) -> None:
-    form = opened(plain_reader, book, "corner-of-a-barrel")
-    form.locator("input[name=guess]").fill("-40")
-    form.locator("button[type=submit]").click()
-    plain_reader.page.locator("[data-progress-reset]").click()
-    assert form.get_attribute("data-answered") is None
-    assert form.locator("input[name=guess]").is_enabled()
-    assert not plain_reader.page.locator(
-        '[data-answers="corner-of-a-barrel"] .answer-body'
-    ).is_visible()
-
-
-def test_a_reset_takes_the_marks_of_options_away(plain_reader: Reader, book: Any) -> None:
-    form = opened(plain_reader, book, "sharp-again")
-    form.locator('input[name=guess][value="0"]').check()
-    form.locator("button[type=submit]").click()
-    assert form.locator("label:is(.correct, .wrong)").count() == 2
-    plain_reader.page.locator("[data-progress-reset]").click()
-    assert form.locator("label:is(.correct, .wrong)").count() == 0
 
 
 def form_of(reader: Reader, item: Any) -> Locator:

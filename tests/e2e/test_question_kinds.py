@@ -34,7 +34,7 @@ def test_a_number_is_asked_for_and_given_by_keyboard(plain_reader: Reader, book:
     assert form.get_attribute("data-answered") == "correct"
 
 
-def test_an_order_is_made_by_keyboard(plain_reader: Reader, book: Any) -> None:
+def test_an_order_is_made_by_keyboard_and_by_dragging(plain_reader: Reader, book: Any) -> None:
     for quiz in questions(book, "order"):
         form = open_question(plain_reader, book, quiz)
         form.locator("button[type=submit]").press("Enter")
@@ -45,10 +45,6 @@ def test_an_order_is_made_by_keyboard(plain_reader: Reader, book: Any) -> None:
         assert form.locator(".order-place").inner_text()
         form.locator("button[type=submit]").press("Enter")
         assert form.get_attribute("data-answered") == "correct"
-
-
-def test_an_order_is_made_by_dragging(plain_reader: Reader, book: Any) -> None:
-    form = open_question(plain_reader, book, questions(book, "order")[0])
     before = order_of(form)
     last, first = form.locator(".grip").last, form.locator(".grip").first
     start, end = plain_reader.bring(last), first.bounding_box()
@@ -120,18 +116,6 @@ def test_options_stand_in_an_order_of_the_reader_s_own_that_lasts(
     assert any(other != orders for other in others)
 
 
-def test_an_answer_to_another_edition_is_asked_for_again(plain_reader: Reader, book: Any) -> None:
-    quiz = questions(book, "number")[0]
-    form = open_question(plain_reader, book, quiz)
-    form.locator("input[name=answer]").fill(str(right_value(quiz)))
-    form.locator("button[type=submit]").click()
-    plain_reader.page.reload()
-    assert form.get_attribute("data-answered") == "correct"
-    plain_reader.page.evaluate(EDIT, quiz["id"])
-    plain_reader.page.reload()
-    assert form.get_attribute("data-answered") is None
-
-
 def test_progress_counts_lists_what_was_missed_and_is_reset(
     plain_reader: Reader, book: Any
 ) -> None:
@@ -178,35 +162,39 @@ def test_progress_is_carried_over_as_a_file(
     give(plain_reader, file)
     expect(section.locator(".progress-said")).to_contain_text("1 answer")
     assert form.get_attribute("data-answered") == "correct"
+    page.evaluate(EDIT, quiz["id"])
+    page.reload()
+    assert form.get_attribute("data-answered") is None, "to another edition it is asked again"
 
 
-@pytest.mark.parametrize(
-    ("content", "said"),
-    [
-        ("{", "not JSON"),
-        ("[]", "does not contain answers"),
-        ('{"format": "image-formation-progress", "version": 9, "answers": {}}', "version"),
-        ('{"format": "image-formation-progress", "version": 1, "answers": []}', "no answers"),
-        (
-            '{"format": "image-formation-progress", "version": 1, "answers":'
-            '{"quiz:affine-dof": {"edition": "0", "answer": 6, "right": true}, "theme": "dark"}}',
-            '"theme" is broken',
-        ),
-        (
-            '{"format": "image-formation-progress", "version": 1, "answers":'
-            '{"quiz:affine-dof": {"edition": "0", "answer": "six", "right": true}}}',
-            "is broken",
-        ),
-    ],
+BROKEN = (
+    ("{", "not JSON"),
+    ("[]", "does not contain answers"),
+    ('{"format": "image-formation-progress", "version": 9, "answers": {}}', "version"),
+    ('{"format": "image-formation-progress", "version": 1, "answers": []}', "no answers"),
+    (
+        '{"format": "image-formation-progress", "version": 1, "answers":'
+        '{"quiz:affine-dof": {"edition": "0", "answer": 6, "right": true}, "theme": "dark"}}',
+        '"theme" is broken',
+    ),
+    (
+        '{"format": "image-formation-progress", "version": 1, "answers":'
+        '{"quiz:affine-dof": {"edition": "0", "answer": "six", "right": true}}}',
+        '"quiz:affine-dof" is broken',
+    ),
 )
+
+
 def test_a_broken_file_is_named_and_nothing_of_it_kept(
-    plain_reader: Reader, tmp_path: Path, content: str, said: str
+    plain_reader: Reader, tmp_path: Path
 ) -> None:
-    file = tmp_path / "broken.json"
-    file.write_text(content)
     plain_reader.open(live=False)
-    give(plain_reader, file)
-    assert said in plain_reader.page.locator(".progress-said").inner_text()
+    said = plain_reader.page.locator(".progress-said")
+    for number, (content, words) in enumerate(BROKEN):
+        file = tmp_path / f"broken-{number}.json"
+        file.write_text(content)
+        plain_reader.page.locator(".progress-file").set_input_files(file)
+        expect(said).to_contain_text(words)
     kept = plain_reader.page.evaluate("Object.keys(localStorage).filter(k => k.includes(':quiz'))")
     assert kept == []
 

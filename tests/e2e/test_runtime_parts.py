@@ -98,21 +98,10 @@ def test_a_page_fetches_what_its_scenes_import_and_a_later_page_what_is_still_mi
     assert not [url for url in asked if "editor" in url or "/python/" in url], "not opened yet"
 
 
-def test_a_part_that_the_table_does_not_list_is_fetched_when_python_asks_for_it(
+def test_a_part_that_python_asks_for_in_vain_is_named_and_asked_for_again_at_the_next_try(
     reader: Reader, server: StaticServer, book: Any, table: Any, fetched: list[str]
 ) -> None:
-    address, parts = a_chapter(book, table, bool)
-    foresee_nothing(server, table)
-    reader.open(address)
-    for figure in reader.page.locator("simulation-figure").all():
-        figure.locator("input[type=range]").first.press("ArrowRight")
-        reader.settle(figure)  # what only frames import comes after the page's own
-    assert sorted(fetched) == sorted(AT_ONCE | parts)
-
-
-def test_a_part_that_python_asks_for_in_vain_is_named_and_asked_for_again_at_the_next_try(
-    reader: Reader, server: StaticServer, book: Any, table: Any
-) -> None:
+    """The table lists none: each is fetched when Python asks for it."""
     address, parts = a_chapter(book, table, bool)
     part = max(of_libraries(parts))
     foresee_nothing(server, table)
@@ -129,6 +118,10 @@ def test_a_part_that_python_asks_for_in_vain_is_named_and_asked_for_again_at_the
     del server.faults[f"/{part}.zip"]
     retry.click()
     reader.wait_live()
+    for figure in reader.page.locator("simulation-figure").all():
+        figure.locator("input[type=range]").first.press("ArrowRight")
+        reader.settle(figure)  # what only frames import comes after the page's own
+    assert {*fetched} == AT_ONCE | parts
     reader.complaints.clear()  # the browser's own words about the missing file
 
 

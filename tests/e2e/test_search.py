@@ -79,12 +79,25 @@ FIRST_HITS = """async (dialog, terms) => {
 }"""
 
 
-def test_a_misspelt_word_finds_what_is_near_and_says_so(visitor: Reader) -> None:
-    dialog = opened(visitor)
+def test_what_was_found_is_marked_and_misspelt_words_find_what_is_near_or_nothing(
+    visitor: Reader,
+) -> None:
+    button = visitor.page.locator("button[data-search]")
+    button.click()
+    dialog = visitor.page.locator("dialog.search")
+    first_hit(visitor, dialog, "circle of confusion")
+    marks = dialog.locator("a[data-result]").first.locator(".result-excerpt mark")
+    assert {mark.lower() for mark in marks.all_inner_texts()} >= {"circle", "confusion"}
     assert first_hit(visitor, dialog, "vingetting") == first_hit(visitor, dialog, "vignetting")
     dialog.locator("input").fill("vingetting")
     expect(dialog.get_by_role("status")).to_contain_text("Similar")
+    dialog.locator("input").fill("xyzzyplugh")
+    expect(dialog.get_by_role("status")).to_contain_text("Nothing found")
+    expect(dialog.locator(".search-nothing")).to_be_visible()
+    assert dialog.locator("a[data-result]").count() == 0
     visitor.page.keyboard.press("Escape")
+    expect(dialog).to_be_hidden()
+    expect(button).to_be_focused()
 
 
 def test_nothing_is_fetched_before_someone_is_about_to_search(
@@ -124,32 +137,6 @@ def test_results_are_chosen_by_keyboard_and_turn_the_page(visitor: Reader) -> No
         " document.querySelector('.site-header').getBoundingClientRect().bottom",
         arg=heading.element_handle(),
     )
-
-
-def test_what_was_found_is_marked_in_an_excerpt(visitor: Reader) -> None:
-    dialog = opened(visitor)
-    first_hit(visitor, dialog, "circle of confusion")
-    marks = dialog.locator("a[data-result]").first.locator(".result-excerpt mark")
-    assert {mark.lower() for mark in marks.all_inner_texts()} >= {"circle", "confusion"}
-    visitor.page.keyboard.press("Escape")
-
-
-def test_escape_gives_the_focus_back(visitor: Reader) -> None:
-    button = visitor.page.locator("button[data-search]")
-    button.click()
-    visitor.page.keyboard.type("lens")
-    visitor.page.keyboard.press("Escape")
-    expect(visitor.page.locator("dialog.search")).to_be_hidden()
-    expect(button).to_be_focused()
-
-
-def test_where_nothing_is_found_the_reader_is_told_what_to_try(visitor: Reader) -> None:
-    dialog = opened(visitor)
-    dialog.locator("input").fill("xyzzyplugh")
-    expect(dialog.get_by_role("status")).to_contain_text("Nothing found")
-    expect(dialog.locator(".search-nothing")).to_be_visible()
-    assert dialog.locator("a[data-result]").count() == 0
-    visitor.page.keyboard.press("Escape")
 
 
 def test_an_index_that_cannot_be_fetched_is_told_and_asked_for_again(
