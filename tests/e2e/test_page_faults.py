@@ -220,22 +220,23 @@ def test_a_hostile_address_runs_and_sets_nothing(plain_reader: Reader) -> None:
         assert len(figure.locator(".figure-message").text_content() or "") < 500, end[:80]
 
 
-@pytest.mark.parametrize("value", ["NaN", "1e309"])
 def test_a_slider_that_a_script_sets_to_no_number_of_its_own_draws_one_of_its_own(
-    visitor: Reader, value: str
+    visitor: Reader,
 ) -> None:
     visitor.turn_to(CHAPTER)
     figure = visitor.figure("perspective-projection")
     slider = figure.locator("input[name=focal_length]")
-    frames = visitor.frames(figure)
-    slider.evaluate(
-        "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input',"
-        " {bubbles: true})); }",
-        value,
-    )
-    visitor.wait_frame(figure, frames)
-    assert figure.get_attribute("data-state") == "live"
-    assert 20 <= float(slider.input_value()) <= 200
+    for value in ("NaN", "1e309"):
+        visitor.put_back(figure)
+        frames = visitor.frames(figure)
+        slider.evaluate(
+            "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input',"
+            " {bubbles: true})); }",
+            value,
+        )
+        visitor.wait_frame(figure, frames)
+        assert figure.get_attribute("data-state") == "live"
+        assert 20 <= float(slider.input_value()) <= 200
 
 
 @pytest.mark.parametrize("chapter", ["why-image-formation/", "perspective-projection/"])
