@@ -26,17 +26,19 @@ def test_turning_the_page_keeps_the_interpreter(visitor: Reader, book: Any) -> N
     assert second["title"] in (current.text_content() or "")
 
 
-def test_another_language_keeps_section_interpreter_and_answers(visitor: Reader) -> None:
+def test_another_language_keeps_section_figures_interpreter_and_answers(visitor: Reader) -> None:
     page, section = visitor.page, "exploit-it-or-compensate-for-it"
     visitor.turn_to("why-image-formation/")
     (worker,) = page.workers
+    page.locator("#figure-formation-pipeline input[name=albedo]").fill("0.3")
+    page.wait_for_url("**albedo=0.3**")
     page.locator("#quiz-why-model-formation input[value='3']").check()
     page.locator("#quiz-why-model-formation button[type=submit]").click()
     page.evaluate(
         "id => document.getElementById(id).scrollIntoView({behavior: 'instant'})", section
     )
     page.locator(f".other-language[href$='#{section}']").click()
-    page.wait_for_url(f"{visitor.root}de/why-image-formation/#{section}")
+    page.wait_for_url(f"{visitor.root}de/why-image-formation/?*albedo=0.3#{section}")
     assert page.locator("html").get_attribute("lang") == "de"
     page.wait_for_function(
         "id => Math.abs(document.getElementById(id).getBoundingClientRect().top) < 120", arg=section
@@ -45,7 +47,7 @@ def test_another_language_keeps_section_interpreter_and_answers(visitor: Reader)
     assert "Die Höhe in Pixeln" in reply
     visitor.wait_live()
     assert page.workers == [worker]
-    assert page.locator("#figure-formation-pipeline .control-value").first.inner_text() == "0,60"
+    assert page.locator("#figure-formation-pipeline .control-value").first.inner_text() == "0,30"
     drawing = page.locator("#figure-formation-pipeline svg.overlay").last
     page.locator("#figure-formation-pipeline").get_by_text("Weiter", exact=True).click()
     expect(drawing).to_contain_text("(0,40; −0,30; 4,00) m von der Kamera")

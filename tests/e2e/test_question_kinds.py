@@ -29,7 +29,8 @@ def test_a_number_is_asked_for_and_given_by_keyboard(plain_reader: Reader, book:
     form.locator("input[name=answer]").focus()
     plain_reader.page.keyboard.press("Enter")
     assert "Type a number" in form.locator(".feedback").inner_text()
-    plain_reader.page.keyboard.type(str(right_value(quiz) + 0.9 * quiz["tolerance"]))
+    value = right_value(quiz) + 0.9 * quiz["tolerance"]
+    plain_reader.page.keyboard.type(f"{value} {quiz['unit']}")
     plain_reader.page.keyboard.press("Enter")
     assert form.get_attribute("data-answered") == "correct"
 

@@ -51,6 +51,8 @@ export function installNavigation(
     const url = link && !event.defaultPrevented && isPlain(event) ? linkedPage(link) : null;
     if (!url) return;
     event.preventDefault();
+    // In another language, the figures are as they were left.
+    if (link?.matches(".other-language")) url.search = location.search;
     saveScroll();
     turnTo(url, turned, () => {
       leaveShown();

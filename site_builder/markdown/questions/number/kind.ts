@@ -12,7 +12,9 @@ interface Measured extends Question {
 
 export const kind: Kind<Measured, number> = {
   read(form) {
-    const value = numberTyped(field(form).value);
+    const unit = one(form, ".unit", HTMLElement).textContent ?? "";
+    const typed = field(form).value.trim();
+    const value = numberTyped(typed.endsWith(unit) ? typed.replace(unit, "") : typed);
     return Number.isFinite(value) ? value : null;
   },
 
