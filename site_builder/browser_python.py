@@ -44,7 +44,7 @@ def pack_for_browser(
             packages=packages,
         )
     except PackageError as error:
-        raise BuildError([_asked_at(root, str(error))]) from error
+        raise BuildError([_about_packages(root, str(error))]) from error
     except MissingModuleError as error:
         path, _, line = error.place.rpartition(":")
         expected = f"its standard library, numpy, and 'packages' of [runtime] in {FILE_NAME}"
@@ -54,12 +54,12 @@ def pack_for_browser(
         path, _, line = place_of(error).rpartition(":")
         raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
     for message in differing(bundle.packages):
-        warn(_asked_at(root, message, fails=False))
+        warn(_about_packages(root, message, fails=False))
     return bundle
 
 
-def _asked_at(root: Path, message: str, *, fails: bool = True) -> Diagnostic:
-    """About what a book asks for in its outline."""
+def _about_packages(root: Path, message: str, *, fails: bool = True) -> Diagnostic:
+    """A message about the packages that the outline asks for."""
     _, toml = read_settings(root, Diagnostics())
     return Diagnostic(FILE_NAME, toml.line("runtime", "packages"), message, fails=fails)
 

@@ -16,7 +16,8 @@ PAIR = re.compile(r"(#[0-9a-f]{6}) (#[0-9a-f]{6})")
 GROUND = re.compile(r"--(?:paper|raised|sunken): light-dark\((#[0-9a-f]{6}), (#[0-9a-f]{6})\)")
 LEAST_CONTRAST = 4.5
 """Of text (WCAG 2.2, success criterion 1.4.3)."""
-LIT = ".handle, .readout"
+LIT_OTHERWISE = ".handle, .readout"
+"""Selects what a lit idea marks in another way than by its ground."""
 
 type Rgb = tuple[float, float, float]
 
@@ -37,9 +38,8 @@ def check_colours(
         elif not pair:
             message = f"colour {name!r} is {text!r}; legal: as in '#125b9c #7fbaf2'"
         elif (least := min(_contrasts(pair.groups(), grounds))) < LEAST_CONTRAST:
-            where = "with the light paper and with the dark"
-            message = f"colour {name!r} has a contrast of {least:.2f}"
-            message += f"; legal: {LEAST_CONTRAST} {where}"
+            legal = f"{LEAST_CONTRAST} with the light paper and with the dark"
+            message = f"colour {name!r} has a contrast of {least:.2f}; legal: {legal}"
         else:
             continue
         problems.add(FILE_NAME, toml.line("colours", name), message)
@@ -53,7 +53,7 @@ def colour_rules(colours: Mapping[str, tuple[str, str]]) -> str:
 .overlay .{name}, .role-{name} {{ color: var(--idea-{name}); }}
 .readout.role-{name} {{ --mark: var(--idea-{name}); }}
 simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ opacity: 0.25; }}
-[data-lit="{name}"] .role-{name}:not({LIT}) {{
+[data-lit="{name}"] .role-{name}:not({LIT_OTHERWISE}) {{
   border-radius: var(--radius);
   background: color-mix(in srgb, currentColor 14%, transparent);
 }}
@@ -64,7 +64,7 @@ simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ 
 
 
 def paper_rules(colours: Mapping[str, tuple[str, str]]) -> str:
-    """The same for what knows neither variables nor themes."""
+    """The same without variables and themes, for e-books and notebooks."""
     return "".join(
         f".overlay .{name}, .role-{name} {{ color: {light}; }}\n"
         for name, (light, _) in colours.items()

@@ -118,8 +118,8 @@ def source_hash(module: str) -> bytes:
 
 @functools.cache
 def _source(module: str) -> tuple[bytes, tuple[str, ...]] | None:
-    """The hash of a module's source, and names that may be modules which it imports; None of what
-    is none of ours."""
+    """The hash of a module's source, and names that may be modules which it imports; None for a
+    module of another package."""
     package = module.partition(".")[0]
     if package not in ("simulations", "site_builder"):
         return None

@@ -24,12 +24,12 @@ from site_builder.parts import check_parts
 from site_builder.references.glossary import read_glossary
 from site_builder.source import list_pages, read_shared, read_starts
 from site_builder.source_text import read_text
-from site_builder.translations.adopted import adopted
+from site_builder.translations.agreement import check_contents, check_places
 from site_builder.translations.glossary import glossary_of, translated_glossary
 from site_builder.translations.labels import read_labels
 from site_builder.translations.languages import folder_of
-from site_builder.translations.same import check_contents, check_places
 from site_builder.translations.settings import file_of, translated_settings
+from site_builder.translations.shared import with_shared
 
 
 def read_translations(
@@ -111,7 +111,7 @@ def _chapters(
         survey = Page(first.path, text, page.position, page.shared, page.state).survey()
         check_places(first, survey.inside, chapter, targets.inside[chapter.id], problems)
         check_contents(first, chapter, problems)
-        yield adopted(chapter, first, outline.folder)
+        yield with_shared(chapter, first, outline.folder)
 
 
 def _hero(book: Book, outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:

@@ -123,7 +123,7 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
 def _power(base: Any, exponent: Any) -> Any:
     whole = isinstance(base, int) and isinstance(exponent, int)
     if whole and base.bit_length() * exponent > MOST_BITS:
-        raise ExpressionError("a power beyond all measure; legal: below 1e1000")
+        raise ExpressionError("a power that is too large; legal: below 1e1000")
     return base**exponent
 
 
@@ -133,13 +133,13 @@ def _product(left: Any, right: Any) -> Any:
             raise ExpressionError("a text or list times a number; legal: a product of numbers")
     whole = isinstance(left, int) and isinstance(right, int)
     if whole and left.bit_length() + right.bit_length() > MOST_BITS:
-        raise ExpressionError("a product beyond all measure; legal: below 1e1000")
+        raise ExpressionError("a product that is too large; legal: below 1e1000")
     return left * right
 
 
 def _remainder(left: Any, right: Any) -> Any:
     if isinstance(left, str):
-        raise ExpressionError("a text behind which '%' stands; legal: the remainder of numbers")
+        raise ExpressionError("a text before '%'; legal: the remainder of numbers")
     return left % right
 
 

@@ -20,8 +20,8 @@ ROLES = ("", "world", "camera", "ray", "image", "light", "error")
 
 
 def is_role(name: str) -> bool:
-    """Whether it may be one: which others besides `ROLES` there are, a book says, and the builder
-    checks."""
+    """Whether ``name`` has the form of a role. A book may name others besides `ROLES`; the builder
+    checks them."""
     return name in ROLES or (name.isascii() and name.isalpha() and name.islower())
 
 
@@ -82,7 +82,7 @@ class Readout:
     """The value as shown; rows of a matrix are separated by newlines, entries by spaces."""
     unit: str = ""
     role: str = ""
-    """One of `ROLES`, or a colour of the book's: that of the idea that the number belongs to."""
+    """One of `ROLES`, or a colour of the book's own: the idea that the number belongs to."""
 
     def __post_init__(self) -> None:
         if not isinstance(self.text, str):
@@ -94,7 +94,7 @@ class Readout:
 
 @dataclass(frozen=True, slots=True)
 class Sound:
-    """What a figure lets its reader hear, on the press of a button."""
+    """The sound of a figure, which a button plays."""
 
     samples: Samples
     """(N,) float32 from -1 to 1, one channel."""

@@ -53,7 +53,7 @@ class Handle[S]:
     there; without a mark by dragging from anywhere, which moves it by the same distance; or by
     pressing at a place."""
     role: str = ""
-    """One of `simulations.engine.frame.ROLES`, or a colour of the book's: that of its mark."""
+    """One of `simulations.engine.frame.ROLES`, or a colour of the book's own: that of its mark."""
     reversed: tuple[str, ...] = ()
     """Settings that move it left or down as they increase: their arrow keys are reversed."""
     step: Callable[[S, Outputs], float] | None = None

@@ -17,8 +17,8 @@ type Changed = Callable[[Value], None]
 
 
 def widget_of(control: Control, start: Value, changed: Changed) -> Widget | None:
-    """The widget, which tells ``changed`` each new value; None for points, which only a hand in
-    the picture moves, and for a button that moves a slider, which is a `mover`."""
+    """The widget, which calls ``changed`` with each new value; None for points, which are moved in
+    pictures only, and for a button that moves a slider, which `mover` makes."""
     match control:
         case Slider():
             made = _slider(control, start)

@@ -1,6 +1,6 @@
 """A figure of the book in a notebook: ``figure("lens-distortion", k1=-0.2)``.
 
-The only part of the engine that needs ipywidgets, with `simulations.notebook.controls`.
+This module and `simulations.notebook.controls` alone need ipywidgets.
 """
 
 import io
@@ -24,7 +24,7 @@ from simulations.registry import load_scene, tier_labels
 STYLE = Path(__file__).with_name("style.css")
 """Written beside this module by ``python -m site_builder notebooks``, from the site's own."""
 PANELS = {"grid_template_columns": "repeat(auto-fit, minmax(min(340px, 100%), 1fr))"}
-"""Beside each other as long as their letters can be read."""
+"""Beside each other while there is room for legible labels."""
 TILES = {"grid_template_columns": "repeat(auto-fill, minmax(26em, 1fr))", "grid_gap": "0 1.5em"}
 
 
@@ -45,7 +45,7 @@ class Figure:
         self.values = values_of(settings)
         self.tier = tier
         self.widgets = self._make_widgets()
-        """By the names of the controls, and ``tier``; a value that is set here moves the figure."""
+        """By the names of the controls, and ``tier``; setting the value of one moves the figure."""
         self._cache = StageCache()
         self._style = STYLE.read_text(encoding="utf-8")
         self._pictures = widgets.GridBox(layout={**PANELS, "align_items": "flex-start"})

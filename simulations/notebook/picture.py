@@ -45,7 +45,7 @@ def _placed(panels: Sequence[Panel], top: float) -> Iterator[str]:
 
 def png(raster: Raster) -> bytes:
     """A raster as a PNG, packed quickly rather than tightly."""
-    from PIL import Image  # no figure needs it but those in notebooks
+    from PIL import Image  # needed in notebooks alone
 
     buffer = io.BytesIO()
     Image.fromarray(raster).save(buffer, "PNG", compress_level=1)

@@ -54,7 +54,7 @@ def _try_import(module: str, _sources: bytes) -> None:
         run_limited(partial(_import, module), IMPORT_SECONDS)
     except LimitError as error:
         place, words = place_of(error), words_of(error)
-        if not place:  # it ended its process, at a line that nobody knows
+        if not place:  # it ended its process, at an unknown line
             place, words = f"{module.replace('.', '/')}.py:1", f"{words}, while it was imported"
         raise remember(error, place, words) from None
 

@@ -38,8 +38,8 @@ def check_book(book: Book, problems: Diagnostics) -> None:
 
 
 def check_translation(book: Book, problems: Diagnostics) -> None:
-    """The same of the chapters that are translated, but for what their originals are checked for:
-    `same.py` holds them to these."""
+    """The same of the chapters that are translated, but for what `translations.agreement` compares
+    with their originals."""
     translated = tuple(chapter for chapter in book.chapters if chapter.folder)
     for chapter in translated:
         _check_reveals(chapter, problems)

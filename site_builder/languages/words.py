@@ -32,7 +32,7 @@ class Words:
     """Its tag, as in ``lang``: ``de``."""
     texts: Mapping[str, Text]
     figures: Mapping[str, str] = field(default_factory=dict)
-    """What figures say, by what it is in the language that they are drawn in."""
+    """Texts of figures in this language, by the texts that the scenes draw."""
 
     def __call__(self, key: str, **values: object) -> str:
         """The text with its placeholders filled. Raises `KeyError` where there is none."""

@@ -21,8 +21,8 @@ def book_css(words: Words, selector: str = ":root") -> str:
     return f"\n{selector} {{\n{''.join(rules)}}}\n"
 
 
-def spoken(words: Words) -> dict[str, object]:
-    """What scripts say in one language; a page of a translation carries its own."""
+def script_words(words: Words) -> dict[str, object]:
+    """The texts of scripts in one language; a page of a translation carries its own."""
     return {
         "DECIMAL": words("language.decimal"),
         "FIGURES": dict(words.figures),
@@ -35,7 +35,7 @@ def book_script(settings: Settings, words: Words) -> bytes:
     exports = {
         "LANGUAGE": words.language,
         "STORAGE": f"{storage_prefix(settings)}:",
-        **spoken(words),
+        **script_words(words),
     }
     lines = (
         f"export const {name} = {json.dumps(value, ensure_ascii=False)};\n"

@@ -22,7 +22,7 @@ from site_builder.book import Book
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.markdown.text.code import highlighted_lines
-from site_builder.output.book_files import spoken
+from site_builder.output.book_files import script_words
 from site_builder.page_model.passage import Passage
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.policy import page_policy
@@ -63,7 +63,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "marked_terms": marked_terms,
     "passage": passage_html,
     "spoken": spoken_html,
-    "spoken_by_scripts": lambda words: json_for_html(spoken(words)),
+    "script_words": lambda words: json_for_html(script_words(words)),
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """Functions of templates, for what is computed from the page model."""

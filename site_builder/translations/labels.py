@@ -1,5 +1,5 @@
-"""``content/LANGUAGE/labels.toml``: what figures say, by what it is in the original. ``#`` stands
-for each number. As ``figureText`` and ``figureMarkup`` of ``static/js/page/words.ts``."""
+"""``content/LANGUAGE/labels.toml``: texts of figures, by the texts of the original; ``#`` is
+each number. ``figureText`` and ``figureMarkup`` in ``static/js/page/words.ts`` do the same."""
 
 import re
 from collections.abc import Mapping

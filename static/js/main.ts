@@ -21,7 +21,7 @@ import { watchSections } from "./page/sections.ts";
 import { FORGETFUL } from "./page/storage.ts";
 import * as terms from "./page/terms.ts";
 import { installTheme, showTheme } from "./page/theme.ts";
-import { speakAs, words } from "./page/words.ts";
+import { useWordsOf, words } from "./page/words.ts";
 import * as keeping from "./question/keeping.ts";
 import * as questions from "./question/questions.ts";
 
@@ -38,7 +38,7 @@ interface Part {
 }
 const PARTS: Part[] = [figures, instruments, ladders, cases, terms, questions, keeping];
 
-speakAs(document);
+useWordsOf(document);
 installTheme();
 addEventListener(FORGETFUL, () => notice(words("page.forgetful")));
 installContents();

@@ -38,7 +38,7 @@ def predict(question: Prediction, block: Block, page: Page) -> Iterator[Part]:
 def right(question: Prediction, page: Page) -> Iterator[Text]:
     """The right option, number or curve."""
     yield from (Text(_answer(option, page)) for option in question.options if option.correct)
-    if drawing := _sketch(question, page):
+    if drawing := _drawing(question, page):
         name = f"{question.id}.png"
         shown = f"![{escaped(page.words('predict.computed_curve'))}](attachment:{name})"
         yield Text(shown, {name: page.picture([drawing])})
@@ -46,14 +46,7 @@ def right(question: Prediction, page: Page) -> Iterator[Text]:
 
 def _offered(question: Question, page: Page) -> str:
     """What can be chosen, or ordered."""
-    kind = kind_of(question)
-    if kind.numbered:
-        options = [option for _, option in kind.view(question, ())]  # type: ignore[attr-defined]
-    elif kind.folder == "choice":
-        options = list(question.options)
-    else:
-        return ""
-    lines = zip(ascii_uppercase, options, strict=False)
+    lines = zip(ascii_uppercase, kind_of(question).offered(question), strict=False)
     return "\n".join(f"- {letter}: {page.markdown(option.words)}" for letter, option in lines)
 
 
@@ -76,13 +69,13 @@ def _answer(option: Option, page: Page) -> str:
     return "  \n  ".join(filter(None, (said, page.markdown(option.explanation))))
 
 
-def _sketch(question: Prediction, page: Page) -> Panel | None:
+def _drawing(question: Prediction, page: Page) -> Panel | None:
     """Axes and the true curve of what is to be drawn; None where nothing is."""
-    template = "editions/notebook-sketch.html"
-    if question.kind != "sketch":
+    template = "editions/notebook-drawing.html"
+    if not kind_of(question).drawn:
         return None
     html = render_template(template, page.book, question=question, chapter=page.chapter)
     found = DRAWING.search(html)
     assert found  # the template has one
     width, height, marks = found.groups()
-    return Panel("sketch", "", float(width), float(height), overlay=marks)
+    return Panel("field", "", float(width), float(height), overlay=marks)

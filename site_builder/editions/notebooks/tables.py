@@ -92,22 +92,22 @@ def _tiers(figure: LadderFigure, view: LadderView, page: Page) -> str:
         _tier(row, row.measured.tier.id == figure.measured.ladder.default_tier, page)
         for row in view.rows
     ]
-    return table(map_escaped(head), rows, [LEFT, LEFT, *[RIGHT] * (len(metrics) + 2), LEFT])
+    return table(_escaped(head), rows, [LEFT, LEFT, *[RIGHT] * (len(metrics) + 2), LEFT])
 
 
 def _tier(row: TierRow, default: bool, page: Page) -> list[str]:
     tier, times = row.measured.tier, row.measured.times
     label = f"**{escaped(tier.label)}**" if default else escaped(tier.label)
     took = (page.words.numeral(milliseconds(times[side].ms)) for side in ("native", "browser"))
-    work = _lines(*map_escaped((tier.cost, row.unit_cost)))
-    return [label, work, *map_escaped((*row.errors, *took, row.verdict))]
+    work = _lines(*_escaped((tier.cost, row.unit_cost)))
+    return [label, work, *_escaped((*row.errors, *took, row.verdict))]
 
 
 def ladder_table(shown: LadderTable, block: Block, page: Page) -> Iterator[Part]:
     words = page.words
     keys = ("ladder", "tiers", "span", "default", "time", "error", "beaten")
     rows = [
-        map_escaped(
+        _escaped(
             (
                 row.ladder.title,
                 str(len(row.tiers)),
@@ -146,11 +146,11 @@ def stage_costs(shown: StageCostTable, block: Block, page: Page) -> Iterator[Par
     rows.append((words("costs.nothing"), words("costs.every"), every, whole, "100 %"))
     caption = f"{named(block.target)}{page.markdown(shown.caption)}"
     yield Text(
-        f"{caption}\n\n{table(head, map(map_escaped, rows), [LEFT, LEFT, RIGHT, RIGHT, RIGHT])}"
+        f"{caption}\n\n{table(head, map(_escaped, rows), [LEFT, LEFT, RIGHT, RIGHT, RIGHT])}"
     )
 
 
-def map_escaped(texts: Iterable[str]) -> list[str]:
+def _escaped(texts: Iterable[str]) -> list[str]:
     return [escaped(text) for text in texts]
 
 

@@ -88,7 +88,7 @@ def _columns(text: str, context: ParseContext) -> Mapping[str, list[float]]:
 
 
 def report_first(drawn: Sequence[Drawn], context: ParseContext) -> bool:
-    """Whether some combination has mistakes; those of the first that has are reported with it."""
+    """Report the mistakes of the first combination that has any; whether one has."""
     for each in drawn:
         own = each.context.problems
         for found, reported in (

@@ -42,6 +42,10 @@ def _nothing(_question: Question) -> Mapping[str, object]:
     return {}
 
 
+def _no_options(_question: Question) -> Sequence[Option]:
+    return ()
+
+
 def _no_view(_question: Question, _figures: Sequence[Simulation]) -> None:
     return None
 
@@ -71,6 +75,10 @@ class QuestionKind:
     """``data-`` attributes of its form."""
     view: Callable[[Question, Sequence[Simulation]], object] = _no_view
     """What its template shows besides; it is given the figures of the chapter."""
+    offered: Callable[[Question], Sequence[Option]] = _no_options
+    """The options to choose from or to put in order, as a page lists them."""
+    drawn: bool = False
+    """Whether its field is a drawing, which holds what is right."""
     needs_page: bool = False
     """Whether it is answered with a figure of its page, which no other place has."""
 

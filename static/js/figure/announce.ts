@@ -6,8 +6,8 @@ import { figureText } from "../page/words.ts";
 const REST = 500;
 
 /**
- * A function that writes text into `element`, once changes have come to rest: a drag is announced
- * by its result only, and what a page arrives with is not. The rest itself is told by `figure-rest`.
+ * A function that writes text into `element`, once changes have come to rest: of a drag only the
+ * result is announced. The text that a page opens with is not. The event `figure-rest` follows.
  */
 export function announcer(element: HTMLElement): (text: string) => void {
   let timer = 0;

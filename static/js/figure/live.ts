@@ -139,7 +139,7 @@ export class LiveFigure {
   }
 
   /**
-   * What the present frame sounds like; null where its scene is silent.
+   * The sound of the present frame; null where its scene has none.
    *
    * @throws {RuntimeFailure}
    */

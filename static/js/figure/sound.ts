@@ -1,4 +1,4 @@
-/** The sound of a figure, from the press of its button to the end of the samples, or the next press. */
+/** Plays the sound of a figure, until its samples end or its button is pressed again. */
 
 import type { LiveFigure, Sound } from "./live.ts";
 
@@ -15,15 +15,15 @@ class Player {
 
   constructor(readonly ended: () => void) {}
 
-  get plays() {
+  get isPlaying() {
     return this.#node !== null;
   }
 
-  /** Play from the beginning or, in place of another sound, from where that is. */
+  /** Play from the beginning or, in place of a sound that plays, from the place that it has reached. */
   play(sound: Sound) {
     if (this.#sound && isSame(sound, this.#sound)) return;
     context ??= new AudioContext();
-    const at = this.plays ? context.currentTime - this.#begun : 0;
+    const at = this.isPlaying ? context.currentTime - this.#begun : 0;
     this.stop();
     const { rate, samples } = sound;
     const buffer = context.createBuffer(1, samples.length, rate);
@@ -61,28 +61,28 @@ export async function toggleSound(figure: HTMLElement, button: HTMLButtonElement
   const { live } = figure as HTMLElement & { live: LiveFigure | null };
   if (!live) return;
   const player = players.get(figure) ?? newPlayer(figure, live, button);
-  if (player.plays) player.stop();
+  if (player.isPlaying) player.stop();
   else {
     const sound = await live.sound();
     if (sound) player.play(sound);
   }
-  show(button, player.plays);
+  show(button, player.isPlaying);
 }
 
 function newPlayer(figure: HTMLElement, live: LiveFigure, button: HTMLButtonElement) {
   const player = new Player(() => show(button, false));
   players.set(figure, player);
   figure.addEventListener("painted", async () => {
-    const sound = player.plays ? await live.sound() : null;
-    if (sound && player.plays) player.play(sound);
+    const sound = player.isPlaying ? await live.sound() : null;
+    if (sound && player.isPlaying) player.play(sound);
   });
   figure.addEventListener("figure-leave", () => player.stop());
   return player;
 }
 
-function show(button: HTMLButtonElement, plays: boolean) {
+function show(button: HTMLButtonElement, isPlaying: boolean) {
   const { play = "", stop = "" } = button.dataset;
-  button.textContent = plays ? stop : play;
+  button.textContent = isPlaying ? stop : play;
 }
 
 function isSame(one: Sound, other: Sound) {

@@ -9,7 +9,7 @@ import { linkedPage } from "./links.ts";
 import { notice } from "./notice.ts";
 import { HostError, fetchPage } from "./prefetch.ts";
 import { isOfRelease } from "./release.ts";
-import { speakAs, words } from "./words.ts";
+import { useWordsOf, words } from "./words.ts";
 
 /** What a head says of its own page, or with addresses relative to it. */
 const OF_A_PAGE = [
@@ -116,7 +116,7 @@ function parsed(url: URL, { text, type, redirected }: import("./prefetch.ts").Pa
 function putInPlace(page: Document) {
   document.title = page.title;
   document.documentElement.lang = page.documentElement.lang;
-  speakAs(page);
+  useWordsOf(page);
   const old = document.head.querySelectorAll(OF_A_PAGE);
   document.head.append(...page.head.querySelectorAll(OF_A_PAGE));
   for (const part of old) part.remove();

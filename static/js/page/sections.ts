@@ -1,4 +1,4 @@
-/** Which section is read: its links in the contents are marked, and other languages begin there. */
+/** Which section is read: its links in the contents are marked, and links to other languages lead to it. */
 
 import { all } from "./dom.ts";
 

@@ -2,13 +2,13 @@
 
 import * as book from "../book.js";
 
-/** Those of the page that is shown, which may be a translation. */
-let spoken: Pick<typeof book, "DECIMAL" | "FIGURES" | "WORDS"> = book;
+/** The words of the page that is shown, which may be a translation. */
+let current: Pick<typeof book, "DECIMAL" | "FIGURES" | "WORDS"> = book;
 
-/** Speak the language of a page: a translation has its words in it, all others those of the book. */
-export function speakAs(page: Document) {
+/** Use the words of a page: a translation carries its own, all other pages have those of the book. */
+export function useWordsOf(page: Document) {
   const own = page.getElementById("words");
-  spoken = own ? JSON.parse(own.textContent ?? "") : book;
+  current = own ? JSON.parse(own.textContent ?? "") : book;
 }
 
 /**
@@ -16,7 +16,7 @@ export function speakAs(page: Document) {
  * `count`.
  */
 export function words(key: string, values: Record<string, string | number> = {}): string {
-  const text = spoken.WORDS[key];
+  const text = current.WORDS[key];
   const form = typeof text === "string" ? text : text[values.count === 1 ? "one" : "other"];
   return form.replaceAll(/\{(\w+)\}/g, (_, name) => String(values[name]));
 }
@@ -39,31 +39,31 @@ export function numeral(text: string): string {
   if (text === "undefined") return words("number.undefined");
   const [, limit] = /^under (.+)$/.exec(text) ?? [];
   if (limit) return words("number.under", { limit: numeral(limit) });
-  const { DECIMAL } = spoken;
+  const { DECIMAL } = current;
   return DECIMAL === "." ? text : text.replaceAll(/(?<=\d)\.(?=\d)/g, DECIMAL);
 }
 
 const NUMBER = /[−-]?\d+(?:\.\d+)?/g;
 
-/** What a figure says, in the language of the page where that has it; `#` is each number of it. */
+/** A text of a figure, translated where the page has a translation; `#` stands for each number. */
 export function figureText(text: string) {
-  const label = spoken.FIGURES[text.trim().replaceAll(NUMBER, "#")];
+  const label = current.FIGURES[text.trim().replaceAll(NUMBER, "#")];
   if (label === undefined) return text;
   const numbers = text.match(NUMBER) ?? [];
   let next = 0;
   return label.replaceAll("#", () => numeral(numbers[next++]));
 }
 
-/** A drawing with its texts in the language of the page. */
+/** A drawing with its texts translated. */
 export function figureMarkup(markup: string) {
-  const { FIGURES } = spoken;
+  const { FIGURES } = current;
   if (Object.keys(FIGURES).length === 0) return markup;
   return markup.replaceAll(/(?<=>)[^<>]+(?=<)/g, (text) => figureText(text));
 }
 
 /** The same number for other programs. */
 export function fromNumeral(text: string) {
-  const { DECIMAL } = spoken;
+  const { DECIMAL } = current;
   return DECIMAL === "." ? text : text.replaceAll(DECIMAL, ".");
 }
 
@@ -78,7 +78,7 @@ export function numberTyped(text: string) {
     .replace(/^[-−–‐‑﹣－]\s*/, "-")
     .replaceAll(/(?<=\d)[\s'’](?=\d{3}(?!\d))/g, "");
   const [last = ""] = /[.,](?=[^.,]*$)/.exec(bare) ?? [];
-  const isGrouped = last !== spoken.DECIMAL && /^[-+]?[1-9]\d{0,2}[.,]\d{3}$/.test(bare);
+  const isGrouped = last !== current.DECIMAL && /^[-+]?[1-9]\d{0,2}[.,]\d{3}$/.test(bare);
   const decimal = isGrouped || bare.split(last).length > 2 ? "" : last;
   const thousands = /[.,](?=\d{3}(?!\d))/g;
   const number = bare.replaceAll(thousands, (sign) => (sign === decimal ? sign : ""));

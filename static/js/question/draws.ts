@@ -1,7 +1,7 @@
 /**
- * Questions that draw their numbers. Which they are follows from a seed, the one that a class got
- * with an address or else the reader's own, and from the question's id; until the reader asks for
- * others. An answer is kept with the numbers that it answers, by the edition of its variant.
+ * Questions that draw their numbers. A seed and the question's id decide which: the seed of a class,
+ * which comes with an address, or else the reader's own. A reader may ask for other numbers. A stored
+ * answer names its numbers by the edition of the variant.
  */
 
 import { data, one } from "../page/dom.ts";
@@ -26,7 +26,7 @@ function seedOfClass(): string {
   return typeof seed === "string" ? seed : "";
 }
 
-/** The reader has asked for no other numbers. */
+/** Forget which other numbers the reader asked for. */
 export function forgetOthers() {
   forget(/^drawn:/);
 }
@@ -37,14 +37,14 @@ export function draw(form: HTMLFormElement) {
   if (variants.length > 0) ask(form, variants, drawn(form, variants));
 }
 
-/** Put the next numbers into a question, to stay there. */
+/** Choose the next numbers for a question; `draw` shows them. */
 export function drawOthers(form: HTMLFormElement) {
   const variants = variantsOf(form);
   const at = (placeOf(form) + 1) % variants.length;
   remember(keyOf(form), variants[at].edition);
 }
 
-/** What is kept with an answer, from now on the only sign of its numbers. */
+/** What to store with an answer; its edition names its numbers from now on, and no choice of others. */
 export function keptWith(form: HTMLFormElement): { seed?: string } {
   if (variantsOf(form).length === 0) return {};
   remember(keyOf(form), null);

@@ -49,4 +49,5 @@ CHOICE = QuestionKind(
     read=read_choice,
     quiz=("single", SEVERAL),
     predict=("choice",),
+    offered=lambda question: question.options,
 )

@@ -44,4 +44,5 @@ ORDER = QuestionKind(
     quiz=("order",),
     numbered=True,
     view=in_any_order,
+    offered=lambda question: [option for _, option in in_any_order(question)],
 )

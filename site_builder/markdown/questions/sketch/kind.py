@@ -100,4 +100,5 @@ SKETCH = QuestionKind(
     ),
     page_data=_page_data,
     view=lambda question, _figures: view_sketch(question.details),
+    drawn=True,
 )

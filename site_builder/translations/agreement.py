@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.markdown.questions.kinds import kind_of
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Target
 from site_builder.page_model.questions import Question
@@ -75,8 +76,8 @@ def _setting(figure: Simulation) -> tuple[object, ...]:
 
 
 def _judged(question: Question) -> tuple[object, ...]:
-    """What decides which answers are right; conditions on figures and numbers are no words."""
-    coded = question.kind == "figure"
+    """What decides which answers are right: not their words, but numbers and conditions."""
+    coded = kind_of(question).needs_page
     answers = [
         (option.correct, option.value, option.text if coded else "") for option in question.options
     ]

@@ -1,4 +1,4 @@
-"""A translated chapter with what it shares with its original: figures and answers."""
+"""What a translated chapter shares with its original: figures, and answers to questions."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -47,9 +47,9 @@ def _answered_as[Q: Question](question: Q, original: Question) -> Q:
     )
 
 
-def adopted(translated: Chapter, original: Chapter, folder: str) -> Chapter:
-    """The chapter, its figures those that are drawn for the original, its questions answered where
-    those of the original are; its page in ``folder``."""
+def with_shared(translated: Chapter, original: Chapter, folder: str) -> Chapter:
+    """The chapter with the figures that are drawn for the original, and with the editions of its
+    questions, under which answers are stored; its page in ``folder``."""
     shared = _Shared(
         {figure.id: figure for figure in original.simulations},
         {quiz.id: quiz for quiz in original.quizzes},
