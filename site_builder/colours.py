@@ -8,6 +8,7 @@ from pathlib import Path
 from site_builder.checks.frames import known_classes
 from site_builder.diagnostics import Diagnostics
 from site_builder.engine_files import own_or_engine, static_files
+from site_builder.markdown.roles import ROLES
 from site_builder.settings.model import FILE_NAME
 from site_builder.source_text import Toml
 
@@ -28,15 +29,15 @@ def check_colours(
     """Report names that are taken, values that are no pairs, and pairs that are hard to read."""
     if not colours:
         return
-    taken = known_classes(static_files(root))
+    taken = known_classes(static_files(root)) | {role.name for role in ROLES}
     tokens = own_or_engine(root, "static/css/tokens.css").read_text(encoding="utf-8")
     grounds = GROUND.findall(tokens)
     for name, text in colours.items():
         pair = PAIR.fullmatch(text)
         if not NAME.fullmatch(name) or name in taken:
-            message = f"colour {name!r}; legal: small letters, and no class of the style sheets"
+            message = f"colour {name!r}; legal: small letters, not the name of a role or of a class"
         elif not pair:
-            message = f"colour {name!r} is {text!r}; legal: as in '#125b9c #7fbaf2'"
+            message = f"colour {name!r} is {text!r}; legal: two in small digits, '#125b9c #7fbaf2'"
         elif (least := min(_contrasts(pair.groups(), grounds))) < LEAST_CONTRAST:
             legal = f"{LEAST_CONTRAST} with the light paper and with the dark"
             message = f"colour {name!r} has a contrast of {least:.2f}; legal: {legal}"

@@ -11,10 +11,11 @@ from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import OUTLINE, Book
 from site_builder.cache import cached_reading
 from site_builder.chapters import Page, targets_state
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics import BuildError, Diagnostics, unknown
 from site_builder.engine_files import ENGINE
 from site_builder.files import file_hash, folder_files, folder_hash
 from site_builder.hashing import hash_of, source_hash
+from site_builder.languages.words import languages
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary_links.definitions import read_definitions, read_meanings
@@ -49,8 +50,11 @@ def read_book(
     load_scene: Callable[[str], Scene[Any]],
     measurements: Measurements | None = None,
 ) -> Book:
-    """The whole book; mistakes go to ``problems`` and reading goes on."""
+    """The whole book; mistakes go to ``problems`` and reading goes on. Raises `BuildError` where
+    there is no outline: all else that is reported then would be untrue."""
     outline = read_outline(root, problems)
+    if not outline.chapters and problems:
+        raise BuildError(problems.found)
     settings, words = outline.settings, outline.words
     glossary_terms = read_glossary(root, problems, words)
     shared = read_shared(root, outline, glossary_terms, load_scene, measurements, problems)
@@ -160,13 +164,20 @@ def _check_name(name: str, line: int, problems: Diagnostics) -> None:
 
 
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
-    folders = ("", *map(folder_of, find_languages(root, outline.settings)))
+    tags = [tag for tag in languages() if tag != outline.settings.language]
     names = [name for name, _, _ in outline.chapters]
-    listed = {f"content/{folder}{name}.md" for name in names for folder in folders}
+    listed = {
+        f"content/{folder}{name}.md" for name in names for folder in ("", *map(folder_of, tags))
+    }
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
-        if listed and file.is_file() and path not in listed:
-            problems.add(path, 1, f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'")
+        if not listed or not file.is_file() or path in listed:
+            continue
+        message = f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'"
+        if file.stem in names:
+            folder = file.parent.relative_to(root / "content").as_posix()
+            message = unknown("language of a translation", folder, tags)
+        problems.add(path, 1, message)
 
 
 def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:

@@ -19,7 +19,7 @@ from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.targets import Targets
 from site_builder.outline import Outline, positions, read_outline
 from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.places import Position, chapter_id
+from site_builder.page_model.places import Position
 from site_builder.parts import check_parts
 from site_builder.references.glossary import read_glossary
 from site_builder.source import list_pages, read_shared, read_starts
@@ -78,8 +78,12 @@ def _outline(root: Path, language: str, original: Outline, problems: Diagnostics
         figures=read_labels(root, language, problems),
     )
     if toml.table.get("parts"):
-        chapters = [*map(chapter_id, settings.chapters)]
-        check_parts(settings.parts, chapters, toml, problems, file_of(language))
+        begun, path = [*original.settings.parts.values()], file_of(language)
+        check_parts(settings.parts, begun, toml, problems, path)
+        for chapter in begun:
+            if chapter not in settings.parts.values():
+                message = f"no part begins with {chapter!r}; legal: the parts of {original.path}"
+                problems.add(path, toml.line("parts"), message)
     places: Mapping[str, Position] = dict(positions(settings, words))
     return replace(
         original,

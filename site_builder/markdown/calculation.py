@@ -35,6 +35,8 @@ FORM = re.compile(r"(.*?)(?::([^:\"']*))?", re.DOTALL)
 IN_FORMULA = re.compile(r"\\calc\{([^{}]*)\}")
 DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 """In TeX, where it would have a space behind it."""
+LIST_OF_DIGITS = re.compile(r"\d,\d")
+"""What may be a list or one number with a decimal comma."""
 NARROW_SPACE = "\u202f"
 
 
@@ -75,6 +77,8 @@ def numbers(text: str, context: ParseContext) -> list[float]:
     """The finite numbers that ``text`` stands for, one or several. Raises `ExpressionError`."""
     value = evaluate(text, names_for(context))
     several = isinstance(value, tuple) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    if several and LIST_OF_DIGITS.search(text):
+        raise ExpressionError(f"{text!r}; legal: a decimal point, or a space behind each comma")
     return [_as_number(item, text) for item in (value if several else (value,))]
 
 
@@ -178,10 +182,10 @@ def _formatted(written: str, context: ParseContext) -> Iterator[tuple[str, str]]
 def _as_number(value: Any, text: str) -> float:
     try:
         result = float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         result = float("nan")
     if not isfinite(result):
-        raise ExpressionError(f"{text!r} is {value!r}; legal: what comes to a finite number")
+        raise ExpressionError(f"{text!r} is {value!r:.30}; legal: what comes to a finite number")
     return result
 
 

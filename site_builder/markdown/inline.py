@@ -1,5 +1,6 @@
 """One pass over a page's tokens: set formulae, gather links and headings, report the illegal."""
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 
 from markdown_it.token import Token
@@ -22,6 +23,7 @@ from site_builder.page_model.passage import Passage, passage
 from site_builder.page_model.places import Link, chapter_id
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
+BARE_ROLE = re.compile(r"\{([\w-]+)\}(?!`)")
 
 
 def annotate(tokens: Sequence[Token], context: ParseContext) -> None:
@@ -152,6 +154,12 @@ def _open_role(token: Token, line: int, context: ParseContext) -> None:
         _set_link(token, line, context)
 
 
+def _refuse_bare_roles(token: Token, line: int, context: ParseContext) -> None:
+    for name in BARE_ROLE.findall(token.content):
+        if name in ROLE_NAMES or name in context.shared.colours:
+            context.problem(line, f"'{{{name}}}' alone is no role; legal: '{{{name}}}`words`'")
+
+
 def _refuse_picture(_token: Token, line: int, context: ParseContext) -> None:
     expected = "':::{figure} file' with ':alt:'"
     context.problem(line, f"picture in running text; legal: {expected}")
@@ -166,6 +174,7 @@ HANDLERS: Mapping[str, Callable[[Token, int, ParseContext], None]] = {
     "link_open": _gather_link,
     "role": _set_words,
     "role_open": _open_role,
+    "text": _refuse_bare_roles,
     "image": _refuse_picture,
     "html_inline": _drop_html,
     "html_block": _drop_html,

@@ -3,6 +3,7 @@
 from itertools import pairwise
 from pathlib import Path
 
+from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import languages
 from site_builder.markdown.headings import slug
 from site_builder.markdown.parser import make_parser
@@ -10,14 +11,17 @@ from site_builder.markdown.text.tokens import plain_text
 from site_builder.page_model.places import chapter_id
 from site_builder.scaffold.files import write_new
 from site_builder.scaffold.names import ScaffoldError
+from site_builder.settings.reading import read_settings
 
 
 def translation(root: Path, text: str) -> tuple[dict[str, str], str]:
     """``de/falling-ball``: language and chapter."""
     language, _, name = text.partition("/")
     files = {chapter_id(file.name): file for file in sorted((root / "content").glob("*.md"))}
-    if language not in languages() or name not in files:
-        forms = f"{' or '.join(languages())}, a slash, and one of {', '.join(files)}"
+    own = read_settings(root, Diagnostics())[0].language
+    others = [tag for tag in languages() if tag != own]
+    if language not in others or name not in files:
+        forms = f"{' or '.join(others)}, a slash, and one of {', '.join(files)}"
         raise ScaffoldError(f"translation {text!r}; legal: {forms}")
     path = f"content/{language}/{files[name].name}"
     write_new(root, {path: with_ids(files[name].read_text(encoding="utf-8"))})

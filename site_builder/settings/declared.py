@@ -88,6 +88,9 @@ class Reader:
                     place, f"no {item.name!r}{_inside(at)}; legal: {item.name} = {expected}"
                 )
             else:
+                if isinstance(given, dict) and item.kind.legal({}):
+                    wrong = next(name for name in given if not item.kind.legal({name: given[name]}))
+                    place, given = (*place, wrong), given[wrong]
                 self.report(place, f"{_dotted(place)} is {_toml(given)}; legal: {expected}")
             return MISSING if not item.required else () if isinstance(given, list) else ""
         return self.table(item.kind.table, value, place) if item.kind.table else value

@@ -59,7 +59,9 @@ def entries(expected: str) -> Kind:
     """A table of texts whose keys the author names."""
 
     def legal(value: object) -> bool:
-        return isinstance(value, dict) and all(isinstance(item, str) for item in value.values())
+        return isinstance(value, dict) and all(
+            name.strip() and isinstance(item, str) for name, item in value.items()
+        )
 
     return Kind(expected, legal)
 
@@ -70,14 +72,14 @@ def table(of: type[Any]) -> Kind:
 
 
 TEXT = text()
-PREFIX = text("small letters, digits and hyphens", "^[a-z0-9]+(?:-[a-z0-9]+)*$")
+PREFIX = text("small letters, digits and hyphens", r"^[a-z0-9]+(?:-[a-z0-9]+)*\Z")
 SITE = Kind('"https://host/path/"', TEXT.legal, site_address)
 SOURCE = Kind(f'"https://host/…/{PATH}"', TEXT.legal, source_address)
-ISBN = text('"978-3-16-148410-0"', r"^(?:[\dX]-?){10}$|^(?:\d-?){13}$")
-DOI = text('"10.1000/xyz"', r"^10\.\d{4,}/\S+$")
-ORIGIN = text('"https://host"', r"^(?:\*|https?://(?:\*\.)?[\w.-]+(?::\d+)?)$")
+ISBN = text('"978-3-16-148410-0"', r"^(?:[\dX]-?){10}\Z|^(?:\d-?){13}\Z")
+DOI = text('"10.1000/xyz"', r"^10\.\d{4,}/\S+\Z")
+ORIGIN = text('"https://host"', r"^(?:\*|https?://(?:\*\.)?[\w.-]+(?::\d+)?)\Z")
 ORIGINS = Kind(
-    '["https://host", …]',
+    '["https://host", …], each without a path',
     lambda value: isinstance(value, list) and all(map(ORIGIN.legal, value)),
     tuple,
 )

@@ -11,6 +11,8 @@ from site_builder.source_text import read_toml
 
 NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
 TEXT = re.compile(r"(?<=>)[^<>]+(?=<)")
+UNFIT = re.compile(r'[<>&"\\]')
+"""In a label: it becomes part of markup and of data."""
 SPOKEN = re.compile(
     r'((?:aria-(?:label|description|valuetext)|alt|data-hint|"label"):?[= ]")([^"]+)(?=")'
 )
@@ -22,11 +24,16 @@ def read_labels(root: Path, language: str, problems: Diagnostics) -> Mapping[str
     toml = read_toml(root, path, problems) if (root / path).is_file() else None
     labels: dict[str, str] = {}
     for text, label in toml.table.items() if toml else ():
-        if not isinstance(label, str) or label.count("#") != text.count("#"):
+        if NUMBER.search(text):
+            expected = f"{NUMBER.sub('#', text)!r}, '#' for each number"
+        elif not isinstance(label, str) or label.count("#") != text.count("#"):
             expected = f"a text with {text.count('#')} '#'"
-            problems.add(path, toml.line(text) if toml else 1, f"{text!r}; legal: {expected}")
+        elif UNFIT.search(label):
+            expected = 'a text without < > & " \\'
         else:
             labels[text] = label
+            continue
+        problems.add(path, toml.line(text) if toml else 1, f"{text!r}; legal: {expected}")
     return labels
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from copy import deepcopy
 from dataclasses import replace
 from itertools import product
+from keyword import iskeyword
 from math import prod
 
 from markdown_it.token import Token
@@ -67,8 +68,7 @@ def draw(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> t
     made: list[Drawn] = []
     for values in product(*columns.values()):
         given = dict(zip(columns, values, strict=True))
-        numeral = context.shared.words.numeral
-        named = "; ".join(f"{name} = {numeral(f'{value:g}')}" for name, value in given.items())
+        named = "; ".join(f"{name} = {value:g}" for name, value in given.items())
         made.append(Drawn(named, deepcopy(body), context.reading(given, again=bool(made))))
     return tuple(made)
 
@@ -78,13 +78,20 @@ def _columns(text: str, context: ParseContext) -> Mapping[str, list[float]]:
     columns: dict[str, list[float]] = {}
     for part in text.split(";"):
         name, sign, values = (word.strip() for word in part.partition("="))
-        if not sign or not name.isidentifier() or name in columns:
+        if not sign or "=" in values or not _is_name(name) or name in columns:
             given = f"{part.strip()!r} draws no number"
             raise ExpressionError(f"{given}; legal: each name once, as 'f = 24, 35; N = 5.6, 8'")
         columns[name] = [
             int(value) if value.is_integer() else value for value in numbers(values, context)
         ]
+        if len({*columns[name]}) < len(columns[name]):
+            given = f"{part.strip()!r} draws a number twice"
+            raise ExpressionError(f"{given}; legal: each once")
     return columns
+
+
+def _is_name(word: str) -> bool:
+    return word.isidentifier() and not iskeyword(word)
 
 
 def report_first(drawn: Sequence[Drawn], context: ParseContext) -> bool:

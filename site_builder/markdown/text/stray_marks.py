@@ -28,7 +28,7 @@ SLIPS = tuple(
             "is a number that may change; legal: '{ref}`TARGET`', or a citation",
         ),
         (
-            r"(\[-?@[^\]\n]+\]|\{\{[^}\n]*\}\}|(?<!\\)\{[#.][\w:-]+[^}\n]*\}"
+            r"(\[-?@[^\]\n]+\]|\{\{[^}\n]*\}\}|(?<!\\)\{(?:#|\.[\w:-])[^}\n]*\}?"
             r"|~~[^~\s][^~\n]*~~|==[^=\s](?:[^=\n]*[^=\s])?==|\[\[[^\]\n]+\]\]|\[!\w+\]"
             r"|&[A-Za-z][A-Za-z0-9]+;)",
             "means nothing here; legal: CommonMark, directives and roles",

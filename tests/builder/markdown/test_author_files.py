@@ -34,8 +34,8 @@ A *low* note that dies away.
 :::
 """
 FILES: dict[str, str | None] = {
-    "content/clips/pan.mp4": "a film",
-    "content/clips/string.mp3": "a recording",
+    "content/clips/pan.mp4": "0000ftyp",
+    "content/clips/string.mp3": "ID3",
     "content/clips/pan.vtt": "WEBVTT\n\n00:00.000 --> 00:01.000\nHello.\n",
     "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 400"/>',
     "content/images/night.svg": '<svg xmlns="http://www.w3.org/2000/svg" width="32" height="20"/>',

@@ -104,6 +104,10 @@ def test_the_page_shows_the_first_and_carries_all(options: Options) -> None:
     [
         ("f", "'f' draws no number; legal: each name once"),
         ("f = 1, 2; f = 3, 4", "'f = 3, 4' draws no number; legal: each name once"),
+        ("lambda = 1, 2", "'lambda = 1, 2' draws no number"),
+        ("f = 1, 2, N = 3", "'f = 1, 2, N = 3' draws no number"),
+        ("f = 1, 1", "'f = 1, 1' draws a number twice"),
+        ("f = 1,5", "'1,5'; legal: a decimal point, or a space behind each comma"),
         ("f = 1, ?", "'1, ?' is no expression"),
         ("f = 1", "quiz 'q' draws from 1 combinations; legal: 2 to 60"),
         ("f = 1, 2, 3, 4, 5, 6, 7, 8; N = 1, 2, 3, 4, 5, 6, 7, 8", "draws from 64 combinations"),

@@ -154,6 +154,13 @@ def test_every_kind_checks_its_names(tmp_path: Path, kind: str) -> None:
         make_new(tmp_path, kind, "No Name")
 
 
+def test_a_book_is_not_translated_into_its_own_language(tmp_path: Path) -> None:
+    (tmp_path / "content").mkdir()
+    (tmp_path / "content" / "01-a-fall.md").write_text("Text.\n")
+    with pytest.raises(ScaffoldError, match="legal: de, a slash"):
+        make_new(tmp_path, "translation", "en/a-fall")
+
+
 def test_a_book_gets_no_directive(tmp_path: Path) -> None:
     with pytest.raises(ScaffoldError, match="has no builder of its own"):
         make_new(tmp_path, "directive", "aside")

@@ -193,6 +193,13 @@ def test_what_differs_from_the_original_is_reported(
     [
         ("content/de/00-frist.md", TRANSLATED, "not in content/book.toml"),
         ("content/de/book.toml", 'titel = "B"\n', "unknown key 'titel'"),
+        (
+            "content/de/labels.toml",
+            '"after 2 s" = "nach 2 s"\n',
+            "'after # s', '#' for each number",
+        ),
+        ("content/de/labels.toml", '"Plan" = "<b>Plan"\n', "a text without"),
+        ("content/de/book.toml", '[parts]\n"Teil" = "second"\n', "unknown chapter 'second'"),
         ("content/de/glossary.toml", '["bent"]\nname = "B"\nsays = "S."\n', "unknown term 'bent'"),
     ],
 )
@@ -208,6 +215,25 @@ def test_mistakes_of_what_is_not_translated_are_told_once(translate: Translate) 
     files = {"content/book.toml": outline, "content/de/book.toml": 'title = "Kleines Buch"\n'}
     found = [item for item in diagnostics(translate(files=files)) if item.fails]
     assert [(item.path, item.line) for item in found] == [("content/book.toml", 6)]
+
+
+def test_numbers_are_drawn_with_a_decimal_point_in_every_language(translate: Translate) -> None:
+    drawn = "\n:::{quiz} drawn\n:draw: t = 1.5, 2.5\nHow many?\n"
+    drawn += "- [x] {calc}`t`\n  : Yes.\n- [ ] {calc}`2 * t`\n  : No.\n:::\n"
+    original = "---\ntitle: First\nsummary: The first.\n---\n\n" + ORIGINAL + drawn
+    files = {"content/00-first.md": original, "content/de/00-first.md": TRANSLATED + drawn}
+    options = translate(files=files)
+    assert [item for item in diagnostics(options) if item.fails] == []
+    assert "2,5" in rendered(options)["de/first/index.html"].decode()
+
+
+def test_parts_of_a_translation_are_the_originals(
+    make_book: Callable[..., Options],
+) -> None:
+    parts = '[parts]\n"One" = "first"\n"Two" = "second"\n'
+    german = {"content/de/book.toml": '[parts]\n"Eins" = "first"\n'}
+    found = diagnostics(make_book(files={"content/book.toml": OUTLINE + parts, **german}))
+    assert [item.message.partition(";")[0] for item in found] == ["no part begins with 'second'"]
 
 
 def test_a_translation_as_it_should_be_has_no_mistake(translate: Translate) -> None:
