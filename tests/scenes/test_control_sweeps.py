@@ -27,7 +27,7 @@ from simulations.registry import SCENE_MODULES, load_scene
 
 type Setting = dict[str, object]
 
-STEPS, MANY_STEPS = 3, 7
+STEPS, MANY_STEPS = 2, 7
 """Positions of a slider between and including its ends."""
 
 RESIZED = ("aliasing", "bayer-demosaic", "resolution")
