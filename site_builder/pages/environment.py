@@ -26,7 +26,7 @@ from site_builder.output.book_files import script_words
 from site_builder.page_model.passage import Passage
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.policy import page_policy
-from site_builder.pages.versions import lead_to_original, original_of
+from site_builder.pages.versions import lead_to_original, original_of, original_page
 from site_builder.pages.views.control import FOLDER as CONTROL_KINDS
 from site_builder.pages.views.glossary import marked_terms
 from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
@@ -84,6 +84,7 @@ def book_context(book: Book) -> dict[str, object]:
             screen_renderer(book.words), relink=partial(lead_to_original, book=book)
         ),
         "original": original_of(book),
+        "original_page": partial(original_page, book),
         "policy": partial(
             page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
         ),

@@ -42,6 +42,11 @@ def original_of(book: Book) -> Version | None:
     return _version(next(iter(book.languages)), "", None) if book.folder else None
 
 
+def original_page(book: Book, url: str) -> Version | None:
+    """The original, where a translation lacks the page at ``url``; None for all other pages."""
+    return None if url.startswith(book.folder) else original_of(book)
+
+
 def lead_to_original(html: str, book: Book) -> str:
     """Links of a text with those to pages that are not translated as the original's."""
     original = original_of(book)
