@@ -7,7 +7,7 @@ from pathlib import Path
 from string import ascii_uppercase
 
 from site_builder.book import OUTLINE
-from site_builder.colours import check_colours
+from site_builder.checks.colours import check_colours
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import Words, languages, load_words
 from site_builder.markdown.text.math import Macros

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from site_builder.book import Book
-from site_builder.colours import colour_rules
 from site_builder.engine_files import static_files
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_files, integrity
@@ -14,6 +13,7 @@ from site_builder.languages.words import load_words
 from site_builder.markdown.files.content_files import PICTURES
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
+from site_builder.output.colour_rules import colour_rules
 from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import Bundle, bundle_scripts

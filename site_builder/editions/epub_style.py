@@ -5,7 +5,6 @@ import re
 from pathlib import Path
 
 from site_builder.book import Colours
-from site_builder.colours import paper_rules
 from site_builder.engine_files import own_or_engine
 from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.light_theme import style_of_drawings
@@ -20,5 +19,5 @@ def book_style(root: Path, colours: Colours) -> str:
     theme."""
     fonts = own_or_engine(root, "static/css/fonts.css").read_text(encoding="utf-8")
     faces = "".join((*FACE.findall(fonts), *map(face_rule, MATHS_FACES)))
-    own = OWN.read_text(encoding="utf-8") + paper_rules(colours)
-    return faces + style_of_drawings(root, own, FAMILIES)
+    own = OWN.read_text(encoding="utf-8")
+    return faces + style_of_drawings(root, own, FAMILIES, colours)

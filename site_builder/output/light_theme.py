@@ -4,20 +4,23 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from site_builder.book import Colours
 from site_builder.engine_files import own_or_engine
+from site_builder.output.colour_rules import paper_rules
 
 TOKEN = re.compile(r"^  (--[\w-]+): light-dark\(([^,]+), [^)]+\);", re.MULTILINE)
 CONTAINER = re.compile(r"^@container (?:.*\n)*?\}\n", re.MULTILINE)
 
 
-def style_of_drawings(root: Path, more: str, families: Mapping[str, str]) -> str:
+def style_of_drawings(root: Path, more: str, families: Mapping[str, str], colours: Colours) -> str:
     """The site's sheet for drawings and ``more`` rules, in plain CSS. ``root`` is the book's
-    folder, ``families`` are the faces by the names of their variables."""
+    folder, ``families`` are the faces by the names of their variables, ``colours`` the book's."""
     tokens, overlay = (
         own_or_engine(root, f"static/css/{name}.css").read_text(encoding="utf-8")
         for name in ("tokens", "overlay")
     )
-    return resolve(without_containers(overlay) + more, light_tokens(tokens) | dict(families))
+    rules = without_containers(overlay) + more + paper_rules(colours)
+    return resolve(rules, light_tokens(tokens) | dict(families))
 
 
 def light_tokens(sheet: str) -> dict[str, str]:

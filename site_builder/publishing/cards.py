@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simulations.engine.frame import Panel
-from site_builder.book import Book, Chapter
-from site_builder.colours import paper_rules
+from site_builder.book import Book, Chapter, Colours
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
@@ -47,7 +46,7 @@ def make_cards(
     ``pictures`` are the files of the stills; ``root`` is the book's folder.
     """
     fonts = whole_fonts()
-    style = card_style(root, fonts) + paper_rules(book.colours)
+    style = card_style(root, fonts, book.colours)
     cover = _still(book.hero, initial_frames, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
@@ -66,10 +65,10 @@ def make_cards(
     }
 
 
-def card_style(root: Path, fonts: Fonts) -> str:
+def card_style(root: Path, fonts: Fonts, colours: Colours) -> str:
     """How cards and the drawings on them look, in plain CSS."""
     families = {"--serif": f"'{fonts.serif}'", "--sans": f"'{fonts.sans}'"}
-    return style_of_drawings(root, OWN.read_text(encoding="utf-8"), families)
+    return style_of_drawings(root, OWN.read_text(encoding="utf-8"), families, colours)
 
 
 def _figures(

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from simulations.engine.frame import ROLES
-from site_builder.colours import Rgb, contrast, rgb
+from site_builder.checks.colours import Rgb, contrast, rgb
 from site_builder.languages.words import ENGLISH
 from site_builder.output.book_files import STYLE
 

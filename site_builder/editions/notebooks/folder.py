@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
+from site_builder.book import Colours
 from site_builder.build import CheckedBook
-from site_builder.colours import paper_rules
 from site_builder.editions.notebooks.notebook import make_notebook
 from site_builder.editions.notebooks.page import Page
 from site_builder.output.assets import Content
@@ -24,7 +24,7 @@ STYLE = "simulations/notebook/style.css"
 def make_notebooks(checked: CheckedBook, root: Path) -> dict[str, Content]:
     """All files by path. ``root`` is the book's folder."""
     fonts = whole_fonts()
-    style = notebook_style(root, fonts) + paper_rules(checked.book.colours)
+    style = notebook_style(root, fonts, checked.book.colours)
     asked_for = "".join(f"{name}\n" for name in checked.book.settings.runtime.packages)
     content = root / "content"
     pages = [Page(checked, chapter, content, style, fonts) for chapter in checked.book.chapters]
@@ -39,10 +39,10 @@ def make_notebooks(checked: CheckedBook, root: Path) -> dict[str, Content]:
     }
 
 
-def notebook_style(root: Path, fonts: Fonts) -> str:
+def notebook_style(root: Path, fonts: Fonts, colours: Colours) -> str:
     """How drawings look, in plain CSS: with the book's faces where they are installed."""
     families = {
         "--serif": f"'{fonts.serif}', serif",
         "--sans": f"'{fonts.sans}', 'Source Sans 3', 'Helvetica Neue', Arial, sans-serif",
     }
-    return style_of_drawings(root, OWN.read_text(encoding="utf-8"), families)
+    return style_of_drawings(root, OWN.read_text(encoding="utf-8"), families, colours)

@@ -1,5 +1,5 @@
-"""Colours of ideas that a book names besides the engine's: checked, and as rules of the style
-sheet."""
+"""Colours of ideas that a book names besides the engine's: their names, and how well they are read
+on the page."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -17,8 +17,6 @@ PAIR = re.compile(r"(#[0-9a-f]{6}) (#[0-9a-f]{6})")
 GROUND = re.compile(r"--(?:paper|raised|sunken): light-dark\((#[0-9a-f]{6}), (#[0-9a-f]{6})\)")
 LEAST_CONTRAST = 4.5
 """Of text (WCAG 2.2, success criterion 1.4.3)."""
-LIT_OTHERWISE = ".handle, .readout"
-"""Selects what a lit idea marks in another way than by its ground."""
 
 type Rgb = tuple[float, float, float]
 
@@ -44,32 +42,6 @@ def check_colours(
         else:
             continue
         problems.add(FILE_NAME, toml.line("colours", name), message)
-
-
-def colour_rules(colours: Mapping[str, tuple[str, str]]) -> str:
-    """What ``tokens.css``, ``overlay.css``, ``readouts.css`` and ``tools.css`` say of a role."""
-    return "".join(
-        f"""
-:root {{ --idea-{name}: light-dark({light}, {dark}); }}
-.overlay .{name}, .role-{name} {{ color: var(--idea-{name}); }}
-.readout.role-{name} {{ --mark: var(--idea-{name}); }}
-simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ opacity: 0.25; }}
-[data-lit="{name}"] .role-{name}:not({LIT_OTHERWISE}) {{
-  border-radius: var(--radius);
-  background: color-mix(in srgb, currentColor 14%, transparent);
-}}
-[data-lit="{name}"] .readout.role-{name} {{ border-top-color: var(--mark); }}
-"""
-        for name, (light, dark) in colours.items()
-    )
-
-
-def paper_rules(colours: Mapping[str, tuple[str, str]]) -> str:
-    """The same without variables and themes, for e-books and notebooks."""
-    return "".join(
-        f".overlay .{name}, .role-{name} {{ color: {light}; }}\n"
-        for name, (light, _) in colours.items()
-    )
 
 
 def contrast(one: Rgb, other: Rgb) -> float:

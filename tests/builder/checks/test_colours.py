@@ -4,11 +4,13 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from support.little_book import DEMO, OUTLINE, diagnostics, rendered
+from support.places import ROOT
 
 from simulations.engine.drawing import line
 from simulations.engine.frame import Frame, Panel, readout
 from site_builder.build import Options
-from site_builder.colours import colour_rules
+from site_builder.output.colour_rules import colour_rules
+from site_builder.output.light_theme import style_of_drawings
 
 type MakeBook = Callable[..., Options]
 COLOURED = OUTLINE + '[colours]\nheat = "#ad4209 #f79c63"\n'
@@ -32,6 +34,12 @@ def test_a_colour_of_the_book_is_used_as_the_engine_s_are(make_book: MakeBook) -
     assert "--idea-heat: light-dark(#ad4209, #f79c63);" in colour_rules(
         {"heat": ("#ad4209", "#f79c63")}
     )
+
+
+def test_drawings_on_paper_have_the_colour_of_light_paper() -> None:
+    sheet = style_of_drawings(ROOT, "", {}, {"heat": ("#ad4209", "#f79c63")})
+    assert ".overlay .heat, .role-heat { color: #ad4209; }" in sheet
+    assert "#f79c63" not in sheet
 
 
 def test_a_colour_that_nobody_names_is_told_where_it_is_used(make_book: MakeBook) -> None:
