@@ -37,7 +37,8 @@ def test_a_colour_of_the_book_is_used_as_the_engine_s_are(make_book: MakeBook) -
 
 
 def test_drawings_on_paper_have_the_colour_of_light_paper() -> None:
-    sheet = style_of_drawings(ROOT, "", {}, {"heat": ("#ad4209", "#f79c63")})
+    faces = {"--serif": "serif", "--sans": "sans-serif"}
+    sheet = style_of_drawings(ROOT, "", faces, {"heat": ("#ad4209", "#f79c63")})
     assert ".overlay .heat, .role-heat { color: #ad4209; }" in sheet
     assert "#f79c63" not in sheet
 
