@@ -41,10 +41,8 @@ from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
 from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
-from site_builder.search.index import ADDRESS as SEARCH_INDEX
-from site_builder.search.index import index_file, index_of, indexing
+from site_builder.search.index import make_indices
 from site_builder.search.library import SearchLibrary
-from site_builder.search.records import make_records, translated_records
 from site_builder.site_assets import (
     NOW,
     Files,
@@ -245,13 +243,7 @@ def _search_index(checked: CheckedBook, library: SearchLibrary) -> Files:
     if not library.scripts:
         return {}
     describe = describing(checked.initial_frames)
-    indices = {SEARCH_INDEX: (checked.book, make_records(checked.book, describe))}
-    for book in checked.translations:
-        indices[index_file(book.words.language)] = book, translated_records(book, describe)
-    return {
-        name: index_of(records, indexing(library, book.words))
-        for name, (book, records) in indices.items()
-    }
+    return dict(make_indices(checked.book, checked.translations, describe, library))
 
 
 def assemble(site: RenderedSite) -> Files:

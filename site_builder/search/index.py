@@ -2,20 +2,20 @@
 
 import json
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 
+from site_builder.book import Book
 from site_builder.cache import cached_result
 from site_builder.engine_files import STATIC
 from site_builder.files import file_hash
 from site_builder.languages.words import Words
 from site_builder.npm import NODE
+from site_builder.render.sections import Describe
 from site_builder.search.library import HERE, SearchLibrary
-from site_builder.search.records import PageRecords, Record
+from site_builder.search.records import PageRecords, Record, make_records, translated_records
 
-ADDRESS = "search/index.json"
-"""Where pages look for it. It is made of the pages, so they cannot carry a hash of it."""
 NAMES = tuple(each.name for each in fields(Record))
 SHARED = ("js/search/ranking.ts", "js/search/words.ts")
 """What index and page share, below ``static/``."""
@@ -31,13 +31,15 @@ class Means:
     """Stop words and synonyms."""
 
 
-def index_file(language: str) -> str:
-    """Of a translation.
-
-    >>> index_file("de")
-    'search/de.json'
-    """
-    return f"search/{language}.json"
+def make_indices(
+    book: Book, translations: Sequence[Book], describe: Describe, library: SearchLibrary
+) -> Iterator[tuple[str, bytes]]:
+    """Path and index of the book, and of each translation what it has of its own: `search/de.json`.
+    Pages look for them there; they are made of the pages, which cannot carry a hash of them."""
+    yield "search/index.json", index_of(make_records(book, describe), indexing(library, book.words))
+    for each in translations:
+        records, means = translated_records(each, describe), indexing(library, each.words)
+        yield f"search/{each.words.language}.json", index_of(records, means)
 
 
 def indexing(library: SearchLibrary, words: Words) -> Means:
