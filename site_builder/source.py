@@ -26,6 +26,7 @@ from site_builder.markdown.scenes import find_scene
 from site_builder.markdown.targets import Targets
 from site_builder.outline import Outline, check_addresses, read_outline
 from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.passage import Passage
 from site_builder.references.bibliography import EMPTY as NO_WORKS
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.bibliography import read_bibliography
@@ -184,15 +185,9 @@ def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simul
     settings = outline.settings
     if not settings.hero:
         return None
-    # The title page has no list of works and no marks of terms.
-    alone = replace(shared, bibliography=NO_WORKS, glossary=NO_TERMS)
-    context = ParseContext(OUTLINE, alone, problems)
+    context = ParseContext(OUTLINE, shared, problems)
     scene = find_scene(settings.hero, outline.hero_line, context)
-    caption = inline_passage(settings.hero_caption, outline.hero_line, context)
-    for link in context.links:
-        problems.add(
-            OUTLINE, link.line, f"link {link.target!r} in the cover's caption; legal: 'https://…'"
-        )
+    caption = read_hero_caption(outline, shared, problems)
     if scene is None:
         return None
     return Simulation(
@@ -204,6 +199,17 @@ def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simul
         path=OUTLINE,
         line=outline.hero_line,
     )
+
+
+def read_hero_caption(outline: Outline, shared: Shared, problems: Diagnostics) -> Passage:
+    """The title page has no list of works and no marks of terms."""
+    alone = replace(shared, bibliography=NO_WORKS, glossary=NO_TERMS)
+    context = ParseContext(outline.path, alone, problems)
+    caption = inline_passage(outline.settings.hero_caption, outline.hero_line, context)
+    for link in context.links:
+        message = f"link {link.target!r} in the cover's caption; legal: 'https://…'"
+        context.problem(link.line, message)
+    return caption
 
 
 def read_starts(

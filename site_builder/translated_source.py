@@ -14,7 +14,6 @@ from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import load_words
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary_links.definitions import read_definitions
-from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.targets import Targets
 from site_builder.outline import Outline, positions, read_outline
@@ -22,7 +21,7 @@ from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Position
 from site_builder.parts import check_parts
 from site_builder.references.glossary import read_glossary
-from site_builder.source import list_pages, read_shared, read_starts
+from site_builder.source import list_pages, read_hero_caption, read_shared, read_starts
 from site_builder.source_text import read_text
 from site_builder.translations.agreement import check_contents, check_places
 from site_builder.translations.glossary import glossary_of, translated_glossary
@@ -120,11 +119,9 @@ def _chapters(
 
 def _hero(book: Book, outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:
     """The figure of the title page, with its caption translated."""
-    caption = outline.settings.hero_caption
-    is_translated = caption != book.settings.hero_caption
-    context = ParseContext(outline.path, shared, problems if is_translated else Diagnostics())
-    passage = inline_passage(caption, outline.hero_line, context)
-    return book.hero and replace(book.hero, caption=passage)
+    is_translated = outline.settings.hero_caption != book.settings.hero_caption
+    told = problems if is_translated else Diagnostics()
+    return book.hero and replace(book.hero, caption=read_hero_caption(outline, shared, told))
 
 
 def _starts(

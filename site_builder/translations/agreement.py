@@ -51,6 +51,9 @@ def _written(place: Target) -> str:
 
 def check_contents(original: Chapter, translated: Chapter, problems: Diagnostics) -> None:
     """Figures with other settings, questions with other answers."""
+    if translated.summary == original.summary:
+        message = f"the summary is that of {original.path}; better: in the language of the folder"
+        problems.warn(translated.path, 1, message)
     figures = {figure.id: figure for figure in original.simulations}
     for figure in translated.simulations:
         other = figures.get(figure.id)

@@ -3,6 +3,7 @@
 :draw: f = 24, 35, 50; N = 5.6, 8
 """
 
+import re
 from collections.abc import Mapping, Sequence
 from copy import deepcopy
 from dataclasses import replace
@@ -26,6 +27,7 @@ DRAW = OptionLine(
 )
 MOST = 60
 """Combinations: each is built, and their page carries all."""
+IN_BRACKETS = re.compile(r"\(.*\)")
 BODY = "drawing"
 """Where the opening token of a question that draws keeps its body."""
 
@@ -78,7 +80,7 @@ def _columns(text: str, context: ParseContext) -> Mapping[str, list[float]]:
     columns: dict[str, list[float]] = {}
     for part in text.split(";"):
         name, sign, values = (word.strip() for word in part.partition("="))
-        if not sign or "=" in values or not _is_name(name) or name in columns:
+        if not sign or "=" in IN_BRACKETS.sub("", values) or not _is_name(name) or name in columns:
             given = f"{part.strip()!r} draws no number"
             raise ExpressionError(f"{given}; legal: each name once, as 'f = 24, 35; N = 5.6, 8'")
         columns[name] = [

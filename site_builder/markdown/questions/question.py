@@ -49,6 +49,8 @@ def question_directive[Q: Question](
         _check_options(call, context)
         if call.line not in context.drawn:
             return ask(call, body, context)
+        if kind_named(call.text("kind")).needs_page:
+            return None
         drawn = context.drawn[call.line]
         variants = [ask(call, each.body, each.context, each.named) for each in drawn]
         if report_first(drawn, context):
@@ -120,7 +122,8 @@ def _check_options(call: DirectiveCall, context: ParseContext) -> None:
     """Report options that mean nothing to this kind of question."""
     own = call.text("kind")
     if DRAW.name in call.options and kind_named(own).needs_page:
-        expected = "what needs no figure"
+        kinds = [name for name in names_of_kinds(call.name) if not kind_named(name).needs_page]
+        expected = f"with ':kind:' {', '.join(kinds)}"
         message = f"option {DRAW.name!r} of a {own!r} {call.name}; legal: {expected}"
         context.problem(call.line_of(DRAW.name), message)
     for name, option in call.options.items():

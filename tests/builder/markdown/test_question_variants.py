@@ -106,6 +106,10 @@ def test_the_page_shows_the_first_and_carries_all(options: Options) -> None:
         ("f = 1, 2; f = 3, 4", "'f = 3, 4' draws no number; legal: each name once"),
         ("lambda = 1, 2", "'lambda = 1, 2' draws no number"),
         ("f = 1, 2, N = 3", "'f = 1, 2, N = 3' draws no number"),
+        (
+            'f = readout("demo", "k1", k1=0.1), readout("demo", "k1", k1=0)',
+            "with f = 0: '1 / f': ZeroDivision",
+        ),
         ("f = 1, 1", "'f = 1, 1' draws a number twice"),
         ("f = 1,5", "'1,5'; legal: a decimal point, or a space behind each comma"),
         ("f = 1, ?", "'1, ?' is no expression"),

@@ -198,6 +198,12 @@ def test_what_differs_from_the_original_is_reported(
             '"after 2 s" = "nach 2 s"\n',
             "'after # s', '#' for each number",
         ),
+        (
+            "content/de/00-first.md",
+            TRANSLATED.replace("Das erste Kapitel.", "The first chapter."),
+            "is that of",
+        ),
+        ("content/de/book.toml", 'hero_caption = "[Hier](00-first.md)"\n', "link '00-first.md' in"),
         ("content/de/labels.toml", '"Plan" = "<b>Plan"\n', "a text without"),
         ("content/de/book.toml", '[parts]\n"Teil" = "second"\n', "unknown chapter 'second'"),
         ("content/de/glossary.toml", '["bent"]\nname = "B"\nsays = "S."\n', "unknown term 'bent'"),
