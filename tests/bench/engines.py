@@ -1,8 +1,9 @@
-"""How long a reader waits in Firefox and WebKitGTK for a figure that lives, beside plain Pyodide.
+"""How long a reader waits in Firefox and WebKitGTK for a figure that lives, and for its answer to a
+slider, beside plain Pyodide.
 
 ``PYTHONPATH=tests python -m bench.engines``, with a built book in ``build/site``: the pages of
 `bench.start`, in each engine that is there. Runs take turns, each with a profile of its own (cold);
-the page is then opened again (warm).
+the page is then opened again (warm), and a slider is moved there.
 """
 
 import argparse
@@ -26,6 +27,28 @@ LIVED = """() => new Promise((resolve) => {
   look();
 })"""
 """Milliseconds until the first figure of a page lives."""
+VALUES = [step / 25 - 0.3 for step in range(20)]
+DRAG = """async (values) => {
+  const next = () => new Promise(requestAnimationFrame);
+  const figure = document.querySelector('simulation-figure');
+  const slider = figure?.querySelector('[name=k1]');
+  const times = [];
+  for (const value of values) {
+    await next();
+    const begun = performance.now();
+    if (globalThis.draw) draw('k1', value);
+    else {
+      const {frames} = figure.dataset;
+      slider.value = value;
+      slider.dispatchEvent(new Event('input', {bubbles: true}));
+      while (figure.dataset.frames === frames) await new Promise((done) => setTimeout(done));
+    }
+    await next();
+    times.push(performance.now() - begun);
+  }
+  return times;
+}"""
+"""Milliseconds from a move of a slider to the animation frame after its answer."""
 
 
 def main() -> None:
@@ -57,6 +80,8 @@ def measure(name: str, address: str) -> Run:
                 engine.open("about:blank")
                 engine.open(address + place)
                 run[f"{page} warm"] = engine.ask(LIVED)
+                time.sleep(REST_MS / 1000)
+                run[f"{page} drag"] = median(engine.ask(DRAG, VALUES))
     return run
 
 

@@ -92,18 +92,27 @@ DRAWN = """<!DOCTYPE html>
   const frame = pyodide.runPython(`
 from simulations.engine.stages import StageCache
 from MODULE import SCENE
-SCENE.render(SCENE.check({}), SCENE.default_tier, StageCache())`);
-  for (const panel of frame.panels) {
-    const box = document.createElement('div');
-    box.innerHTML = `<svg viewBox="0 0 ${panel.width} ${panel.height}">${panel.overlay}</svg>`;
-    if (panel.raster) {
-      const {data, shape: [height, width], release} = panel.raster.getBuffer('u8clamped');
-      const canvas = Object.assign(document.createElement('canvas'), {width, height});
-      canvas.getContext('2d').putImageData(new ImageData(data.slice(), width, height), 0, 0);
-      box.prepend(canvas);
+cache = StageCache()
+def frame(name=None, value=None):
+    values, tier = ({}, SCENE.default_tier) if name is None else ({name: value}, SCENE.draft_tier)
+    return SCENE.render(SCENE.check(values), tier, cache)
+frame`);
+  const show = ({panels}) => {
+    document.body.replaceChildren();
+    for (const panel of panels) {
+      const box = document.createElement('div');
+      box.innerHTML = `<svg viewBox="0 0 ${panel.width} ${panel.height}">${panel.overlay}</svg>`;
+      if (panel.raster) {
+        const {data, shape: [height, width]} = panel.raster.getBuffer('u8clamped');
+        const canvas = Object.assign(document.createElement('canvas'), {width, height});
+        canvas.getContext('2d').putImageData(new ImageData(data.slice(), width, height), 0, 0);
+        box.prepend(canvas);
+      }
+      document.body.append(box);
     }
-    document.body.append(box);
-  }
+  };
+  show(frame());
+  globalThis.draw = (name, value) => show(frame(name, value));
   globalThis.lived = performance.now();
 </script>
 """
