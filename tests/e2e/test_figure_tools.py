@@ -73,7 +73,7 @@ def test_an_embedded_figure_lives_in_a_page_of_another_origin(
     with hosting(tmp_path) as course, hosting(built_site, rules=rules) as book:
         frame = html.replace(guest.root, book.url)
         (tmp_path / "index.html").write_text(f"<!DOCTYPE html><link rel=icon href=data:,>{frame}")
-        with brisk_chromium.new_context() as context:
+        with brisk_chromium.new_context(viewport={"width": 1440, "height": 900}) as context:
             page = context.new_page()
             context.on("request", lambda request: asked.append(request.url))
             page.on("pageerror", lambda error: errors.append(str(error)))
@@ -85,6 +85,9 @@ def test_an_embedded_figure_lives_in_a_page_of_another_origin(
             inside.locator("[name=k1]").fill("0.1")
             expect(inside.locator("output[name=corner]")).to_have_text("20.0")
             embedded = page.frames[1]
+            box = embedded.locator("figure").bounding_box()
+            assert box is not None
+            assert box["x"] + box["width"] / 2 == pytest.approx(720, abs=10), "in the middle"
             embedded.wait_for_url("**/?k1=0.1")
             embedded.goto(f"{embedded.url}&k9=1")
             said = inside.locator(".figure-message", has_text="k9=1")
