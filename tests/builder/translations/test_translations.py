@@ -100,6 +100,8 @@ def test_a_chapter_that_is_not_translated_is_the_originals(site: Mapping[str, by
     assert links["../../de/"] is None
     assert hrefs(read_html(site["de/index.html"]))["../de/first/"] is None
     assert "en" not in hrefs(read_html(site["first/index.html"])).values()
+    titles = re.findall(r'class="contents-title"([^>]*)>', site["de/first/index.html"].decode())
+    assert {*titles} == {"", ' lang="en"'}
 
 
 def test_both_pages_of_a_chapter_lead_to_each_other(site: Mapping[str, bytes]) -> None:
