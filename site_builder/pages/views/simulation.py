@@ -110,7 +110,9 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         is_described=figure_text(frame.description, words) != frame.description,
         panels=tuple(
             PanelView(
-                panel, *_picture(still, panel.name, assets), _handles(still, panel.name, words)
+                replace(panel, title=figure_text(panel.title, words)),
+                *_picture(still, panel.name, assets),
+                _handles(still, panel.name, words),
             )
             for panel in sorted(frame.panels, key=lambda panel: not panel.lead)
         ),
