@@ -156,7 +156,7 @@ def _scale_bar(scale: float) -> Iterator[str]:
     yield line((x, top), (x, bottom), "bold")
     for y in (top, bottom):
         yield line((x - 4, y), (x + 4, y))
-    yield text((x - 8, AXIS_Y + 62), f"{mm:g} mm", "small ground", "end")
+    yield text((x - 8, AXIS_Y + 62), f"{mm:g} mm", "ground", "end")
 
 
 def _labels(lens: Lens) -> Iterator[str]:
