@@ -32,6 +32,8 @@ class Package:
     """Short name."""
     text: str
     """The licence in full."""
+    home: str = ""
+    """Address of its page, if it names one."""
 
 
 def read_package(folder: Path, licence: str) -> Package:

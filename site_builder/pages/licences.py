@@ -90,8 +90,8 @@ def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
 
 
 def _of_a_package(package: Package, words: Words) -> Licence:
-    use, home = words("licences.package"), ""
-    return Licence(package.name, package.version, package.license, use, home, package.text)
+    use = words("licences.package")
+    return Licence(package.name, package.version, package.license, use, package.home, package.text)
 
 
 def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licence]:

@@ -81,7 +81,10 @@ def read_package(wheel: Path) -> Package:
             if path[-1] and any(word in name.lower() for word in ("licen", "copying", "notice"))
         ]
     terms = fields.get("License-Expression") or fields.get("License") or ""
-    return Package(fields["Name"], fields["Version"], terms.partition("\n")[0], "\n\n".join(texts))
+    pages = [fields.get("Home-page"), *fields.get_all("Project-URL", [])]
+    home = next((page.rpartition(" ")[2] for page in pages if page), "")
+    licence = terms.partition("\n")[0]
+    return Package(fields["Name"], fields["Version"], licence, "\n\n".join(texts), home)
 
 
 def differing(packages: Sequence[Package]) -> list[str]:

@@ -37,14 +37,20 @@ def test_packages_that_cannot_be_had_are_refused(name: str, message: str) -> Non
         needed([name], LISTED)
 
 
-def test_a_wheel_tells_its_licences(tmp_path: Path) -> None:
+def test_a_wheel_tells_its_licences_and_its_page(tmp_path: Path) -> None:
     wheel = tmp_path / "lens-1.0-py3-none-any.whl"
     with zipfile.ZipFile(wheel, "w") as archive:
         archive.writestr("lens.py", "")
-        told = "Name: lens\nVersion: 1.0\nLicense-Expression: MIT\n\nBody"
-        archive.writestr("lens-1.0.dist-info/METADATA", told)
+        told = (
+            "Name: lens",
+            "Version: 1.0",
+            "License-Expression: MIT",
+            "Project-URL: A, https://a.b/c",
+        )
+        archive.writestr("lens-1.0.dist-info/METADATA", "\n".join(told))
         archive.writestr("lens-1.0.dist-info/licenses/LICENSE", "Permission is granted.")
-    assert read_package(wheel) == Package("lens", "1.0", "MIT", "Permission is granted.")
+    expected = Package("lens", "1.0", "MIT", "Permission is granted.", "https://a.b/c")
+    assert read_package(wheel) == expected
 
 
 def test_versions_that_differ_are_told_with_both(monkeypatch: pytest.MonkeyPatch) -> None:
