@@ -21,6 +21,8 @@ SMALL, FACTOR = 1e-3, 3.0
 which a library adds, and on the last place of its powers and sines: up to this factor."""
 NOTHING = 1e-9
 """Errors below this are alike, zero included."""
+WIDTH = 100
+"""Most characters in a line of the recorded files."""
 
 
 def describe_machine(browser: str, pyodide: str) -> dict[str, object]:
@@ -117,5 +119,17 @@ def merge(
 
 
 def write(data: Mapping[str, Any], file: Path) -> None:
-    text = json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False)
-    file.write_text(text + "\n", encoding="utf-8")
+    """An object stands on one line where it fits; otherwise each of its values begins a line."""
+    file.write_text(_laid_out(data) + "\n", encoding="utf-8")
+
+
+def _laid_out(value: Any, depth: int = 0, before: int = 0) -> str:
+    """``value`` as JSON, ``depth`` objects deep, behind ``before`` characters of its line."""
+    flat = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    if not isinstance(value, Mapping) or before + len(flat) < WIDTH:
+        return flat
+    lines = []
+    for name, inner in value.items():
+        key = f"{' ' * (depth + 1)}{json.dumps(name, ensure_ascii=False)}: "
+        lines.append(key + _laid_out(inner, depth + 1, len(key)))
+    return "{\n" + ",\n".join(lines) + f"\n{' ' * depth}}}"

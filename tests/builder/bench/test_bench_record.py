@@ -4,10 +4,11 @@ import json
 from pathlib import Path
 
 import pytest
+from support.places import ROOT
 from support.toy_ladder import toy_data
 
 from simulations.engine.ladder import TierResult
-from site_builder.bench.record import close, finite, merge, timing
+from site_builder.bench.record import close, finite, merge, timing, write
 
 MACHINE = {"processor": "abacus"}
 
@@ -77,3 +78,10 @@ def test_all_ladders_from_another_machine_replace_the_file(file: Path) -> None:
 def test_what_the_tests_of_the_builder_read_is_of_the_same_form() -> None:
     (tier, *_) = toy_data()["ladders"]["toy"]["tiers"].values()
     assert set(tier["native"]) == set(timing([result(1.0)]))
+
+
+@pytest.mark.parametrize("name", ["measurements", "costs", "stage-costs"])
+def test_a_recorded_file_is_as_its_writer_lays_it_out(name: str, tmp_path: Path) -> None:
+    recorded = (ROOT / "content" / f"{name}.json").read_text(encoding="utf-8")
+    write(json.loads(recorded), tmp_path / "again.json")
+    assert (tmp_path / "again.json").read_text(encoding="utf-8") == recorded
