@@ -114,9 +114,10 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             if count := left_out(book):
                 print(f"{count} questions about figures are left out; they need --address")
         case "bench":
-            from site_builder.bench.command import bench
+            from site_builder.benchmarks.measuring import bench
+            from site_builder.site_assets import write_scripts
 
-            return bench(ROOT, given.ladder)
+            return bench(ROOT, given.ladder, write_scripts)
         case "guide":
             from site_builder.guide.command import run_guide
 

@@ -9,9 +9,9 @@ from site_builder.book import Book
 from site_builder.diagnostics import Diagnostic
 from site_builder.editor.bundle import EditorBundle, bundle_editor
 from site_builder.editor.scene_code import scene_sources
-from site_builder.npm import NodeError
 from site_builder.output.assets import hashed_folder
 from site_builder.pages.environment import render_template
+from site_builder.programs.node import NodeError
 from site_builder.raw.decoder import RawDecoder, fetch_decoder
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import Versions

@@ -1,11 +1,12 @@
 """Style sheets, scripts, fonts and pictures: what pages have beside them, in one folder."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from site_builder.book import Book
+from site_builder.diagnostics import Diagnostics
 from site_builder.engine_files import static_files
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_files, integrity
@@ -19,6 +20,7 @@ from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import Bundle, bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.pages.kind_files import kind_files
+from site_builder.settings.reading import read_settings
 
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
@@ -122,3 +124,18 @@ def in_page(assets: Assets, *, reload: bool) -> dict[str, Any]:
     sheet = contents.pop(STYLE_SHEET).decode("utf-8")
     hashes = {name: integrity(content) for name, content in contents.items()}
     return {"scripts": assets.scripts, "styles": without_comments(sheet), "hashes": hashes}
+
+
+def write_scripts(root: Path, site: Path, modules: Iterable[str]) -> None:
+    """Single scripts, such as ``page/text``, each with what it imports, into ``js/`` of a site.
+
+    Pages load them bundled; the bench and the tests load one alone."""
+    settings, _ = read_settings(root, Diagnostics())
+    book = book_script(settings, load_words(settings.language))
+    scripts = {**static_files(root), **kind_files()}
+    sources = {name: file for name, file in scripts.items() if name.endswith((".ts", ".js"))}
+    for module in modules:
+        bundle = bundle_scripts({**sources, "js/book.js": book}, f"js/{module}.ts")
+        for name, script in bundle.files.items():
+            (site / name).parent.mkdir(parents=True, exist_ok=True)
+            (site / name).write_bytes(script)

@@ -1,1 +1,1 @@
-"""Numbers that are looked up or computed, never typed."""
+"""Measuring the ladders, the measurements, and the numbers, verdicts and charts made of them."""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from site_builder.cache import cached_result
 from site_builder.files import file_hash
-from site_builder.npm import Package, installed_packages, run_node
+from site_builder.programs.node import Package, installed_packages, run_node
 
 HERE = Path(__file__).parent
 INGREDIENTS = ("package.json", "package-lock.json", "bundle.mjs", "code_editor.ts")

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
-from site_builder.npm import NODE, NodeError, installed_packages
+from site_builder.programs.node import NODE, NodeError, installed_packages
 
 HERE = Path(__file__).parent
 PROGRAM = HERE / "set.mjs"

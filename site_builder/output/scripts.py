@@ -11,8 +11,8 @@ from site_builder.cache import cached_result
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.editor.bundle import HERE as PACKAGES
 from site_builder.files import file_hash
-from site_builder.npm import NodeError, installed_packages, run_node
 from site_builder.output.assets import Content, content_bytes, content_hash
+from site_builder.programs.node import NodeError, installed_packages, run_node
 
 DRIVER = Path(__file__).with_name("bundle_scripts.mjs")
 

@@ -10,7 +10,7 @@ from site_builder import __version__
 from site_builder.book import UNSET
 from site_builder.engine_files import DISTRIBUTION, PACKED
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.npm import Package
+from site_builder.programs.node import Package
 from site_builder.runtime.pinned import Versions
 from site_builder.settings.model import Settings
 

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from site_builder.npm import installed_packages
+from site_builder.programs.node import installed_packages
 from site_builder.runtime.pinned import PYODIDE_VERSION, RuntimeFile
 
 type Source = Callable[[Sequence[RuntimeFile]], Iterator[tuple[RuntimeFile, bytes]]]

@@ -11,7 +11,7 @@ from site_builder.archive import archive_of
 from site_builder.cache import cached_result
 from site_builder.engine_files import ENGINE, is_engine
 from site_builder.files import file_hash, integrity
-from site_builder.npm import Package
+from site_builder.programs.node import Package
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import (

@@ -11,7 +11,7 @@ from site_builder.cache import cached_result
 from site_builder.engine_files import STATIC
 from site_builder.files import file_hash
 from site_builder.languages.words import Words
-from site_builder.npm import NODE
+from site_builder.programs.node import NODE
 from site_builder.render.sections import Describe
 from site_builder.search.library import HERE, SearchLibrary
 from site_builder.search.records import PageRecords, Record, make_records, translated_records

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from site_builder.npm import Package, installed_packages, read_package
+from site_builder.programs.node import Package, installed_packages, read_package
 
 HERE = Path(__file__).parent
 SEARCH = "minisearch/dist/es/index.js"

@@ -11,8 +11,8 @@ from typing import Any
 
 from support.places import ROOT
 
-from site_builder.bench.record import write
 from site_builder.benchmarks.costs import DATA
+from site_builder.benchmarks.record import write
 
 BUDGETS = Path(__file__).with_name("budgets.toml")
 

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from simulations.registry import LADDER_MODULES, load_ladder
-from site_builder.bench.record import close, finite
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import Measurements, read_measurements
+from site_builder.benchmarks.record import close, finite
 from site_builder.diagnostics import Diagnostics
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Locator
 from support.reader import START_MS, Reader
 
-from site_builder.bench.record import close
+from site_builder.benchmarks.record import close
 
 pytestmark = pytest.mark.browser
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from playwright.sync_api import Browser, sync_playwright
 
-from site_builder.editions.chromium import find_chromium, launch_arguments
+from site_builder.programs.chromium import find_chromium, launch_arguments
 
 __all__ = ["find_chromium", "find_headless_shell", "launch_arguments", "open_chromium"]
 

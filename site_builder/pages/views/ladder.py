@@ -3,6 +3,7 @@
 from dataclasses import asdict, dataclass
 
 from simulations.engine.ladder import Metric
+from site_builder.benchmarks.charts import Chart, pareto_chart
 from site_builder.benchmarks.judgements import (
     Choice,
     default_choice,
@@ -18,7 +19,6 @@ from site_builder.benchmarks.quantities import (
     quantity,
     with_unit,
 )
-from site_builder.charts.pareto import Chart, pareto_chart
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.pages.embedding import json_for_html

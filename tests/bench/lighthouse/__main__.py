@@ -19,7 +19,7 @@ from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.host import hosting
 from support.places import ROOT
 
-from site_builder.npm import NodeError, install_packages
+from site_builder.programs.node import NodeError, install_packages
 
 HERE = Path(__file__).parent
 PLACE = ROOT / "build" / "bench" / "lighthouse"

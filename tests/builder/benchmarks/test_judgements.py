@@ -1,114 +1,222 @@
-"""What measurements say of a tier: beaten, on the front, or chosen, and over what."""
+"""Results and what follows from them: what is recorded, verdicts, defaults, numbers and charts."""
 
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import pytest
-from support.toy_ladder import timing, toy_data, toy_measurements
+from hypothesis import given
+from hypothesis import strategies as st
+from support.toy_ladder import timing as timed
+from support.toy_ladder import toy_data, toy_ladder, toy_measurements
 
-from site_builder.benchmarks.judgements import Neighbour, default_choice, off_the_front, verdict
+from simulations.engine.ladder import TierResult
+from site_builder.benchmarks.charts import linear_axis, log_axis, pareto_chart
+from site_builder.benchmarks.judgements import (
+    Neighbour,
+    default_choice,
+    efficiency,
+    frame_percent,
+    nanoseconds_each,
+    off_the_front,
+    verdict,
+)
 from site_builder.benchmarks.measurements import MeasuredLadder
+from site_builder.benchmarks.quantities import error_text, quantity
+from site_builder.benchmarks.record import close, finite, merge, timing
+
+ABACUS, SLIDE_RULE = {"processor": "abacus"}, {"processor": "slide rule"}
+TIERS = toy_data()["ladders"]["toy"]["tiers"]
+ROUNDED = {"fine": {"errors": {"rms": 2e-16}}, "exact": {"errors": {"rms": 1e-16}}}
+VALUES = st.lists(st.floats(1e-15, 1e6), min_size=1, max_size=9)
 
 
-def tiers() -> Any:
-    return toy_data()["ladders"]["toy"]["tiers"]
+def measured(changes: Any, *metric: str) -> MeasuredLadder:
+    """The toy ladder, with some results changed."""
+    tiers = toy_data()["ladders"]["toy"]["tiers"]
+    for tier, parts in changes.items():
+        for part, numbers in parts.items():
+            tiers[tier][part] |= numbers if part == "errors" else timed(numbers)
+    return toy_measurements(tiers=tiers).find("toy", *metric)
 
 
-def measured_as(data: object, *metric: str) -> MeasuredLadder:
-    return toy_measurements(tiers=data).find("toy", *metric)
+def test_the_quietest_round_is_recorded() -> None:
+    rounds = [TierResult("only", ms, 0.9 * ms, 1.1 * ms, 7, {}) for ms in (3.0, 2.0, 9.0)]
+    found = timing(rounds)
+    assert found == {"ms": 2.0, "low": 1.8, "high": 2.2, "samples": 7}
+    assert set(found) == set(TIERS["rough"]["native"])
 
 
-def test_a_tier_is_beaten_by_the_quickest_that_is_no_worse() -> None:
-    measured = measured_as(tiers())
-    winners = {i.tier.id: measured.beaten_by(i, "native") for i in measured.tiers}
-    assert {name: winner and winner.tier.id for name, winner in winners.items()} == {
-        "rough": None, "fine": None, "waste": "fine", "exact": None,
-    }  # fmt: skip
+@pytest.mark.parametrize(
+    ("one", "other", "alike"),
+    [
+        (2.0, 2.01, True), (2.0, 2.1, False), (1e-5, 2.5e-5, True), (1e-5, 4e-5, False),
+        (0.0, 3e-16, True), (0.0, 1e-6, False), (None, None, True), (None, 99.0, False),
+        (-0.5, -0.5, True),
+    ],
+)  # fmt: skip
+def test_errors_of_two_machines(one: float | None, other: float | None, alike: bool) -> None:
+    assert close(one, other) is close(other, one) is alike
 
 
-def test_a_tier_is_not_called_beaten_while_the_quartiles_overlap() -> None:
-    data = tiers()
-    data["waste"]["native"] = timing(2.2)
-    measured = measured_as(data)
-    assert measured.beaten_by(measured["waste"], "native") is None
-    assert verdict(measured, measured["waste"]) == "beaten by Fine in the browser only"
+def test_recorded_errors() -> None:
+    assert finite(float("inf")) is None
+    assert finite(0.1234567) == 0.123457
+    with pytest.raises(ValueError, match="NaN"):
+        finite(float("nan"))
 
 
-def test_the_verdict_names_the_winner_even_where_the_loser_is_ours() -> None:
-    measured = measured_as(tiers())
-    assert verdict(measured, measured["waste"]) == "beaten by Fine"
-    assert verdict(measured, measured["exact"]) == "on the front"
+@pytest.mark.parametrize(
+    ("machine", "new", "known", "ladders"),
+    [
+        (ABACUS, {"a": 9}, "ba+", {"a": 9, "b": 2}),
+        (ABACUS, {"+": 9}, "ba+", {"a": 1, "b": 2, "+": 9}),
+        (SLIDE_RULE, {"a": 7, "b": 9}, "ab", {"a": 7, "b": 9}),
+        (SLIDE_RULE, {"b": 9}, "ab", None),
+    ],
+)
+def test_new_results_beside_old_ones(
+    machine: Any, new: Any, known: str, ladders: Any, tmp_path: Path
+) -> None:
+    file = tmp_path / "measurements.json"
+    old = {"machine": ABACUS, "ladders": {"a": 1, "b": 2, "gone": 3}}
+    file.write_text(json.dumps(old), encoding="utf-8")
+    if ladders is None:
+        with pytest.raises(SystemExit, match="another machine"):
+            merge(file, machine, new, known)
+    else:
+        merged = merge(file, machine, new, known)
+        assert merged == {"machine": machine, "ladders": ladders}
+        assert [*merged["ladders"]] == [*ladders]
 
 
-def test_errors_below_rounding_are_equally_good() -> None:
-    data = tiers()
-    data["fine"]["errors"]["rms"], data["exact"]["errors"]["rms"] = 2e-16, 1e-16
-    measured = measured_as(data)
-    winner = measured.beaten_by(measured["exact"], "native")
+def test_the_tier_that_beats_another() -> None:
+    toy = measured({})
+    winners = [toy.beaten_by(item, "native") for item in toy.tiers]
+    assert [winner and winner.tier.id for winner in winners] == [None, None, "fine", None]
+    rounded = measured(ROUNDED)
+    winner = rounded.beaten_by(rounded["exact"], "native")
     assert winner is not None
     assert winner.tier.id == "fine"
 
 
 @pytest.mark.parametrize(
-    ("waste", "words"),
+    ("tier", "changes", "words"),
     [
-        ({"native": 9.0, "browser": 1.0}, "beaten by Fine in CPython only"),
-        ({"native": 0.5, "browser": 27.0}, "beaten by Fine in the browser only"),
-        ({"native": 1.95, "browser": 6.1}, "on the front in CPython only"),
-        ({"native": 2.1, "browser": 5.9}, "on the front in the browser only"),
-        ({"native": 2.1, "browser": 6.1}, "close behind the front"),
+        ("exact", {}, "on the front"),
+        ("waste", {}, "beaten by Fine"),
+        ("waste", {"native": 2.2}, "beaten by Fine in the browser only"),
+        ("waste", {"native": 9.0, "browser": 1.0}, "beaten by Fine in CPython only"),
+        ("waste", {"native": 0.5, "browser": 27.0}, "beaten by Fine in the browser only"),
+        ("waste", {"native": 1.95, "browser": 6.1}, "on the front in CPython only"),
+        ("waste", {"native": 2.1, "browser": 5.9}, "on the front in the browser only"),
+        ("waste", {"native": 2.1, "browser": 6.1}, "close behind the front"),
     ],
 )
-def test_the_verdict_tells_the_sides_apart(waste: dict[str, float], words: str) -> None:
-    """Fine takes 2 ms natively and 6 ms in the browser, and errs as much."""
-    data = tiers()
-    data["waste"] |= {side: timing(ms) for side, ms in waste.items()}
-    data["waste"]["errors"] = data["fine"]["errors"]
-    measured = measured_as(data)
-    assert verdict(measured, measured["waste"]) == words
+def test_verdicts(tier: str, changes: Any, words: str) -> None:
+    """*Fine* takes 2 ms natively and 6 ms in the browser; *waste* errs as much once it differs."""
+    same = {"errors": TIERS["fine"]["errors"]} if len(changes) == 2 else {}
+    toy = measured({tier: {**changes, **same}})
+    assert verdict(toy, toy[tier]) == words
 
 
-def test_another_metric_turns_what_is_better() -> None:
-    data = tiers()
-    data["waste"]["errors"]["psnr"] = 55.0
-    measured = measured_as(data, "psnr")
-    assert measured.beaten_by(measured["waste"], "native") is None
-    front = [item.tier.id for item in measured.front("native")]
-    assert front == ["rough", "fine", "waste", "exact"]
+def test_another_metric_has_another_front() -> None:
+    toy = measured({"waste": {"errors": {"psnr": 55.0}}}, "psnr")
+    assert toy.beaten_by(toy["waste"], "native") is None
+    assert [item.tier.id for item in toy.front("native")] == ["rough", "fine", "waste", "exact"]
 
 
-def test_a_default_stands_between_its_neighbours_on_the_browser_s_front() -> None:
-    choice = default_choice(measured_as(tiers()))
-    assert (choice.label, choice.ms, choice.error) == ("Fine", "6.0", "0.020\u00a0px")
-    assert choice.cheaper == Neighbour("Rough", "0.25", "3.0\u00a0px")
-    assert choice.dearer == Neighbour("Exact", "4.5", "no error")
+EXACT = Neighbour("Exact", "4.5", "no error")
+FREE = {"fine": {"errors": {"rms": 0.0}}, "rough": {"browser": 7.0}}
 
 
-def test_a_default_at_an_end_of_the_front_has_no_neighbour_there() -> None:
-    data = tiers()
-    data["fine"]["errors"]["rms"] = 0.0
-    data["rough"]["browser"] = timing(7.0)
-    choice = default_choice(measured_as(data))
-    assert (choice.cheaper, choice.dearer) == (None, None)
+@pytest.mark.parametrize(
+    ("changes", "cheaper", "dearer"),
+    [
+        ({}, Neighbour("Rough", "0.25", "3.0\u00a0px"), EXACT),
+        (FREE, None, None),
+        (ROUNDED, Neighbour("Rough", "0.25", "3.0\u00a0px"), None),
+    ],
+)
+def test_a_default_and_its_neighbours(changes: Any, cheaper: object, dearer: object) -> None:
+    choice = default_choice(measured(changes))
+    assert (choice.label, choice.ms) == ("Fine", "6.0")
+    assert (choice.cheaper, choice.dearer) == (cheaper, dearer)
 
 
-def test_a_neighbour_that_only_rounding_puts_on_the_front_is_passed_over() -> None:
-    data = tiers()
-    data["fine"]["errors"]["rms"], data["exact"]["errors"]["rms"] = 2e-16, 1e-16
-    measured = measured_as(data)
-    assert [item.tier.id for item in measured.front("browser")] == ["rough", "fine", "exact"]
-    assert default_choice(measured).dearer is None
-
-
-def test_a_default_off_the_front_is_named_with_all_that_beat_it() -> None:
-    data = tiers()
-    data["exact"]["browser"] = timing(5.0)
-    assert off_the_front(measured_as(data)) == (
+def test_a_default_off_the_front() -> None:
+    assert off_the_front(measured({"exact": {"browser": 5.0}})) == (
         "toy: the default 'fine' (6.0 ms, 0.020\u00a0px) is off the browser's front, "
         "which has 'exact' (5.0 ms, no error)"
     )
+    equal = {"errors": TIERS["fine"]["errors"], "native": 2.0, "browser": 6.0}
+    assert off_the_front(measured({"waste": equal})) == ""
 
 
-def test_a_default_that_another_only_equals_in_time_and_error_is_on_the_front() -> None:
-    data = tiers()
-    data["waste"] = data["fine"]
-    assert off_the_front(measured_as(data)) == ""
+def test_costs_of_a_tier() -> None:
+    toy = replace(measured({}), ladder=replace(toy_ladder(), items=1000, item="point"))
+    assert nanoseconds_each(toy, toy["fine"]) == pytest.approx(6000)
+    assert frame_percent(toy["fine"]) == pytest.approx(18)
+
+
+def test_half_the_noise_in_the_same_time_is_four_times_as_efficient() -> None:
+    toy = measured({"fine": {"errors": {"rms": 1.5}, "browser": 1.5}})
+    toy = replace(toy, ladder=replace(toy.ladder, sampled=("rough", "fine")))
+    assert efficiency(toy, toy["fine"]) == pytest.approx(4)
+    assert efficiency(toy, toy["exact"]) is None
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"), (1234.0, "1200"), (123456.0, "1.2\u202f×\u202f10⁵"), (9.96, "10"),
+        (0.00996, "0.010"), (6.23e-5, "6.2\u202f×\u202f10⁻⁵"), (-3.04, "−3.0"),
+    ],
+)  # fmt: skip
+def test_quantities_have_two_digits(value: float, text: str) -> None:
+    assert quantity(value) == text
+
+
+@given(st.floats(1e-300, 1e300))
+def test_a_quantity_is_within_half_a_unit_of_its_second_digit(value: float) -> None:
+    text = quantity(value).translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789", "\u202f"))
+    assert float(re.sub(r"×10(?=[-\d])", "e", text)) == pytest.approx(value, rel=0.0501)
+
+
+def test_no_error_in_words() -> None:
+    words = [error_text(value, unit) for value, unit in ((None, "dB"), (None, "px"), (0.0, "px"))]
+    assert words == ["∞", "none", "none"]
+
+
+@given(VALUES, st.lists(st.floats(-60.0, 120.0), min_size=1, max_size=9))
+def test_axes_hold_their_values_and_a_readable_number_of_ticks(
+    values: Sequence[float], decibels: Sequence[float]
+) -> None:
+    time, error = log_axis(values, 50.0, 446.0), linear_axis(decibels, 50.0, 446.0)
+    for axis, shown in ((time, values), (error, decibels)):
+        places = [axis.position(value) for value in sorted(shown)]
+        assert places == sorted(places)
+        assert all(50.0 < place < 446.0 for place in places)
+        ticks = [axis.position(value) for value, _ in axis.ticks()]
+        assert 2 <= len(ticks) <= 10
+        assert all(50.0 <= place <= 446.0 for place in ticks)
+        assert len({label for _, label in axis.ticks()}) == len(ticks)
+
+
+def test_a_decade_is_as_long_anywhere_on_a_log_axis() -> None:
+    axis = log_axis([0.01, 100.0], 0.0, 440.0)
+    places = [axis.position(10.0**power) for power in (-2, -1, 0, 1, 2)]
+    assert [b - a for a, b in pairwise(places)] == pytest.approx([100.0] * 4)
+
+
+def test_the_chart_joins_the_front_and_sets_apart_what_is_beaten_or_free_of_error() -> None:
+    chart = pareto_chart(toy_measurements().find("toy"))
+    lines = re.findall(r'<polyline class="image faint(?: dashed)?" points="([^"]*)"', chart.marks)
+    assert [len(points.split()) for points in lines] == [3, 3]
+    assert chart.marks.count("muted solid") == chart.marks.count("muted hollow") == 1
+    assert chart.error.none is not None
+    assert chart.error.position(0.0) == chart.error.none > chart.error.position(0.02) + 10.0

@@ -2,7 +2,7 @@
 
 import pytest
 
-from site_builder.editions import chromium
+from site_builder.programs import chromium
 
 
 def test_a_missing_chromium_is_said_to_be_installed_how(monkeypatch: pytest.MonkeyPatch) -> None:

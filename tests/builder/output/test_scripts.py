@@ -6,9 +6,9 @@ from collections.abc import Mapping
 import pytest
 
 from site_builder.diagnostics import BuildError
-from site_builder.npm import NodeError
 from site_builder.output import scripts
 from site_builder.output.scripts import Bundle, bundle_scripts
+from site_builder.programs.node import NodeError
 
 SOURCES: Mapping[str, bytes] = {
     "js/main.ts": b'import { shown } from "./page/shown.js";\n'

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from site_builder.npm import installed_packages
 from site_builder.pages.licences import gather_licences
+from site_builder.programs.node import installed_packages
 from site_builder.raw.decoder import HERE, PACKAGE, fetch_decoder
 from site_builder.runtime.pinned import VERSIONS
 

@@ -11,7 +11,7 @@ from support.little_book import OUTLINE
 
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import BuildError, Diagnostic
-from site_builder.npm import Package
+from site_builder.programs.node import Package
 from site_builder.runtime import packages
 from site_builder.runtime.pack import pack_runtime
 from site_builder.runtime.packages import PackageError, differing, needed, read_package

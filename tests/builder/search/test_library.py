@@ -9,8 +9,8 @@ from site_builder import browser_parts, build
 from site_builder.build import render_site
 from site_builder.diagnostics import Diagnostic
 from site_builder.languages.words import languages
-from site_builder.npm import NodeError
 from site_builder.output.assets import content_bytes
+from site_builder.programs.node import NodeError
 from site_builder.search import library
 from site_builder.search.library import SearchLibrary
 

@@ -4,15 +4,17 @@ A filled dot is CPython, a hollow one the browser, joined because they are the s
 The line runs through the tiers of the front; what is clearly beaten is grey.
 """
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 from simulations.engine import drawing
+from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
+from simulations.engine.plotting.ticks import Tick
 from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.cache import cached_result
-from site_builder.charts.axes import ChartAxis, linear_axis, log_axis
 from site_builder.languages.words import ENGLISH, Words
 
 type Point = tuple[float, float]
@@ -28,6 +30,25 @@ RADIUS = 4.5
 FRAME = Rectangle(LEFT, TOP - 6, RIGHT + 8, BOTTOM)
 LETTERS = 0.85
 """Size of a name beside that of a figure's labels."""
+
+
+@dataclass(frozen=True, slots=True)
+class ChartAxis:
+    """One axis. Values off its ends are put on them."""
+
+    scale: Axis
+    none: float | None = None
+    """View box coordinate that stands for no error at all; None where nothing is free of error."""
+
+    def position(self, value: float) -> float:
+        """View box coordinate of a value."""
+        if self.none is not None and (value <= 0.0 if self.scale.log else math.isinf(value)):
+            return self.none
+        return self.scale.clamped(value)
+
+    def ticks(self) -> tuple[Tick, ...]:
+        """Values and their labels."""
+        return tuple(self.scale.ticks())
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,3 +194,23 @@ def _names(measured: MeasuredLadder, at: Place, lines: Sequence[Segment], grey: 
         for item in measured.tiers
     ]
     return place_labels(labels, FRAME, lines, taken)
+
+
+def log_axis(
+    values: Iterable[float], start: float, end: float, none: float | None = None
+) -> ChartAxis:
+    """An axis over all ``values`` above 0, with room at both ends, no shorter than a decade."""
+    logs = [math.log10(value) for value in values if value > 0.0] or [0.0]
+    low, high = min(logs) - 0.2, max(logs) + 0.2
+    missing = max(0.0, 1.0 - (high - low)) / 2
+    ends = 10.0 ** (low - missing), 10.0 ** (high + missing)
+    return ChartAxis(Axis(*ends, start, end, log=True), none)
+
+
+def linear_axis(
+    values: Iterable[float], start: float, end: float, none: float | None = None
+) -> ChartAxis:
+    """An axis over all finite ``values``, with room at both ends."""
+    finite = [value for value in values if math.isfinite(value)] or [0.0]
+    margin = max(0.12 * (max(finite) - min(finite)), 0.5)
+    return ChartAxis(Axis(min(finite) - margin, max(finite) + margin, start, end), none)

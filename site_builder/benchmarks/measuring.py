@@ -1,0 +1,164 @@
+"""Measure every ladder in CPython and in Chromium, or with ``--ladder ID`` one of them.
+
+Chromium's half is the book's own worker on an empty page, so that the ladders can be measured
+while the book itself cannot be built for want of measurements.
+
+The two sides take turns, tier by tier and round by round, so that a busy minute of the machine
+falls on both. What is found goes into ``content/measurements.json``, from which all numbers,
+tables and charts of the book are made. A default that is no longer on the browser's front is
+named at the end.
+"""
+
+import json
+import shutil
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from simulations.engine.ladder import Ladder, TierResult, measure_tier
+from simulations.registry import LADDER_MODULES, load_ladder
+from site_builder.benchmarks.judgements import off_the_front
+from site_builder.benchmarks.measurements import DATA, read_measurements
+from site_builder.benchmarks.record import (
+    describe_machine,
+    disagreements,
+    ladder_record,
+    merge,
+    write,
+)
+from site_builder.diagnostics import Diagnostics
+from site_builder.programs.chromium import launch_arguments, require_chromium
+from site_builder.runtime.pack import pack_runtime
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
+
+ROUNDS = 5
+BUDGET_S = 0.08
+"""Time for the samples of one tier, on one side, in one round."""
+
+PAGE = '<!DOCTYPE html><meta charset="utf-8"><title>Bench</title><link rel="icon" href="data:,">'
+MEASURE = """async (payload) => {
+  const {Runtime} = await import(new URL('js/runtime/runtime.js', location.href).href);
+  window.runtime ??= new Runtime(new URL('runtime/', location.href).href);
+  return (await window.runtime.call('measure', payload)).result;
+}"""
+
+type WriteScripts = Callable[[Path, Path, Iterable[str]], None]
+"""Writes scripts of the book at one folder, such as ``page/text``, into a site at another."""
+type Meter = Callable[[str, str, float], TierResult]
+"""Measures one tier of one ladder within a budget in seconds."""
+
+
+def native_meter(ladder: Ladder) -> Meter:
+    workload: Any = ladder.prepare()
+    reference = ladder.reference(workload)
+    return lambda _ladder_id, tier_id, budget_s: measure_tier(
+        ladder, tier_id, workload, reference, time.perf_counter, budget_s=budget_s
+    )
+
+
+def measure_ladder(ladder: Ladder, meters: Sequence[Meter]) -> list[list[list[TierResult]]]:
+    """Results by tier, meter and round; every other round goes from dear to cheap."""
+    results: list[list[list[TierResult]]] = [[[] for _ in meters] for _ in ladder.tiers]
+    indices = range(len(ladder.tiers))
+    for round_number in range(ROUNDS):
+        order: Iterable[int] = reversed(indices) if round_number % 2 else indices
+        for index in order:
+            for meter, found in zip(meters, results[index], strict=True):
+                found.append(meter(ladder.id, ladder.tiers[index].id, BUDGET_S))
+    return results
+
+
+def bench(root: Path, chosen: Sequence[str], write_scripts: WriteScripts) -> int:
+    """Measure the ladders ``chosen`` of the book at ``root``, or all. Returns 1 where the two sides
+    disagree or a default is off the front, else 0. Raises `MissingChromiumError`."""
+    chosen = chosen or list(LADDER_MODULES)
+    began, ladders, differing = time.perf_counter(), {}, []
+    with browser_meter(root, write_scripts) as side:
+        machine = describe_machine(side.browser, side.pyodide)
+        for ladder in map(load_ladder, chosen):
+            started = time.perf_counter()
+            results = measure_ladder(ladder, (native_meter(ladder), side.measure))
+            ladders[ladder.id] = ladder_record(ladder, results)
+            differing += disagreements(ladder, results)
+            print(f"{ladder.id:24} {time.perf_counter() - started:6.1f} s", flush=True)
+    write(merge(root / DATA, machine, ladders, LADDER_MODULES), root / DATA)
+    print(f"{DATA} written after {time.perf_counter() - began:.0f} s")
+    complaints = differing + misplaced_defaults(root, chosen)
+    print("\n".join(complaints), end="\n" if complaints else "", file=sys.stderr)
+    return 1 if complaints else 0
+
+
+def misplaced_defaults(root: Path, ladder_ids: Sequence[str]) -> list[str]:
+    """What the new measurements say against the ladders' defaults."""
+    measured = read_measurements(root, Diagnostics())
+    return [said for name in ladder_ids if (said := off_the_front(measured.find(name)))]
+
+
+@dataclass(frozen=True, slots=True)
+class BrowserSide:
+    """A page with the interpreter in it."""
+
+    page: "Page"
+    browser: str
+    """Name and major version."""
+    pyodide: str
+
+    def measure(self, ladder_id: str, tier_id: str, budget_s: float) -> TierResult:
+        payload = {"ladder": ladder_id, "tier": tier_id, "budget": budget_s}
+        return TierResult(**json.loads(self.page.evaluate(MEASURE, payload)))
+
+
+@contextmanager
+def browser_meter(root: Path, write_scripts: WriteScripts) -> Iterator[BrowserSide]:
+    found = require_chromium("the bench")
+    from playwright.sync_api import sync_playwright
+
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        sync_playwright() as playwright,
+        playwright.chromium.launch(executable_path=found, args=launch_arguments()) as browser,
+    ):
+        pyodide = _lay_out(root, Path(folder))
+        write_scripts(root, Path(folder), ["runtime/runtime"])
+        with _serving(folder) as address:
+            page = browser.new_page()
+            page.set_default_timeout(0)
+            page.goto(address)
+            yield BrowserSide(page, f"Chromium {browser.version.split('.')[0]}", pyodide)
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_: object) -> None:
+        """Nothing."""
+
+
+@contextmanager
+def _serving(folder: str) -> Iterator[str]:
+    """The address at which the folder is served."""
+    handler = partial(_Quiet, directory=folder)
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        try:
+            yield f"http://localhost:{server.server_port}/"
+        finally:
+            server.shutdown()
+
+
+def _lay_out(root: Path, site: Path) -> str:
+    """An empty page with the runtime beside it. Returns Pyodide's version."""
+    bundle = pack_runtime(root / "simulations")
+    (site / "runtime").mkdir()
+    for name, file in bundle.files.items():
+        shutil.copyfile(file, site / "runtime" / name)
+    (site / "index.html").write_text(PAGE, encoding="utf-8")
+    return bundle.versions.pyodide

@@ -1,0 +1,1 @@
+"""Programs that the build runs: Node with packages from npm, and Chromium."""
