@@ -4,7 +4,7 @@
     ladders/precision.py                 the ladder precision: its ``LADDER``
     ladders/depth_of_field/ladder.py     the ladder depth-of-field, in a package
     illustrations/f_numbers.py           the illustration f-numbers: its ``draw``
-    hard_cases/optics.py                 the hard cases of optics: its ``TABLE``
+    hard_cases/optics.toml               the hard cases of optics
 
 The id is the name, with hyphens. Names that begin with an underscore are skipped: these packages
 hold code that several share.
@@ -35,16 +35,26 @@ def found(room: str, *, inside: str = "") -> dict[str, str]:
     ``inside`` is the module to use of an entry that is a package. Empty if the book has no such
     package, and in the browser, which has all modules in one archive.
     """
-    spec = find_spec(f"simulations.{room}")
-    folders = map(Path, (spec and spec.submodule_search_locations) or ())
-    files = [file for folder in folders if folder.is_dir() for file in folder.iterdir()]
     return {
         file.stem.replace("_", "-"): f"simulations.{room}.{file.stem}"
         + (f".{inside}" if inside and file.is_dir() else "")
-        for file in sorted(files, key=lambda file: file.stem)
+        for file in _entries(room)
         if file.suffix == ".py" or (file / "__init__.py").is_file()
         if not file.stem.startswith("_")
     }
+
+
+def hard_case_tables() -> dict[str, Path]:
+    """Id to file of all tables of hard cases, sorted. Empty as in `found`."""
+    files = (file for file in _entries("hard_cases") if file.suffix == ".toml")
+    return {file.stem.replace("_", "-"): file for file in files}
+
+
+def _entries(room: str) -> list[Path]:
+    spec = find_spec(f"simulations.{room}")
+    folders = map(Path, (spec and spec.submodule_search_locations) or ())
+    files = [file for folder in folders if folder.is_dir() for file in folder.iterdir()]
+    return sorted(files, key=lambda file: file.stem)
 
 
 SCENE_MODULES: Mapping[str, str] = found("scenes", inside="scene")

@@ -18,7 +18,6 @@ from typing import Any
 import numpy as np
 
 import simulations
-from simulations.engine.hard_cases import HardCases
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from site_builder import STARTED_NS
@@ -27,7 +26,7 @@ from site_builder.files import SIZE
 
 OWN = DISTRIBUTION.replace("-", "_") + "-"
 """With which the engine's own entry among the installed packages begins."""
-HOLDERS: Mapping[type, str] = {Scene: "SCENE", Ladder: "LADDER", HardCases: "TABLE"}
+HOLDERS: Mapping[type, str] = {Scene: "SCENE", Ladder: "LADDER"}
 """Values that are code, and the name under which their module holds them."""
 IMPORT = re.compile(
     r"^[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]+(\([^)]*\)|.*)|import[ \t]+(.*))", re.MULTILINE
@@ -76,7 +75,7 @@ def _add(value: Any, update: Callable[[bytes], None]) -> None:
                 _add(item, update)
         case functools.partial():
             _add((value.func, value.args, value.keywords), update)
-        case Scene() | Ladder() | HardCases() | FunctionType():
+        case Scene() | Ladder() | FunctionType():
             module = module_of(value)
             if module is None or getattr(value, "__closure__", None):
                 raise UnhashableError(f"{value!r} belongs to no module")

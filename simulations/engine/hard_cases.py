@@ -1,17 +1,35 @@
-"""A hard case of a model: the question, the answer, and the answers of other libraries.
+"""Hard cases of models: questions at the edge of a model's domain, read from tables in TOML.
 
-A question is stored as the expression that readers see and is evaluated from it, so that the book
-and the tests always agree. Only the book and the tests import the cases; scenes and pages do not.
+A table, ``hard_cases/rotations.toml``, says what its expressions use, and lists the cases::
+
+    title = "Rotations and quaternions"
+    names = [
+      "simulations.models.geometry.rotations:*",      # every name of the module,
+      "simulations.models.geometry.rotations:slerp",  # one of them,
+      "simulations.models.geometry.euler",            # or the module itself
+    ]
+
+    [objects]                                         # expressions, evaluated in order
+    BARREL = "Distortion(k1=-0.3)"
+
+    [cases.no-turn]                                   # the fields of `HardCase`
+    call = "exponential([0.0, 0.0, 0.0])"
+
+A question is the expression that readers see, so that the book and the tests always agree. Only
+the book and the tests read the tables; scenes and pages do not.
 """
 
+import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 type Check = Callable[[Any], bool]
-"""Whether an answer, or the `ValueError` raised instead, is the expected one."""
 
 LONGEST_SHOWN = 12
 """Arrays of more entries are printed by their shape and range."""
@@ -20,36 +38,28 @@ ROUNDING = 1e-13
 """Entries below this share of an array's largest entry are printed as 0."""
 
 
-@dataclass(frozen=True, slots=True)
-class LibraryAnswer:
-    """The answer of a widely used library to the same question."""
-
-    call: str
-    """The question in the library's names; only the tests evaluate it."""
-    answer: str
-    """The library's answer as printed by `show`; a test compares it with the installed library."""
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HardCase:
-    """A question at the edge of a model's domain."""
+    """A question at the edge of a model's domain, and what answers it."""
 
     id: str
-    """Unique in its table, and the name of its test."""
     call: str
     """The question: an expression in the names of the table."""
     why: str
     """Why the case is hard."""
     returns: str
     """What the model returns, and why."""
-    expected: Check
+    expected: str
+    """An expression for a function that judges the answer, such as ``near([0.6, 0.0, 0.8])``."""
     naive: str = ""
-    """The textbook formula for the same numbers, an expression in numpy and the names of the
-    table."""
-    library: LibraryAnswer | None = None
+    """The textbook formula for the same numbers, in numpy and the names of the table."""
+    library: str = ""
+    """The question in the names of a widely used library; only the tests evaluate it."""
+    library_answer: str = ""
+    """The library's answer as `show` prints it; a test compares it with the installed library."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class HardCases:
     """The hard cases of one model."""
 
@@ -59,34 +69,59 @@ class HardCases:
     """Names for the expressions: the functions of the model, and a few prepared objects."""
     cases: tuple[HardCase, ...]
 
-    def __post_init__(self) -> None:
-        ids = [case.id for case in self.cases]
-        if len(set(ids)) != len(ids):
-            raise ValueError(f"hard cases of {self.id!r}: duplicate id in {sorted(ids)}")
+
+def read_table(file: Path, load: Callable[[str], ModuleType] = import_module) -> HardCases:
+    """The table in ``file``. Mistakes in it raise whatever Python says of them."""
+    data = tomllib.loads(file.read_text(encoding="utf-8"))
+    names: dict[str, Any] = {"np": np, "inf": np.inf, "nan": np.nan}
+    for path in data["names"]:
+        names |= _named(path, load)
+    for name, expression in data.get("objects", {}).items():
+        names[name] = evaluate(expression, names)
+    cases = tuple(HardCase(id=name, **entry) for name, entry in data["cases"].items())
+    return HardCases(file.stem.replace("_", "-"), data["title"], names, cases)
 
 
-def answer(table: HardCases, case: HardCase) -> Any:
-    """The model's answer: a value, or the `ValueError` that it raises.
+def _named(path: str, load: Callable[[str], ModuleType]) -> Mapping[str, Any]:
+    name, _, attribute = path.partition(":")
+    module = load(name)
+    match attribute:
+        case "":
+            return {name.rpartition(".")[2]: module}
+        case "*":
+            return vars(module)
+    return {attribute: getattr(module, attribute)}
+
+
+def evaluate(expression: str, names: Mapping[str, Any]) -> Any:
+    """The value of a Python expression, which is the author's code as a scene is."""
+    return eval(expression, {**names})
+
+
+def answer(table: HardCases, call: str) -> Any:
+    """The model's answer to a question: a value, or the `ValueError` that it raises.
 
     Other exceptions and warnings are defects of the model and are not caught.
     """
     try:
-        return _evaluate(case.call, table)
+        return evaluate(call, table.names)
     except ValueError as refusal:
         return refusal
 
 
-def naive_answer(table: HardCases, case: HardCase) -> Any:
-    """The answer of the textbook formula without its warnings: a value, or the exception raised."""
+def naive_answer(table: HardCases, formula: str) -> Any:
+    """The answer of a textbook formula without its warnings: a value, or the exception raised."""
     try:
         with np.errstate(all="ignore"):
-            return _evaluate(case.naive, table)
+            return evaluate(formula, table.names)
     except (ArithmeticError, ValueError, IndexError) as failure:
         return failure
 
 
-def _evaluate(expression: str, table: HardCases) -> Any:
-    return eval(expression, {"np": np, **table.names})
+def as_expected(table: HardCases, expected: str, got: Any) -> bool:
+    """Whether an answer, or the `ValueError` raised instead, is the expected one."""
+    checks = {check.__name__: check for check in (refused, near, exactly, valid, invalid)}
+    return bool(evaluate(expected, {**table.names, **checks})(got))
 
 
 def show(value: Any) -> str:

@@ -95,7 +95,11 @@ class Builds:
 
 def is_code(path: Path) -> bool:
     """Whether a process that has imported the builder may have read the file already."""
-    return path.suffix == ".py" or path.is_relative_to(ENGINE / "site_builder")
+    return (
+        path.suffix == ".py"
+        or path.parent.name == "hard_cases"
+        or path.is_relative_to(ENGINE / "site_builder")
+    )
 
 
 async def end(process: Process) -> None:

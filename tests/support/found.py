@@ -2,7 +2,8 @@
 
 from importlib import import_module
 
-from simulations.registry import found
+from simulations.engine.hard_cases import read_table
+from simulations.registry import found, hard_case_tables
 
-TABLES = tuple(import_module(module).TABLE for module in found("hard_cases").values())
+TABLES = tuple(map(read_table, hard_case_tables().values()))
 ILLUSTRATIONS = {name: import_module(of).draw for name, of in found("illustrations").items()}

@@ -2,15 +2,22 @@
 
 from dataclasses import dataclass
 
-from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
-from simulations.registry import found
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
+    answer,
+    naive_answer,
+    read_table,
+    show,
+)
+from simulations.registry import hard_case_tables
 from site_builder.benchmarks.loading import imported
 from site_builder.diagnostics import cause
 from site_builder.markdown.bodies import NO_BODY
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.parse_context import ParseContext
 
-MODULES = found("hard_cases")
+FILES = hard_case_tables()
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +50,7 @@ def read_hard_cases(
 ) -> HardCaseTable | None:
     name = context.placed[call.line].id
     try:
-        table: HardCases = imported(MODULES[call.argument]).TABLE
+        table = read_table(FILES[call.argument], imported)
         return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"hard cases {call.argument!r} cannot be computed: {cause(error)}"
@@ -55,20 +62,20 @@ def _row(table: HardCases, case: HardCase) -> HardCaseRow:
     return HardCaseRow(
         id=case.id,
         call=case.call,
-        answer=show(answer(table, case)),
+        answer=show(answer(table, case.call)),
         why=case.why,
         returns=case.returns,
         naive=case.naive,
-        naive_answer=show(naive_answer(table, case)) if case.naive else "",
-        library=case.library.call if case.library else "",
-        library_answer=case.library.answer if case.library else "",
+        naive_answer=show(naive_answer(table, case.naive)) if case.naive else "",
+        library=case.library,
+        library_answer=case.library_answer,
     )
 
 
 EXTREMES = Directive(
     name="extremes",
     doc="the hard cases of a model",
-    argument=Argument("model", "names no table", MODULES, "table of extremes"),
+    argument=Argument("model", "names no table", FILES, "table of extremes"),
     body=NO_BODY,
     read=read_hard_cases,
     template="extremes",
