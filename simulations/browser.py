@@ -161,9 +161,9 @@ def pull(
     ``x`` and ``y`` are in view box units. Raises `UnknownIdError`, `ControlError`, `KeyError` for
     an unknown handle and `ValueError` for a place that is not finite.
     """
-    scene = load_scene(scene_id)
-    settings, own = scene.clamp(json.loads(values)), _photographs.get(figure)
-    return json.dumps(scene.pull(settings, handle, (x, y), tier, own))
+    scene, request = _request(figure, scene_id, values, tier)
+    settings, tier, cache, *own = request
+    return json.dumps(scene.pull(settings, handle, (x, y), tier, *own, cache))
 
 
 def photograph(figure: str, picture: Any) -> None:

@@ -217,6 +217,26 @@ def format_number(value: float, digits: int = 2) -> str:
     return text.replace("-", "\u2212")
 
 
+def value_with_error(value: float, error: float) -> str:
+    """A measured value and its standard error: ``2.13 ± 0.04``, ``1230 ± 230``.
+
+    The error has two digits up to 3.5 of its leading power of ten, then one, and is never zero: one
+    below the sixth digit of the value is ``under 0.00001``. ``undefined`` if either is not finite.
+    Source: Review of Particle Physics, introduction, section 5.3 (rounding).
+    """
+    if not (np.isfinite(value) and np.isfinite(error)):
+        return format_number(float("nan"))
+    least = 10.0 ** (_exponent(abs(value)) - 5 if value else -5)
+    shown = max(abs(error), least)
+    power = int(f"{shown:.2e}".partition("e")[2])
+    decimals = (1 if shown / 10.0**power < 3.545 else 0) - power
+    if abs(error) < least:
+        decimals = -power
+    value, shown = (round(number, decimals) for number in (value, shown))
+    words = [format_number(number, max(decimals, 0)) for number in (value, shown)]
+    return " ± under ".join(words) if abs(error) < least else " ± ".join(words)
+
+
 def format_magnitude(value: float, floor: float) -> str:
     """A positive number of unknown size to two digits: ``14.2``, ``0.035``, ``3.1 × 10⁻⁵``.
 

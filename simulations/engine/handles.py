@@ -1,28 +1,31 @@
 """Handles: things in a picture that can be grabbed and dragged.
 
     def point_at(settings: Settings, _outputs: Outputs) -> Point:
-        return (20 * settings.x, 30 - 20 * settings.y)
+        return (20 * settings.x, 30)
 
-    def point_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-        return {"x": place[0] / 20, "y": (30 - place[1]) / 20}
+    Handle("point", "plane", "Point P", ("x",), point_at, role="world")
 
-    Handle("point", "plane", "Point P", ("x", "y"), point_at, point_pulled, role="world")
-
-``pull`` returns the settings that would bring the thing to a place, as if there were no limits; the
-engine clamps and rounds them to the steps of the controls. The page, the keyboard and the tests all
-use the same two functions.
+``at`` is the place of the handle at the given settings. The engine searches the one setting that
+a handle drives for the value that brings it nearest to the pointer. ``pull`` replaces the search
+where it would not do: for two settings, for angles that wrap, and where ``at`` depends on a stage
+that takes long. It returns the settings that would bring the thing to a place, as if there were no
+limits; the engine clamps and rounds them to the steps of the controls. The page, the keyboard and
+the tests all use these functions.
 """
 
 import inspect
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from numbers import Real
 from typing import Any, Literal
 
-from simulations.engine.controls import Control, Slider, Value
+from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import Panel, Place, is_role
 from simulations.engine.stages import Outputs
+
+COARSE, FINE = 64, 17
+"""Places of a slider that a search compares at first, and in each smaller part."""
 
 type Point = tuple[float, float]
 """A place in view box units of the panel: x right, y down."""
@@ -44,10 +47,10 @@ class Handle[S]:
     four keys."""
     at: Callable[[S, Outputs], Point | None]
     """Returns its place, or ``None`` if it cannot be grabbed at these settings."""
-    pull: Callable[..., Mapping[str, Value]]
+    pull: Callable[..., Mapping[str, Value]] | None = None
     """Takes settings, a place and, if it has parameters of these names, the current ``tier`` and
     the reader's ``photograph``. Returns the settings that put the handle at that place; settings
-    left out stay as they are."""
+    left out stay as they are. ``None`` for a search, if the handle drives one slider or menu."""
     reach: Literal["mark", "press", "drag", "aim"] = "mark"
     """How it is grabbed: at its mark; also by pressing anywhere in the panel, which brings it
     there; without a mark by dragging from anywhere, which moves it by the same distance; or by
@@ -93,16 +96,21 @@ def pulled(
     place: Point,
     controls: tuple[Control, ...],
     shown: Mapping[str, object],
+    outputs_at: Callable[[Any], Outputs],
 ) -> dict[str, Value]:
     """The values that bring ``handle`` as near to ``place`` as the controls allow.
 
-    ``shown`` has what a pull may ask for by name: see `Handle.pull`.
+    ``shown`` has what a pull may take by name: see `Handle.pull`. ``outputs_at`` computes the
+    outputs of the stages at other settings, for the search.
     A setting stays as it is if its new value is NaN or infinite. Raises `ValueError` for a place
     that is not finite, and for a pull that changes settings other than ``drives``.
     """
     if not all(map(math.isfinite, place)):
         raise ValueError(f"handle {handle.name!r}: place {place}; legal: finite numbers")
     by_name = {control.name: control for control in controls}
+    if handle.pull is None:
+        control = by_name[handle.drives[0]]
+        return {control.name: _nearest(handle, settings, place, control, outputs_at)}
     values: dict[str, Value] = {}
     asked = inspect.signature(handle.pull).parameters
     given = handle.pull(settings, place, **{key: shown[key] for key in shown if key in asked})
@@ -121,6 +129,45 @@ def pulled(
     return values
 
 
+def _nearest(
+    handle: Handle[Any],
+    settings: Any,
+    place: Point,
+    control: Control,
+    outputs_at: Callable[[Any], Outputs],
+) -> Value:
+    """The value of ``control`` that brings the handle nearest to ``place``.
+
+    Of a menu all options are compared; of a slider `COARSE` places of its range, then ever smaller
+    parts around the nearest. Of values equally near, the one closest to the present value is taken.
+    """
+    here = getattr(settings, control.name)
+    distances: dict[Value, float] = {}
+
+    def rank(value: Value) -> tuple[float, float]:
+        if value not in distances:
+            whole = isinstance(here, int) and isinstance(value, float) and value.is_integer()
+            other = replace(settings, **{control.name: int(value) if whole else value})
+            at = handle.at(other, outputs_at(other))
+            near = at is not None and all(map(math.isfinite, at))
+            distances[value] = round(math.dist(at, place), 6) if at and near else math.inf
+        change = abs(value - here) if isinstance(value, float) else float(value != here)
+        return distances[value], change
+
+    if isinstance(control, Choice):
+        return min(control.options, key=rank)
+    assert isinstance(control, Slider)
+    low, high, count = 0, round((control.maximum - control.minimum) / control.step), COARSE
+    while True:
+        spots = {round(low + (high - low) * index / (count - 1)) for index in range(count)}
+        values = {control.nearest(control.minimum + spot * control.step): spot for spot in spots}
+        best = min(values, key=rank)
+        if high - low < count:
+            return best if math.isfinite(distances[best]) else here
+        gap = math.ceil((high - low) / (count - 1))
+        low, high, count = max(values[best] - gap, low), min(values[best] + gap, high), FINE
+
+
 def _is_point(place: object) -> bool:
     return isinstance(place, tuple) and len(place) == 2 and all(isinstance(v, Real) for v in place)
 
@@ -136,10 +183,13 @@ def mistakes(handles: tuple[Handle[Any], ...], controls: tuple[Control, ...]) ->
         if wide.count(panel) > 1
     ]
     legal = [control.name for control in controls if control.kind in ("slider", "choice", "points")]
+    lists = [control.name for control in controls if control.kind == "points"]
     for handle in handles:
         who = f"handle {handle.name!r}"
         if len(handle.drives) not in (1, 2):
             found.append(f"{who} drives {handle.drives}; legal: one or two settings")
+        if handle.pull is None and (len(handle.drives) > 1 or set(handle.drives) & set(lists)):
+            found.append(f"{who} has no pull; legal where it drives one slider or menu")
         found += [
             f"{who} drives {name!r}; legal: {', '.join(legal) or 'none'}"
             for name in handle.drives

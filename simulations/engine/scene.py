@@ -12,7 +12,7 @@ from simulations.engine.handles import Handle, Point, mistakes, places, pulled
 from simulations.engine.photograph import Codes, Photograph, Whole
 from simulations.engine.reading import Readings
 from simulations.engine.settings import check_settings, clamp_settings, controls_of, values_of
-from simulations.engine.stages import Outputs, Parameter, Run, Stage, StageCache, run
+from simulations.engine.stages import LazyOutputs, Outputs, Parameter, Run, Stage, StageCache, run
 
 OWN = ("photograph", "readings")
 """Names of the reader's own pictures among the parameters of stages."""
@@ -172,6 +172,8 @@ class Scene[S]:
         place: Point,
         tier: str = "",
         photograph: Photograph | None = None,
+        readings: Readings = (),
+        cache: StageCache | None = None,
     ) -> dict[str, Value]:
         """The values that bring ``handle`` as near to ``place`` as possible, in the frames of a
         tier.
@@ -182,7 +184,13 @@ class Scene[S]:
         if handle not in by_name:
             raise KeyError(f"handle {handle!r}; legal: {', '.join(by_name) or 'none'}")
         shown = {"tier": self._settled(tier), "photograph": photograph}
-        return pulled(by_name[handle], settings, place, self.controls, shown)
+        entries = cache.entries if cache else {}  # a copy: the search must not displace outputs
+        cache = StageCache(entries={name: dict(found) for name, found in entries.items()})
+
+        def outputs_at(other: S) -> Outputs:
+            return LazyOutputs(lambda: self.run(other, tier, cache, photograph, readings).outputs)
+
+        return pulled(by_name[handle], settings, place, self.controls, shown, outputs_at)
 
     def estimates(
         self,

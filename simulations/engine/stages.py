@@ -7,7 +7,7 @@ read are not computed.
 """
 
 import inspect
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -132,6 +132,22 @@ class Run:
 
     outputs: Outputs
     reports: tuple[StageReport, ...]
+
+
+class LazyOutputs(Mapping[str, Any]):
+    """Outputs that are computed when the first of them is read."""
+
+    def __init__(self, compute: Callable[[], Outputs]) -> None:
+        self._compute = lru_cache(compute)
+
+    def __getitem__(self, name: str) -> Any:
+        return self._compute()[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._compute())
+
+    def __len__(self) -> int:
+        return len(self._compute())
 
 
 def run(stages: Sequence[Stage], parameters: Mapping[str, Parameter], cache: StageCache) -> Run:

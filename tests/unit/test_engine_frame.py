@@ -1,6 +1,7 @@
 """Frames refuse what no page could show; numbers read the same on every machine."""
 
 import json
+import math
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from simulations.engine.frame import (
     matrix_readout,
     readout,
     to_json,
+    value_with_error,
 )
 from simulations.engine.raster import to_rgba8
 
@@ -149,3 +151,28 @@ def test_a_frame_tells_the_rate_of_its_sound() -> None:
     sound = Sound(np.zeros(4, np.float32), 8000)
     assert json.loads(to_json(Frame((panel,), (), "Hum.", sound=sound)))["sound"] == {"rate": 8000}
     assert "sound" not in json.loads(to_json(Frame((panel,), (), "Silent.")))
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "text"),
+    [
+        (2.1134, 0.0423, "2.11 ± 0.04"),
+        (2.1134, 0.0123, "2.113 ± 0.012"),
+        (2.1134, 0.0354, "2.113 ± 0.035"),
+        (2.1134, 0.0355, "2.11 ± 0.04"),
+        (2.1134, 0.0996, "2.11 ± 0.10"),
+        (18.7, 0.0014, "18.7000 ± 0.0014"),
+        (1234.4, 234.0, "1230 ± 230"),
+        (-1106.7, 54.0, "−1110 ± 50"),
+        (-0.004, 0.3, "0.00 ± 0.30"),
+        (2.1134, 0.0, "2.11340 ± under 0.00001"),
+        (1106.7, 1e-9, "1106.70 ± under 0.01"),
+        (0.0, 0.0, "0.00000 ± under 0.00001"),
+        (math.nan, 0.1, "undefined"),
+        (2.0, math.inf, "undefined"),
+    ],
+)
+def test_a_measured_value_has_an_error_of_one_or_two_digits_and_never_zero(
+    value: float, error: float, text: str
+) -> None:
+    assert value_with_error(value, error) == text

@@ -134,3 +134,35 @@ def test_a_handle_lies_in_a_panel_that_there_is() -> None:
 def test_the_nearest_value_is_one_that_whole_steps_lead_to(number: float, nearest: float) -> None:
     uneven = Slider(name="s", label="S", default=0, minimum=0, maximum=0.9, step=0.25)
     assert uneven.nearest(number) == nearest
+
+
+def scale(settings: Settings, _outputs: Outputs) -> Point | None:
+    return None if settings.across == 2 else (100 * settings.across**2, 50)
+
+
+def option(settings: Settings, _outputs: Outputs) -> Point:
+    return ({"left": 10, "right": 90}[settings.kind], 0)
+
+
+@pytest.mark.parametrize(
+    ("drives", "where", "place", "value"),
+    [
+        ("across", scale, (100 * 0.75**2, 0), 0.75),
+        ("across", scale, (-500, 0), 0.0),
+        ("across", scale, (1e9, 1e9), 1.75),  # at 2 there is nothing to grab
+        ("along", lambda settings, _: (0, 7 * settings.along), (0, 40), 6),
+        ("along", lambda *_: (0, 0), (0, 40), 3),  # it does not move: stays
+        ("along", lambda *_: None, (0, 40), 3),
+        ("kind", option, (60, 5), "right"),
+    ],
+)
+def test_a_search_finds_the_value_nearest_to_the_pointer(
+    drives: str, where: Any, place: Point, value: Value
+) -> None:
+    scene = scene_of(Handle("point", "plane", "Point", (drives,), where))
+    assert scene.pull(scene.check({}), "point", place) == {drives: value}
+
+
+def test_two_settings_need_a_pull() -> None:
+    with pytest.raises(ValueError, match="'point' has no pull"):
+        scene_of(replace(POINT, pull=None))
