@@ -162,8 +162,9 @@ def pull(
     an unknown handle and `ValueError` for a place that is not finite.
     """
     scene, request = _request(figure, scene_id, values, tier)
-    settings, tier, cache, *own = request
-    return json.dumps(scene.pull(settings, handle, (x, y), tier, *own, cache))
+    settings, tier, cache, photograph, readings = request
+    moved = scene.pull(settings, handle, (x, y), tier, photograph, readings, cache)
+    return json.dumps(moved)
 
 
 def photograph(figure: str, picture: Any) -> None:
