@@ -15,7 +15,7 @@ from support.little_book import OUTLINE
 from site_builder.build import Options, render_site
 from site_builder.check_command import find
 from site_builder.diagnostic_json import column_of, suggestion_of
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.diagnostics import BuildError, Diagnostic, unknown
 from site_builder.runtime import freeze, pack
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -77,6 +77,12 @@ def test_a_column_is_told_where_it_is_certain(
     assert column_of(Diagnostic("a.md", 2, message), tmp_path) == column
     assert column_of(Diagnostic("a.md", 9, message), tmp_path) is None
     assert column_of(Diagnostic("b.md", 2, message), tmp_path) is None
+
+
+def test_of_many_legal_names_the_first_are_listed_and_the_rest_counted() -> None:
+    names = [f"n{number}" for number in range(30)]
+    expected = f"unknown name 'zzz'; legal: {', '.join(names[:20])} and 10 more"
+    assert unknown("name", "zzz", names) == expected
 
 
 def test_people_and_editors_read_file_line_and_message(

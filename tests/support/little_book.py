@@ -1,23 +1,109 @@
 """A little book, checked and rendered, and its one scene."""
 
+import json
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
+import pytest
+from support.html_outline import outline, read_html
+from support.places import ROOT
 
-from simulations.engine.drawing import line, text
+from simulations.engine.drawing import line, polygon, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
+from simulations.engine.hard_cases import HardCase, HardCases, LibraryAnswer, near, refused
+from simulations.engine.illustration import Illustration
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider, toggle
 from simulations.engine.stages import Outputs, Stage
 from simulations.registry import UnknownIdError
+from site_builder import site_assets
 from site_builder.build import Options, check_site, render_site
 from site_builder.diagnostics import BuildError, Diagnostic
-from site_builder.output.assets import content_bytes
+from site_builder.editions.compose import compose
+from site_builder.editions.notebooks.folder import make_notebooks
+from site_builder.figures.initial_frames import describing
+from site_builder.markdown.directives import extremes, illustration
+from site_builder.output.assets import Content, content_bytes
+from site_builder.output.scripts import Bundle
+from site_builder.search.index import SHARED
+from site_builder.search.records import make_records
 
+STATIC = ROOT / "static"
+ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>\n'
+SHOWN = """\
+title = "Small Book"
+subtitle = "A book for tests."
+prerequisites = "None."
+hero = "demo"
+hero_caption = "The *demo*."
+chapters = [
+  "00-first",
+  "01-second",
+]
+"""
+"""The outline of the book; its cover has a figure."""
 OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
-"""Of two chapters, and no figure on the cover."""
+"""Another one, without a figure on the cover."""
 FRONT = "---\ntitle: First\nsummary: The first chapter.\n---\n"
+
+
+THING = '''\
+def double(x):
+    """Twice."""
+    return 2 * x
+
+
+class Doubler:
+    def apply(self, x):
+        return double(x)
+'''
+SECOND = "---\ntitle: Second\nsummary: The second chapter.\n---\n\n## A section\n\nText.\n"
+
+
+type MakeBook = Callable[..., Options]
+
+
+@pytest.fixture
+def bundled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Scripts are bundled as they are, which takes no time; this module has an illustration and a
+    table of hard cases."""
+
+    def as_written(sources: Mapping[str, Content], *entries: str) -> Bundle:
+        scripts = {name: content_bytes(sources[name]) for name in entries}
+        return Bundle({f"{name[:-3]}.js": text for name, text in scripts.items()}, (), frozenset())
+
+    monkeypatch.setattr(site_assets, "bundle_scripts", as_written)
+    monkeypatch.setitem(illustration.MODULES, "similar-triangles", __name__)
+    monkeypatch.setitem(extremes.MODULES, "halves", __name__)
+
+
+@pytest.fixture
+def make_book(tmp_path: Path, bundled: None) -> MakeBook:  # noqa: ARG001
+    """Writes a book whose first chapter is ``body``; other files by path override the defaults."""
+
+    def make(body: str = "Text.\n", files: Mapping[str, str | None] | None = None) -> Options:
+        sources: dict[str, str | None] = {
+            "content/book.toml": SHOWN,
+            "content/00-first.md": FRONT + body,
+            "content/01-second.md": SECOND,
+            "simulations/models/thing.py": THING,
+            "static/css/book.css": "body {}\n",
+            "static/js/main.ts": "export {};\n",
+            **{f"static/{name}": (STATIC / name).read_text(encoding="utf-8") for name in SHARED},
+            "static/images/favicon.svg": ICON,
+            "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg"/>\n',
+            **(files or {}),
+        }
+        for path, content in sources.items():
+            if content is not None:
+                (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+                (tmp_path / path).write_text(content, encoding="utf-8")
+        return Options(tmp_path, runtime=False, search=False, load_scene=load_demo)
+
+    return make
 
 
 def files_of(name: str) -> dict[str, str]:
@@ -82,9 +168,80 @@ DEMO = Scene(
 )
 
 
+def draw() -> Illustration:
+    """An illustration, as if it lay where a book has them."""
+    drawn = "".join(polygon([(0, 0), (size, 0), (0, size)]) for size in (30, 60))
+    panel = Panel("plan", "Plan", 400, 300, overlay=drawn)
+    return Illustration((panel,), "One triangle has twice the sides of the other.")
+
+
+def half_of(length: float) -> float:
+    if length < 0:
+        raise ValueError(f"length={length:g}; legal: 0 or more")
+    return length / 2
+
+
+TABLE = HardCases(
+    id="halves",
+    title="Halving a length",
+    names={"half_of": half_of},
+    cases=(
+        HardCase(
+            id="odd",
+            call="half_of(641)",
+            why="no whole number",
+            returns="the fraction",
+            expected=near(320.5),
+            naive="641 // 2",
+            library=LibraryAnswer("numpy.divide(641, 2)", "[320, 240]"),
+        ),
+        HardCase(
+            id="less-than-nothing",
+            call="half_of(-1)",
+            why="no length at all",
+            returns="a refusal",
+            expected=refused("length"),
+        ),
+    ),
+)
+
+
 def load_demo(scene_id: str) -> Scene[Settings]:
     if scene_id == "broken":
         raise ImportError("no module")
     if scene_id != "demo":
         raise UnknownIdError(f"unknown simulation {scene_id!r}; legal: demo")
     return DEMO
+
+
+IMPORT = "from simulations.notebook.live import figure"
+FIELDS = ("title", "introduced", "explains", "text", "figures", "questions")
+"""What a record of the search holds."""
+
+
+def part_of(options: Options, part: str) -> str:
+    """Outline of the first chapter below its head, or of another ``part``: a page of the site by
+    its address, the chapter on ``paper``, as a ``notebook``, or in the ``search``."""
+    match part:
+        case "paper":
+            article = compose(options).sections[0].article
+            return outline(read_html(ElementTree.tostring(article)).elements[0])
+        case "notebook":
+            files = make_notebooks(check_site(options), options.root)
+            cells = json.loads(content_bytes(files["first.ipynb"]))["cells"]
+            _, *sources = ["".join(cell["source"]) for cell in cells]
+            begin = sources.index(IMPORT) if IMPORT in sources else 0
+            return "\n\n".join(sources[begin:]) + "\n"
+        case "search":
+            book, frames, *_ = check_site(options)
+            records, *_ = make_records(book, describing(frames))
+            return "".join(
+                f"{record.address}\n"
+                + "".join(
+                    f"  {name}: {found}\n" for name in FIELDS if (found := getattr(record, name))
+                )
+                for record in records
+            )
+    page = read_html(rendered(options)[f"{part or 'first'}/index.html"])
+    (article,) = page.all("article") or page.all("main")
+    return outline(article)
