@@ -101,9 +101,9 @@ def read_html(markup: bytes) -> Page:
 
 
 INLINE = {
-    "a", "abbr", "br", "button", "cite", "code", "em", "i", "img", "input", "label", "math", "option",
-    "output", "q", "select", "small", "source", "span", "strong", "sub", "summary", "sup", "textarea",
-    "time", "track",
+    "a", "abbr", "br", "button", "cite", "code", "em", "i", "img", "input", "label", "math",
+    "option", "output", "q", "select", "small", "source", "span", "strong", "sub", "summary", "sup",
+    "textarea", "time", "track",
 }  # fmt: skip
 FURNITURE = ("header", "script", "style", "template", "button", "textarea", "svg")
 """Elements that stand in pages beside what their author wrote."""

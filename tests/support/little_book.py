@@ -13,7 +13,6 @@ from support.places import ROOT
 
 from simulations.engine.drawing import line, polygon, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
-from simulations.engine.hard_cases import HardCase, HardCases, LibraryAnswer, near, refused
 from simulations.engine.illustration import Illustration
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider, toggle
@@ -32,6 +31,7 @@ from site_builder.search.index import SHARED
 from site_builder.search.records import make_records
 
 STATIC = ROOT / "static"
+FIXTURES = ROOT / "tests" / "fixtures"
 ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>\n'
 SHOWN = """\
 title = "Small Book"
@@ -77,7 +77,7 @@ def bundled(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(site_assets, "bundle_scripts", as_written)
     monkeypatch.setitem(illustration.MODULES, "similar-triangles", __name__)
-    monkeypatch.setitem(extremes.MODULES, "halves", __name__)
+    monkeypatch.setitem(extremes.FILES, "halves", FIXTURES / "hard_cases" / "halves.toml")
 
 
 @pytest.fixture
@@ -108,7 +108,7 @@ def make_book(tmp_path: Path, bundled: None) -> MakeBook:  # noqa: ARG001
 
 def files_of(name: str) -> dict[str, str]:
     """The files of a book in ``fixtures/little_books``, by path."""
-    root = Path(__file__).parents[1] / "fixtures" / "little_books" / name
+    root = FIXTURES / "little_books" / name
     files = (file for file in root.rglob("*") if file.is_file())
     return {file.relative_to(root).as_posix(): file.read_text("utf-8") for file in files}
 
@@ -179,31 +179,6 @@ def half_of(length: float) -> float:
     if length < 0:
         raise ValueError(f"length={length:g}; legal: 0 or more")
     return length / 2
-
-
-TABLE = HardCases(
-    id="halves",
-    title="Halving a length",
-    names={"half_of": half_of},
-    cases=(
-        HardCase(
-            id="odd",
-            call="half_of(641)",
-            why="no whole number",
-            returns="the fraction",
-            expected=near(320.5),
-            naive="641 // 2",
-            library=LibraryAnswer("numpy.divide(641, 2)", "[320, 240]"),
-        ),
-        HardCase(
-            id="less-than-nothing",
-            call="half_of(-1)",
-            why="no length at all",
-            returns="a refusal",
-            expected=refused("length"),
-        ),
-    ),
-)
 
 
 def load_demo(scene_id: str) -> Scene[Settings]:
