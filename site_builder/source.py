@@ -39,8 +39,9 @@ from site_builder.references.symbols import read_symbols
 from site_builder.source_text import read_text
 from site_builder.translations.languages import find_languages, folder_of
 
-SCENE_FILE = re.compile(r"scenes/([^_/]\w*)/")
-"""What is no scene's alone stands in folders whose names begin with an underscore."""
+SCENE_FILE = re.compile(r"scenes/([^_/]\w*)[/.]")
+"""A file of one scene: a module, or part of a package. Shared code is in modules and packages whose
+names begin with an underscore."""
 WORDS = re.compile(r"\{ref\}`[^`]*`|(\w+)")
 """Without references, as a chapter may have the name of a scene."""
 
@@ -148,10 +149,15 @@ def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
         file = root / path
         text = file.read_text(encoding="utf-8", errors="replace") if file.is_file() else ""
         named = code.keys() & set(WORDS.findall(text.replace("-", "_")))
-        scenes = [(code[s], source_hash(f"simulations.scenes.{s}.scene")) for s in sorted(named)]
+        scenes = [(code[s], *map(source_hash, _scene_modules(s))) for s in sorted(named)]
         return hash_of(shared, scenes)
 
     return state_of
+
+
+def _scene_modules(name: str) -> tuple[str, str]:
+    """Names of a scene's module: as a single file, and in a package."""
+    return f"simulations.scenes.{name}", f"simulations.scenes.{name}.scene"
 
 
 def _chapter_files(root: Path) -> list[str]:

@@ -1,33 +1,48 @@
-"""The plane of the square: its axes, the square, and the lines at infinity."""
+"""The plane of the square: the square and its image, lines at infinity, P and its image P′."""
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
+from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.transforms import (
     apply_homography,
     clip_half_plane,
     clip_to_visible,
+    sign_of_w,
 )
-from simulations.scenes._mapped_square.square import GRID, LETTER, SQUARE
+from simulations.scenes._mapped_square import family
+from simulations.scenes._mapped_square.family import HALF, SQUARE
 
 WIDTH, HEIGHT = 400.0, 340.0
-SCALE = 1.6
-"""View box units per unit of the plane."""
-ORIGIN = np.array([104.0, 240.0])
-"""The plane's origin in the view box; the plane's y axis points up."""
-RIM = 4.0
-"""Margin around the view box, in its units, that hides cut edges."""
+SCALE = 1.6  # view box units per unit of the plane
+ORIGIN = np.array([104.0, 240.0])  # of the plane in the view box; the plane's y axis points up
+RIM = 4.0  # margin around the view box, in its units, that hides cut edges
 FRAME = ((1, 0, RIM), (-1, 0, WIDTH + RIM), (0, 1, RIM), (0, -1, HEIGHT + RIM))
 """The view box and its rim, as half planes a x + b y + c ≥ 0."""
-SHORTEST = 160.0
-"""Length of a line in the view, in its units, from which it is drawn and named."""
+SHORTEST = 160.0  # length of a line in the view box from which it is drawn and named
 LABEL_FROM_END, LABEL_HALF = 50.0, 34.0
 """Distance of a line's label from the line's end, and half the label's width with a margin."""
+CLEAR = 15.0  # from a point to its label, in view box units, with space for a handle between
+LETTER_WIDTH = 8.2  # of the widest letter of a label
+STATIONS = np.linspace(-HALF, HALF, 5)
+GRID = np.array(
+    [[[(s, -HALF), (s, HALF)] for s in STATIONS], [[(-HALF, s), (HALF, s)] for s in STATIONS]]
+).reshape(10, 2, 2)
+"""The square's sides and inner grid lines."""
+SEGMENTS = np.concatenate([GRID, [SQUARE[[0, 2]], SQUARE[[1, 3]]]])
+"""The same and the diagonals, (12, 2, 2)."""
+LETTER = [
+    np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
+    for left, bottom, right, top in ((-24, -28, -12, 28), (-12, 17, 24, 28), (-12, -6, 14, 5))
+]
+"""The bars of an F, a letter that differs from its rotated mirror image."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +71,6 @@ def from_view(place: ArrayLike) -> Floats:
     return (np.asarray(place, float) - ORIGIN) / [SCALE, -SCALE]
 
 
-CORNERS = from_view((-RIM, HEIGHT + RIM)), from_view((WIDTH + RIM, -RIM))
-"""The lowest and the highest coordinates of the plane that the frame shows."""
-
-
 def label_at(point: ArrayLike, right: float, down: float) -> Floats:
     """Place of a label in the view box, at an offset from a point of the plane."""
     return to_view(point) + np.array([right, down])
@@ -74,10 +85,6 @@ def in_frame(points: ArrayLike, closed: bool = True) -> Floats:
 
 
 def axes() -> str:
-    ticks = (
-        drawing.text(label_at((100, 0), 0, 15), "100", "muted small ground", "middle"),
-        drawing.text(label_at((0, 100), -7, 4), "100", "muted small ground", "end"),
-    )
     rules = [[(x, -60), (x, 148)] for x in (-50, 50, 100, 150)]
     rules += [[(-63, y), (184, y)] for y in (-50, 50, 100)]
     return (
@@ -86,7 +93,8 @@ def axes() -> str:
         + drawing.arrow(to_view((0, -60)), to_view((0, 148)), "muted thin")
         + drawing.text(label_at((184, 0), 0, -8), "x", "muted italic", "end")
         + drawing.text(label_at((0, 148), 9, 11), "y", "muted italic")
-        + "".join(ticks)
+        + drawing.text(label_at((100, 0), 0, 15), "100", "muted small ground", "middle")
+        + drawing.text(label_at((0, 100), -7, 4), "100", "muted small ground", "end")
     )
 
 
@@ -119,7 +127,8 @@ def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
 
     Its label interrupts it near its left end (``start``) or its right end.
     """
-    ends = line_in_rectangle(line, *CORNERS)
+    corners = from_view((-RIM, HEIGHT + RIM)), from_view((WIDTH + RIM, -RIM))
+    ends = line_in_rectangle(line, *corners)
     if not len(ends):
         return ""
     left, right = to_view(ends)
@@ -132,3 +141,85 @@ def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
     return drawing.line(left, right, f"{role} dashed") + drawing.text(
         place, label, f"{role} small ground", "middle"
     )
+
+
+def corners(kind: str, H: Floats) -> Iterator[str]:
+    """Images of the corners that a pull keeps fixed, as pins; the one to pull, solid."""
+    images, valid = apply_homography(H, SQUARE)
+    for index, place in enumerate(to_view(images)):
+        inside = valid[index] and np.all(place >= 0.0) and np.all(place <= (WIDTH, HEIGHT))
+        if inside and index == family.PULLED:
+            yield drawing.rectangle(place - 5.0, 10.0, 10.0, "image solid")
+        elif inside and index in family.FIXED[kind]:
+            yield drawing.rectangle(place - 4.0, 8.0, 8.0, "image solid faint")
+
+
+def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
+    """P, its image P′ and their coordinates.
+
+    ``way`` (N, 3, 3) are the matrices of all amounts: P′ slides along a curve, of which the part on
+    its side of infinity is drawn. Without any there is no curve.
+    """
+    before = to_view(point)
+    image, valid = apply_homography(H, point)
+    parts = [drawing.path(_track(way, point, H), "image thin faint")] if len(way) else []
+    torn = sign_of_w(H, point) != sign_of_w(H, (0.0, 0.0))
+    after = in_frame(image[None], closed=False) if valid else np.empty((0, 2))
+    if len(after):
+        if not torn:
+            parts.append(drawing.line(before, after[0], "image thin dashed"))
+        parts.append(drawing.dot(after[0], "image", 4.5))
+        parts.append(_name_of_image(image, after[0]))
+    near = before[0] < 2.0 * CLEAR  # to the left border: the name is on the right
+    x, y = before + np.array([CLEAR if near else -CLEAR, -9.0 if before[1] > 26.0 else 17.0])
+    parts.append(drawing.dot(before, "world", 4.5))
+    parts.append(drawing.text((x, y), "P", "world ground strong", "start" if near else "end"))
+    return "".join(parts)
+
+
+def _track(way: Floats, point: Floats, H: Floats) -> list[Floats]:
+    """Runs of places (n, 2) of P′ on its side of infinity, interrupted where it is out of view."""
+    images = way @ np.array([*point, 1.0])
+    w = images[:, 2]
+    places = to_view(images[:, :2] / np.where(w == 0.0, np.nan, w)[:, None])
+    seen = np.all((places >= -4.0) & (places <= [WIDTH + 4.0, HEIGHT + 4.0]), axis=1)
+    seen &= np.sign(w) == sign_of_w(H, point)
+    parted = np.flatnonzero(np.diff(seen)) + 1
+    runs = zip(np.split(places, parted), np.split(seen, parted), strict=True)
+    return [run for run, visible in runs if visible[0] and len(run) > 1]
+
+
+def _name_of_image(point: Floats, place: Floats) -> str:
+    """Name and coordinates of P′, on its right, or at the right border and farther from its row;
+    away from the axis, on the side that its square is not on."""
+    words = f"P′ {coordinates(point, 1)}"
+    last = WIDTH - CLEAR - LETTER_WIDTH * len(words)
+    above = place[1] > 26.0 and (point[1] >= 0.0 or place[1] > HEIGHT - 26.0)
+    aside = CLEAR + 10.0 * (place[0] > last)
+    row = place[1] + 4.0 - aside if above else min(place[1] + aside, HEIGHT - 6.0)
+    corner = (min(place[0], last) + CLEAR, row)
+    return drawing.text(corner, words, "image ground strong")
+
+
+def area_ratio(H: Floats) -> float:
+    """Area of the square's image over that of the square; infinite if it is cut."""
+    image = image_of(H, SQUARE)
+    return math.inf if image.cut else area(image.points) / area(SQUARE)
+
+
+def area(polygon: Floats) -> float:
+    """Area by the shoelace formula."""
+    x, y = polygon[:, 0], polygon[:, 1]
+    return 0.5 * abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+
+
+def describe_point(H: Floats, point: Floats) -> str:
+    """The image of P, in words."""
+    image, valid = apply_homography(H, point)
+    there = coordinates(image, 1) if valid else "infinity"
+    return f"P at {coordinates(point, 0)} goes to {there}."
+
+
+def coordinates(point: Floats, digits: int) -> str:
+    x, y = (format_number(float(value), digits) for value in point)
+    return f"({x}, {y})"

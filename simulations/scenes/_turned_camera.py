@@ -1,13 +1,16 @@
-"""A camera that shows its orientation, drawn back to front from flat faces.
+"""A camera that shows its orientation, drawn back to front from flat faces, and its handles.
 
 World and camera axes are x right, y down, z forward. The camera's axes are the columns of C =
 Ry(pan) Rx(tilt) Rz(roll): pan to the right, tilt upwards, roll to the right.
 """
 
 import math
+from collections.abc import Callable, Mapping
+from typing import Protocol
 
 import numpy as np
 
+from simulations.engine.handles import Handle, Point
 from simulations.engine.space.solids import Face, drawn, shaded
 from simulations.engine.space.view import View, orbit_axes
 from simulations.models.arrays import Floats
@@ -15,6 +18,9 @@ from simulations.models.arrays import Floats
 _TOWARDS_LIGHT = np.array([0.25, -0.86, 0.45])
 """Unit vector in the world: above and a little ahead."""
 _LENS_SIDES, _LENS_RADIUS, _LENS_END = 10, 0.3, 0.82
+UNITS_PER_DEGREE = 2.0  # drag of the background, in view box units
+CLOSE = 3.0
+"""Distance within which two places of a ring, seen nearly edge on, count as equal."""
 
 
 def view_from(azimuth: float, elevation: float) -> Floats:
@@ -23,11 +29,6 @@ def view_from(azimuth: float, elevation: float) -> Floats:
     Azimuth and elevation of the eye are in degrees, from straight ahead to the right, and upwards.
     """
     return orbit_axes(azimuth, elevation, z_down=True)[:, [1, 2, 0]]
-
-
-def screen(points: Floats, view: Floats, centre: tuple[float, float], unit: float) -> Floats:
-    """Parallel projection of world points (..., 3): view box x, y, and depth in the third."""
-    return View(view, centre, unit).place(points)
 
 
 def _box(low: tuple[float, float, float], high: tuple[float, float, float]) -> list[Floats]:
@@ -64,7 +65,7 @@ BODY: tuple[Floats, ...] = (
 """Corners (n, 3) of each face in camera axes; half the width of the body is 0.62."""
 
 
-def draw(C: Floats, view: Floats, centre: tuple[float, float], unit: float) -> str:
+def draw_body(C: Floats, view: Floats, centre: tuple[float, float], unit: float) -> str:
     """SVG markup of the camera whose axes are the columns of ``C`` (3, 3), of a length ``unit``.
 
     C may be any matrix: a blend that is not a rotation shows as a distorted camera.
@@ -74,3 +75,46 @@ def draw(C: Floats, view: Floats, centre: tuple[float, float], unit: float) -> s
     turned = [(face @ C.T, role) for face, role in roles]
     faces = [Face(face, role, shaded(face, look, _TOWARDS_LIGHT)) for face, role in turned]
     return drawn(faces, look)
+
+
+class ViewSettings(Protocol):
+    """Settings with the direction of the eye, in degrees."""
+
+    @property
+    def azimuth(self) -> float: ...
+    @property
+    def elevation(self) -> float: ...
+
+
+def nearest(track: Floats, place: Point, distances: Floats) -> int:
+    """The index of the nearest place of a track (n, 2…); of equal ones, that with the least
+    ``distances``.
+
+    The front and the back of a ring seen edge on have the same places; the handle does not jump
+    from one to the other.
+    """
+    off = np.hypot(track[:, 0] - place[0], track[:, 1] - place[1])
+    close = np.flatnonzero(off <= off.min() + CLOSE)
+    index = int(close[np.argmin(distances[close])])
+    while True:
+        around = range(max(index - 1, 0), min(index + 2, len(off)))
+        best = min(around, key=lambda i: float(off[i]))
+        if off[best] >= off[index]:
+            return index
+        index = best
+
+
+def background[S: ViewSettings](panel: str) -> Handle[S]:
+    """The handle that turns the view of a panel like a globe: near points follow the pointer."""
+
+    def eye(settings: ViewSettings, _outputs: object) -> Point:
+        return UNITS_PER_DEGREE * settings.azimuth, UNITS_PER_DEGREE * settings.elevation
+
+    def eye_pulled(_settings: ViewSettings, place: Point) -> Mapping[str, float]:
+        turn, tilt = (value / UNITS_PER_DEGREE for value in place)
+        return {"azimuth": (turn + 180.0) % 360.0 - 180.0, "elevation": tilt}
+
+    at: Callable[..., Point] = eye
+    pull: Callable[..., Mapping[str, float]] = eye_pulled
+    drives = ("azimuth", "elevation")
+    return Handle("view", panel, "View", drives, at, pull, reach="drag", reversed=("elevation",))

@@ -6,40 +6,30 @@ from itertools import product
 
 import numpy as np
 
-from simulations.engine.controls import Slider, Value
 from simulations.engine.drafting import dimension
 from simulations.engine.drawing import rectangle, text
 from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
-from simulations.engine.settings import controls_of, slider
+from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs
 from simulations.models.chequerboard.board import FOOT_MM, Board, board_svg
 
 WIDTH, HEIGHT = 400, 300
-PIXELS = 2
-"""Pixels per unit of the view box."""
-LEFT, TOP = 20.0, 18.0
-"""Corner of the sheet, in units."""
-ROOM = (360.0, 240.0)
-"""Of the largest sheet, in units."""
+PIXELS = 2  # per unit of the view box
+LEFT, TOP = 20.0, 18.0  # corner of the sheet, in units
+ROOM = (360.0, 240.0)  # of the largest sheet, in units
 PAPERS = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}
 """Width and height in mm of sheets that lie on their long side (ISO 216)."""
+ACROSS, DOWN = (4, 16), (3, 12)  # least and most squares
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
     side: int = slider("Side of a square", 20, 8, 60, 1, unit="mm")
-    across: int = slider("Squares across", 10, 4, 16, 1)
-    down: int = slider("Squares down", 7, 3, 12, 1)
-
-
-COUNTS = tuple(
-    control
-    for control in controls_of(Settings)
-    if isinstance(control, Slider) and control.name in ("across", "down")
-)
+    across: int = slider("Squares across", 10, *ACROSS, 1)
+    down: int = slider("Squares down", 7, *DOWN, 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +47,13 @@ class Sheet:
     def scale(self) -> float:
         """Units per mm."""
         return min(ROOM[0] / self.width_mm, ROOM[1] / self.height_mm)
+
+    def place(self, x_mm: float, y_mm: float) -> Point:
+        """View box units of a place in mm from the corner of the board."""
+        return (
+            LEFT + self.scale * (self.left_mm + x_mm),
+            TOP + self.scale * (self.top_mm + y_mm),
+        )
 
 
 def board_of(settings: Settings) -> Board:
@@ -96,94 +93,68 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     """The sheet with the board, and the size of both."""
     board = board_of(settings)
     sheet = sheet_of(board)
-    columns, rows = board.corners
+    corners = "{} × {}".format(*board.corners)
     paper = sheet.name or "larger than A1"
     size = " × ".join(format_number(length, 0) for length in (sheet.width_mm, sheet.height_mm))
-    foot = TOP + sheet.scale * sheet.height_mm + 20.0
-    corners = f"{columns} × {rows}"
+    width, height = sheet.scale * sheet.width_mm, sheet.scale * sheet.height_mm
+    (left, top), (right, _) = sheet.place(0.0, 0.0), sheet.place(board.side_mm, 0.0)
+    above = top - 8.0  # of the first square, whose side is dimensioned
+    ruler = f"{paper}, {size} mm; ruler {board.ruler_mm} mm"
+    overlay = (
+        rectangle((LEFT, TOP), width, height, "muted thin")
+        + text((LEFT, TOP + height + 20.0), ruler, "small")
+        + dimension((left, above), (right, above), "world")
+        + text((right + 6.0, above + 4.0), f"{settings.side} mm", "world small")
+    )
+    picture, title = picture_of(board, sheet), "The board on its sheet"
     return Frame(
-        panels=(
-            Panel(
-                "sheet",
-                "The board on its sheet",
-                WIDTH,
-                HEIGHT,
-                picture_of(board, sheet),
-                rectangle((LEFT, TOP), *_size_of(sheet), "muted thin")
-                + text((LEFT, foot), f"{paper}, {size} mm; ruler {board.ruler_mm} mm", "small")
-                + dimension(*_first_side(board, sheet), "world")
-                + text(_beside_first_side(board, sheet), f"{settings.side} mm", "world small"),
-                lead=True,
-            ),
-        ),
-        readouts=(
+        (Panel("sheet", title, WIDTH, HEIGHT, picture, overlay, lead=True),),
+        (
             Readout("corners", "Inner corners", corners, "", "image"),
             Readout("paper", "Paper", paper, f"{size} mm"),
         ),
-        description=(
-            f"A chequerboard of {settings.across} × {settings.down} squares of {settings.side} mm "
-            f"with {corners} inner corners, on paper {paper} of {size} mm."
-        ),
+        f"A chequerboard of {settings.across} × {settings.down} squares of {settings.side} mm "
+        f"with {corners} inner corners, on paper {paper} of {size} mm.",
     )
 
 
-def _first_side(board: Board, sheet: Sheet) -> tuple[Point, Point]:
-    """Ends of the upper side of the first square, a little above it."""
-    x = LEFT + sheet.scale * sheet.left_mm
-    y = TOP + sheet.scale * sheet.top_mm - 8.0
-    return (x, y), (x + sheet.scale * board.side_mm, y)
-
-
-def _beside_first_side(board: Board, sheet: Sheet) -> Point:
-    _, (x, y) = _first_side(board, sheet)
-    return x + 6.0, y + 4.0
-
-
-def _size_of(sheet: Sheet) -> Point:
-    """Of the sheet, in units."""
-    return sheet.scale * sheet.width_mm, sheet.scale * sheet.height_mm
-
-
-def _corner_of(board: Board) -> Point:
+def last_corner(board: Board) -> Point:
     """Where the last square ends."""
-    sheet = sheet_of(board)
-    x_mm = sheet.left_mm + board.across * board.side_mm
-    y_mm = sheet.top_mm + board.down * board.side_mm
-    return (LEFT + sheet.scale * x_mm, TOP + sheet.scale * y_mm)
+    side = board.side_mm
+    return sheet_of(board).place(board.across * side, board.down * side)
 
 
-def _last_corner(settings: Settings, _outputs: Outputs) -> Point:
-    return _corner_of(board_of(settings))
-
-
-def _last_corner_pulled(settings: Settings, place: Point) -> dict[str, Value]:
+def last_corner_pulled(settings: Settings, place: Point) -> dict[str, int]:
     """Of all boards the one that ends nearest: each count may come with paper of another size."""
-    counts = product(*(range(int(c.minimum), int(c.maximum) + 1) for c in COUNTS))
+    counts = product(*(range(least, most + 1) for least, most in (ACROSS, DOWN)))
     boards = (Board(across, down, float(settings.side)) for across, down in counts)
-    nearest = min(boards, key=lambda board: math.dist(_corner_of(board), place))
+    nearest = min(boards, key=lambda board: math.dist(last_corner(board), place))
     return {"across": nearest.across, "down": nearest.down}
 
 
-def _drawing(settings: Settings, _outputs: Outputs) -> str:
-    return board_svg(board_of(settings), f"{settings.side} mm a square")
-
-
 SCENE = Scene(
-    id="chequerboard",
-    title="A Board to Print",
-    settings=Settings,
-    draw=draw,
+    "chequerboard",
+    "A Board to Print",
+    Settings,
+    draw,
     handles=(
         Handle(
             "corner",
             "sheet",
             "Last corner of the board",
             ("across", "down"),
-            _last_corner,
-            _last_corner_pulled,
+            lambda settings, _: last_corner(board_of(settings)),
+            last_corner_pulled,
             role="image",
             reversed=("down",),
         ),
     ),
-    exports=(Export("chequerboard", "Board at true scale, SVG", ".svg", _drawing),),
+    exports=(
+        Export(
+            "chequerboard",
+            "Board at true scale, SVG",
+            ".svg",
+            lambda settings, _: board_svg(board_of(settings), f"{settings.side} mm a square"),
+        ),
+    ),
 )

@@ -1,0 +1,301 @@
+"""Camera Pose: one room in world coordinates and, by p′ = R p + t, in a camera's.
+
+A level camera at the height of the world's origin, dragged and panned in a room with a few things
+in it. World axes are right, down and ahead, in metres.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.engine import drawing
+from simulations.engine.frame import Frame, Panel, Readout, format_number, matrix_readout
+from simulations.engine.handles import Handle, Point
+from simulations.engine.scene import Scene
+from simulations.engine.settings import slider
+from simulations.engine.stages import Outputs, Stage
+from simulations.models.arrays import Floats
+from simulations.models.geometry.rotations import from_axis_angle
+from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.projection.pinhole import invert_pose, rigid_pose, world_to_camera
+
+LAMP = np.array([2.0, -1.0, 5.0])  # 1 m above the camera
+WALLS = np.array([(-1.0, 0.0, -3.0), (13.0, 0.0, -3.0), (13.0, 0.0, 7.0), (-1.0, 0.0, 7.0)])
+TABLE = np.array([(5.0, 0.0, 4.0), (8.0, 0.0, 4.0), (8.0, 0.0, 5.5), (5.0, 0.0, 5.5)])
+DOOR = np.array([(5.0, 0.0, 7.0), (6.5, 0.0, 7.0)])  # in the far wall
+FIELD_RAD = math.radians(60.0)  # the camera's field of view
+AXIS_M = 2.5  # drawn length of axes
+
+WIDTH, HEIGHT = 400.0, 350.0
+UNITS_PER_M = 20.0  # in both panels, so that equal lengths look equal
+WORLD_ORIGIN, CAMERA_ORIGIN = np.array([80.0, 215.0]), np.array([200.0, 242.0])
+"""The two origins in the view boxes; right is right, ahead or forward is up. The camera's is moved
+where the room would not fit."""
+MARGIN = 4.0  # least distance of the room from the border of the second panel, in view box units
+EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
+"""The view box, as half planes a x + b y + c ≥ 0."""
+CAMERA_OUTLINE = np.array(
+    [(-0.45, 0, -0.3), (-0.45, 0, 0.25), (-0.2, 0, 0.25), (-0.2, 0, 0.6), (0.2, 0, 0.6),
+     (0.2, 0, 0.25), (0.45, 0, 0.25), (0.45, 0, -0.3)]
+)  # fmt: skip
+"""In camera coordinates: body and lens, seen from above."""
+DOOR_NAME = np.array([0.0, 0.0, 0.7])  # from the door's label to the door, in metres
+NAME_M = (1.0, 0.5)  # from an axis's name back from its tip, and aside from the axis
+BESIDE = 12.0  # from a label to the lamp, and to the middle of t, in view box units
+
+type ToPanel = Callable[[Floats], Floats]
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    pan: float = slider("Pan ψ", -90, -180, 180, 1, unit="°")
+    camera_x: float = slider("Camera, right (X)", 10.0, 0, 12, 0.1, unit="m")
+    camera_z: float = slider("Camera, ahead (Z)", 2.0, -2, 6, 0.1, unit="m")
+
+
+@dataclass(frozen=True, slots=True)
+class Standpoint:
+    """A level camera in the room."""
+
+    pose: Floats
+    """World to camera, (4, 4)."""
+
+    @property
+    def rotation(self) -> Floats:
+        """World to camera, (3, 3): the camera's axes as rows."""
+        return self.pose[:3, :3]
+
+    @property
+    def t(self) -> Floats:
+        """(3,) metres: the world's origin in camera coordinates."""
+        return self.pose[:3, 3]
+
+    @property
+    def centre(self) -> Floats:
+        """(3,) metres, in the world."""
+        return invert_pose(self.pose)[:3, 3]
+
+    @property
+    def field(self) -> Floats:
+        """(n, 3) metres, in the world: the part of the floor within a field of view of 60°."""
+        depth = 20.0
+        aside = depth * math.tan(FIELD_RAD / 2.0)
+        wedge = np.array([(0.0, 0.0, 0.0), (-aside, 0.0, depth), (aside, 0.0, depth)])
+        plan: Floats = ((wedge - self.t) @ self.rotation)[:, [0, 2]]
+        (left, _, near), (right, _, far) = WALLS[0], WALLS[2]
+        for wall in ((1, 0, -left), (-1, 0, right), (0, 1, -near), (0, -1, far)):
+            plan = clip_half_plane(plan, wall)
+        return np.insert(plan, 1, 0.0, axis=1)
+
+    def seen(self, points: Floats) -> Floats:
+        """World points (..., 3) in camera coordinates."""
+        return world_to_camera(points, self.pose)
+
+
+def standpoint(pan: float, camera_x: float, camera_z: float) -> Standpoint:
+    """A camera at (camera_x, 0, camera_z), panned by so many degrees to the right."""
+    R = from_axis_angle((0.0, 1.0, 0.0), math.radians(pan)).T
+    return Standpoint(rigid_pose(R, -R @ np.array([camera_x, 0.0, camera_z])))
+
+
+def scaled(points: Floats) -> Floats:
+    """Points (..., 3) from above, in view box units (..., 2) from an origin."""
+    return np.asarray(UNITS_PER_M * np.asarray(points)[..., [0, 2]] * [1.0, -1.0])
+
+
+def in_world(points: Floats) -> Floats:
+    """World points (..., 3) in the first panel's view box (..., 2)."""
+    return WORLD_ORIGIN + scaled(points)
+
+
+def in_camera(here: Standpoint) -> ToPanel:
+    """Points (..., 3) in camera coordinates in the second panel's view box (..., 2), which shows
+    the whole room."""
+    room = scaled(here.seen(WALLS))
+    least = MARGIN - room.min(axis=0)
+    most = np.array([WIDTH, HEIGHT]) - MARGIN - room.max(axis=0)
+    origin = np.clip(CAMERA_ORIGIN, least, most)
+    return lambda points: origin + scaled(points)
+
+
+def from_camera(here: Standpoint) -> ToPanel:
+    """Camera coordinates to the first panel."""
+    return lambda points: in_world((points - here.t) @ here.rotation)
+
+
+def to_camera(here: Standpoint) -> ToPanel:
+    """World coordinates to the second panel."""
+    place = in_camera(here)
+    return lambda points: place(here.seen(points))
+
+
+def world_panel(here: Standpoint) -> Panel:
+    """The camera's place and its axes."""
+    origin, centre = in_world(np.zeros(3)), in_world(here.centre)
+    apart = float(np.hypot(*(centre - origin))) > UNITS_PER_M
+    parts = (
+        _furniture(in_world, here),
+        drawing.line(origin, centre, "muted thin dashed") if apart else "",
+        _axes(in_world, "world", ("X", "Z"), here),
+        drawing.polygon(from_camera(here)(CAMERA_OUTLINE), "camera fill"),
+        _axes(from_camera(here), "camera", ("x", "z")),
+        *_handle_names(from_camera(here)),
+        _lamp(in_world, 1.0),
+    )
+    return Panel("world", "The room in world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
+
+
+def camera_panel(here: Standpoint) -> Panel:
+    """The room in camera coordinates, and the arrow t to the world's origin."""
+    place, own = to_camera(here), in_camera(here)
+    centre, origin = own(np.zeros(3)), place(np.zeros(3))
+    length = float(np.hypot(*(origin - centre)))
+    apart = length > UNITS_PER_M
+    along = (origin - centre) / max(length, 1.0)
+    aside = np.array([-along[1], along[0]])
+    to_lamp = float(aside @ (place(LAMP) - centre))
+    name = (centre + origin) / 2.0 - np.copysign(BESIDE, to_lamp) * aside
+    t = _cut(np.stack([centre, origin]), closed=False) if apart else ()
+    parts = (
+        _furniture(place, here),
+        _axes(place, "world", ("X", "Z"), here),
+        drawing.arrow(*t, "ray bold", 9) if len(t) == 2 else "",
+        _name(name, "t", "ray strong") if apart else "",
+        drawing.polygon(own(CAMERA_OUTLINE), "camera fill"),
+        _axes(own, "camera", ("x", "z")),
+        _lamp(place, aside[0] * to_lamp if apart else 1.0),
+    )
+    title = "The same room in camera coordinates"
+    return Panel("camera", title, WIDTH, HEIGHT, overlay="".join(parts))
+
+
+def _furniture(place: ToPanel, here: Standpoint) -> str:
+    """Floor, the part of it in the camera's field of view, walls, door and table, clipped to the
+    panel."""
+    table = _cut(place(TABLE), closed=True)
+    middle, door = place(np.stack([TABLE.mean(axis=0), DOOR.mean(axis=0) - DOOR_NAME]))
+    walls = np.stack([WALLS, np.roll(WALLS, -1, axis=0)], axis=1)
+    lines = [*((wall, "world thin") for wall in walls), (DOOR, "world bold")]
+    return "".join(
+        (
+            *(
+                drawing.group([drawing.polygon(floor, f"{role} solid faint")], "faint")
+                for area, role in ((WALLS, "world"), (here.field, "camera"))
+                if len(floor := _cut(place(area), closed=True))
+            ),
+            *(
+                drawing.line(*ends, style)
+                for points, style in lines
+                if len(ends := _cut(place(points), closed=False)) == 2
+            ),
+            drawing.polygon(table, "world thin fill") if len(table) else "",
+            _name(middle, "table", "world small"),
+            _name(door, "door", "world small"),
+        )
+    )
+
+
+def _axes(
+    place: ToPanel, role: str, names: tuple[str, str], beside: Standpoint | None = None
+) -> str:
+    """Right and ahead, from the origin of their own coordinates. The first one's name is behind it,
+    or ahead of it if the camera is behind the origin."""
+    away = -1.0 if beside and beside.centre[2] < 0.0 else 1.0
+    start = place(np.zeros(3))
+    parts = []
+    right, ahead = np.eye(3)[[0, 2]]
+    back, aside = NAME_M
+    for name, axis, other in zip(names, (right, ahead), (away * ahead, right), strict=True):
+        parts.append(drawing.arrow(start, place(AXIS_M * axis), role, 7))
+        at = place((AXIS_M - back) * axis - aside * other)
+        parts.append(_name(at, name, f"{role} italic"))
+    return "".join(parts) + drawing.dot(start, role, 3.5)
+
+
+def _handle_names(place: ToPanel) -> Iterator[str]:
+    """The effect of the two handles: behind the camera, and beyond the tip of its forward axis."""
+    centre, tip = place(np.zeros(3)), place(np.array([0.0, 0.0, AXIS_M]))
+    along = (tip - centre) / (UNITS_PER_M * AXIS_M)
+    for spot, side, words, across in (
+        (centre, -1.0, "camera", 38.0),
+        (tip, 1.0, "direction", 45.0),
+    ):
+        x, y = spot + side * along * (across, 24.0)
+        if 30.0 < x < WIDTH - 30.0:
+            yield drawing.text((x, y + 4.0), words, "camera small ground", "middle")
+
+
+def _lamp(place: ToPanel, side: float) -> str:
+    """The lamp, with its name on the right, or on the left if ``side`` is negative."""
+    spot = place(LAMP)
+    if not bool(np.all(spot > 0.0) and spot[0] < WIDTH and spot[1] < HEIGHT):
+        return ""
+    right = spot[0] < 50.0 or (side >= 0.0 and spot[0] < WIDTH - 50.0)
+    at = (spot[0] + (BESIDE if right else -BESIDE), spot[1] + 4.0)
+    return drawing.dot(spot, "light", 5.5) + drawing.text(
+        at, "lamp", "light small ground", "start" if right else "end"
+    )
+
+
+def _name(at: Floats, words: str, style: str) -> str:
+    """A label centred at a place, if that is well inside the panel."""
+    inside = 12.0 < at[0] < WIDTH - 12.0 and 12.0 < at[1] < HEIGHT - 4.0
+    return drawing.text((at[0], at[1] + 4.0), words, f"{style} ground", "middle") if inside else ""
+
+
+def _cut(points: Floats, *, closed: bool) -> Floats:
+    """A line or an area clipped to the view box."""
+    for edge in EDGES:
+        points = clip_half_plane(points, edge, closed)
+    return points
+
+
+def triple(values: Floats) -> str:
+    """Three coordinates to the decimetre."""
+    return f"({', '.join(format_number(float(value), 1) for value in values)})"
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """The room twice, the pose, and the lamp in camera coordinates."""
+    here: Standpoint = outputs["standpoint"]
+    t, lamp = triple(here.t), triple(here.seen(LAMP))
+    return Frame(
+        (world_panel(here), camera_panel(here)),
+        (
+            matrix_readout("R", "R", here.rotation.tolist(), role="camera"),
+            Readout("t", "t", t, "m", "ray"),
+            Readout("lamp", "Lamp p′ = R p + t", lamp, "m", "light"),
+        ),
+        f"A room from above, in world and in camera coordinates. The camera at "
+        f"{triple(here.centre)} m, panned by {format_number(settings.pan, 0)}°, has "
+        f"the world’s origin at t = {t} m and the lamp, which is at {triple(LAMP)} m "
+        f"in the world, at {lamp} m.",
+    )
+
+
+def on_axis(forward: float) -> Callable[[Settings, Outputs], Point]:
+    """The place of a point so many metres ahead of the camera."""
+    point = np.array([0.0, 0.0, forward])
+    return lambda _, outputs: tuple(from_camera(outputs["standpoint"])(point).tolist())
+
+
+def camera_pulled(_settings: Settings, place: Point) -> dict[str, float]:
+    X, Z = (np.asarray(place, float) - WORLD_ORIGIN) / (UNITS_PER_M, -UNITS_PER_M)
+    return {"camera_x": X, "camera_z": Z}
+
+
+MOVES = ("camera_x", "camera_z")
+SCENE = Scene(
+    "camera-pose",
+    "Camera Pose",
+    Settings,
+    draw,
+    (Stage("standpoint", standpoint),),
+    handles=(
+        Handle("camera", "world", "Camera", MOVES, on_axis(0.0), camera_pulled, role="camera"),
+        Handle("tip", "world", "Forward axis", ("pan",), on_axis(AXIS_M), role="camera"),
+    ),
+    formula=world_to_camera,
+)

@@ -1,0 +1,303 @@
+"""Camera on a Gimbal: pan, tilt and roll on three rings, and the lock at a tilt of ±90°.
+
+The camera's axes are the columns of C = Ry(pan) Rx(tilt) Rz(roll), in a world whose axes are
+right, down and ahead. Each ring is perpendicular to its angle's axis. The pan ring is fixed in the
+world, the tilt ring turns with the pan, the roll ring with both; at a tilt of ±90° the roll ring
+lies in the plane of the pan ring, just inside it.
+
+Beside it is what the camera sees: level ground with trees, and a sky with stars. Straight up, the
+circles of the sky close around one point. There pan and roll both turn the picture about its
+middle, so the lock can be seen.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.engine import drawing
+from simulations.engine.frame import Frame, Panel, Readout, format_number, matrix_readout, readout
+from simulations.engine.handles import Handle, Point
+from simulations.engine.plotting.clipping import runs_inside
+from simulations.engine.scene import Scene
+from simulations.engine.settings import slider
+from simulations.engine.space.view import View, runs
+from simulations.engine.stages import Outputs, Stage
+from simulations.models.arrays import Floats
+from simulations.models.geometry import euler
+from simulations.models.geometry.rotation_paths import rate_axes
+from simulations.models.geometry.transforms import clip_half_plane
+from simulations.scenes._turned_camera import background, draw_body, nearest, view_from
+
+CENTRE = (200.0, 208.0)  # of the rings in their panel of 400 × 400
+STEPS = 72
+NEARLY = math.cos(math.radians(10.0))
+"""The roll and the pan ring are drawn bold when the cosine between their axes exceeds this."""
+LOCKED = 1.0 - 1e-9  # cosine between the two axes above which they count as one
+LOST = 1e-6  # singular value below which a direction of rotation counts as lost
+
+WIDTH, HEIGHT = 400.0, 340.0  # of the picture
+MIDDLE = np.array([WIDTH / 2.0, HEIGHT / 2.0])
+FOCAL = 260.0  # in view box units: the picture is 75° wide
+NEAREST = 0.05
+"""Cosine of the largest angle from the line of sight at which anything is drawn."""
+EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
+"""The view box, as half planes a x + b y + c ≥ 0."""
+NAMES = ("ahead", "right", "behind", "left")
+_RNG = np.random.default_rng(5)
+STARS = np.stack([_RNG.uniform(0.0, 360.0, 90), np.degrees(np.arcsin(_RNG.uniform(0.1, 1.0, 90)))])
+"""Azimuth and elevation (2, n) of the stars, in degrees, evenly over the sky."""
+TREES = np.stack(
+    [np.arange(0.0, 360.0, 18.0) + _RNG.uniform(3.0, 15.0, 20), _RNG.uniform(4, 11, 20)]
+)
+"""Azimuth and height (2, n) of the trees, in degrees."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    pan: float = slider("Pan ψ", 60, -180, 180, 1, unit="°")
+    tilt: float = slider("Tilt τ", 30, -90, 90, 1, unit="°")
+    roll: float = slider("Roll ρ", -20, -180, 180, 1, unit="°")
+    azimuth: float = slider("View azimuth", 51, -180, 180, 1, unit="°")
+    elevation: float = slider("View elevation", 28, -90, 90, 1, unit="°")
+
+
+@dataclass(frozen=True, slots=True)
+class Ring:
+    """The circle of one Euler angle."""
+
+    name: str
+    role: str
+    radius: float
+    axis: Floats
+    """(3,) unit vector in the world about which the angle turns."""
+    zero: Floats
+    """(3,) unit vector across the axis: the zero of the angle."""
+    angle_rad: float
+
+    def at(self, angle_rad: ArrayLike) -> Floats:
+        """Points (..., 3) of the ring at angles (...) from its zero."""
+        angle = np.asarray(angle_rad, float)[..., None]
+        aside = np.cross(self.axis, self.zero)
+        return self.radius * (np.cos(angle) * self.zero + np.sin(angle) * aside)
+
+
+def rings_of(pan: float, tilt: float, roll: float) -> tuple[Ring, Ring, Ring]:
+    """The rings from outer to inner, for angles in degrees. The angle's end on one ring is the next
+    one's zero or axis."""
+    angles = pan_rad, tilt_rad, roll_rad = math.radians(pan), math.radians(tilt), math.radians(roll)
+    pan_axis, tilt_axis, roll_axis = rate_axes("YXZ", angles).T
+    panned = euler.to_matrix("YXZ", (pan_rad, 0.0, 0.0))
+    return (
+        Ring("pan", "world", 178.0, pan_axis, np.array([0.0, 0.0, 1.0]), pan_rad),
+        Ring("tilt", "light", 144.0, tilt_axis, panned[:, 2], tilt_rad),
+        Ring("roll", "ray", 166.0, roll_axis, tilt_axis, roll_rad),
+    )
+
+
+def on_screen(points: Floats, view: Floats) -> Floats:
+    """World points (..., 3) in the panel: view box x, y, and depth."""
+    return View(view, CENTRE).place(points)
+
+
+def draw_rings(view: Floats, pan: float, tilt: float, roll: float) -> str:
+    """The camera in its rings, seen from a side: `view_from`; angles in degrees."""
+    three = rings_of(pan, tilt, roll)
+    C = euler.to_matrix("YXZ", [ring.angle_rad for ring in three])
+    circles = [on_screen(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1)), view) for ring in three]
+    together = abs(float(three[0].axis @ three[2].axis))
+    widths = ["bold" if together > NEARLY and ring.name != "tilt" else "thin" for ring in three]
+    parts = []
+    if together > LOCKED:  # the band between the two rings glows
+        outer, share = circles[0][:, :2], three[2].radius / three[0].radius
+        inner = np.asarray(CENTRE) + share * (outer[::-1] - CENTRE)
+        parts = [drawing.polygon(np.concatenate([outer, inner]), "error solid faint")]
+    for front, faint in ((False, " faint"), (True, "")):
+        halves = [
+            drawing.path(runs(circle, front=front), f"{ring.role} {width}{faint}")
+            for ring, circle, width in zip(three, circles, widths, strict=True)
+        ]
+        ends = [_axis(ring, view, front=front) for ring in three]
+        parts += [*ends, *halves] if front else [*halves, *ends, draw_body(C, view, CENTRE, 100.0)]
+    parts += [mark for ring in three for mark in _angle(ring, view)]
+    for row, ring in enumerate(three):
+        y, degrees = 22.0 + 18.0 * row, format_number(math.degrees(ring.angle_rad), 0)
+        parts.append(drawing.line((14.0, y - 4.5), (32.0, y - 4.5), f"{ring.role} bold"))
+        parts.append(drawing.text((40.0, y), f"{ring.name} {degrees}°", f"{ring.role} ground"))
+    if together > LOCKED:
+        parts.append(drawing.text((386.0, 22.0), "pan and roll: one axis", "error strong", "end"))
+    return "".join(parts)
+
+
+def _axis(ring: Ring, view: Floats, *, front: bool) -> str:
+    """One end of the axis, from near the camera to just outside the ring."""
+    depth = on_screen(ring.axis, view)[2]
+    end = 1.0 if (depth < 0) == front else -1.0
+    lengths = (112.0, ring.radius + 8.0)
+    inner, outer = (on_screen(end * length * ring.axis, view) for length in lengths)
+    if end > 0:
+        return drawing.arrow(inner, outer, ring.role, head=8)
+    return drawing.line(inner, outer, f"{ring.role} thin dashed")
+
+
+def _angle(ring: Ring, view: Floats) -> Iterator[str]:
+    """The arc from zero to the angle, with a bead at its end."""
+    count = max(2, round(abs(ring.angle_rad) * 12))
+    arc = on_screen(ring.at(np.linspace(0.0, ring.angle_rad, count + 1)), view)[:, :2].tolist()
+    yield drawing.polyline(arc, f"{ring.role} bold")
+    inner, outer = on_screen(np.stack([ring.at(0.0) * 0.965, ring.at(0.0) * 1.035]), view)
+    yield drawing.line(inner, outer, ring.role)
+    yield drawing.dot(arc[-1], ring.role, 5.0)
+
+
+def towards(azimuth_deg: Floats | float, elevation_deg: Floats | float) -> Floats:
+    """Unit vectors (..., 3) in the world (right, down, ahead); the azimuth counts from ahead to the
+    right."""
+    azimuth, elevation = np.radians(azimuth_deg), np.radians(elevation_deg)
+    azimuth, elevation = np.broadcast_arrays(azimuth, elevation)
+    flat = np.cos(elevation)
+    return np.stack([flat * np.sin(azimuth), -np.sin(elevation), flat * np.cos(azimuth)], axis=-1)
+
+
+def pictured(C: Floats, directions: Floats) -> Floats:
+    """View box places (..., 2) of directions of the world, for a camera whose axes are the columns
+    of ``C``; NaN beside or behind the camera."""
+    seen = directions @ C
+    depth = seen[..., 2:]
+    inside = depth > NEAREST
+    return np.asarray(
+        np.where(inside, MIDDLE + FOCAL * seen[..., :2] / np.where(inside, depth, 1.0), np.nan)
+    )
+
+
+def draw_sight(pan: float, tilt: float, roll: float) -> str:
+    """What the camera sees; angles in degrees."""
+    C = euler.to_matrix("YXZ", np.radians([pan, tilt, roll]))
+    x, y = MIDDLE.tolist()
+    stars = [spot for spot in pictured(C, towards(*STARS)).tolist() if _shown(spot, 2.0)]
+    parts = (
+        *_ground(C),
+        _circles(C),
+        drawing.path([(spot, spot) for spot in stars], "light bold") if stars else "",
+        *_trees(C),
+        *_names(C),
+        drawing.line((x - 9, y), (x + 9, y), "camera thin"),
+        drawing.line((x, y - 9), (x, y + 9), "camera thin"),
+    )
+    return "".join(parts)
+
+
+def _ground(C: Floats) -> Iterator[str]:
+    """The half of the picture below the horizon: where the ray points downwards."""
+    a, b, c = C[1]
+    box = np.array([(0.0, 0.0), (WIDTH, 0.0), (WIDTH, HEIGHT), (0.0, HEIGHT)])
+    ground = clip_half_plane(box, (a, b, FOCAL * c - a * MIDDLE[0] - b * MIDDLE[1]))
+    if len(ground):
+        yield drawing.polygon(ground, "world fill")
+
+
+def _circles(C: Floats) -> str:
+    """Circles of equal elevation and upright half circles, every 15° and 30°."""
+    turns, rises = np.linspace(0.0, 360.0, 121), np.linspace(0.0, 90.0, 31)
+    curves = [towards(turns, level) for level in (15.0, 30.0, 45.0, 60.0, 75.0)]
+    curves += [towards(azimuth, rises) for azimuth in np.arange(0.0, 360.0, 30.0).tolist()]
+    box = (0.0, WIDTH), (0.0, HEIGHT)
+    seen = [run for curve in curves for run in runs_inside(*pictured(C, curve).T, *box)]
+    return drawing.path(seen, "muted thin faint")
+
+
+def _trees(C: Floats) -> Iterator[str]:
+    for azimuth, height in TREES.T.tolist():
+        half = height / 3.5
+        sides = np.array([azimuth - half, azimuth, azimuth + half])
+        tree = pictured(C, towards(sides, np.array([0.0, height, 0.0])))
+        if not np.isfinite(tree).all():
+            continue
+        for edge in EDGES:
+            tree = clip_half_plane(tree, edge)
+        if len(tree):
+            yield drawing.polygon(tree, "world solid")
+
+
+def _names(C: Floats) -> Iterator[str]:
+    quarters = zip(NAMES, (0.0, 90.0, 180.0, 270.0), strict=True)
+    spots = [(name, towards(azimuth, -7.0)) for name, azimuth in quarters]
+    for name, direction in (*spots, ("straight up", towards(0.0, 90.0))):
+        spot = pictured(C, direction).tolist()
+        if _shown(spot, 45.0):
+            yield drawing.text((spot[0], spot[1] + 18.0), name, "world small ground", "middle")
+
+
+def _shown(spot: Sequence[float], margin: float) -> bool:
+    """Whether a place is so far inside the panel; false for NaN."""
+    x, y = spot
+    return margin < x < WIDTH - margin and margin < y < HEIGHT - margin
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """The camera in its rings, and how well the three angles can turn it."""
+    angles = (settings.pan, settings.tilt, settings.roll)
+    angles_rad = np.radians(angles).tolist()
+    smallest = float(np.linalg.svd(rate_axes("YXZ", angles_rad))[1][2])  # of the singular values
+    pan, tilt, roll = (format_number(angle, 0) for angle in angles)
+    locked = (
+        f"All three angles still steer (smallest singular value {format_number(smallest, 2)})"
+        if smallest > LOST
+        else "The pan and roll rings lie in one plane: both angles turn the camera about the same "
+        "line, and one degree of freedom is lost"
+    )
+    title, rings = "Pan, tilt and roll, each on its ring", outputs["rings"]
+    C = euler.to_matrix("YXZ", angles_rad).tolist()
+    return Frame(
+        (
+            Panel("gimbal", title, 400.0, 400.0, overlay=rings, lead=True),
+            Panel("sight", "What the camera sees", WIDTH, HEIGHT, overlay=outputs["sight"]),
+        ),
+        (
+            matrix_readout("axes", "C, the camera’s axes as columns", C, role="camera"),
+            Readout("rank", "Independent axes", f"{3 if smallest > LOST else 2} of 3"),
+            readout("smallest", "Turn per degree, at worst", smallest, digits=3),
+        ),
+        f"Three rings around a camera at pan {pan}°, tilt {tilt}°, roll {roll}°. {locked}.",
+    )
+
+
+def bead(index: int, settings: Settings, _outputs: Outputs) -> Point:
+    ring = rings_of(settings.pan, settings.tilt, settings.roll)[index]
+    view = view_from(settings.azimuth, settings.elevation)
+    return tuple(on_screen(ring.at(ring.angle_rad), view)[:2].tolist())
+
+
+def bead_pulled(index: int, settings: Settings, place: Point) -> dict[str, float]:
+    ring = rings_of(settings.pan, settings.tilt, settings.roll)[index]
+    limit = 90 if ring.name == "tilt" else 180
+    degrees = np.arange(-limit, limit + 1)
+    view = view_from(settings.azimuth, settings.elevation)
+    present = round(math.degrees(ring.angle_rad))
+    distances = np.abs(np.remainder(degrees - present + 180, 360) - 180)
+    track = on_screen(ring.at(np.radians(degrees)), view)
+    return {ring.name: float(degrees[nearest(track, place, distances)])}
+
+
+def ring_handle(index: int, name: str, role: str) -> Handle[Settings]:
+    at, pull = partial(bead, index), partial(bead_pulled, index)
+    return Handle(name, "gimbal", f"{name.capitalize()} ring", (name,), at, pull, role=role)
+
+
+SCENE = Scene(
+    "gimbal",
+    "Camera on a Gimbal",
+    Settings,
+    draw,
+    (Stage("view", view_from), Stage("rings", draw_rings, ("view",)), Stage("sight", draw_sight)),
+    handles=(
+        ring_handle(1, "tilt", "light"),
+        ring_handle(0, "pan", "world"),
+        ring_handle(2, "roll", "ray"),
+        background("gimbal"),
+    ),
+    formula=euler.to_matrix,
+)
