@@ -1,10 +1,7 @@
 """PSNR and root mean square against their definitions."""
 
-from collections.abc import Iterable
-
 import numpy as np
 import pytest
-from support.refusals import Call, assert_refused, each_of
 
 from simulations.models.error_measures import psnr_db, root_mean_square
 
@@ -42,19 +39,6 @@ def test_psnr_leaves_out_just_the_border(crop: int) -> None:
         one[corner] = 1
         expected = 10 * np.log10(FLAT[inner].size)
         assert psnr_db(one, FLAT, crop=crop) == pytest.approx(expected)
-
-
-@each_of(
-    ("shapes", lambda other: psnr_db(FLAT, other), [np.zeros((20, 31)), 0.0]),
-    ("shapes", lambda number: psnr_db(number, number), [0.0]),
-    ("crop .*legal: whole numbers", lambda crop: psnr_db(FLAT, FLAT, crop=crop), [-1, 2.5]),
-    ("crop 10", lambda p: psnr_db(p, p, crop=10), [FLAT, FLAT.T, np.zeros((20, 20, 3))]),
-    ("peak .*above 0, finite", lambda peak: psnr_db(FLAT, FLAT, peak), [0.0, -1.0, np.inf, np.nan]),
-)
-def test_pictures_that_cannot_be_compared_are_refused(
-    message: str, call: Call, values: Iterable[object]
-) -> None:
-    assert_refused(message, call, values)
 
 
 def test_the_root_mean_square_of_three_four_is_that_of_their_hypotenuse() -> None:

@@ -1,0 +1,152 @@
+"""Every public function of the models, with arguments inside and outside their legal range.
+
+`arguments.toml` has a row for each. An argument outside its range is refused by a `ValueError` that
+names it; arguments from the whole range of floats within it give finite or masked results, without
+a warning (pytest turns those into errors). What holds beyond that stands after the arrow of a row.
+"""
+
+import dataclasses
+import importlib
+import inspect
+import pkgutil
+import re
+import tomllib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from properties.kinds import Kind, kind_of
+
+from simulations import models
+
+TABLE = tomllib.loads(Path(__file__).with_name("arguments.toml").read_text("utf-8"))
+
+
+def public_functions() -> Iterator[tuple[str, str, Callable[..., Any]]]:
+    """Room, name within it, and function; also classes that check their fields."""
+    for module in pkgutil.walk_packages(models.__path__, f"{models.__name__}."):
+        room, _, file = module.name.removeprefix(f"{models.__name__}.").rpartition(".")
+        for name, value in vars(importlib.import_module(module.name)).items():
+            own = getattr(value, "__module__", "") == module.name and not name.startswith("_")
+            checks = inspect.isclass(value) and hasattr(value, "__post_init__")
+            if own and (checks or inspect.isfunction(inspect.unwrap(value))):
+                yield room or "models", f"{file}.{name}", value
+
+
+def rows() -> Iterator[tuple[str, Callable[..., Any], str]]:
+    """The name of each function, with its module where two of a room are called alike; its row."""
+    for room, path, function in public_functions():
+        table, (file, name) = TABLE.get(room, {}), path.split(".")
+        key = path if path in table else name
+        if {room, file, path, name}.isdisjoint(TABLE["unchecked"] + table.get("unchecked", [])):
+            yield f"{room}.{key}", function, table.get(key, "")
+
+
+ROWS = {name: (function, row) for name, function, row in rows()}
+
+
+def test_every_public_function_has_a_row_and_every_row_a_function() -> None:
+    named = {f"{room}.{name}" for room in TABLE for name in TABLE[room] if room != "unchecked"}
+    assert {name for name in named if not name.endswith(".unchecked")} == ROWS.keys()
+
+
+@dataclasses.dataclass(frozen=True)
+class Call:
+    """A function, what it takes, and what it promises."""
+
+    function: Callable[..., Any]
+    kinds: dict[str, Kind]
+    words: dict[str, str]
+    """A word of the refusal of an argument."""
+    result: str
+
+    def answer(self, **changed: Any) -> Any:
+        """The result for examples of all arguments but the changed ones."""
+        return self.function(**{name: kind.example for name, kind in self.kinds.items()} | changed)
+
+
+def call_of(name: str) -> Call:
+    function, row = ROWS[name]
+    arguments, _, result = row.partition("->")
+    kinds, words = {}, {}
+    for argument in filter(None, map(str.strip, arguments.split(";"))):
+        title, _, kind = argument.partition(": ")
+        key, _, word = title.partition("~")
+        kinds[key], words[key] = kind_of(kind), word or key
+    return Call(function, kinds, words, result.strip() or "number")
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_arguments_out_of_range_are_refused_by_name(name: str) -> None:
+    call = call_of(name)
+    call.answer()
+    for argument, kind in call.kinds.items():
+        for end in kind.ends:
+            call.answer(**{argument: end})
+        for value in kind.illegal:
+            try:
+                with pytest.raises(ValueError, match=call.words[argument]) as refused:
+                    call.answer(**{argument: value})
+                assert not isinstance(refused.value, np.linalg.LinAlgError)
+            except (Exception, pytest.fail.Exception) as failure:
+                failure.add_note(f"{name}({argument}={value!r})")
+                raise
+
+
+@pytest.mark.parametrize("name", ROWS)
+@pytest.mark.parametrize(
+    "draws", [range(25), pytest.param(range(25, 2000), marks=pytest.mark.deep)], ids=["few", "many"]
+)
+def test_legal_arguments_of_any_size_give_numbers(name: str, draws: range) -> None:
+    call = call_of(name)
+    for seed in draws:
+        rng = np.random.default_rng(seed)
+        given = {argument: kind.draw(rng) for argument, kind in call.kinds.items()}
+        try:
+            answer = call.function(**given)
+            check(answer, call.result, all(map(is_finite, given.values())))
+        except np.linalg.LinAlgError:
+            raise  # a ValueError by descent, but one that tells the caller nothing
+        except ValueError:
+            continue  # legal one by one, but not together
+        except Exception as failure:
+            failure.add_note(f"{name} of {given}")
+            raise
+
+
+def numbers_of(answer: Any) -> Iterator[np.ndarray[Any, Any]]:
+    """All arrays of an answer."""
+    if dataclasses.is_dataclass(answer):
+        answer = [getattr(answer, field.name) for field in dataclasses.fields(answer)]
+    if isinstance(answer, (tuple, list)):
+        for part in answer:
+            yield from numbers_of(part)
+    elif isinstance(answer, (float, np.ndarray, np.generic)):
+        yield np.asarray(answer)
+
+
+def is_finite(value: Any) -> bool:
+    return all(np.isfinite(part).all() for part in numbers_of(value))
+
+
+def check(answer: Any, result: str, finite_input: bool) -> None:
+    numbers = list(numbers_of(answer))
+    if result == "masked":
+        values, valid = numbers[0], np.asarray(answer[1])
+        assert np.isfinite(values[valid]).all()
+        assert np.isnan(values[~valid]).all()
+    elif result == "rotation":
+        for R in numbers:
+            assert np.abs(R @ np.swapaxes(R, -1, -2) - np.eye(3)).max() < 1e-9
+    elif result == "unit":
+        for vector in numbers:
+            assert np.linalg.norm(vector, axis=-1) == pytest.approx(1.0)
+    elif limits := re.fullmatch(r"\[(\S+), (\S+)\]", result):
+        for part in numbers:
+            assert ((part >= float(limits[1])) & (part <= float(limits[2]))).all()
+    elif result == "finite":
+        assert is_finite(answer)
+    elif result == "number" and finite_input:
+        assert not any(np.isnan(part).any() for part in numbers if part.dtype.kind in "fc")
