@@ -131,7 +131,13 @@ function restoreScroll() {
   const target = hashTarget();
   const stored = history.state?.scroll;
   if (stored === undefined && target) target.scrollIntoView();
-  else scrollTo({ top: stored ?? 0, behavior: "instant" });
+  else jumpTo(stored ?? 0);
+}
+
+/** A smooth scroll that was under way may take one more step after the jump. */
+function jumpTo(top: number) {
+  scrollTo({ top, behavior: "instant" });
+  requestAnimationFrame(() => scrollTo({ top, behavior: "instant" }));
 }
 
 /** The element that the address points to; none where its end is mangled. */
