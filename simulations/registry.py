@@ -2,7 +2,7 @@
 
     scenes/lens_distortion/scene.py      the scene lens-distortion: its ``SCENE``
     ladders/precision.py                 the ladder precision: its ``LADDER``
-    ladders/depth_of_field/ladder.py     the ladder depth-of-field, in a package
+    ladders/sums/ladder.py               the ladder sums, in a package
     illustrations/f_numbers.py           the illustration f-numbers: its ``draw``
     hard_cases/optics.toml               the hard cases of optics
 

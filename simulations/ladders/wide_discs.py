@@ -3,7 +3,7 @@
 from functools import partial
 
 from simulations.engine.ladder import Ladder, Tier
-from simulations.ladders.depth_of_field.ladder import (
+from simulations.ladders.depth_of_field import (
     METRICS,
     SPIRALS,
     Workload,

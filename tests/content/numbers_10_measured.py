@@ -6,9 +6,8 @@ import numpy as np
 from support.worked_numbers import CONTENT, Says
 
 from simulations.engine.stages import StageCache
-from simulations.ladders import shot_noise, wide_discs
-from simulations.ladders.depth_of_field import ladder as depth_of_field
-from simulations.ladders.depth_of_field.ladder import radius_px
+from simulations.ladders import depth_of_field, shot_noise, wide_discs
+from simulations.ladders.depth_of_field import radius_px
 from simulations.ladders.inverse_distortion import prepare, reference, worst_px
 from simulations.models.distortion.undistortion import undistort_newton
 from simulations.registry import load_scene

@@ -1,17 +1,20 @@
-"""The run of a ladder, computed when a test first needs it and not when tests are collected."""
+"""The run of a ladder, computed when a test first needs it and shared by all tests."""
 
-from collections.abc import Callable
-from functools import cached_property
+from functools import cache, cached_property
+from importlib import import_module
 from typing import Any
 
-from simulations.engine.ladder import Ladder
+from simulations.registry import LADDER_MODULES, load_ladder
 
 
 class LadderRun:
     """A ladder's workload, its reference, and the result of each tier by its id."""
 
-    def __init__(self, ladder: Ladder) -> None:
-        self.ladder = ladder
+    def __init__(self, ladder_id: str) -> None:
+        self.ladder = load_ladder(ladder_id)
+        self.module: Any = import_module(LADDER_MODULES[ladder_id])
+        self.metrics = {metric.id: metric.measure for metric in self.ladder.metrics}
+        self.results: dict[str, Any] = {}
 
     @cached_property
     def work(self) -> Any:
@@ -21,10 +24,13 @@ class LadderRun:
     def truth(self) -> Any:
         return self.ladder.reference(self.work)
 
-    @cached_property
-    def results(self) -> dict[str, Any]:
-        return {tier.id: tier.run(self.work) for tier in self.ladder.tiers}
+    def result(self, tier: str) -> Any:
+        if tier not in self.results:
+            self.results[tier] = self.ladder.tier(tier).run(self.work)
+        return self.results[tier]
 
-    def measured(self, metric: Callable[[Any, Any, Any], float]) -> dict[str, float]:
-        """What a metric says of each tier, by the tier's id."""
-        return {name: metric(got, self.truth, self.work) for name, got in self.results.items()}
+    def error(self, metric: str, tier: str) -> float:
+        return self.metrics[metric](self.result(tier), self.truth, self.work)
+
+
+run_of = cache(LadderRun)

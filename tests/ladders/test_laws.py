@@ -1,0 +1,437 @@
+"""Laws by which single tiers err or agree: powers of the work, closed forms, other libraries."""
+
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+import skimage.data
+from numpy.typing import NDArray
+from scipy import stats
+from scipy.optimize import least_squares
+from support.ladder_run import run_of
+
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.distortion.undistortion import undistort_table
+from simulations.models.error_measures import psnr_db
+from simulations.models.geometry.homography_estimation import estimate_homography
+from simulations.models.geometry.quaternion_blends import STRAIGHT
+from simulations.models.lens.aperture import fibonacci_disc, random_disc
+from simulations.models.projection.pinhole import relative_to_camera, rigid_pose, world_to_camera
+from simulations.models.sampling.fine_detail import without_fine_detail
+from simulations.models.sensor.demosaicing import demosaic, mosaic
+from simulations.pictures import cards, moving_ball
+from simulations.pictures.round_windows import FREQUENCIES, GOLDEN_RAD, SIZE
+
+type Floats = NDArray[np.floating[Any]]
+
+POWERS = [
+    ("edge-coverage", "rms", ("box-2", "box-4", "box-8", "box-16"), (2, 4, 8, 16), -1.5),
+    ("exposure-blur", "rms", ("instants-4", "instants-16", "instants-64"), (4, 16, 64), -1.0),
+    ("shading", "rms", ("gouraud-8", "gouraud-16", "gouraud-32"), (8, 16, 32), -2.0),
+]
+"""Ladder, metric, tiers, their work, and the power with which the error falls."""
+
+
+@pytest.mark.parametrize(("ladder_id", "metric", "tiers", "work", "power"), POWERS)
+def test_an_error_falls_with_its_power_of_the_work(
+    ladder_id: str, metric: str, tiers: tuple[str, ...], work: tuple[int, ...], power: float
+) -> None:
+    errors = [run_of(ladder_id).error(metric, tier) for tier in tiers]
+    assert np.polyfit(np.log(work), np.log(errors), 1)[0] == pytest.approx(power, abs=0.15)
+
+
+def test_integers_round_up_as_often_as_down() -> None:
+    """Shifts without half a step added would darken every coefficient by a sixteenth."""
+    run = run_of("block-dct")
+    assert abs(np.mean(run.result("fixed-point") - run.truth)) < 0.005
+
+
+def test_opencvs_refinement_of_corners_is_the_one_by_slopes() -> None:
+    run = run_of("corner-refinement")
+    part = run.work[0]
+    until = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 30, 1e-4)
+    begin = np.ascontiguousarray(part.begin[:, None], np.float32)
+    theirs = cv2.cornerSubPix(part.codes, begin, (7, 7), (-1, -1), until)[:, 0]
+    error = np.sqrt(((theirs - part.truth) ** 2).sum(axis=-1).mean())
+    assert 0.5 < error / run.error("noisy", "gradients") < 4.0
+
+
+def test_bilinear_errs_on_a_wave_by_what_its_mean_of_neighbours_leaves() -> None:
+    """Midway between two samples of a wave the mean is the wave times cos(its phase step)."""
+    run, soft, place = run_of("demosaicing"), 2, (96, 121, 0)  # left of a pixel that lacks red
+    step = 2 * np.pi * np.cos(0.2) / 12.0
+    expected = (run.truth[soft][place] - 0.5) * np.cos(step)
+    assert run.result("bilinear")[soft][place] - 0.5 == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", ["astronaut", "coffee", "chelsea", "rocket"])
+def test_on_photographs_the_default_is_the_best_that_stays_in_light(name: str) -> None:
+    """At half size, since their own cameras have demosaiced them."""
+    linear = decode_srgb(getattr(skimage.data, name)() / 255)
+    rows, columns = (side // 2 for side in linear.shape[:2])
+    truth = linear[: 2 * rows, : 2 * columns].reshape(rows, 2, columns, 2, 3).mean(axis=(1, 3))
+    methods = [tier.id for tier in run_of("demosaicing").ladder.tiers]
+    found = {m: np.clip(demosaic(mosaic(truth), method=m), 0, 1) for m in methods}
+    light = {m: psnr_db(found[m], truth, crop=8) for m in methods}
+    shown = {m: psnr_db(encode_srgb(found[m]), encode_srgb(truth), crop=8) for m in methods}
+    default = run_of("demosaicing").ladder.default_tier
+    assert light["bilinear"] < light["malvar"] < light[default]
+    assert shown[default] > max(shown[m] for m in methods if m != "menon-encoded") - 0.1
+    assert shown["menon-encoded"] > shown[default]
+
+
+def test_four_times_the_independent_rays_are_worth_six_decibels() -> None:
+    run = run_of("depth-of-field")
+    work = run.work
+    rays = random_disc(64, work.seen.shape, np.random.default_rng(7)) * np.float32(work.lens_radius)
+    mean = sum((cards.radiance(work.seen, x, y) for x, y in rays), np.zeros_like(run.truth)) / 64
+    gained = run.metrics["psnr"](mean, run.truth, work) - run.error("psnr", "random-16")
+    assert gained == pytest.approx(10 * np.log10(4), abs=0.5)
+
+
+def test_a_spiral_of_many_rays_leads_to_the_reference() -> None:
+    run = run_of("depth-of-field")
+    nodes = run.work.lens_radius * fibonacci_disc(400)
+    mean = sum((cards.radiance(run.work.seen, *node) for node in nodes), 0.0 * run.truth) / 400
+    assert run.metrics["psnr"](mean, run.truth, run.work) > run.error("psnr", "fibonacci-64")
+
+
+def test_turning_the_spiral_makes_grain_of_ghosts() -> None:
+    """Grain is an error that does not go on in the next pixel; a ghost's edge does."""
+    run = run_of("depth-of-field")
+
+    def continued(tier: str) -> float:
+        error = (run.result(tier) - run.truth)[:, 8:-8, 8:-8]
+        return float((error[..., 1:] * error[..., :-1]).mean() / (error**2).mean())
+
+    assert continued("fibonacci-16") > continued("turned-16") + 0.15
+    assert abs(continued("random-16")) < 0.05
+
+
+def test_layers_of_narrow_discs_are_the_same_however_they_are_drawn() -> None:
+    narrow, wide = run_of("depth-of-field"), run_of("wide-discs")
+    taps = wide.ladder.tier("layered-taps").run(narrow.work)
+    np.testing.assert_allclose(taps, narrow.result("layered"), atol=1e-6)
+
+
+def test_counting_on_the_edge_or_in_bytes_counts_as_the_definition_does() -> None:
+    run = run_of("edge-coverage")
+    for edge, everywhere in zip(run.result("edge-box-16"), run.result("box-16"), strict=True):
+        np.testing.assert_array_equal(edge, everywhere)
+    disc, within = run.work[1], (np.arange(8) + 0.5) / 8 - 0.5
+    for row, column in np.ndindex(16, 16):
+        square = (disc.x[column] + within) ** 2 + (disc.y[row] + within[:, None]) ** 2
+        share = np.mean(square < disc.radius**2)
+        assert run.result("box-8")[1][row, column] == pytest.approx(share, abs=1e-12)
+
+
+@pytest.mark.parametrize(("which", "exact"), [(0, 0.02), (1, 0.12)])
+def test_a_straight_edge_errs_by_the_bulge_of_the_circle(which: int, exact: float) -> None:
+    """Where the disc's edge runs along the grid, the chord has length 1 and the bulge 1/(24 R)."""
+    run = run_of("edge-coverage")
+    truth, disc = run.truth[which], run.work[which]
+    row = int(np.abs(disc.y).argmin())
+    edge = int(np.abs(truth[row] - 0.5).argmin())
+    bulge = (run.result("straight")[which] - truth)[row, edge]
+    assert bulge == pytest.approx(1 / (24 * disc.radius), rel=exact)
+    assert abs((run.result("curved")[which] - truth)[row, edge]) < bulge / 10
+
+
+@pytest.mark.parametrize("radius", [0.3, 200.0])
+def test_discs_smaller_than_a_pixel_or_larger_than_the_picture_are_covered_too(
+    radius: float,
+) -> None:
+    run = run_of("edge-coverage")
+    work = tuple(run.module.disc_on(8, radius, (middle, middle)) for middle in (3.5, 3.0))
+    for tier in run.ladder.tiers:
+        for covered in tier.run(work):
+            assert ((covered >= 0) & (covered <= 1)).all()
+
+
+def test_a_smear_stays_within_the_outline_that_the_ball_has_at_half_time() -> None:
+    run = run_of("exposure-blur")
+    outside = ~moving_ball.on_ball(run.work.x, run.work.y, 0.5)
+    wall = moving_ball.wall(run.work.x, run.work.y)
+    np.testing.assert_array_equal(run.result("smear")[outside], wall[outside])
+    middle = (47, round(moving_ball.START_X + moving_ball.TRAVEL / 2))  # no wall comes so deep in
+    assert run.result("smear")[middle] == pytest.approx(run.truth.picture[middle], abs=0.02)
+
+
+def mapped(H: Floats, points: Floats) -> Floats:
+    return np.asarray(cv2.perspectiveTransform(points[None], H)[0])
+
+
+def rms_apart(one: Floats, other: Floats) -> float:
+    return float(np.sqrt(((one - other) ** 2).sum(axis=-1).mean()))
+
+
+@pytest.mark.parametrize("index", [0, 1])
+def test_least_squares_in_both_pictures_reaches_the_least_error_there_can_be(index: int) -> None:
+    """Cramér–Rao: the RMS error that no unbiased estimate can beat, from numeric derivatives.
+
+    A pair of points tells of the map through a residual of covariance σ² (I + J Jᵀ).
+    """
+    run = run_of("homography-estimation")
+    view, matches = run.module.VIEWS[index], run.work[index]
+    h = np.append(view.homography, 1.0)
+
+    def by_entries(points: Floats) -> Floats:
+        """(2N, 8) change of the mapped points per relative change of each entry."""
+        up, down = ((1.0 + sign * 1e-6 * np.eye(9)[:8]) * h for sign in (1.0, -1.0))
+        each = [
+            mapped(a.reshape(3, 3), points) - mapped(b.reshape(3, 3), points)
+            for a, b in zip(up, down, strict=True)
+        ]
+        return np.stack([change.ravel() / 2e-6 for change in each], axis=-1)
+
+    judged, squares = by_entries(matches.check), []
+    for exact in matches.exact:
+        H, seen = h.reshape(3, 3), by_entries(exact).reshape(-1, 2, 8)
+        steps = [(mapped(H, exact + s) - mapped(H, exact - s)) / 2 for s in np.eye(2)]
+        J = np.stack(steps, axis=-1)
+        weight = np.linalg.inv(np.eye(2) + J @ J.transpose(0, 2, 1)) / view.noise_px**2
+        information = np.einsum("nia,nij,njb->ab", seen, weight, seen)
+        size = np.sqrt(np.diag(information))
+        covariance = np.linalg.inv(information / np.outer(size, size))
+        spread = np.einsum("ij,jk,ik->i", judged / size, covariance, judged / size)
+        squares.append(spread.sum() / len(matches.check))
+    bound = float(np.sqrt(np.mean(squares)))
+    assert run.error(view.name, "two-sided") == pytest.approx(bound, rel=0.2)
+
+
+@pytest.mark.parametrize(("index", "name"), [(0, "poster"), (1, "wall")])
+def test_least_squares_in_the_second_picture_is_opencvs_refined_estimate(
+    index: int, name: str
+) -> None:
+    """But for what two steps of Gauss–Newton leave, far less than it is off the truth."""
+    run = run_of("homography-estimation")
+    matches, ours = run.work[index], run.result("one-sided")[index][0]
+    H, _ = cv2.findHomography(matches.source[0], matches.target[0], 0)
+    apart = rms_apart(mapped(ours, matches.check), mapped(H, matches.check))
+    assert apart < 0.1 * run.error(name, "one-sided")
+
+
+def test_weighing_by_both_noises_agrees_with_moving_the_points_themselves() -> None:
+    """The gold standard: unknown are the map and where each point of the first picture is."""
+    run = run_of("homography-estimation")
+    matches, view = run.work[1], run.module.VIEWS[1]
+    source, target = matches.source[0], matches.target[0]
+    size = np.abs(view.homography)
+
+    def homography(unknown: Floats) -> Floats:
+        return np.append(unknown[:8] * size, 1.0).reshape(3, 3)
+
+    def residuals(unknown: Floats) -> Floats:
+        points = unknown[8:].reshape(-1, 2) * 1e3
+        off = mapped(homography(unknown), points) - target
+        return np.concatenate(((points - source).ravel(), off.ravel()))
+
+    start = np.concatenate((np.array(view.homography) / size, source.ravel() / 1e3))
+    best = least_squares(residuals, start, method="lm", xtol=1e-12, ftol=1e-12).x
+    ours, gold = run.result("two-sided")[1][0], homography(best)
+    apart = rms_apart(mapped(ours, matches.check), mapped(gold, matches.check))
+    assert apart < 0.1 * run.error("wall", "two-sided")
+
+
+def test_if_the_first_picture_were_exact_distances_in_the_second_would_be_the_best() -> None:
+    run = run_of("homography-estimation")
+    matches, H = run.work[1], np.append(run.module.VIEWS[1].homography, 1.0).reshape(3, 3)
+    errors = {}
+    for name in ("one_sided", "two_sided"):
+        estimate = getattr(run.module, name)
+        found = []
+        for exact, target in zip(matches.exact, matches.target, strict=True):
+            found.append(mapped(estimate(exact, target), matches.check))
+        errors[name] = rms_apart(np.stack(found), mapped(H, matches.check))
+    assert errors["one_sided"] < 0.95 * errors["two_sided"]
+
+
+@pytest.mark.parametrize("tier", ["squared", "normalised"])
+def test_without_its_checks_the_normalised_transform_is_the_models(tier: str) -> None:
+    run = run_of("homography-estimation")
+    for matches, ours in zip(run.work, run.result(tier), strict=True):
+        for source, target, H in zip(matches.source, matches.target, ours, strict=True):
+            theirs, valid = estimate_homography(source, target)
+            assert valid
+            points = [mapped(each, matches.check) for each in (H, theirs)]
+            np.testing.assert_allclose(points[0], points[1], atol=1e-6)
+
+
+def test_a_table_twice_as_long_errs_a_quarter_as_much() -> None:
+    run = run_of("inverse-distortion")
+    errors = [
+        run.metrics["rms"](undistort_table(run.work.seen, run.work.lens, n), run.truth, run.work)
+        for n in (257, 513, 1025)
+    ]
+    for coarse, fine in pairwise(errors):
+        assert coarse / fine == pytest.approx(4.0, rel=0.1)
+
+
+def test_bins_err_at_slants_at_which_rows_repeat_each_other_and_the_spline_does_not() -> None:
+    module, ladder = run_of("mtf-binning").module, run_of("mtf-binning").ladder
+    found = []
+    for angles in ((4.0, 7.0, 11.0, 22.0), (14.04, 18.43, 26.57, 33.69)):
+        work = module.prepare(angles)
+        truth = module.reference(work)
+        error = {t.id: module.clean_error(t.run(work), truth, work) for t in ladder.tiers}
+        assert error["spline"] < 0.02 < 10 * error["spline"] < min(error["bins-4"], error["bins-8"])
+        found.append(error)
+    good, repeating = found
+    assert repeating["bins-4"] > 2 * good["bins-4"]
+    assert good["bins-4"] < good["bins-4-raw"]
+
+
+def test_a_camera_at_the_origin_feels_no_distance() -> None:
+    run = run_of("precision")
+    work = run.work
+    for tier in ("relative-32", "relative-64"):
+        np.testing.assert_array_equal(*run.result(tier))
+    farther = 16.0 * work.far.centre
+    moved = replace(work.far, centre=farther, points=farther + work.steps * run.module.UNIT_M)
+    other = replace(work, far=moved)
+    result = run.ladder.tier("float64").run(other)
+    growth = run.metrics["far"](result, run.truth, other) / run.error("far", "float64")
+    assert 8.0 < growth < 32.0
+
+
+def test_the_float64_tiers_do_as_the_projection_model_does() -> None:
+    run = run_of("precision")
+    results = zip(run.result("float64"), run.result("relative-64"), strict=True)
+    for place, (plain, relative) in zip((run.work.near, run.work.far), results, strict=True):
+        pose = rigid_pose(run.work.rotation, -run.work.rotation @ place.centre)
+        moved = world_to_camera(place.points, pose)
+        np.testing.assert_allclose(plain, 1000 * moved[:, :2] / moved[:, 2:], atol=1e-5)
+        near = relative_to_camera(place.points, run.work.rotation, place.centre)
+        np.testing.assert_allclose(relative, 1000 * near[:, :2] / near[:, 2:], atol=1e-11)
+
+
+def nearest_off_px(angle_deg: float, turns: int) -> Floats:
+    """(N, 2) how far from its true place the nearest neighbour finds a pixel, after turns.
+
+    By its own arithmetic: the places are rounded to the grid and followed.
+    """
+    angle = np.deg2rad(angle_deg)
+    work = run_of("resampling").module.prepare(angle)
+    step = np.clip(np.floor(work.source_px + 0.5), 0, SIZE - 1).astype(int)
+    start = place = np.stack(np.meshgrid(np.arange(SIZE), np.arange(SIZE)), axis=-1)
+    for _ in range(turns):
+        place = step[place[..., 1], place[..., 0]]
+    cos, sin = np.cos(turns * angle), np.sin(turns * angle)
+    from_middle = start - (SIZE - 1) / 2
+    true = from_middle @ np.array([[cos, sin], [-sin, cos]]) + (SIZE - 1) / 2
+    off: Floats = (place - true)[np.hypot(*np.moveaxis(from_middle, -1, 0)) < 40]
+    return off
+
+
+def test_displacements_of_the_nearest_pixel_add_up_like_random_steps_but_not_at_30_degrees() -> (
+    None
+):
+    """Three turns of 30° take the grid onto itself: so the ladder does not use this angle."""
+    for angle_deg in (20.0, 33.0, 41.0):
+        once, often = (
+            rms_apart(nearest_off_px(angle_deg, turns), 0.0 * np.eye(1)) for turns in (1, 12)
+        )
+        assert once == pytest.approx(np.sqrt(1 / 6), rel=0.03), "even within a pixel"
+        assert often == pytest.approx(np.sqrt(12) * once, rel=0.1)
+    back = np.hypot(*nearest_off_px(30.0, 12).T) < 1e-6
+    assert np.mean(back) == pytest.approx(2 / 3, abs=0.03)
+
+
+@pytest.mark.parametrize("angle_deg", [20.0, 29.0, 37.0, 41.0])
+def test_up_to_the_spline_a_dearer_kernel_is_truer_on_every_picture(angle_deg: float) -> None:
+    run = run_of("resampling")
+    work = run.module.prepare(np.deg2rad(angle_deg))
+    truth = run.module.reference(work)
+    results = [run.ladder.tier(t).run(work) for t in ("nearest", "bilinear", "bicubic", "spline")]
+    for shown in ("once", "often"):
+        each = [
+            run.module.psnr_each(getattr(result, shown), getattr(truth, shown))
+            for result in results
+        ]
+        for cheaper, dearer in pairwise(each):
+            assert np.all(np.greater(dearer, cheaper))
+
+
+def test_each_turn_takes_the_contrast_that_the_triangles_spectrum_says() -> None:
+    """A triangle passes sinc² f along each axis of the pixel grid; turns multiply."""
+    run, left = run_of("resampling"), []
+    for n, f in enumerate(FREQUENCIES):
+        if f > 0.2:
+            # The wave turns against the grid by 33° each time.
+            ways = n * GOLDEN_RAD + np.deg2rad(33.0) * np.arange(12)
+            left.append(np.prod(np.square(np.sinc(f * np.cos(ways)) * np.sinc(f * np.sin(ways)))))
+    waves = run.module.detail_each(run.result("bilinear"), run.truth)[0]
+    assert waves.in_place == pytest.approx(np.mean(left), abs=0.01)
+
+
+@pytest.mark.parametrize("name", ["astronaut", "camera", "coffee", "chelsea", "coins", "grass"])
+def test_on_photographs_two_pixels_of_shift_cost_more_than_all_fine_detail(name: str) -> None:
+    photograph = np.asarray(getattr(skimage.data, name)(), float)[:300, :300] / 255
+    grey = photograph.mean(-1) if photograph.ndim == 3 else photograph
+    dulled = psnr_db(without_fine_detail(grey), grey, crop=16)
+    assert max(psnr_db(np.roll(grey, 2, axis), grey, crop=16) for axis in (0, 1)) < dulled
+
+
+def test_the_straight_line_errs_as_the_chord_of_the_arc() -> None:
+    """A point on the chord of the arc Ω is seen at atan2 from its centre."""
+    run = run_of("rotation-interpolation")
+    arc, share = np.radians(run.work.angle_deg)[:, None] / 2.0, run.work.share
+    seen = np.arctan2(share * np.sin(arc), 1.0 - share + share * np.cos(arc))
+    theory = np.degrees(2.0 * np.abs(seen - share * arc))
+    found = run.module.errors_deg(run.result("nlerp"), run.truth)
+    np.testing.assert_allclose(found, theory, atol=1e-12)
+    below = theory[np.cos(arc[:, 0]) > STRAIGHT].max()
+    assert run.error("worst", "slerp-threshold") == pytest.approx(below, rel=1e-6)
+
+
+def test_blends_are_exact_at_the_corners_of_the_cells_and_between_all_pixels() -> None:
+    run = run_of("shading")
+    every = slice(None, None, run.module.INTERVALS // 8)
+    corners = run.module.phong_pixels(run.work[every, every])
+    np.testing.assert_array_equal(run.result("gouraud-8")[every, every], corners)
+    grid = run.module.INTERVALS
+    np.testing.assert_array_equal(run.module.gouraud(run.work, grid=grid), run.result("phong"))
+    whole = run.module.blended_normals(run.work, grid=grid)
+    np.testing.assert_allclose(whole, run.result("phong"), atol=1e-5)
+
+
+def sampling_error(run: Any) -> float:
+    """What 99 of 100 samples of the right distribution stay below (Kolmogorov)."""
+    return float(1.63 / np.sqrt(run.module.SAMPLES))
+
+
+def test_a_rounded_gaussian_is_as_far_off_as_its_own_distribution_and_exact_counts_are_not() -> (
+    None
+):
+    run = run_of("shot-noise")
+    k = np.arange(run.truth.shape[1])
+    measured = run.module.distances(run.result("gaussian"), run.truth)
+    for row, mean in enumerate(run.module.LEVELS_E):
+        below = stats.norm.cdf(k + 0.5, loc=mean, scale=np.sqrt(mean))
+        theory = np.abs(below - run.truth[row]).max()
+        assert measured[row] == pytest.approx(theory, abs=sampling_error(run))
+    for tier in ("quantile", "poisson"):
+        assert (run.module.distances(run.result(tier), run.truth) < sampling_error(run)).all()
+
+
+def test_cutting_a_gaussian_at_zero_or_leaning_it_invents_the_light_that_theory_says() -> None:
+    run = run_of("shot-noise")
+    above = 1.0 - stats.norm.cdf(np.arange(40) + 0.5, loc=1.0, scale=1.0)
+    measured = run.result("gaussian")[run.module.LEVELS_E.index(1.0)].mean(dtype=float)
+    assert measured == pytest.approx(above.sum(), abs=0.012)
+    z = np.linspace(-9, 9, 200_001)
+    held = np.clip(np.rint(0.1 + np.sqrt(0.1) * z + (z * z - 1) / 6), 0, None)
+    theory = 100 * (np.trapezoid(held * stats.norm.pdf(z), z) / 0.1 - 1)
+    chance = 100 * 4 * np.sqrt(0.15 / run.module.SAMPLES) / 0.1
+    assert run.error("bias", "skewed") == pytest.approx(theory, abs=chance)
+
+
+def test_the_metrics_notice_two_percent_more_light() -> None:
+    run = run_of("shot-noise")
+    brighter = replace(run.work, mean_e=run.work.mean_e * np.float32(1.02))
+    result = run.ladder.tier("poisson").run(brighter)
+    assert run.metrics["ks"](result, run.truth, run.work) > 2 * sampling_error(run)
+    assert run.metrics["bias"](result, run.truth, run.work) > 1.5
