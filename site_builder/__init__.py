@@ -4,7 +4,7 @@ import os
 import time
 from pathlib import Path
 
-from site_builder.engine_files import hidden_parts
+from site_builder.files.engine import hidden_parts
 
 # Each core has a process of the build's own: threads of OpenBLAS beside them would wait for them.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -5,19 +5,22 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from simulations.registry import LADDER_MODULES
 from site_builder import __version__
-from site_builder.addresses import site_address, source_address
-from site_builder.benchmarks.loading import import_figures
-from site_builder.book import Book
+from site_builder.assets.python import pack_for_browser
 from site_builder.build import Options, Warn, build_site, check_site
-from site_builder.cache import Cache, using
-from site_builder.diagnostics import BuildError, Diagnostic, counted
-from site_builder.hashing import source_hash
+from site_builder.cache.hashing import source_hash
+from site_builder.cache.results import Cache, using
+from site_builder.diagnostics.as_json import as_json
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, counted
+from site_builder.document.book import Book
 from site_builder.output.writer import advice, write_site
-from site_builder.sandbox import Limits, limited
+from site_builder.sandbox.loading import import_figures
+from site_builder.sandbox.pool import Limits, limited
+from site_builder.settings.addresses import site_address, source_address
 
 ROOT = Path.cwd()
 """The book's folder."""
@@ -75,8 +78,6 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             )  # fmt: skip
             print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
         case "check":
-            from site_builder.check_command import check
-
             return check(Options(ROOT, runtime=given.runtime), json=given.json)
         case "new":
             from site_builder.scaffold.pieces import make_new  # needed only here
@@ -114,8 +115,8 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             if count := left_out(book):
                 print(f"{count} questions about figures are left out; they need --address")
         case "bench":
+            from site_builder.assets.pages import write_scripts
             from site_builder.benchmarks.measuring import bench
-            from site_builder.site_assets import write_scripts
 
             return bench(ROOT, given.ladder, write_scripts)
         case "guide":
@@ -128,6 +129,38 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
 
             serve(ROOT, given.out, given.port, runtime=given.runtime, host=given.host)
     return 0
+
+
+def check(options: Options, *, json: bool) -> int:
+    """Print all mistakes and warnings; return 1 where there is a mistake, else 0.
+
+    Text goes to the standard error, as the build's does, and JSON to the standard output.
+    """
+    found = find(options)
+    warnings = [one for one in found if not one.fails]
+    mistakes = [one for one in found if one.fails]
+    if json:
+        sys.stdout.write(as_json(found, options.root))
+        return int(bool(mistakes))
+    for one in [*warnings, *mistakes]:
+        print(one, file=sys.stderr)
+    if mistakes:
+        print(f"{counted(mistakes, 'mistake')}; nothing was written", file=sys.stderr)
+        return 1
+    print("no mistakes" + (f"; {counted(warnings, 'warning')}" if warnings else ""))
+    return 0
+
+
+def find(options: Options) -> Sequence[Diagnostic]:
+    """Mistakes and warnings in the order of files and lines."""
+    found: list[Diagnostic] = []
+    try:
+        book, *_ = check_site(replace(options, warn=found.append))
+        if options.runtime:
+            pack_for_browser(options.root, book, found.append, compiled=False)
+    except BuildError as error:
+        found += error.diagnostics
+    return sorted(set(found))
 
 
 def _edition(book: Book, kind: str) -> Path:

@@ -14,19 +14,27 @@ from typing import Any, NamedTuple
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
+from site_builder.assets.browser_parts import BrowserParts, browser_parts, scene_files
+from site_builder.assets.pages import (
+    NOW,
+    Files,
+    author_files,
+    gather_assets,
+    in_page,
+    prerendered_files,
+)
+from site_builder.assets.python import pack_for_browser
 from site_builder.benchmarks.measurements import read_measurements
-from site_builder.book import Book
-from site_builder.browser_parts import BrowserParts, browser_parts, scene_files
-from site_builder.browser_python import pack_for_browser
-from site_builder.cache import cached_result
+from site_builder.cache.results import cached_result
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
 from site_builder.checks.skeletons import check_skeletons
 from site_builder.checks.whole_book import check_book, check_translation
-from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
-from site_builder.engine_files import static_files
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, Diagnostics
+from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
-from site_builder.files import file_hash
+from site_builder.files.engine import static_files
+from site_builder.files.folders import file_hash
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import no_release, release_files
 from site_builder.output.writer import write_site
@@ -43,16 +51,8 @@ from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.search.index import make_indices
 from site_builder.search.library import SearchLibrary
-from site_builder.site_assets import (
-    NOW,
-    Files,
-    author_files,
-    gather_assets,
-    in_page,
-    prerendered_files,
-)
-from site_builder.source import read_book
-from site_builder.translated_source import read_translations
+from site_builder.sources.book import read_book
+from site_builder.sources.translated_book import read_translations
 
 LIBRARY = "search"
 """Folder of what searches, among the assets."""

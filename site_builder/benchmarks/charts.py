@@ -14,7 +14,7 @@ from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.plotting.ticks import Tick
 from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
-from site_builder.cache import cached_result
+from site_builder.cache.results import cached_result
 from site_builder.languages.words import ENGLISH, Words
 
 type Point = tuple[float, float]

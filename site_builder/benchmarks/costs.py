@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
 
 DATA = Path("content") / "costs.json"
 UNITS = {"ms": "ms", "kb": "KB", "mb": "MB", "s": "s"}

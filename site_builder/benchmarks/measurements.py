@@ -23,9 +23,9 @@ from typing import Any
 
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
 from simulations.registry import load_ladder
-from site_builder.benchmarks.loading import loaded
-from site_builder.blame import CodeError
-from site_builder.diagnostics import Diagnostics, cause
+from site_builder.diagnostics.blame import CodeError
+from site_builder.diagnostics.diagnostic import Diagnostics, cause
+from site_builder.sandbox.loading import loaded
 
 DATA = "content/measurements.json"
 COMMAND = "python -m site_builder bench"

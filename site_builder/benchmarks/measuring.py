@@ -34,7 +34,7 @@ from site_builder.benchmarks.record import (
     merge,
     write,
 )
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.programs.chromium import launch_arguments, require_chromium
 from site_builder.runtime.pack import pack_runtime
 

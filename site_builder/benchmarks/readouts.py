@@ -7,11 +7,11 @@ from typing import Any
 from simulations.engine.controls import ControlError
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.scene import Scene
-from site_builder.benchmarks.loading import loaded
 from site_builder.benchmarks.quantities import with_unit
-from site_builder.blame import CodeError
-from site_builder.diagnostics import cause, unknown
+from site_builder.diagnostics.blame import CodeError
+from site_builder.diagnostics.diagnostic import cause, unknown
 from site_builder.figures.frames import frame_at
+from site_builder.sandbox.loading import loaded
 
 
 class ReadoutError(CodeError):

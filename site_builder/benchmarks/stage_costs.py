@@ -13,7 +13,7 @@ from typing import Any
 
 from simulations.engine.controls import ControlError
 from simulations.engine.scene import Scene
-from site_builder.diagnostics import cause
+from site_builder.diagnostics.diagnostic import cause
 from site_builder.figures.frames import reports_at
 
 DATA = Path("content") / "stage-costs.json"

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from site_builder.checks.frames import known_classes
-from site_builder.diagnostics import Diagnostics
-from site_builder.engine_files import own_or_engine, static_files
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.engine import own_or_engine, static_files
+from site_builder.files.text import Toml
 from site_builder.markdown.roles import ROLES
 from site_builder.settings.model import FILE_NAME
-from site_builder.source_text import Toml
 
 NAME = re.compile(r"[a-z]+")
 PAIR = re.compile(r"(#[0-9a-f]{6}) (#[0-9a-f]{6})")

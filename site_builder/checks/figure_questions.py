@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from simulations.engine.conditions import first_true
 from simulations.engine.controls import ControlError, Slider
 from simulations.engine.expressions import ExpressionError
-from site_builder.book import Chapter
-from site_builder.diagnostics import Diagnostics, cause, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, cause, unknown
+from site_builder.document.blocks import Simulation
+from site_builder.document.book import Chapter
+from site_builder.document.questions import Option, Quiz
 from site_builder.figures.frames import frame_at
 from site_builder.markdown.questions.figure.kind import Task, conditions
-from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.questions import Option, Quiz
 
 
 def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:

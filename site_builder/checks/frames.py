@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simulations.engine.frame import ROLES, Panel
-from site_builder.book import Book
-from site_builder.cache import cached
+from site_builder.cache.results import cached
 from site_builder.checks.svg import Label, read_overlay
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.document.blocks import Block
+from site_builder.document.book import Book
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn
-from site_builder.page_model.blocks import Block
 
 MOST_PIXELS, MOST_LETTERS = 4_000_000, 1_000_000
 """Of a panel, which a slider draws anew at every step."""

@@ -1,8 +1,8 @@
 """Whether the section that is to explain a term uses it, and whether any text does before it."""
 
-from site_builder.book import Book
-from site_builder.diagnostics import Diagnostics
-from site_builder.page_model.places import Target, TermUse
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.book import Book
+from site_builder.document.places import Target, TermUse
 from site_builder.references.glossary import FILE
 
 

@@ -6,9 +6,9 @@ the best known of the cues by which people answer who know nothing (Haladyna, Do
 here: each reader gets an order of their own. Questions with several keys are left alone.
 """
 
-from site_builder.book import Book, Chapter
-from site_builder.diagnostics import Diagnostics
-from site_builder.page_model.questions import Option, Quiz
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.book import Book, Chapter
+from site_builder.document.questions import Option, Quiz
 from site_builder.render.words import plain_words
 
 STANDS_OUT = 1.4

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from site_builder.book import OUTLINE, Book
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.book import OUTLINE, Book
 
 PLACEHOLDERS = (
     "What this book is about, in a sentence.",

@@ -11,7 +11,7 @@ from xml.sax.xmlreader import AttributesNSImpl
 
 from defusedxml import DefusedXmlException
 
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
 
 SVG = "http://www.w3.org/2000/svg"
 XLINK = "http://www.w3.org/1999/xlink"

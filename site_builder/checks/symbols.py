@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator
 
-from site_builder.book import Book, Chapter
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.document.book import Book, Chapter
+from site_builder.document.places import Formula
 from site_builder.markdown.glossary_links.definitions import meanings_in
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
-from site_builder.page_model.places import Formula
 from site_builder.references.symbols import BOOK, FILE
 
 

@@ -5,15 +5,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import PurePosixPath
 
-from site_builder.book import Book, Chapter
 from site_builder.checks.figure_questions import check_figure_questions
 from site_builder.checks.glossary import check_glossary, check_order
 from site_builder.checks.questions import check_questions
 from site_builder.checks.symbols import check_symbols
-from site_builder.diagnostics import Diagnostics, unknown
-from site_builder.page_model.blocks import contents
-from site_builder.page_model.places import Link
-from site_builder.page_model.questions import Prediction, Quiz, Reveal
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.document.blocks import contents
+from site_builder.document.book import Book, Chapter
+from site_builder.document.places import Link
+from site_builder.document.questions import Prediction, Quiz, Reveal
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 
 

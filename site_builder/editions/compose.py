@@ -6,18 +6,18 @@ from itertools import groupby
 from operator import attrgetter
 from xml.etree.ElementTree import Element
 
-from site_builder.book import Book, Chapter
+from site_builder.assets.pages import Files, gather_assets
 from site_builder.build import Options, check_site
+from site_builder.document.blocks import Simulation
+from site_builder.document.book import Book, Chapter
 from site_builder.editions.multiples import Row, render_rows
 from site_builder.editions.tree import elements, parse
-from site_builder.page_model.blocks import Simulation
 from site_builder.pages.back_matter import BACK_MATTER, back_matter_pages
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.page import Site, render_page
 from site_builder.pages.views.question import numbered_quizzes
 from site_builder.render.paper import paper_renderer
 from site_builder.runtime.pinned import Versions
-from site_builder.site_assets import Files, gather_assets
 
 ANSWERS = "answers"
 

@@ -10,14 +10,14 @@ from urllib.parse import quote, unquote
 from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
-from site_builder.archive import archive_of
-from site_builder.book import Book
+from site_builder.document.book import Book
 from site_builder.editions.compose import Composed, Section
 from site_builder.editions.epub_style import book_style
 from site_builder.editions.links import Place, bind_links, is_external
 from site_builder.editions.plain_markup import plain
 from site_builder.editions.tree import elements, first, parse, xhtml
 from site_builder.figures.frames import as_png
+from site_builder.files.archive import archive_of
 from site_builder.output.assets import content_bytes
 from site_builder.pages.environment import render_template
 

@@ -4,8 +4,8 @@ e-books lack."""
 import re
 from pathlib import Path
 
-from site_builder.book import Colours
-from site_builder.engine_files import own_or_engine
+from site_builder.document.book import Colours
+from site_builder.files.engine import own_or_engine
 from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.light_theme import style_of_drawings
 

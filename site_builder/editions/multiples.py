@@ -8,7 +8,7 @@ import numpy as np
 
 from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import Panel
-from site_builder.book import Book
+from site_builder.document.book import Book
 from site_builder.figures.frames import Picture, StaticFrame, pixels, static_frame
 from site_builder.figures.initial_frames import InitialFrame, InitialFrames
 from site_builder.figures.main_control import main_control

@@ -7,13 +7,13 @@ from copy import deepcopy
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
+from site_builder.assets.pages import Files
 from site_builder.editions.compose import Composed
 from site_builder.editions.page_numbers import fill
 from site_builder.editions.tree import xhtml
 from site_builder.editions.volume import volume
 from site_builder.output.assets import content_bytes
 from site_builder.programs.chromium import launch_arguments, require_chromium
-from site_builder.site_assets import Files
 
 SITE = "http://book.invalid/"
 """Addresses are answered from memory: nothing is served, nothing fetched."""

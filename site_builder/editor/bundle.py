@@ -5,8 +5,8 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from site_builder.cache import cached_result
-from site_builder.files import file_hash
+from site_builder.cache.results import cached_result
+from site_builder.files.folders import file_hash
 from site_builder.programs.node import Package, installed_packages, run_node
 
 HERE = Path(__file__).parent

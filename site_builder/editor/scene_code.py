@@ -20,7 +20,7 @@ from simulations.editing.definitions import (
     module_source,
 )
 from simulations.engine.scene import Scene
-from site_builder.cache import cached
+from site_builder.cache.results import cached
 from site_builder.runtime.imports import is_module
 
 

@@ -13,9 +13,9 @@ from simulations.engine.frame import Frame, Raster, StageReport
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
-from site_builder.blame import at_settings
-from site_builder.cache import cached
-from site_builder.sandbox import run_limited
+from site_builder.cache.results import cached
+from site_builder.diagnostics.blame import at_settings
+from site_builder.sandbox.pool import run_limited
 
 SMALL_PX = 320
 """The longer side of a small frame's pictures, at most."""

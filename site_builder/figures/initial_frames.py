@@ -7,12 +7,12 @@ from functools import partial
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel
 from simulations.engine.settings import values_of
-from site_builder.book import Book
-from site_builder.diagnostics import Diagnostics, cause
+from site_builder.diagnostics.diagnostic import Diagnostics, cause
+from site_builder.document.blocks import Simulation
+from site_builder.document.book import Book
 from site_builder.figures.frames import StaticFrame, static_frame
 from site_builder.figures.prerendered_frames import PrerenderedFrames, prerender
-from site_builder.page_model.blocks import Simulation
-from site_builder.sandbox import side_by_side
+from site_builder.sandbox.pool import side_by_side
 
 
 @dataclass(frozen=True, slots=True)

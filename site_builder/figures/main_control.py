@@ -1,7 +1,7 @@
 """Which control of a figure shows most of it."""
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Toggle
-from site_builder.page_model.blocks import Simulation
+from site_builder.document.blocks import Simulation
 
 
 def main_control(figure: Simulation) -> Control | None:

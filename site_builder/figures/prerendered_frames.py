@@ -8,9 +8,9 @@ import numpy as np
 from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import to_json
 from simulations.engine.settings import values_of
+from site_builder.document.blocks import Simulation
 from site_builder.figures.frames import small_frames
 from site_builder.figures.main_control import main_control
-from site_builder.page_model.blocks import Simulation
 
 FRAMES = 11
 """Of a slider, from end to end."""

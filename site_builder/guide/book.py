@@ -3,7 +3,7 @@ that every new book begins with."""
 
 from pathlib import Path
 
-from site_builder.engine_files import ENGINE, STATIC, own_or_engine
+from site_builder.files.engine import ENGINE, STATIC, own_or_engine
 from site_builder.guide.changes import changes_page
 from site_builder.guide.classes import read_classes
 from site_builder.guide.controls import MARK, controls_table

@@ -5,7 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from site_builder.engine_files import ENGINE
+from site_builder.files.engine import ENGINE
 from site_builder.guide.book import write_guide
 
 FOLDER = Path("build", "guide")

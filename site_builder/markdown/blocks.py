@@ -5,12 +5,12 @@ from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.document.blocks import Block, Prose
+from site_builder.document.passage import passage
 from site_builder.markdown.directive import Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import end_of_element
 from site_builder.markdown.usage import checked
-from site_builder.page_model.blocks import Block, Prose
-from site_builder.page_model.passage import passage
 
 
 def read_blocks(tokens: Sequence[Token], context: ParseContext) -> tuple[Block, ...]:

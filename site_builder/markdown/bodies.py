@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
+from site_builder.document.blocks import Block
+from site_builder.document.passage import Passage, passage
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.directive import Body, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.blocks import Block
-from site_builder.page_model.passage import Passage, passage
 
 
 def plain_tokens(

@@ -21,12 +21,12 @@ from markdown_it.token import Token
 from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate, evaluate_node
 from simulations.engine.frame import power_of_ten
-from site_builder.benchmarks.loading import imported
 from site_builder.benchmarks.measurements import SIDES
-from site_builder.blame import CodeError, raised_by_code
-from site_builder.diagnostics import cause, unknown
+from site_builder.diagnostics.blame import CodeError, raised_by_code
+from site_builder.diagnostics.diagnostic import cause, unknown
 from site_builder.markdown.model_functions import ModelFunction
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.sandbox.loading import imported
 
 BLOCK = "calc"
 LEGAL = "legal: 'from simulations.… import name', 'name = expression', 'assert condition'"

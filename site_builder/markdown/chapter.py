@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.book import Chapter
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.book import Chapter
+from site_builder.document.places import Formula, Need, Target
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.files.front_matter import FrontMatter, read_front_matter
 from site_builder.markdown.glossary_links.terms import mark_terms
@@ -15,7 +16,6 @@ from site_builder.markdown.numbering import number_targets
 from site_builder.markdown.parse_context import PAGE_IDS, ParseContext
 from site_builder.markdown.questions.draws import set_aside
 from site_builder.markdown.targets import Targets
-from site_builder.page_model.places import Formula, Need, Target
 
 
 @dataclass(frozen=True, slots=True)

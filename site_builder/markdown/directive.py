@@ -10,8 +10,8 @@ from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.document.passage import Plain
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Plain
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from typing import Any
 
 from markdown_it.rules_block import StateBlock
 
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.markdown.directive import Directive, DirectiveCall, OptionValue
 
 OPENING = re.compile(r"(:{3,})\{([\w-]+)\}[ \t]*(.*)")

@@ -7,10 +7,10 @@ from itertools import pairwise
 
 from markdown_it.token import Token
 
+from site_builder.document.passage import passage
+from site_builder.document.places import Heading
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import plain_text
-from site_builder.page_model.passage import passage
-from site_builder.page_model.places import Heading
 
 
 def list_headings(tokens: Sequence[Token], context: ParseContext) -> None:

@@ -6,8 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from markdown_it.token import Token
 
 from simulations.engine.expressions import ExpressionError
-from site_builder.blame import raised_by_code
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.blame import raised_by_code
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.document.passage import Passage, passage
+from site_builder.document.places import Link, chapter_id
 from site_builder.markdown.calculation import BLOCK, compute_formula, define_names
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.headings import list_headings
@@ -19,8 +21,6 @@ from site_builder.markdown.text.code import UnknownLanguageError, check_language
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
 from site_builder.markdown.text.tokens import located, plain_text
-from site_builder.page_model.passage import Passage, passage
-from site_builder.page_model.places import Link, chapter_id
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
 BARE_ROLE = re.compile(r"\{([\w-]+)\}(?!`)")

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from site_builder.cache import cached
-from site_builder.sandbox import run_limited
+from site_builder.cache.results import cached
+from site_builder.sandbox.pool import run_limited
 
 
 @dataclass(frozen=True, slots=True)

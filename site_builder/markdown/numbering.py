@@ -14,12 +14,12 @@ from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.document.places import Target
 from site_builder.markdown.directive import LABEL, Directive, DirectiveCall
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.headings import slug
 from site_builder.markdown.parse_context import ParseContext, Place
 from site_builder.markdown.text.tokens import plain_text
-from site_builder.page_model.places import Target
 
 LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 

@@ -12,11 +12,8 @@ from markdown_it.token import Token
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.measurements import Measurements
 from site_builder.benchmarks.readouts import Readouts
-from site_builder.diagnostics import Diagnostics
-from site_builder.languages.words import ENGLISH, Words
-from site_builder.markdown.targets import Targets
-from site_builder.markdown.text.math import Macros
-from site_builder.page_model.places import (
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.places import (
     Citation,
     Heading,
     IndexMark,
@@ -25,6 +22,9 @@ from site_builder.page_model.places import (
     Target,
     TermUse,
 )
+from site_builder.languages.words import ENGLISH, Words
+from site_builder.markdown.targets import Targets
+from site_builder.markdown.text.math import Macros
 from site_builder.references.bibliography import EMPTY, Bibliography
 from site_builder.references.glossary import EMPTY as NO_TERMS
 from site_builder.references.glossary import Glossary

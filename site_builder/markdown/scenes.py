@@ -5,11 +5,11 @@ from typing import Any
 
 from simulations.engine.controls import ControlError, Slider, Value
 from simulations.engine.scene import Scene
-from site_builder.benchmarks.loading import loaded
-from site_builder.blame import CodeError, raised_by_code
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.blame import CodeError, raised_by_code
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.markdown.directive import OptionValue
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.sandbox.loading import loaded
 
 
 def find_scene(scene_id: str, line: int, context: ParseContext) -> Scene[Any] | None:

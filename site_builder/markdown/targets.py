@@ -4,8 +4,8 @@ wrote."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from site_builder.diagnostics import unknown
-from site_builder.page_model.places import Target
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.document.places import Target
 
 
 @dataclass(frozen=True, slots=True)

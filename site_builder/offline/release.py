@@ -3,7 +3,7 @@
 import json
 from collections.abc import Mapping
 
-from site_builder.files import integrity
+from site_builder.files.folders import integrity
 from site_builder.output.assets import Content, content_bytes
 from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.raw.decoder import FOLDER

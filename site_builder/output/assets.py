@@ -4,7 +4,7 @@ import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 
-from site_builder.files import bytes_hash, file_hash
+from site_builder.files.folders import bytes_hash, file_hash
 
 type Content = bytes | Path
 """The bytes of a file, or its path."""

@@ -1,6 +1,6 @@
 """Rules of the style sheet for the colours of a book's own ideas."""
 
-from site_builder.book import Colours
+from site_builder.document.book import Colours
 
 LIT_OTHERWISE = ".handle, .readout"
 """Selects what a lit idea marks in another way than by its ground."""

@@ -4,8 +4,8 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from site_builder.book import Colours
-from site_builder.engine_files import own_or_engine
+from site_builder.document.book import Colours
+from site_builder.files.engine import own_or_engine
 from site_builder.output.colour_rules import paper_rules
 
 TOKEN = re.compile(r"^  (--[\w-]+): light-dark\(([^,]+), [^)]+\);", re.MULTILINE)

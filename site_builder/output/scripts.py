@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from posixpath import normpath
 
-from site_builder.cache import cached_result
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.cache.results import cached_result
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.editor.bundle import HERE as PACKAGES
-from site_builder.files import file_hash
+from site_builder.files.folders import file_hash
 from site_builder.output.assets import Content, content_bytes, content_hash
 from site_builder.programs.node import NodeError, installed_packages, run_node
 

@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 from pathlib import PurePosixPath
 
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.output.assets import Content, content_bytes
 
 COMMENT = re.compile(r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|/\*.*?\*/""", re.DOTALL)

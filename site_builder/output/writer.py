@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from site_builder.files import file_hash
+from site_builder.files.folders import file_hash
 from site_builder.output.assets import Content, content_bytes, content_hash
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import Any
 
-from site_builder.book import Book
+from site_builder.document.book import Book
 from site_builder.languages.words import Words
 from site_builder.pages.views.glossary import view_glossary
 from site_builder.pages.views.index import view_index

@@ -6,9 +6,9 @@ from typing import Any
 
 from simulations.engine.controls import Points, describe
 from simulations.engine.scene import Scene
-from site_builder.book import Book, Chapter
+from site_builder.document.book import Book, Chapter
+from site_builder.document.questions import Option, Prediction, Quiz
 from site_builder.markdown.questions.kinds import kind_of
-from site_builder.page_model.questions import Option, Prediction, Quiz
 from site_builder.runtime.pinned import Versions
 
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from markdown_it.token import Token
 
-from site_builder.book import Chapter
-from site_builder.page_model.blocks import Block, Simulation, walk
-from site_builder.page_model.passage import Passage
+from site_builder.document.blocks import Block, Simulation, walk
+from site_builder.document.book import Chapter
+from site_builder.document.passage import Passage
 
 FOLDER = "embed/"
 ROOT = "../../../"

@@ -18,12 +18,12 @@ from markupsafe import Markup
 from platformdirs import user_cache_path
 
 from site_builder.benchmarks.quantities import milliseconds, quantity
-from site_builder.book import Book
+from site_builder.document.book import Book
+from site_builder.document.passage import Passage
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.output.book_files import script_words
-from site_builder.page_model.passage import Passage
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.policy import page_policy
 from site_builder.pages.versions import lead_to_original, original_of, original_page

@@ -4,13 +4,13 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from simulations.engine.controls import KINDS as CONTROLS
-from site_builder.book import Book
-from site_builder.engine_files import ENGINE
+from site_builder.document.blocks import contents
+from site_builder.document.book import Book
+from site_builder.document.questions import Question
+from site_builder.files.engine import ENGINE
 from site_builder.markdown.questions.kind import HERE as QUESTION_FOLDER
 from site_builder.markdown.questions.kinds import KINDS as QUESTIONS
 from site_builder.markdown.questions.kinds import kind_of
-from site_builder.page_model.blocks import contents
-from site_builder.page_model.questions import Question
 from site_builder.pages.views.control import FOLDER as CONTROL_FOLDER
 
 

@@ -7,8 +7,8 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 from site_builder import __version__
-from site_builder.book import UNSET
-from site_builder.engine_files import DISTRIBUTION, PACKED
+from site_builder.document.book import UNSET
+from site_builder.files.engine import DISTRIBUTION, PACKED
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.programs.node import Package
 from site_builder.runtime.pinned import Versions

@@ -1,11 +1,11 @@
 """What a page is to the world outside: its address, its card, the file that it is made from."""
 
-from site_builder.addresses import PATH
-from site_builder.book import OUTLINE, Book, Chapter
-from site_builder.lecture_plan import FILE as LECTURE_PLAN
+from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.glossary import FILE as GLOSSARY
 from site_builder.references.symbols import FILE as SYMBOLS
+from site_builder.settings.addresses import PATH
+from site_builder.sources.lecture_plan import FILE as LECTURE_PLAN
 
 BOOK_CARD = "card.png"
 CARDS = "cards"

@@ -6,10 +6,10 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from site_builder.book import Book, Chapter
+from site_builder.document.blocks import Block, Simulation
+from site_builder.document.book import Book, Chapter
 from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.markdown.directives.illustration import Drawn as Illustration
-from site_builder.page_model.blocks import Block, Simulation
 from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.pages.environment import book_context, template_environment
 from site_builder.pages.outside import card_path, origin, page_address
@@ -17,7 +17,7 @@ from site_builder.pages.reading_time import reading_minutes
 from site_builder.pages.versions import Version, versions_of
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.render.paper import paper_renderer
-from site_builder.translations.labels import figure_markup
+from site_builder.sources.translations.labels import figure_markup
 
 FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
 """Of what a reader meets first: text, and the line above it."""

@@ -8,7 +8,7 @@ of formulae do. WebKit reports directives that it does not know, such as `manife
 
 from collections.abc import Sequence
 
-from site_builder.files import integrity
+from site_builder.files.folders import integrity
 
 ALWAYS = {
     "default-src": "'self'",

@@ -1,6 +1,6 @@
 """How long a chapter takes to read."""
 
-from site_builder.book import Chapter
+from site_builder.document.book import Chapter
 from site_builder.render.sections import Describe, sections_of
 
 WORDS_A_MINUTE = 180

@@ -7,14 +7,14 @@ from typing import Any
 
 from markupsafe import Markup
 
-from site_builder.book import Book, Chapter
-from site_builder.cache import cached_result
-from site_builder.engine_files import own_or_engine
-from site_builder.files import folder_hash
-from site_builder.hashing import hash_of
+from site_builder.cache.hashing import hash_of
+from site_builder.cache.results import cached_result
+from site_builder.document.blocks import Block
+from site_builder.document.book import Book, Chapter
+from site_builder.document.places import Heading
+from site_builder.files.engine import own_or_engine
+from site_builder.files.folders import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
-from site_builder.page_model.blocks import Block
-from site_builder.page_model.places import Heading
 from site_builder.pages.back_matter import back_matter_pages, titled
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.embeds import embeds

@@ -5,8 +5,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 
-from site_builder.book import Chapter
-from site_builder.page_model.passage import Passage
+from site_builder.document.book import Chapter
+from site_builder.document.passage import Passage
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simulations.engine.frame import Panel
-from site_builder.book import Book, Chapter, Colours
+from site_builder.document.blocks import Simulation, contents
+from site_builder.document.book import Book, Chapter, Colours
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
 from site_builder.output.light_theme import style_of_drawings
-from site_builder.page_model.blocks import Simulation, contents
 from site_builder.pages.environment import render_template
 from site_builder.pages.outside import BOOK_CARD, card_path
 from site_builder.publishing.title_lines import set_title

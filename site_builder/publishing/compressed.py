@@ -6,8 +6,8 @@ from pathlib import PurePosixPath
 
 import brotli
 
-from site_builder.cache import cached_result
-from site_builder.files import bytes_hash
+from site_builder.cache.results import cached_result
+from site_builder.files.folders import bytes_hash
 from site_builder.output.assets import Content, content_bytes
 
 PACKED = frozenset(

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Mapping
 from urllib.parse import urlsplit
 
-from site_builder.book import Book
+from site_builder.document.book import Book
 from site_builder.output.assets import Content
 from site_builder.pages.environment import render_template
 

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from site_builder.cache import cached
-from site_builder.diagnostics import BuildError, Diagnostic
-from site_builder.engine_files import own_or_engine
+from site_builder.cache.results import cached
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
+from site_builder.files.engine import own_or_engine
 from site_builder.publishing.vector import png_of, whole_fonts
 
 FILE = "static/images/favicon.svg"

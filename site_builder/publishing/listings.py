@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from urllib.parse import urlsplit
 
-from site_builder.book import Book
+from site_builder.document.book import Book
 from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.pages.environment import render_template
 from site_builder.pages.outside import page_address

@@ -11,9 +11,9 @@ from pathlib import Path
 from string import ascii_lowercase
 from typing import Any
 
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.files.text import read_text
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.source_text import read_text
 
 FILE = "content/references.bib"
 REQUIRED: Mapping[str, tuple[str, ...]] = {

@@ -13,11 +13,11 @@ from functools import cached_property
 from itertools import groupby
 from pathlib import Path
 
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.files.text import read_toml
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.settings.declared import Reader, key
 from site_builder.settings.kinds import TEXT, texts
-from site_builder.source_text import read_toml
 
 FILE = "content/glossary.toml"
 NAMES = texts('["one", "another"]')

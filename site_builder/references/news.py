@@ -9,10 +9,10 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.files.text import read_toml
 from site_builder.settings.declared import Reader, key
 from site_builder.settings.kinds import DAY, TEXT
-from site_builder.source_text import read_toml
 
 FILE = "content/news.toml"
 ENTRY = "entry"

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from site_builder.diagnostics import Diagnostics
-from site_builder.source_text import read_toml
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.text import read_toml
 
 FILE = "content/symbols.toml"
 BOOK = "book"

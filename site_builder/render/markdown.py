@@ -10,9 +10,9 @@ from textwrap import indent
 
 from markdown_it.tree import SyntaxTreeNode
 
+from site_builder.document.passage import Passage
+from site_builder.document.places import Target
 from site_builder.formulae.tex import plain_tex
-from site_builder.page_model.passage import Passage
-from site_builder.page_model.places import Target
 
 SPECIAL = re.compile(r"([\\`*_\[\]<$~])")
 AT_START = re.compile(r"^(?=(?:[-+>]|#+|=+)(?:\s|$))|^(?<=)(\d+)(?=[.)]\s)", re.MULTILINE)

@@ -13,10 +13,10 @@ from markdown_it.utils import EnvType, OptionsDict
 from markupsafe import Markup
 from mdit_py_plugins.footnote import footnote_plugin
 
+from site_builder.document.passage import Passage
+from site_builder.document.places import Target
 from site_builder.languages.words import Words
 from site_builder.markdown.text.code import code_html
-from site_builder.page_model.passage import Passage
-from site_builder.page_model.places import Target
 
 type Rules = Mapping[str, Callable[[Token], str]]
 """HTML of a token by its type."""

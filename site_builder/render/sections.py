@@ -6,10 +6,10 @@ Answers, and what is hidden until a guess, are left out.
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 
-from site_builder.book import Book, Chapter
+from site_builder.document.blocks import Block, Prose, Simulation
+from site_builder.document.book import Book, Chapter
+from site_builder.document.passage import Channel, Passage
 from site_builder.markdown.directives import DIRECTIVES
-from site_builder.page_model.blocks import Block, Prose, Simulation
-from site_builder.page_model.passage import Channel, Passage
 from site_builder.render.words import pieces
 
 PLAIN = {directive.template: directive.plain for directive in DIRECTIVES}

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 
 from markdown_it.token import Token
 
-from site_builder.page_model.passage import Passage
+from site_builder.document.passage import Passage
 
 LONGEST_FORMULA = 14
 """Characters of a formula that the search shows; a longer one becomes an ellipsis."""

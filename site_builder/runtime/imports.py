@@ -7,7 +7,7 @@ from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
-from site_builder.cache import cached
+from site_builder.cache.results import cached
 
 
 @dataclass(frozen=True, slots=True)

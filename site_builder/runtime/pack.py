@@ -7,10 +7,10 @@ from pathlib import Path
 from types import MappingProxyType
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
-from site_builder.archive import archive_of
-from site_builder.cache import cached_result
-from site_builder.engine_files import ENGINE, is_engine
-from site_builder.files import file_hash, integrity
+from site_builder.cache.results import cached_result
+from site_builder.files.archive import archive_of
+from site_builder.files.engine import ENGINE, is_engine
+from site_builder.files.folders import file_hash, integrity
 from site_builder.programs.node import Package
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime

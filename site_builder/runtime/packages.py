@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 from zipfile import ZipFile
 
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.programs.node import Package
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.pinned import RELEASE_LOCK, RuntimeFile

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from site_builder.engine_files import SHARED
+from site_builder.files.engine import SHARED
 from site_builder.scaffold.names import ScaffoldError
 
 HERE = Path(__file__).parent

@@ -6,7 +6,7 @@ from importlib.metadata import distribution
 from pathlib import Path
 
 from site_builder import __version__
-from site_builder.engine_files import DISTRIBUTION, ENGINE, PACKED, own_or_engine
+from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, own_or_engine
 from site_builder.scaffold.files import HERE, SUFFIX, filled
 from site_builder.scaffold.names import ScaffoldError, read_name
 

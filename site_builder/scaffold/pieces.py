@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from site_builder.benchmarks.measurements import COMMAND
-from site_builder.book import OUTLINE
+from site_builder.document.book import OUTLINE
 from site_builder.scaffold.files import filled, packages, write_new
 from site_builder.scaffold.names import Name, ScaffoldError, read_name
 from site_builder.scaffold.new_book import make_book

@@ -3,12 +3,12 @@
 from itertools import pairwise
 from pathlib import Path
 
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.places import chapter_id
 from site_builder.languages.words import languages
 from site_builder.markdown.headings import slug
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.text.tokens import plain_text
-from site_builder.page_model.places import chapter_id
 from site_builder.scaffold.files import write_new
 from site_builder.scaffold.names import ScaffoldError
 from site_builder.settings.reading import read_settings

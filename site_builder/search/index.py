@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from pathlib import Path
 
-from site_builder.book import Book
-from site_builder.cache import cached_result
-from site_builder.engine_files import STATIC
-from site_builder.files import file_hash
+from site_builder.cache.results import cached_result
+from site_builder.document.book import Book
+from site_builder.files.engine import STATIC
+from site_builder.files.folders import file_hash
 from site_builder.languages.words import Words
 from site_builder.programs.node import NODE
 from site_builder.render.sections import Describe

@@ -10,10 +10,10 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from site_builder.engine_files import ENGINE, STATIC
+from site_builder.assets.pages import NOW, STYLE_SHEET
+from site_builder.files.engine import ENGINE, STATIC
 from site_builder.output.writer import replace_file
 from site_builder.server.news import News
-from site_builder.site_assets import NOW, STYLE_SHEET
 
 type Files = dict[str, tuple[int, int]]
 """Time of change and size of files, by name."""

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from watchfiles import Change, awatch
 
-from site_builder.files import folder_files
+from site_builder.files.folders import folder_files
 
 DEBOUNCE_MS = 100
 STEP_MS = 10

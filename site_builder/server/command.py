@@ -8,7 +8,7 @@ from pathlib import Path
 
 import uvicorn
 
-from site_builder.engine_files import ENGINE, STATIC
+from site_builder.files.engine import ENGINE, STATIC
 from site_builder.server.app import make_app
 from site_builder.server.builds import Builds, is_code
 from site_builder.server.changes import changes

@@ -4,9 +4,9 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from typing import Any
 
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.files.text import Keys, Toml
 from site_builder.settings.kinds import Kind
-from site_builder.source_text import Keys, Toml
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import date, datetime
 from typing import Any
 
-from site_builder.addresses import PATH, site_address, source_address
+from site_builder.settings.addresses import PATH, site_address, source_address
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,10 +3,10 @@
 import re
 from pathlib import Path
 
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.text import Toml, read_toml
 from site_builder.settings.declared import Reader, keys_of
 from site_builder.settings.model import FILE_NAME, Settings
-from site_builder.source_text import Toml, read_toml
 
 
 def read_settings(root: Path, problems: Diagnostics) -> tuple[Settings, Toml]:

@@ -13,8 +13,8 @@ from support.chromium import open_chromium
 from support.host import Host, hosting
 from support.places import ROOT
 
-from site_builder.cache import Cache, using
-from site_builder.files import folder_files
+from site_builder.cache.results import Cache, using
+from site_builder.files.folders import folder_files
 from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.publishing.compressed import compressed_copies
 

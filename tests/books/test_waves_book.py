@@ -16,7 +16,7 @@ from support.static_server import serving
 from support.waves import SCENES
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
-from site_builder.engine_files import is_engine
+from site_builder.files.engine import is_engine
 
 STYLES = re.compile(r"<style>.*?</style>", re.DOTALL)
 """The engine's; their colours have names that a book's figures may have, too."""

@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from support.small_package import PACKAGE, small_package
 
-from site_builder.benchmarks.loading import imported
-from site_builder.blame import at_settings
-from site_builder.diagnostics import BuildError, Diagnostics, cause
-from site_builder.sandbox import LimitError, Limits, limited
+from site_builder.diagnostics.blame import at_settings
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostics, cause
+from site_builder.sandbox.loading import imported
+from site_builder.sandbox.pool import LimitError, Limits, limited
 
 SLIPS = [
     ("return {'curve': 1}['curves']", "KeyError: 'curves'"),

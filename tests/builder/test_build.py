@@ -9,9 +9,9 @@ from support.little_book import OUTLINE
 
 from site_builder import build
 from site_builder.build import Options, render_site
-from site_builder.diagnostics import BuildError
-from site_builder.outline import OWN_FOLDERS
+from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.output.assets import content_bytes
+from site_builder.sources.outline import OWN_FOLDERS
 
 type MakeBook = Callable[..., Options]
 

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 from simulations.registry import load_scene
-from site_builder import cache, hashing
-from site_builder.cache import FILE, Cache, cached, cached_reading, using
-from site_builder.diagnostics import Diagnostics
+from site_builder.cache import hashing
+from site_builder.cache import results as cache
+from site_builder.cache.results import FILE, Cache, cached, cached_reading, using
+from site_builder.diagnostics.diagnostic import Diagnostics
 
 calls: list[object] = []
 

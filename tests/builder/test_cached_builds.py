@@ -8,14 +8,15 @@ import pytest
 from support.little_book import files_of
 
 from simulations.registry import load_scene
-from site_builder import chapters, hashing
-from site_builder.book import Chapter
 from site_builder.build import Options, render_site
-from site_builder.cache import Cache, using
-from site_builder.diagnostics import BuildError
+from site_builder.cache import hashing
+from site_builder.cache.results import Cache, using
+from site_builder.diagnostics.diagnostic import BuildError
+from site_builder.document.book import Chapter
 from site_builder.markdown.chapter import Draft, read_chapter
 from site_builder.markdown.targets import Targets
 from site_builder.output.assets import content_bytes
+from site_builder.sources import chapters
 
 EDITS = {
     "a sentence": ("content/00-first.md", "is small", "is tiny"),

@@ -12,10 +12,10 @@ import pytest
 import yaml
 from support.little_book import OUTLINE
 
+from site_builder.__main__ import find
 from site_builder.build import Options, render_site
-from site_builder.check_command import find
-from site_builder.diagnostic_json import column_of, suggestion_of
-from site_builder.diagnostics import BuildError, Diagnostic, unknown
+from site_builder.diagnostics.as_json import column_of, suggestion_of
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, unknown
 from site_builder.runtime import freeze, pack
 
 ROOT = Path(__file__).resolve().parents[2]

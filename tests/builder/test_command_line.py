@@ -73,5 +73,5 @@ def test_an_interrupted_command_ends_without_a_traceback(
     def interrupted(_options: Options) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("site_builder.check_command.check_site", interrupted)
+    monkeypatch.setattr("site_builder.__main__.check_site", interrupted)
     assert run("check", "--no-runtime") == 130

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from site_builder.hashing import UnhashableError, hash_of, source_hash
+from site_builder.cache.hashing import UnhashableError, hash_of, source_hash
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from support.little_book import load_demo
 
-from site_builder.book import Chapter
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.book import Chapter
 from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter, survey
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser

@@ -11,7 +11,7 @@ from site_builder.editions.compose import compose
 from site_builder.editions.tree import elements, parse
 from site_builder.editions.volume import volume
 from site_builder.pages.environment import render_template
-from site_builder.parts import part_titles
+from site_builder.sources.parts import part_titles
 
 PARTED = OUTLINE + '[parts]\nMotion = "second"\n'
 type MakeBook = Callable[..., Options]

@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from site_builder.diagnostics import cause
-from site_builder.sandbox import LimitError, Limits, limited, run_limited, side_by_side
+from site_builder.diagnostics.diagnostic import cause
+from site_builder.sandbox.pool import LimitError, Limits, limited, run_limited, side_by_side
 
 QUICK = Limits(seconds=0.3, wall_seconds=60.0, bytes=300_000_000)
 """The clock runs faster than the processor's time, on a busy machine many times as fast."""
@@ -114,7 +114,7 @@ FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
 def test_a_failure_is_reported_and_the_next_job_runs(
     job: Callable[[], object], error: type[Exception], words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("site_builder.sandbox.GRACE_S", 0.5)
+    monkeypatch.setattr("site_builder.sandbox.pool.GRACE_S", 0.5)
     with pytest.raises(error, match=words):
         run_limited(job, WAITING_S if job in WAITING else QUICK.wall_seconds)
     assert run_limited(partial(divmod, 7, 4)) == (1, 3)

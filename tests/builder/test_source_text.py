@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.diagnostics import Diagnostics
-from site_builder.source_text import Toml, read_toml
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.text import Toml, read_toml
 
 ROOT = Path(__file__).resolve().parents[2]
 

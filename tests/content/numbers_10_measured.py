@@ -12,7 +12,7 @@ from simulations.ladders.inverse_distortion import prepare, reference, worst_px
 from simulations.models.distortion.undistortion import undistort_newton
 from simulations.registry import load_scene
 from site_builder.benchmarks.measurements import Measurements, read_measurements
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
 
 CHAPTER = "10-speed-and-accuracy"
 HALF_A_CODE = 0.5

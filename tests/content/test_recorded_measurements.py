@@ -9,7 +9,7 @@ from simulations.registry import LADDER_MODULES, load_ladder
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import Measurements, read_measurements
 from site_builder.benchmarks.record import close, finite
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -6,8 +6,8 @@ from pathlib import Path
 from support.frames import frame_of
 
 from simulations.scenes.formation_pipeline.scene import SCENE
-from site_builder.diagnostics import Diagnostics
-from site_builder.translations.labels import NUMBER, TEXT, read_labels
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.sources.translations.labels import NUMBER, TEXT, read_labels
 
 ROOT = Path(__file__).parents[2]
 SAME = {"Pose", "Sensor", "# · sRGB(# / #) = #"}

@@ -12,7 +12,7 @@ from playwright.sync_api import Browser
 from support.host import hosting
 from support.reader import Reader, visit
 
-from site_builder.files import integrity
+from site_builder.files.folders import integrity
 from site_builder.pages.policy import ANYTHING_INLINE, FOR_TOOLS
 from site_builder.publishing.hosting import common_policy
 

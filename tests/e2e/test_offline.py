@@ -13,7 +13,7 @@ from playwright.sync_api import Error as PlaywrightError
 from support.reader import Reader, visit
 from support.static_server import Fault, StaticServer, serving
 
-from site_builder.files import folder_files
+from site_builder.files.folders import folder_files
 from site_builder.offline.release import LIST, WORKER, no_release, release_files
 from site_builder.output.assets import content_bytes
 

@@ -16,12 +16,12 @@ from simulations.engine.controls import Slider, describe
 from simulations.engine.frame import Frame, Panel, StageReport, to_json
 from simulations.engine.message import Message
 from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.assets.pages import write_scripts
 from site_builder.benchmarks.charts import linear_axis, log_axis
 from site_builder.benchmarks.quantities import milliseconds, with_unit
 from site_builder.languages.words import ENGLISH
 from site_builder.pages.views.control import value_text
 from site_builder.pages.views.simulation import count_stages, reason_text
-from site_builder.site_assets import write_scripts
 
 pytestmark = pytest.mark.browser
 

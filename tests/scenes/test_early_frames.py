@@ -10,9 +10,9 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.document.blocks import Simulation
+from site_builder.document.passage import Passage
 from site_builder.figures import prerendered_frames
-from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.passage import Passage
 
 
 @pytest.mark.parametrize("scene", SCENE_MODULES)

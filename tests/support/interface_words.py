@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-from site_builder.engine_files import ENGINE, ENGINE_PARTS
+from site_builder.files.engine import ENGINE, ENGINE_PARTS
 from site_builder.languages.words import Words
 
 NOT_OURS = re.compile(r"<(pre|code)\b.*?</\1>", re.DOTALL)

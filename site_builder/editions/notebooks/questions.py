@@ -6,11 +6,11 @@ from functools import partial
 from string import ascii_uppercase
 
 from simulations.engine.frame import Panel
+from site_builder.document.blocks import Block, contents
+from site_builder.document.questions import OTHERWISE, Option, Prediction, Question, Quiz, Reveal
 from site_builder.editions.notebooks.cells import Part, Text, wrapped
 from site_builder.editions.notebooks.page import Page, folded, named
 from site_builder.markdown.questions.kinds import kind_of
-from site_builder.page_model.blocks import Block, contents
-from site_builder.page_model.questions import OTHERWISE, Option, Prediction, Question, Quiz, Reveal
 from site_builder.pages.environment import render_template
 from site_builder.render.markdown import escaped
 

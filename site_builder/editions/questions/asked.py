@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from site_builder.book import Book, Chapter
+from site_builder.document.book import Book, Chapter
+from site_builder.document.questions import OTHERWISE, Option, Quiz
 from site_builder.editions.questions.words import Text
 from site_builder.markdown.questions.kind import QuestionKind
 from site_builder.markdown.questions.kinds import kind_of
-from site_builder.page_model.questions import OTHERWISE, Option, Quiz
 from site_builder.pages.embeds import embed_address
 from site_builder.pages.environment import render_template
 from site_builder.pages.views.question import numbered_quizzes

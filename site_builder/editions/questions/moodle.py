@@ -7,7 +7,7 @@ The shape is that of Moodle's own export, https://docs.moodle.org/en/Moodle_XML_
 
 from itertools import groupby
 
-from site_builder.book import Book
+from site_builder.document.book import Book
 from site_builder.editions.questions.asked import Asked, asked_in, written
 from site_builder.editions.questions.words import moodle_text
 from site_builder.pages.environment import render_template

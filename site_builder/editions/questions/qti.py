@@ -5,10 +5,10 @@ Content Packaging 1.1.4."""
 
 from itertools import groupby
 
-from site_builder.archive import archive_of
-from site_builder.book import Book
+from site_builder.document.book import Book
 from site_builder.editions.questions.asked import asked_in, written
 from site_builder.editions.questions.words import qti_text
+from site_builder.files.archive import archive_of
 from site_builder.pages.environment import render_template
 
 

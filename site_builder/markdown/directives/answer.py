@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
+from site_builder.document.blocks import Block
+from site_builder.document.questions import Reveal
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.blocks import Block
-from site_builder.page_model.questions import Reveal
 
 
 def read_reveal(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Reveal:

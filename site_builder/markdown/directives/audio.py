@@ -6,6 +6,7 @@ from pathlib import PurePosixPath
 
 from markdown_it.token import Token
 
+from site_builder.document.passage import Passage, Plain, passage
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import (
     LABEL,
@@ -18,7 +19,6 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, Plain, passage
 
 KINDS = {".mp3": "audio/mpeg", ".m4a": "audio/mp4", ".ogg": "audio/ogg", ".wav": "audio/wav"}
 

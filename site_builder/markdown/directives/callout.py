@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from site_builder.document.blocks import Block
+from site_builder.document.passage import Passage, Plain
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.blocks import Block
-from site_builder.page_model.passage import Passage, Plain
 
 KINDS = {
     "tip": "an aside that helps",

@@ -3,10 +3,10 @@ the body is what the reader should know of it."""
 
 from dataclasses import dataclass
 
+from site_builder.document.passage import Passage, Plain
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, Plain
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
+from site_builder.document.passage import Passage, Plain
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, FileKind
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, Plain
 
 ACTIVE = (
     ".html", ".htm", ".xhtml", ".xht", ".shtml", ".mht", ".mhtml", ".xml", ".xsl", ".xslt", ".svgz",

@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from site_builder.document.blocks import Block
+from site_builder.document.passage import Passage, Plain
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import LABEL, Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.blocks import Block
-from site_builder.page_model.passage import Passage, Plain
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,11 +11,11 @@ from simulations.engine.hard_cases import (
     show,
 )
 from simulations.registry import hard_case_tables
-from site_builder.benchmarks.loading import imported
-from site_builder.diagnostics import cause
+from site_builder.diagnostics.diagnostic import cause
 from site_builder.markdown.bodies import NO_BODY
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.sandbox.loading import imported
 
 FILES = hard_case_tables()
 

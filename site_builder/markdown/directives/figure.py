@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from site_builder.document.passage import Passage, Plain
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import (
     LABEL,
@@ -14,7 +15,6 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.files.content_files import PICTURES, Size, picture_size
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, Plain
 
 WIDTH = r"([1-9]\d?|100)%|[1-9]\d{1,3}px"
 ALIKE = 0.01

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 from simulations.engine.illustration import Illustration
 from simulations.registry import found
-from site_builder.benchmarks.loading import imported
-from site_builder.cache import cached
-from site_builder.diagnostics import cause
+from site_builder.cache.results import cached
+from site_builder.diagnostics.diagnostic import cause
+from site_builder.document.passage import Passage, Plain
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import (
     LABEL,
@@ -18,8 +18,8 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, Plain
-from site_builder.sandbox import run_limited
+from site_builder.sandbox.loading import imported
+from site_builder.sandbox.pool import run_limited
 
 MODULES = found("illustrations")
 

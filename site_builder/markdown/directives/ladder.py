@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
+from site_builder.document.passage import Passage, Plain
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered, OptionLine
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, Plain
 
 
 @dataclass(frozen=True, slots=True)

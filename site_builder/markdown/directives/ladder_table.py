@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
+from site_builder.document.passage import Passage
 from site_builder.markdown.bodies import NO_BODY
 from site_builder.markdown.directive import LABEL, Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,9 +1,9 @@
 """``{predict} id``: a guess before the answer."""
 
+from site_builder.document.passage import passage
+from site_builder.document.questions import Prediction
 from site_builder.markdown.directive import Numbered
 from site_builder.markdown.questions.question import prediction_id, question_directive
-from site_builder.page_model.passage import passage
-from site_builder.page_model.questions import Prediction
 
 PREDICT = question_directive(
     "predict",

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
+from site_builder.document.passage import Passage, passage
+from site_builder.document.questions import Quiz
 from site_builder.markdown.directive import DirectiveCall, Numbered
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.question import question_directive
-from site_builder.page_model.passage import Passage, passage
-from site_builder.page_model.questions import Quiz
 
 
 def _prompt(call: DirectiveCall, prompt: Sequence[Token], context: ParseContext) -> Passage:

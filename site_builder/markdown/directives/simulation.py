@@ -7,6 +7,8 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
+from site_builder.document.blocks import Simulation
+from site_builder.document.passage import Plain, passage
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import (
     LABEL,
@@ -19,8 +21,6 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.scenes import find_scene, read_settings
-from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.passage import Plain, passage
 
 FOR_THE_PAGE = ("show", "yours", LABEL.name)
 """Options that are no settings of the scene."""

@@ -4,13 +4,13 @@ import ast
 from pathlib import Path
 from textwrap import dedent
 
-from site_builder.diagnostics import unknown
-from site_builder.engine_files import own_or_engine
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.document.blocks import Source
+from site_builder.document.passage import Passage
+from site_builder.files.engine import own_or_engine
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.blocks import Source
-from site_builder.page_model.passage import Passage
 
 type Definition = ast.FunctionDef | ast.ClassDef
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
+from site_builder.document.passage import Passage, Plain, passage
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import (
     LABEL,
@@ -17,7 +18,6 @@ from site_builder.markdown.directive import (
 from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, Plain, passage
 
 
 @dataclass(frozen=True, slots=True)

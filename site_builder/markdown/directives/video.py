@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from site_builder.document.passage import Passage, Plain
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import (
     LABEL,
@@ -15,7 +16,6 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.files.content_files import PICTURES, Size, picture_size
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, Plain
 
 CAPTIONS = FileKind("captions", (".vtt",))
 KINDS = {".mp4": "video/mp4", ".webm": "video/webm"}

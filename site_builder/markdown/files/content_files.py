@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
 from xml.etree import ElementTree
 
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.markdown.directive import FileKind
 
 PICTURES = FileKind("picture file", (".svg", ".png", ".jpg", ".jpeg", ".webp"))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import yaml
 from markdown_it.token import Token
 
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.markdown.parse_context import ParseContext
 
 TEXTS = ("title", "summary")

@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 
-from site_builder.book import Book, Chapter
+from site_builder.document.book import Book, Chapter
+from site_builder.document.passage import Passage
+from site_builder.document.places import Definition, Meaning
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.symbols import spelt
-from site_builder.page_model.passage import Passage
-from site_builder.page_model.places import Definition, Meaning
 from site_builder.references.glossary import Term
 from site_builder.references.symbols import BOOK, Symbol, Symbols
 

@@ -9,11 +9,11 @@ from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.document.places import IndexMark, TermUse
 from site_builder.markdown.directive import Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.roles.term import term_link
 from site_builder.markdown.text.tokens import located
-from site_builder.page_model.places import IndexMark, TermUse
 from site_builder.references.glossary import Term
 
 QUESTIONS = ("quiz", "predict")

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
+from site_builder.document.passage import Passage, passage
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import plain_text
-from site_builder.page_model.passage import Passage, passage
 
 MARKS = {"[ ]": "wrong", "[x]": "right", "[X]": "right", "[?]": "computed"}
 LEGAL_MARKS = "'- [ ] …' or '- [x] …'"

@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 
+from site_builder.document.questions import OTHERWISE, Option
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import Answer
-from site_builder.page_model.questions import OTHERWISE, Option
 
 
 def check_answers(

@@ -14,7 +14,7 @@ from math import prod
 from markdown_it.token import Token
 
 from simulations.engine.expressions import ExpressionError
-from site_builder.blame import raised_by_code
+from site_builder.diagnostics.blame import raised_by_code
 from site_builder.markdown.calculation import numbers
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import Drawn, ParseContext

@@ -17,10 +17,10 @@ from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.document.blocks import Simulation
+from site_builder.document.questions import Option, Question
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.questions import Option, Question
 
 HERE = Path(__file__).parent
 

@@ -1,5 +1,6 @@
 """All kinds of questions. To add one: its folder, its import, and its name in `KINDS`."""
 
+from site_builder.document.questions import Question
 from site_builder.markdown.directive import OptionLine
 from site_builder.markdown.questions.choice.kind import CHOICE
 from site_builder.markdown.questions.figure.kind import FIGURE
@@ -7,7 +8,6 @@ from site_builder.markdown.questions.kind import QuestionKind
 from site_builder.markdown.questions.number.kind import NUMBER
 from site_builder.markdown.questions.order.kind import ORDER
 from site_builder.markdown.questions.sketch.kind import SKETCH
-from site_builder.page_model.questions import Question
 
 KINDS = (CHOICE, NUMBER, ORDER, FIGURE, SKETCH)
 

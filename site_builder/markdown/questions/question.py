@@ -7,6 +7,8 @@ from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.document.passage import Passage, Plain
+from site_builder.document.questions import Question
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import (
     Argument,
@@ -25,8 +27,6 @@ from site_builder.markdown.questions.kinds import (
     options_of_kinds,
 )
 from site_builder.markdown.text.tokens import plain_text
-from site_builder.page_model.passage import Passage, Plain
-from site_builder.page_model.questions import Question
 
 ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 

@@ -10,10 +10,10 @@ from functools import partial
 
 from markdown_it.token import Token
 
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.document.places import Citation
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role
-from site_builder.page_model.places import Citation
 from site_builder.references.bibliography import Work
 
 FORM = "KEY[, PLACE]; …"

@@ -25,7 +25,7 @@ from site_builder.benchmarks.quantities import (
     quantity,
     with_unit,
 )
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role

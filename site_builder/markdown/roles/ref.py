@@ -9,10 +9,10 @@ chapter and “Chapter 4” after that, “Figure 4.2”, “Equation (4.7)”. 
 import re
 from collections.abc import Mapping
 
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.document.places import Target
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Linked, Role
-from site_builder.page_model.places import Target
 
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 

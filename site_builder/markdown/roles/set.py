@@ -12,12 +12,12 @@ from urllib.parse import urlencode
 
 from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
-from site_builder.benchmarks.loading import loaded
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.markdown.directive import OptionValue
 from site_builder.markdown.parse_context import ParseContext, Place
 from site_builder.markdown.role import Linked, Role
 from site_builder.markdown.scenes import read_settings
+from site_builder.sandbox.loading import loaded
 
 FORM = "WORDS <[FIGURE] CONTROL=VALUE … [tier=ID]>"
 

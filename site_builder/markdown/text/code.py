@@ -2,8 +2,8 @@
 
 from html import escape
 
-from site_builder.cache import cached
-from site_builder.diagnostics import unknown
+from site_builder.cache.results import cached
+from site_builder.diagnostics.diagnostic import unknown
 
 LANGUAGES = ("python", "console", "text", "bash", "javascript", "json", "toml", "markdown")
 

@@ -4,9 +4,9 @@ import re
 from collections.abc import Mapping, Sequence
 
 from simulations.engine import frame
-from site_builder.cache import cached
-from site_builder.diagnostics import unknown
-from site_builder.files import file_hash
+from site_builder.cache.results import cached
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.files.folders import file_hash
 from site_builder.formulae.temml import SOURCES, TexError, set_tex
 from site_builder.formulae.tex import common_tex
 

@@ -4,10 +4,10 @@ from typing import Any
 
 from markupsafe import Markup
 
-from site_builder.book import Book
+from site_builder.document.book import Book
+from site_builder.document.questions import OTHERWISE, Option, Quiz
 from site_builder.languages.words import Words
 from site_builder.markdown.questions.kinds import kind_of
-from site_builder.page_model.questions import OTHERWISE, Option, Quiz
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.views.question import numbered_quizzes
 from site_builder.render.words import plain_words

@@ -7,8 +7,8 @@ from itertools import groupby
 from simulations.engine.controls import Control, Value
 from simulations.engine.frame import Readout
 from site_builder.benchmarks.quantities import with_unit
-from site_builder.engine_files import ENGINE
 from site_builder.figures.initial_frames import InitialFrame
+from site_builder.files.engine import ENGINE
 from site_builder.languages.words import ENGLISH, Words
 
 FOLDER = ENGINE / "simulations" / "engine" / "controls"

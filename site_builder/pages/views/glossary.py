@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from site_builder.book import Book, Chapter
-from site_builder.page_model.places import Definition
+from site_builder.document.book import Book, Chapter
+from site_builder.document.places import Definition
 from site_builder.pages.term_lists import Atlas, Letters, Place, atlas, by_letter
 
 

@@ -5,8 +5,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from site_builder.book import Book
-from site_builder.page_model.places import Target
+from site_builder.document.book import Book
+from site_builder.document.places import Target
 from site_builder.pages.term_lists import Atlas, Letters, Place, atlas, by_letter
 
 OFTEN = 2

@@ -6,9 +6,9 @@ from jinja2 import pass_context
 from jinja2.runtime import Context
 from markupsafe import Markup
 
+from site_builder.document.blocks import Block
+from site_builder.document.questions import Question, Quiz
 from site_builder.markdown.questions.kinds import kind_of
-from site_builder.page_model.blocks import Block
-from site_builder.page_model.questions import Question, Quiz
 from site_builder.pages.embedding import json_for_html
 
 

@@ -1,6 +1,6 @@
 """The list of references as its template needs it: each work with the places that cite it."""
 
-from site_builder.book import Book
+from site_builder.document.book import Book
 from site_builder.pages.term_lists import Card, card
 from site_builder.references.bibliography import Work
 

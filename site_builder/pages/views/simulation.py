@@ -10,12 +10,12 @@ from simulations.engine.handles import Handle
 from simulations.engine.message import Message
 from simulations.engine.photograph import Whole
 from simulations.registry import tier_labels
+from site_builder.document.blocks import Simulation
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.page_model.blocks import Simulation
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.views.control import Cell, control_cells, readouts_in_sight, value_text
-from site_builder.translations.labels import figure_text
+from site_builder.sources.translations.labels import figure_text
 
 SECOND = 0.53
 """Width of a panel beside one that leads, as a share of that one's (``static/css/figure.css``)."""

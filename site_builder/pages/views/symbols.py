@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 
-from site_builder.book import Book, Chapter
+from site_builder.document.book import Book, Chapter
+from site_builder.document.places import Meaning
 from site_builder.markdown.glossary_links.definitions import meanings_in
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
-from site_builder.page_model.places import Meaning
 from site_builder.pages.term_lists import Atlas, Card, Place, atlas
 
 

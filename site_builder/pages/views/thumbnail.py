@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from simulations.engine.frame import Panel
-from site_builder.book import Chapter
+from site_builder.document.book import Chapter
 from site_builder.figures.initial_frames import InitialFrames, PictureFile
 
 

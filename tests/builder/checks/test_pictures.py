@@ -11,7 +11,7 @@ from support.little_book import diagnostics
 
 from site_builder.build import Options, check_site
 from site_builder.checks import pictures as picture_checks
-from site_builder.diagnostics import BuildError
+from site_builder.diagnostics.diagnostic import BuildError
 
 
 def picture(width: int, height: int, kind: str = "PNG") -> bytes:

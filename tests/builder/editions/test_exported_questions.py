@@ -15,8 +15,8 @@ from onyx2moodle.classifier import classify
 from support.little_book import OUTLINE, files_of
 from support.qti import QTI, answered
 
-from site_builder.book import Book
 from site_builder.build import Options, load
+from site_builder.document.book import Book
 from site_builder.editions.questions.asked import asked_in, left_out
 from site_builder.editions.questions.moodle import make_moodle
 from site_builder.editions.questions.qti import make_qti

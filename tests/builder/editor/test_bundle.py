@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from site_builder import browser_parts, browser_python
+from site_builder.assets import browser_parts
+from site_builder.assets import python as browser_python
 from site_builder.build import Options, render_site
-from site_builder.diagnostics import Diagnostic
+from site_builder.diagnostics.diagnostic import Diagnostic
 from site_builder.editor.bundle import HERE, EditorBundle
-from site_builder.engine_files import ENGINE
+from site_builder.files.engine import ENGINE
 from site_builder.pages.licences import gather_licences
 from site_builder.programs import node as npm
 from site_builder.programs.node import NodeError, Package, installed_packages, run_node

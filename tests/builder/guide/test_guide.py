@@ -10,7 +10,7 @@ from support.engine import Engine
 from support.html_outline import read_html
 from support.static_server import serving
 
-from site_builder.engine_files import STATIC
+from site_builder.files.engine import STATIC
 from site_builder.guide.book import guide_files, write_guide
 from site_builder.guide.classes import read_classes
 from site_builder.guide.pages import (

@@ -7,14 +7,14 @@ from markdown_it.token import Token
 from support.small_package import PACKAGE, small_package
 
 from simulations.engine.scene import Scene
-from site_builder.diagnostics import Diagnostic, Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostic, Diagnostics
+from site_builder.document.passage import passage
 from site_builder.languages.words import ENGLISH
 from site_builder.markdown.inline import annotate
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
-from site_builder.page_model.passage import passage
 from site_builder.render.screen import screen_renderer
-from site_builder.sandbox import Limits, limited
+from site_builder.sandbox.pool import Limits, limited
 
 
 def load_scene(name: str) -> Scene[object]:

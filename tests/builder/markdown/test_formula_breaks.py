@@ -2,10 +2,10 @@
 
 import pytest
 
+from site_builder.document.passage import passage
 from site_builder.languages.words import ENGLISH
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
-from site_builder.page_model.passage import passage
 from site_builder.render.screen import screen_renderer
 
 

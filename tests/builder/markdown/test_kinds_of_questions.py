@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from site_builder.engine_files import ENGINE
+from site_builder.files.engine import ENGINE
 from site_builder.markdown.questions.kind import HERE, QuestionKind
 from site_builder.markdown.questions.kinds import KINDS, names_of_kinds
 

@@ -10,12 +10,12 @@ from xml.etree import ElementTree
 import pytest
 from support.little_book import OUTLINE, diagnostics, rendered
 
-from site_builder.book import Book
 from site_builder.build import Options, load
+from site_builder.document.book import Book
+from site_builder.document.questions import Quiz
 from site_builder.editions.questions.asked import asked_in, left_out
 from site_builder.editions.questions.moodle import make_moodle
 from site_builder.editions.questions.qti import make_qti
-from site_builder.page_model.questions import Quiz
 from site_builder.render.words import plain_words
 
 QUIZ = r"""

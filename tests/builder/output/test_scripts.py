@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from site_builder.diagnostics import BuildError
+from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.output import scripts
 from site_builder.output.scripts import Bundle, bundle_scripts
 from site_builder.programs.node import NodeError

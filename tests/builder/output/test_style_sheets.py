@@ -2,7 +2,7 @@
 
 import pytest
 
-from site_builder.diagnostics import BuildError
+from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.output.style_sheets import join_style_sheets
 
 ENTRY = "css/book.css"

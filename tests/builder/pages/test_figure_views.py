@@ -12,9 +12,9 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs
 from simulations.registry import tier_labels
+from site_builder.document.blocks import Simulation
+from site_builder.document.passage import Passage
 from site_builder.figures.initial_frames import InitialFrame
-from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.passage import Passage
 from site_builder.pages.views.control import ControlView, control_cells, readouts_in_sight
 
 MEASURED = tuple(readout(name, name.upper(), 1.0) for name in "vwxyz")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from site_builder.addresses import site_address, source_address
+from site_builder.settings.addresses import site_address, source_address
 
 
 @pytest.mark.parametrize("given", ["https://host.example/book", "https://host.example/book/"])

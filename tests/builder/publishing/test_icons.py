@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from site_builder.diagnostics import BuildError
+from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.publishing.icons import FILE, SIZES, make_icons
 
 ROOT = Path(__file__).resolve().parents[3]

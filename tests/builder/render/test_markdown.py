@@ -7,7 +7,7 @@ from markdown_it import MarkdownIt
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from site_builder.build import Options, load
-from site_builder.page_model.blocks import Prose, contents
+from site_builder.document.blocks import Prose, contents
 from site_builder.render.markdown import MarkdownRenderer, code, quoted, table
 
 SIGNS = r"A \*star\*, a \_line\_, a [bracket], 2 < 3, \$5, \# 1, a \`tick\` and a \\ back slash."

@@ -10,7 +10,7 @@ import pytest
 from support.little_book import OUTLINE
 
 from site_builder.build import Options, render_site
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.programs.node import Package
 from site_builder.runtime import packages
 from site_builder.runtime.pack import pack_runtime

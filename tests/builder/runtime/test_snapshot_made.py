@@ -8,7 +8,7 @@ import pytest
 from support.places import WAVES
 from support.waves import LADDERS, SCENES
 
-from site_builder.cache import Cache, using
+from site_builder.cache.results import Cache, using
 from site_builder.runtime import pack
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError

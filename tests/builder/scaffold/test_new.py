@@ -33,7 +33,7 @@ sys.exit(any([main(["new", *piece.split()]) for piece in sys.argv[1:]]))
 DIRECTIVES = "site_builder/markdown/directives"
 TEST_CACHED = """\
 import sys, pytest
-from site_builder.cache import Cache, using
+from site_builder.cache.results import Cache, using
 with using(Cache()): sys.exit(pytest.main(sys.argv[1:]))
 """
 """Fonts that another test has cut need not be cut again."""

@@ -5,9 +5,10 @@ from dataclasses import replace
 
 import pytest
 
-from site_builder import browser_parts, build
+from site_builder import build
+from site_builder.assets import browser_parts
 from site_builder.build import render_site
-from site_builder.diagnostics import Diagnostic
+from site_builder.diagnostics.diagnostic import Diagnostic
 from site_builder.languages.words import languages
 from site_builder.output.assets import content_bytes
 from site_builder.programs.node import NodeError

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.settings.model import Settings
 from site_builder.settings.reading import read_settings, storage_prefix
 

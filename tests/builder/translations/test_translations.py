@@ -12,7 +12,7 @@ from support.little_book import OUTLINE, diagnostics, rendered
 
 from site_builder.build import Options
 from site_builder.languages.words import load_words
-from site_builder.translations.labels import figure_markup
+from site_builder.sources.translations.labels import figure_markup
 
 ORIGINAL = """\
 ## How far {#far}

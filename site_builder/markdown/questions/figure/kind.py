@@ -5,6 +5,9 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
+from site_builder.document.blocks import Simulation
+from site_builder.document.passage import Passage
+from site_builder.document.questions import OTHERWISE, Option, Question
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import check_parts, read_answer, split_body
@@ -14,9 +17,6 @@ from site_builder.markdown.questions.checks import (
     report_not_coded,
 )
 from site_builder.markdown.questions.kind import Asked, QuestionKind
-from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.passage import Passage
-from site_builder.page_model.questions import OTHERWISE, Option, Question
 
 
 @dataclass(frozen=True, slots=True)

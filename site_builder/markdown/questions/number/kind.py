@@ -8,6 +8,8 @@ from markdown_it.token import Token
 
 from simulations.engine.frame import format_number
 from site_builder.benchmarks.quantities import with_unit
+from site_builder.document.passage import passage
+from site_builder.document.questions import OTHERWISE, Option, Prediction, Question
 from site_builder.languages.words import Words
 from site_builder.markdown.calculation import number
 from site_builder.markdown.directive import DirectiveCall, OptionLine
@@ -25,8 +27,6 @@ from site_builder.markdown.questions.checks import (
     report_not_coded,
 )
 from site_builder.markdown.questions.kind import Asked, QuestionKind
-from site_builder.page_model.passage import passage
-from site_builder.page_model.questions import OTHERWISE, Option, Prediction, Question
 
 
 @dataclass(frozen=True, slots=True)

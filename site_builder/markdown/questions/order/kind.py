@@ -5,13 +5,13 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
+from site_builder.document.blocks import Simulation
+from site_builder.document.questions import Option, Question
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import check_parts, read_answer, split_body
 from site_builder.markdown.questions.checks import check_answers
 from site_builder.markdown.questions.kind import Asked, QuestionKind
-from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.questions import Option, Question
 
 
 def read_order(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from markdown_it.token import Token
 
+from site_builder.document.questions import Question
 from site_builder.markdown.calculation import number
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
@@ -19,7 +20,6 @@ from site_builder.markdown.questions.sketch.view import (
     marked_points,
     view_sketch,
 )
-from site_builder.page_model.questions import Question
 
 SAMPLES = 97
 """Points of a true curve: twelve for each step between the nine places of a sketch."""

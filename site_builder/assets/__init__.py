@@ -1,0 +1,1 @@
+"""What pages load: style sheets, scripts, fonts, pictures, and Python for the browser."""

@@ -1,0 +1,141 @@
+"""Style sheets, scripts, fonts and pictures: what pages have beside them, in one folder."""
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.book import Book
+from site_builder.figures.initial_frames import InitialFrames
+from site_builder.files.engine import static_files
+from site_builder.files.folders import folder_files, integrity
+from site_builder.languages.words import load_words
+from site_builder.markdown.files.content_files import PICTURES
+from site_builder.output.assets import Content, content_bytes, hashed_folder
+from site_builder.output.book_files import book_css, book_script
+from site_builder.output.colour_rules import colour_rules
+from site_builder.output.font_faces import MATHS_FACES, face_rule
+from site_builder.output.fonts import subset_fonts
+from site_builder.output.scripts import Bundle, bundle_scripts
+from site_builder.output.style_sheets import join_style_sheets, without_comments
+from site_builder.pages.kind_files import kind_files
+from site_builder.settings.reading import read_settings
+
+STYLE_SHEET = "css/book.css"
+"""The one that pages hold or, while the book is written, link to, below ``static/``."""
+SCRIPT = "js/main.js"
+SOURCES = ("js/main.ts", "js/offline/service_worker.ts")
+"""Scripts that pages, or a service worker, load by address."""
+
+NOW = "assets/now/"
+"""Folder of the assets while the book is written: a changed style sheet changes no page."""
+
+type Files = Mapping[str, Content]
+
+
+@dataclass(frozen=True, slots=True)
+class Assets:
+    """What pages load, in one folder."""
+
+    folder: str
+    """Below the site's root."""
+    files: Files
+    scripts: tuple[str, ...]
+    """What pages run at once besides `SCRIPT`, below the folder."""
+
+
+def gather_assets(
+    book: Book, root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
+) -> Assets:
+    """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
+    and what searches, in one folder: ``folder``, or one that is named by what is in it. Raises
+    `BuildError`."""
+    content = folder_files(root / "content")
+    static = {**static_files(root), **kind_files(book)}
+    scripts = _scripts(book, static)
+    files: Files = {
+        **scripts.files,
+        **_style_sheets(book, static, scripts.beside),
+        **{
+            name: file
+            for name, file in static.items()
+            if not name.startswith(("css/", "js/", "../"))
+        },
+        **{f"fonts/{name}": data for name, data in subset_fonts().items()},
+        **{f"stills/{name}": data for name, data in pictures.items()},
+        **{
+            f"content/{name}": file
+            for name, file in content.items()
+            if name.endswith(PICTURES.suffixes)
+        },
+        **made,
+    }
+    if folder:
+        files = {folder + name: content for name, content in files.items()}
+    else:
+        folder, files = hashed_folder("assets", files)
+    return Assets(folder, files, scripts.at_once)
+
+
+def _scripts(book: Book, static: Files) -> Bundle:
+    sources = {name: file for name, file in static.items() if name.startswith(("js/", "../"))}
+    written = {"js/book.js": book_script(book.settings, book.words)}
+    return bundle_scripts({**sources, **written}, *(name for name in SOURCES if name in sources))
+
+
+def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
+    """The sheet of all pages, and those that scripts load."""
+    others = [load_words(language) for language in [*book.languages][1:]]
+    own = "".join(
+        (
+            book_css(book.words),
+            *(book_css(words, f":root:lang({words.language})") for words in others),
+            colour_rules(book.colours),
+            *map(face_rule, MATHS_FACES),
+        )
+    )
+    sheets = {name: file for name, file in static.items() if name.startswith("css/")}
+    joined = join_style_sheets(sheets, STYLE_SHEET, own)
+    return {name: file for name, file in joined.items() if name in {STYLE_SHEET, *beside}}
+
+
+def prerendered_files(initial_frames: InitialFrames) -> Files:
+    """The prerendered frames of all figures."""
+    frames = [each.prerendered for each in initial_frames.values() if each.prerendered]
+    return {f"prerendered/{each.file}": each.data for each in frames}
+
+
+def author_files(book: Book, root: Path) -> Files:
+    """The author's films, captions and downloads."""
+    names = {name for chapter in book.chapters for name in chapter.files}
+    return {f"content/{name}": root / "content" / name for name in sorted(names)}
+
+
+def in_page(assets: Assets, *, reload: bool) -> dict[str, Any]:
+    """What a page holds of its assets, besides their addresses. While the book is written no more
+    than the scripts' names, so that a changed style sheet changes no page."""
+    if reload:
+        return {"scripts": assets.scripts}
+    contents = {
+        name: content_bytes(assets.files[assets.folder + name])
+        for name in (STYLE_SHEET, SCRIPT, *assets.scripts)
+    }
+    sheet = contents.pop(STYLE_SHEET).decode("utf-8")
+    hashes = {name: integrity(content) for name, content in contents.items()}
+    return {"scripts": assets.scripts, "styles": without_comments(sheet), "hashes": hashes}
+
+
+def write_scripts(root: Path, site: Path, modules: Iterable[str]) -> None:
+    """Single scripts, such as ``page/text``, each with what it imports, into ``js/`` of a site.
+
+    Pages load them bundled; the bench and the tests load one alone."""
+    settings, _ = read_settings(root, Diagnostics())
+    book = book_script(settings, load_words(settings.language))
+    scripts = {**static_files(root), **kind_files()}
+    sources = {name: file for name, file in scripts.items() if name.endswith((".ts", ".js"))}
+    for module in modules:
+        bundle = bundle_scripts({**sources, "js/book.js": book}, f"js/{module}.ts")
+        for name, script in bundle.files.items():
+            (site / name).parent.mkdir(parents=True, exist_ok=True)
+            (site / name).write_bytes(script)

@@ -1,0 +1,1 @@
+"""Results of pure functions, stored under hashes of what they depend on."""

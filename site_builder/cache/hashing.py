@@ -1,0 +1,154 @@
+"""Hashes of what a result depends on: plain data, and the sources of code.
+
+Scenes, ladders and functions count as their sources.
+"""
+
+import functools
+import hashlib
+import platform
+import re
+import sys
+from collections.abc import Callable, Mapping, Sequence, Set
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+import numpy as np
+
+import simulations
+from simulations.engine.ladder import Ladder
+from simulations.engine.scene import Scene
+from site_builder import STARTED_NS
+from site_builder.files.engine import DISTRIBUTION, ENGINE
+from site_builder.files.folders import SIZE
+
+OWN = DISTRIBUTION.replace("-", "_") + "-"
+"""With which the engine's own entry among the installed packages begins."""
+HOLDERS: Mapping[type, str] = {Scene: "SCENE", Ladder: "LADDER"}
+"""Values that are code, and the name under which their module holds them."""
+IMPORT = re.compile(
+    r"^[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]+(\([^)]*\)|.*)|import[ \t]+(.*))", re.MULTILINE
+)
+
+
+class UnhashableError(TypeError):
+    """A value that is no plain data."""
+
+
+def hash_of(*values: object) -> bytes:
+    """Of plain data, arrays, dataclasses, scenes, ladders and functions, the same in every process.
+    Raises `UnhashableError`."""
+    digest = hashlib.blake2b(digest_size=SIZE)
+    _add(values, digest.update)
+    return digest.digest()
+
+
+def _add(value: Any, update: Callable[[bytes], None]) -> None:
+    """Every part with its kind and length, so that no two values look alike."""
+
+    def put(kind: str, data: bytes) -> None:
+        update(f"{kind} {len(data)} ".encode() + data)
+
+    match value:
+        case None | bool() | int() | float() | complex():
+            put(type(value).__name__, repr(value).encode())
+        case Enum():
+            put("enum", f"{type(value).__qualname__}.{value.name}".encode())
+        case str() | Path():
+            put(type(value).__name__, str(value).encode("utf-8", "surrogatepass"))
+        case bytes():
+            put("bytes", value)
+        case np.ndarray() | np.generic():
+            put(f"array {value.dtype.str} {value.shape}", value.tobytes())
+        case Mapping():
+            put("mapping", str(len(value)).encode())
+            for key, item in value.items():
+                _add(key, update)
+                _add(item, update)
+        case Set():
+            put("set", b"".join(sorted(hash_of(item) for item in value)))
+        case Sequence():
+            put("sequence", str(len(value)).encode())
+            for item in value:
+                _add(item, update)
+        case functools.partial():
+            _add((value.func, value.args, value.keywords), update)
+        case Scene() | Ladder() | FunctionType():
+            module = module_of(value)
+            if module is None or getattr(value, "__closure__", None):
+                raise UnhashableError(f"{value!r} belongs to no module")
+            put("code", f"{module} {getattr(value, '__qualname__', '')} ".encode())
+            put("sources", source_hash(module))
+        case _ if getattr(value, "cache_key", b""):
+            put("cached", value.cache_key)
+        case _ if is_dataclass(value):
+            put("dataclass", type(value).__qualname__.encode())
+            for each in fields(value):
+                _add(getattr(value, each.name), update)
+        case _:
+            raise UnhashableError(f"{type(value).__qualname__}; legal: plain data")
+
+
+def module_of(value: object) -> str | None:
+    """The module that holds a scene, ladder or table of hard cases, or that defines a function;
+    None where there is none."""
+    name = HOLDERS.get(type(value))
+    if name is None:
+        return getattr(value, "__module__", None)
+    modules = [module for module in [*sys.modules.values()] if module is not None]
+    return next((each.__name__ for each in modules if vars(each).get(name) is value), None)
+
+
+@functools.cache
+def source_hash(module: str) -> bytes:
+    """Of the sources of ``module`` and all of ours that it imports, however indirectly, and of the
+    versions of Python and the installed packages."""
+    found: dict[str, bytes] = {}
+    waiting = [module]
+    while waiting:
+        name = waiting.pop()
+        if name not in found and (source := _source(name)):
+            found[name], imported = source
+            waiting += imported
+    return hash_of(sorted(found.items()), _versions())
+
+
+@functools.cache
+def _source(module: str) -> tuple[bytes, tuple[str, ...]] | None:
+    """The hash of a module's source, and names that may be modules which it imports; None for a
+    module of another package."""
+    package = module.partition(".")[0]
+    if package not in ("simulations", "site_builder"):
+        return None
+    is_shared = package == "simulations"
+    roots = [Path(folder).parent for folder in simulations.__path__] if is_shared else [ENGINE]
+    places = [root.joinpath(*module.split(".")) for root in roots]
+    files = (file for each in places for file in (each.with_suffix(".py"), each / "__init__.py"))
+    file = next((file for file in files if file.is_file()), None)
+    if file is None:
+        return None
+    text = file.read_bytes().decode("utf-8", "replace")
+    _written_ns.append(file.stat().st_mtime_ns)
+    names = {module.rpartition(".")[0]}
+    for origin, members, plain in IMPORT.findall(text):
+        names |= {origin, *re.findall(r"[\w.]+", plain)}
+        names |= {f"{origin}.{member}" for member in re.findall(r"\w+", members)}
+    return hash_of(text), tuple(sorted(names))
+
+
+_written_ns: list[int] = []
+"""Times of change of the sources that were hashed."""
+
+
+def changed_sources() -> bool:
+    """Whether a source was written since this process began: what it runs may be older."""
+    return max(_written_ns, default=0) >= STARTED_NS
+
+
+@functools.cache
+def _versions() -> tuple[object, ...]:
+    found = {file.name for folder in sys.path for file in Path(folder).glob("*.dist-info")}
+    ours = {name for name in found if name.startswith(OWN)}  # known by their sources
+    return sys.version, platform.machine(), found - ours

@@ -1,0 +1,95 @@
+"""The message of an exception of an author's code, and the line of that code that raised it."""
+
+import sysconfig
+import traceback
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+import simulations
+from simulations import engine
+
+HERE = Path(__file__).resolve().parents[1]
+REMEMBERED = "place_and_words"
+SETTINGS = "at_settings"
+"""Names of what an error carries."""
+LIBRARIES = (
+    *(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib")),
+    Path(engine.__file__ or "").resolve().parent,
+)
+
+
+class CodeError(LookupError):
+    """What cannot be had, perhaps as an author's code raised what is the cause."""
+
+
+def raised_by_code(error: BaseException | None) -> BaseException | None:
+    """What an author's code raised, where that is the reason of an error of ours."""
+    while error and not isinstance(error, CodeError):
+        error = error.__cause__
+    return error and error.__cause__
+
+
+def remember[E: BaseException](error: E, place: str, words: str) -> E:
+    """The error with its place and words, since a traceback does not pass between processes."""
+    setattr(error, REMEMBERED, (place, words))
+    return error
+
+
+def words_of(error: BaseException) -> str:
+    """What Python prints of it behind its name, with the names that may have been meant."""
+    if remembered := getattr(error, REMEMBERED, None):
+        return str(remembered[1])
+    if type(error).__module__ != "builtins":
+        return str(error)
+    *_, last = traceback.TracebackException.from_exception(error).format_exception_only()
+    return last.strip().partition(": ")[2]
+
+
+def place_of(error: BaseException) -> str:
+    """``simulations/scenes/orbit/scene.py:12``: the innermost line that is neither the builder's,
+    nor the engine's, nor a library's; nothing where there is none."""
+    if remembered := getattr(error, REMEMBERED, None):
+        return str(remembered[0])
+    if isinstance(error, SyntaxError) and error.filename:
+        file = Path(error.filename)
+        return f"{_relative(file) if file.is_absolute() else file}:{error.lineno or 1}"
+    for frame in reversed(traceback.extract_tb(error.__traceback__)):
+        file = Path(frame.filename)
+        if file.is_file() and _is_authors(file.resolve()):
+            return f"{_relative(file)}:{frame.lineno or 1}"
+    return ""
+
+
+@contextmanager
+def at_settings(settings: Mapping[str, object]) -> Iterator[None]:
+    """Whatever is raised within is told with these settings."""
+    try:
+        yield
+    except Exception as error:
+        said = ", ".join(f"{name} = {value}" for name, value in settings.items())
+        setattr(error, SETTINGS, said)
+        raise
+
+
+def settings_of(error: BaseException) -> str:
+    """``k1 = -0.2, size = 3``, or nothing."""
+    return str(getattr(error, SETTINGS, ""))
+
+
+def _is_authors(file: Path) -> bool:
+    others = (HERE, *LIBRARIES)
+    is_simulation = any(file.is_relative_to(folder) for folder in _folders())
+    return is_simulation and not any(map(file.is_relative_to, others))
+
+
+def _relative(file: Path) -> str:
+    """Its path from the folder that holds ``simulations``."""
+    file = file.resolve()
+    base = next((each for each in _folders() if file.is_relative_to(each)), file.parent / "_")
+    return file.relative_to(base.parent).as_posix()
+
+
+def _folders() -> list[Path]:
+    """Of ``simulations``: the book's, and the engine's."""
+    return [Path(folder).resolve() for folder in simulations.__path__]

@@ -1,0 +1,105 @@
+"""Mistakes and warnings about the sources, each with its place: collected, printed together.
+
+A mistake fails the build, once, when all are found. A warning is of something that may be meant.
+"""
+
+import difflib
+from collections.abc import Iterable, Sized
+from dataclasses import dataclass, field
+
+from site_builder.diagnostics.blame import place_of, settings_of, words_of
+
+MOST_LISTED = 20
+"""Legal names that a message lists before it only counts them."""
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Diagnostic:
+    """One mistake, or one warning."""
+
+    path: str
+    """File, relative to the root of the project."""
+    line: int
+    """Line, counted from 1."""
+    message: str
+    """What was found; what is legal, or what would be better."""
+    fails: bool = True
+    """Whether the book cannot be built with it; else it is a warning."""
+    met: str = field(default="", compare=False)
+    """Of an exception of an author's code, where it was met first: it is told once."""
+
+    def __str__(self) -> str:
+        word = "" if self.fails else "warning: "
+        met = f" (met at {self.met})" if self.met else ""
+        return f"{self.path}:{self.line}: {word}{self.message}{met}"
+
+
+@dataclass(slots=True)
+class Diagnostics:
+    """What was found so far. Checks add to it and go on, so that one run shows it all."""
+
+    found: list[Diagnostic] = field(default_factory=list)
+    """Mistakes."""
+    doubts: list[Diagnostic] = field(default_factory=list)
+    """Warnings."""
+
+    def add(self, path: str, line: int, message: str, error: BaseException | None = None) -> None:
+        """``error``: what an author's code raised. It is reported at the line that did, if that is
+        known, and once, however often it is met."""
+        found = Diagnostic(path, line, message)
+        self.found.append(_at_its_source(found, error) if error else found)
+
+    def warn(self, path: str, line: int, message: str) -> None:
+        self.doubts.append(Diagnostic(path, line, message, fails=False))
+
+    def __bool__(self) -> bool:
+        """Whether a mistake was found; warnings do not count."""
+        return bool(self.found)
+
+
+class BuildError(Exception):
+    """The book cannot be built; carries every diagnostic, in the order of files and lines."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = tuple(sorted(set(diagnostics)))
+        super().__init__("\n".join(map(str, self.diagnostics)))
+
+
+def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic:
+    while error and not place_of(error):
+        error = error.__cause__
+    if error is None:
+        return found
+    path, _, line = place_of(error).rpartition(":")
+    at = f", {settings}" if (settings := settings_of(error)) else ""
+    return Diagnostic(path, int(line), _told(error), met=f"{found.path}:{found.line}{at}")
+
+
+def counted(found: Sized, name: str) -> str:
+    """``2 mistakes``."""
+    return f"{len(found)} {name}{'s' * (len(found) != 1)}"
+
+
+def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
+    """``unknown KIND 'given'``, then the nearest legal name or, where none is near, the legal ones:
+    all of them, or the first of many."""
+    names = list(expected)
+    near = difflib.get_close_matches(given, names, n=1)
+    listed = ", ".join(names[:MOST_LISTED]) or "none"
+    rest = len(names) - MOST_LISTED
+    every = f"{listed} and {rest} more" if rest > 0 else listed
+    return f"unknown {kind} {given!r}; " + (
+        f"did you mean {near[0]!r}?" if near else f"legal: {every}"
+    )
+
+
+def cause(error: Exception) -> str:
+    """``ZeroDivisionError: a division by zero, at simulations/…/scene.py:12``: an exception of
+    an author's code, and where it was raised."""
+    place = place_of(error)
+    return f"{_told(error)}, at {place}" if place else _told(error)
+
+
+def _told(error: BaseException) -> str:
+    words, name = words_of(error), type(error).__name__
+    return f"{name}: {words}" if words else name

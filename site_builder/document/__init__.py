@@ -1,0 +1,1 @@
+"""The book between Markdown and its media: chapters, blocks, passages, targets, questions."""

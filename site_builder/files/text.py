@@ -1,0 +1,118 @@
+"""The author's files as text and as TOML. What cannot be read is reported with its place, and
+reading goes on without it."""
+
+import re
+import tomllib
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from site_builder.diagnostics.diagnostic import Diagnostics
+
+HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
+KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+MOST_BYTES = 1_000_000
+"""Of a file of text: twice a book."""
+QUOTES = re.compile(r"\"\"\"|'''")
+
+type Keys = tuple[str | int, ...]
+"""Names of tables and keys from the outside inwards; of a list of tables, a place in it too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Toml:
+    """A file of TOML, and where its keys stand."""
+
+    table: Mapping[str, Any] = field(default_factory=dict)
+    places: Mapping[Keys, int] = field(default_factory=dict)
+    text: str = ""
+
+    def line(self, *keys: str | int) -> int:
+        """Where ``keys`` lead, tables' names and places in lists of tables; of what is not there,
+        where the nearest table around it begins, or 1."""
+        while keys and keys not in self.places:
+            keys = keys[:-1]
+        return self.places.get(keys, 1)
+
+    def line_of_text(self, value: str, first: int = 1) -> int:
+        """Where a text stands in quotes, looked for from line ``first``; this where it does not."""
+        start = 0
+        for _ in range(first - 1):
+            start = self.text.find("\n", start) + 1
+        found = [self.text.find(form, start) for form in (f'"{value}"', f"'{value}'")]
+        place = min((each for each in found if each >= 0), default=start)
+        return first + self.text.count("\n", start, place)
+
+
+def read_text(root: Path, path: str, problems: Diagnostics) -> str:
+    """The file below ``root``, with or without the mark that some editors put before the text."""
+    data = (root / path).read_bytes()
+    if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+        problems.add(path, 1, "UTF-16; legal: UTF-8")
+        data = data.decode("utf-16", errors="replace").encode()
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        problems.add(path, line, f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8")
+        text = data.decode("utf-8-sig", errors="replace")
+    text = text.replace("\r\n", "\n")
+    if len(data) > MOST_BYTES:
+        expected = f"at most {MOST_BYTES / 1e6:g} MB"
+        problems.add(path, 1, f"{len(data) / 1e6:.1f} MB of text; legal: {expected}")
+        text = text.partition("\n\n")[0] + "\n\n…\n"
+    return _without_controls(text, path, problems)
+
+
+def _without_controls(text: str, path: str, problems: Diagnostics) -> str:
+    """No page can show such a character, and an e-book with one in it cannot be opened."""
+    for found in CONTROL.finditer(text):
+        line = text.count("\n", 0, found.start()) + 1
+        problems.add(path, line, f"control character U+{ord(found[0]):04X}; legal: visible text")
+    return CONTROL.sub(" ", text)
+
+
+def read_toml(root: Path, path: str, problems: Diagnostics) -> Toml | None:
+    """What the file below ``root`` holds; None where it is no TOML, which is reported."""
+    text = read_text(root, path, problems)
+    try:
+        return Toml(tomllib.loads(text), dict(_places(text)), text)
+    except tomllib.TOMLDecodeError as error:
+        place = re.search(r"line (\d+)", str(error))
+        end = text.rstrip("\n").count("\n") + 1
+        problems.add(path, int(place[1]) if place else end, f"malformed TOML: {error}")
+        return None
+
+
+def _places(text: str) -> Iterator[tuple[Keys, int]]:
+    """Each table and each key, with its line."""
+    table: Keys = ()
+    counts: dict[Keys, int] = {}
+    quotes = ""
+    for number, line in enumerate(text.split("\n"), start=1):
+        if not quotes and (head := HEAD.fullmatch(line)):
+            table = _keys(head[2])
+            if head[1]:
+                counts[table] = counts.get(table, -1) + 1
+                table = (*table, counts[table])
+            yield table, number
+        elif not quotes and (key := KEY.match(line)):
+            yield (*table, *_keys(key[1])), number
+        for mark in QUOTES.findall(line):
+            quotes = "" if quotes == mark else quotes or mark
+
+
+def _keys(dotted: str) -> Keys:
+    """``('a', 'b.c')`` of ``a."b.c"``."""
+    try:
+        found: Any = tomllib.loads(f"{dotted} = 0")
+    except tomllib.TOMLDecodeError:  # within a list that looks like one
+        return (dotted,)
+    keys: list[str] = []
+    while isinstance(found, dict):
+        name, found = next(iter(found.items()))
+        keys.append(name)
+    return tuple(keys)

@@ -1,1 +1,0 @@
-"""What a chapter is made of, between Markdown and HTML. Frozen all the way down."""

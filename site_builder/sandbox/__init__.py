@@ -1,0 +1,1 @@
+"""Authors' code: imported and run in processes with limits, without files and network."""

@@ -1,0 +1,95 @@
+"""``book.toml`` of a book: its settings and words, and its chapters in order."""
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from string import ascii_uppercase
+
+from site_builder.checks.colours import check_colours
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.book import OUTLINE
+from site_builder.document.places import Position, chapter_id
+from site_builder.files.text import Toml
+from site_builder.languages.words import Words, languages, load_words
+from site_builder.markdown.text.math import Macros
+from site_builder.settings.model import Settings
+from site_builder.settings.reading import read_settings
+from site_builder.sources.parts import check_parts, part_titles
+
+OWN_FOLDERS = (
+    "assets", "cards", "class", "embed", "glossary", "index-of-terms", "lecture-plan", "licences",
+    "references", "runtime", "search", "source", "symbols",
+)  # fmt: skip
+"""Folders of the site beside those of its chapters."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """``book.toml``, with its chapters in order."""
+
+    settings: Settings
+    words: Words
+    """The language's, with the author's labels."""
+    chapters: tuple[tuple[str, int, Position], ...]
+    """File names without ``.md``, each with its line in this file and its place in the book."""
+    hero_line: int
+    start_lines: Mapping[str, int]
+    """By the words of the link."""
+    macros: Macros
+    """Those whose names are legal."""
+    path: str = OUTLINE
+    folder: str = ""
+    """Of a translation, below ``content/`` and below the site's root: ``de/``."""
+
+
+def read_outline(root: Path, problems: Diagnostics) -> Outline:
+    """The book's; mistakes are reported."""
+    settings, toml = read_settings(root, problems)
+    words = load_words(settings.language).labelled(asdict(settings.labels))
+    check_colours(settings.colours, root, toml, problems)
+    check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
+    return Outline(
+        settings,
+        words,
+        chapters=tuple(
+            (name, toml.line_of_text(name), position)
+            for name, position in positions(settings, words)
+        ),
+        hero_line=toml.line("hero"),
+        start_lines={words: toml.line("starts", words) for words in settings.starts},
+        macros=_sound_macros(settings.macros, toml, problems),
+    )
+
+
+def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
+    """Those that TeX can name; the others are reported."""
+    sound = {name: body for name, body in macros.items() if re.fullmatch(r"[A-Za-z]+", name)}
+    for name in macros.keys() - sound.keys():
+        message = f"macro {name!r} is no name; legal: letters, without a backslash"
+        problems.add(OUTLINE, toml.line("macros", name), message)
+    return sound
+
+
+def positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
+    """Chapters are numbered, appendices lettered from A."""
+    chapters, first = settings.chapters, settings.first_number
+    parts = part_titles(settings.parts, [*map(chapter_id, chapters)])
+    for number, (name, part) in enumerate(zip(chapters, parts, strict=True), start=first):
+        yield name, Position(number, str(number), "Chapter", words.label("Chapter"), part)
+    appended = words("frame.appendices")
+    for index, name in enumerate(settings.appendices):
+        letter, number = ascii_uppercase[index % 26], first + len(chapters) + index
+        yield name, Position(number, letter, "Appendix", words.label("Appendix"), appended)
+
+
+def check_addresses(outline: Outline, problems: Diagnostics) -> None:
+    """Two pages at one address: one would silently take the other's place."""
+    own = (*OWN_FOLDERS, *languages())
+    taken = dict.fromkeys(own, "a folder of the site's own")
+    for name, line, _ in outline.chapters:
+        slug = chapter_id(name)
+        if slug in taken:
+            message = f"chapter {name!r} has the address {slug}/, as {taken[slug]} has"
+            problems.add(OUTLINE, line, f"{message}; legal: one of its own")
+        taken.setdefault(slug, f"chapter {name!r}")

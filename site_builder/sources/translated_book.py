@@ -1,0 +1,134 @@
+"""Reading the translations of a book, each a book of its own: chapters that are not translated are
+those of the original."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+from simulations.engine.scene import Scene
+from site_builder.benchmarks.measurements import Measurements
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.document.blocks import Simulation
+from site_builder.document.book import Book, Chapter
+from site_builder.document.places import Position
+from site_builder.files.text import read_text
+from site_builder.languages.words import load_words
+from site_builder.markdown.chapter import find_targets
+from site_builder.markdown.glossary_links.definitions import read_definitions
+from site_builder.markdown.parse_context import ParseContext, Shared
+from site_builder.markdown.targets import Targets
+from site_builder.references.glossary import read_glossary
+from site_builder.sources.book import list_pages, read_hero_caption, read_shared, read_starts
+from site_builder.sources.chapters import Page, targets_state
+from site_builder.sources.outline import Outline, positions, read_outline
+from site_builder.sources.parts import check_parts
+from site_builder.sources.translations.agreement import check_contents, check_places
+from site_builder.sources.translations.glossary import glossary_of, translated_glossary
+from site_builder.sources.translations.labels import read_labels
+from site_builder.sources.translations.languages import folder_of
+from site_builder.sources.translations.settings import file_of, translated_settings
+from site_builder.sources.translations.shared import with_shared
+
+
+def read_translations(
+    root: Path,
+    original: Book,
+    problems: Diagnostics,
+    load_scene: Callable[[str], Scene[Any]],
+    measurements: Measurements | None = None,
+) -> tuple[Book, ...]:
+    """All of them; mistakes go to ``problems`` and reading goes on."""
+    known = Diagnostics()  # those of the original are reported already
+    outline = read_outline(root, known)
+    terms = read_glossary(root, known, original.words)
+
+    def read(language: str) -> Book:
+        own = _outline(root, language, outline, problems)
+        glossary = translated_glossary(root, own.words, terms, problems)
+        shared = read_shared(root, own, glossary, load_scene, measurements, known)
+        pages = list(list_pages(own, shared, known))
+        targets = find_targets([page.survey() for page in pages], known)
+        chapters = _chapters(pages, targets, original, own, problems)
+        definitions = ParseContext(glossary_of(language), shared, problems, targets=targets)
+        return replace(
+            original,
+            title=own.settings.title,
+            subtitle=own.settings.subtitle,
+            prerequisites=own.settings.prerequisites,
+            settings=own.settings,
+            words=own.words,
+            hero=_hero(original, own, shared, problems),
+            starts=tuple(_starts(original, language, own, targets, problems)),
+            chapters=tuple(chapters),
+            bibliography=shared.bibliography,
+            glossary=read_definitions(definitions),
+            news=(),
+            folder=own.folder,
+        )
+
+    return tuple(read(language) for language in list(original.languages)[1:])
+
+
+def _outline(root: Path, language: str, original: Outline, problems: Diagnostics) -> Outline:
+    settings, toml = translated_settings(root, language, original.settings, problems)
+    words = replace(
+        load_words(language).labelled(asdict(settings.labels)),
+        figures=read_labels(root, language, problems),
+    )
+    if toml.table.get("parts"):
+        begun, path = [*original.settings.parts.values()], file_of(language)
+        check_parts(settings.parts, begun, toml, problems, path)
+        for chapter in begun:
+            if chapter not in settings.parts.values():
+                message = f"no part begins with {chapter!r}; legal: the parts of {original.path}"
+                problems.add(path, toml.line("parts"), message)
+    places: Mapping[str, Position] = dict(positions(settings, words))
+    return replace(
+        original,
+        settings=settings,
+        words=words,
+        chapters=tuple((name, line, places[name]) for name, line, _ in original.chapters),
+        hero_line=toml.line("hero_caption"),
+        start_lines={words: toml.line("starts", words) for words in settings.starts},
+        path=file_of(language),
+        folder=folder_of(language),
+    )
+
+
+def _chapters(
+    pages: list[Page],
+    targets: Targets,
+    original: Book,
+    outline: Outline,
+    problems: Diagnostics,
+) -> Iterator[Chapter]:
+    """In their order, and what is not the same in a translation reported."""
+    state = targets_state(targets)
+    for page, first in zip(pages, original.chapters, strict=True):
+        if page.path == first.path:
+            yield replace(first, position=page.position)
+            continue
+        chapter = page.read(targets, state, problems)
+        text = read_text(page.shared.root, first.path, Diagnostics())
+        survey = Page(first.path, text, page.position, page.shared, page.state).survey()
+        check_places(first, survey.inside, chapter, targets.inside[chapter.id], problems)
+        check_contents(first, chapter, problems)
+        yield with_shared(chapter, first, outline.folder)
+
+
+def _hero(book: Book, outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:
+    """The figure of the title page, with its caption translated."""
+    is_translated = outline.settings.hero_caption != book.settings.hero_caption
+    told = problems if is_translated else Diagnostics()
+    return book.hero and replace(book.hero, caption=read_hero_caption(outline, shared, told))
+
+
+def _starts(
+    book: Book, language: str, outline: Outline, targets: Targets, problems: Diagnostics
+) -> Iterator[tuple[str, str]]:
+    is_translated = outline.settings.starts != book.settings.starts
+    told = problems if is_translated else Diagnostics()
+    for words, address in read_starts(outline, targets, told):
+        there = address.partition("/")[0] in book.languages[language]
+        yield words, f"{outline.folder}{address}" if there else address
