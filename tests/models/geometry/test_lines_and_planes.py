@@ -1,13 +1,15 @@
-"""Join, meet and distance against null spaces, linear systems and the vanishing points."""
+"""Lines and planes against null spaces, linear systems and scikit-image."""
+
+import math
 
 import numpy as np
 import pytest
-import skimage.measure
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
+from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.lines_and_planes import (
     intersection,
     line_through,
@@ -16,7 +18,11 @@ from simulations.models.geometry.lines_and_planes import (
 )
 
 coordinate = st.floats(-100.0, 100.0)
+
+
 point = st.tuples(coordinate, coordinate)
+
+
 RNG = np.random.default_rng(0)
 
 
@@ -60,14 +66,6 @@ def test_lines_meet_where_the_linear_system_says(
     np.testing.assert_allclose(meet, np.asarray(p) + share * steps[0], rtol=1e-8, atol=1e-7)
 
 
-def test_distances_are_those_of_scikit_image() -> None:
-    p, q = np.array([3.0, -2.0]), np.array([7.0, 9.0])
-    points = RNG.uniform(-20, 20, (30, 2))
-    model = skimage.measure.LineModelND(p, (q - p) / np.linalg.norm(q - p))
-    line, _ = line_through(p, q)
-    np.testing.assert_allclose(np.abs(signed_distance(points, line)), model.residuals(points))
-
-
 def test_the_sign_tells_the_side() -> None:
     line, _ = line_through([0.0, 0.0], [2.0, 0.0])
     assert signed_distance([[5.0, 3.0], [5.0, -3.0]], line).tolist() == [3.0, -3.0]
@@ -101,16 +99,6 @@ def test_lines_that_meet_nowhere(line: list[float], other: list[float]) -> None:
     assert np.isnan(meet).all()
 
 
-@pytest.mark.parametrize(
-    ("p", "q"),
-    [([1.0, 2.0], [np.nan, 0.0]), ([-1.7e308, 1.7e308], [-1.69e308, 1.71e308])],
-)
-def test_points_that_make_no_line(p: list[float], q: list[float]) -> None:
-    line, valid = line_through(p, q)
-    assert not valid
-    assert np.isnan(line).all()
-
-
 def test_points_on_one_line_span_no_plane() -> None:
     third = [[0.0, 1.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 0.0], [np.inf, 0.0, 1.0]]
     planes, valid = plane_through([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], third)
@@ -119,5 +107,33 @@ def test_points_on_one_line_span_no_plane() -> None:
     assert np.isnan(planes[1:]).all()
 
 
-def test_a_line_without_a_normal_has_no_distance() -> None:
-    assert np.isnan(signed_distance([1.0, 2.0], [0.0, 0.0, 1.0]))
+LOWEST, HIGHEST = (-1.0, 0.0), (3.0, 2.0)
+
+
+@pytest.mark.parametrize(
+    ("line", "ends"),
+    [
+        ((0, 1, -1.5), [(-1, 1.5), (3, 1.5)]),
+        ((-2, 0, 1), [(0.5, 0), (0.5, 2)]),
+        ((1, 1, -2), [(0, 2), (2, 0)]),
+        ((0, 3, 0), [(-1, 0), (3, 0)]),
+        ((1, 0, -3), [(3, 0), (3, 2)]),
+        ((1, -2, 1), [(-1, 0), (3, 2)]),
+    ],
+    ids=["level", "upright", "slanted", "lower side", "right side", "diagonal"],
+)
+@pytest.mark.parametrize("factor", [1.0, -1.0, 1e-200, -3e150])
+def test_a_line_of_any_direction_and_scale_ends_on_the_border(
+    line: tuple[float, ...], ends: list[tuple[float, float]], factor: float
+) -> None:
+    found = line_in_rectangle(np.multiply(line, factor), LOWEST, HIGHEST)
+    assert found == pytest.approx(np.array(ends, float), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [(0, 1, -2.5), (1, 0, 2), (1, 1, 1), (0, 0, 1), (0, 0, 0), (1, math.nan, 0), (math.inf, 1, 0)],
+    ids=["above", "beside", "touching a corner", "at infinity", "zeros", "nan", "inf"],
+)
+def test_nothing_is_left_of_a_line_that_misses_or_is_none(line: tuple[float, ...]) -> None:
+    assert line_in_rectangle(line, LOWEST, HIGHEST).shape == (0, 2)

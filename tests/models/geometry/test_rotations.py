@@ -1,17 +1,30 @@
-"""Rotations: matrices, axis and angle, and what is none."""
+"""Rotations as matrices, quaternions and Euler angles, and paths between them, against SciPy."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation, Slerp
+from support.quaternions import same_up_to_sign, wxyz
 
 from simulations.models.arrays import Floats
-from simulations.models.geometry import rotations
+from simulations.models.geometry import euler, quaternions, rotation_paths, rotations
 from simulations.models.geometry.cross_products import cross_polynomial
+from simulations.models.geometry.quaternion_blends import (
+    BLENDS,
+    bisected_arc,
+    turn_between_rad,
+)
 
 RNG = np.random.default_rng(1)
+
+
 RANDOM = Rotation.random(200, rng=RNG)
+
+
 TINY_TO_TURN = [0.0, 1e-300, 1e-9, 1e-4, 1.0, math.pi - 1e-9, math.pi]
 
 
@@ -41,31 +54,6 @@ def test_each_axis_of_a_field_is_scaled_on_its_own_whatever_its_signs() -> None:
         assert turn == pytest.approx(Rotation.from_rotvec(0.7 * exact).as_matrix(), abs=1e-15)
 
 
-def test_the_nearest_rotation_repairs_a_drifted_matrix() -> None:
-    R = RANDOM[0].as_matrix()
-    drifted = R + 1e-3 * RNG.normal(size=(3, 3))
-    repaired = rotations.nearest_rotation(drifted)
-    assert repaired == pytest.approx(Rotation.from_matrix(drifted).as_matrix(), abs=1e-5)
-    assert repaired.T @ repaired == pytest.approx(np.eye(3), abs=1e-14)
-    others = rotations.exponential(1e-3 * RNG.normal(size=(50, 3))) @ repaired
-    distances = np.linalg.norm(others - drifted, axis=(-2, -1))
-    assert (distances > np.linalg.norm(repaired - drifted)).all()
-
-
-def test_a_rotation_may_have_drifted_by_a_millionth() -> None:
-    matrix = np.eye(3)
-    matrix[0, 1] = 0.9e-6  # enters RᵀR once
-    assert rotations.check_rotation(matrix) is matrix
-
-
-def test_drift_is_counted_between_the_columns() -> None:
-    """RᵀR = I + S with entries of 0.9e-6 at most; R Rᵀ has one of 2.7e-6."""
-    to_x = rotations.nearest_rotation([[1.0, 1, 1], [-1.0, 1, 0], [-1.0, -1, 2]])
-    drifted = to_x @ (np.eye(3) + 0.45e-6 * np.ones((3, 3)))
-    assert np.abs(drifted @ drifted.T - np.eye(3)).max() > 1.1e-6
-    assert rotations.check_rotation(drifted) is drifted
-
-
 @pytest.mark.parametrize("size", [1e-200, 1e-3, 1.0, 1e200])
 @pytest.mark.parametrize(
     "matrix",
@@ -75,3 +63,195 @@ def test_drift_is_counted_between_the_columns() -> None:
 def test_the_nearest_rotation_of_a_known_matrix_at_any_scale(matrix: Floats, size: float) -> None:
     R = RANDOM[3].as_matrix()
     assert rotations.nearest_rotation(size * R @ matrix) == pytest.approx(R, abs=1e-5)
+
+
+def test_the_quaternion_product_composes_like_matrices() -> None:
+    a, b = wxyz(RANDOM[:100]), wxyz(RANDOM[100:])
+    expected = (RANDOM[:100] * RANDOM[100:]).as_matrix()
+    assert quaternions.to_matrix(quaternions.multiply(a, b)) == pytest.approx(expected, abs=1e-14)
+
+
+def test_the_canonical_quaternion_has_its_first_entry_that_is_not_zero_positive() -> None:
+    for q in ([-0.5, 0.5, 0.5, 0.5], [0.0, -1.0, 0, 0], [0.0, 0, 0, -1.0], [0.0, 0, -0.6, 0.8]):
+        assert quaternions.canonical(q) == pytest.approx(-np.array(q))
+        assert quaternions.canonical(-np.array(q)) == pytest.approx(-np.array(q))
+    assert quaternions.canonical([[-2.0, 0, 0, 0], [0, 3.0, 0, 0]]).tolist() == [
+        [1, 0, 0, 0],
+        [0, 1, 0, 0],
+    ]
+
+
+def test_tiny_turns_keep_their_digits_through_the_quaternion() -> None:
+    v = np.array([[1e-200, -2e-200, 0], [1e-9, 0, 1e-10], [0, 0, 0]])
+    q = quaternions.from_rotation_vector(v)
+    np.testing.assert_allclose(q[:, 1:], v / 2, rtol=1e-14)
+    np.testing.assert_allclose(quaternions.to_rotation_vector(q), v, rtol=1e-14)
+
+
+PROPER = ["xyx", "xzx", "yxy", "yzy", "zxz", "zyz"]
+
+
+TAIT_BRYAN = ["xyz", "xzy", "yxz", "yzx", "zxy", "zyx"]
+
+
+SEQUENCES = [letters for s in PROPER + TAIT_BRYAN for letters in (s, s.upper())]
+
+
+@pytest.mark.parametrize("sequence", SEQUENCES)
+def test_both_directions_agree_with_scipy(sequence: str) -> None:
+    rotations = Rotation.random(24, rng=np.random.default_rng(3))
+    matrices = rotations.as_matrix().reshape(4, 6, 3, 3)
+    angles, locked = euler.from_matrix(matrices, sequence)
+    assert not locked.any()
+    np.testing.assert_allclose(angles.reshape(24, 3), rotations.as_euler(sequence), atol=1e-12)
+    np.testing.assert_allclose(euler.to_matrix(sequence, angles), matrices, atol=1e-14)
+    np.testing.assert_array_equal(angles[2, 3], euler.from_matrix(matrices[2, 3], sequence)[0])
+
+
+@pytest.mark.parametrize("sequence", SEQUENCES)
+@pytest.mark.parametrize("upper_end", [False, True])
+def test_the_matrix_comes_back_however_near_the_lock_which_is_told_from_1e_minus_7_on(
+    sequence: str, upper_end: bool
+) -> None:
+    off = np.array([0.0, *10.0 ** -np.arange(4, 13), 3e-8, 3e-7])
+    turns = np.full((off.size, 3), [0.5, 0.0, 0.2])
+    if sequence.lower() in PROPER:
+        turns[:, 1] = math.pi - off if upper_end else off
+    else:
+        turns[:, 1] = math.pi / 2 - off if upper_end else off - math.pi / 2
+    R = euler.to_matrix(sequence, turns)
+    angles, locked = euler.from_matrix(R, sequence)
+    np.testing.assert_allclose(euler.to_matrix(sequence, angles), R, atol=1e-14, rtol=0)
+    clear = off != 1e-7
+    assert locked[clear].tolist() == (off < 1e-7)[clear].tolist()
+    assert angles[0, 2] == pytest.approx(0.0, abs=1e-15)
+
+
+def test_a_half_turn_is_plus_a_half_turn() -> None:
+    angles, _ = euler.from_matrix(np.diag([-1.0, -1.0, 1.0]), "ZYX")
+    assert angles.tolist() == [np.pi, 0.0, 0.0]
+
+
+@pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
+def test_blending_takes_the_shorter_way_and_meets_both_ends(blend: Callable[..., Floats]) -> None:
+    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.3)])
+    for sign in (1, -1):
+        assert quaternions.to_rotation_vector(blend(start, sign * end, 0.5))[2] == pytest.approx(
+            0.2
+        )
+        assert same_up_to_sign(blend(start, sign * end, 1.0), end) < 1e-15
+        assert same_up_to_sign(blend(start, sign * end, 0.0), start) < 1e-15
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign: int) -> None:
+    middle = rotations.slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)
+    assert middle == pytest.approx(np.array([1, sign, 0, 0]) / math.sqrt(2))
+
+
+def test_slerp_goes_on_past_its_ends_at_the_same_speed() -> None:
+    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.4)])
+    shares = np.array([-1.0, -0.5, 1.5, 3.0])
+    angles = quaternions.to_rotation_vector(rotations.slerp(start, end, shares))[:, 2]
+    assert angles == pytest.approx(0.1 + 0.3 * shares)
+
+
+SHARES = np.linspace(0.0, 1.0, 41)
+
+
+AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
+
+
+def pair(
+    angle_deg: float, first: tuple[float, float, float] = (0.3, -0.5, 0.2)
+) -> tuple[Floats, Floats]:
+    """Two unit quaternions that far apart, on one hemisphere."""
+    start = quaternions.from_rotation_vector(first)
+    turn = quaternions.from_rotation_vector(np.radians(angle_deg) * AXIS)
+    return start, quaternions.multiply(turn, start)
+
+
+def scipy_path(start: Floats, end: Floats, shares: Floats = SHARES) -> Rotation:
+    ends = Rotation.from_quat(np.stack([start, end]), scalar_first=True)
+    return Slerp([0.0, 1.0], ends)(shares)
+
+
+def off_deg(blended: Floats, path: Rotation) -> Floats:
+    ours = Rotation.from_quat(np.asarray(blended, float), scalar_first=True)
+    return np.degrees((path.inv() * ours).magnitude())
+
+
+@pytest.mark.parametrize("angle_deg", [0, 1e-6, 3, 90, 179])
+def test_bisection_finds_scipys_slerp(angle_deg: float) -> None:
+    start, end = pair(angle_deg)
+    assert off_deg(bisected_arc(start, end, SHARES), scipy_path(start, end)).max() < 1e-12
+
+
+@pytest.mark.parametrize("kind", BLENDS)
+@pytest.mark.parametrize("angle_deg", [0, 1, 60, 179])
+def test_every_blend_begins_and_ends_at_the_two_orientations(kind: str, angle_deg: float) -> None:
+    start, end = pair(angle_deg)
+    ends = BLENDS[kind](start, end, [0.0, 0.5, 1.0])
+    middle = quaternions.normalise(start + end)
+    np.testing.assert_allclose(ends, [start, middle, end], atol=1e-12)
+
+
+@pytest.mark.parametrize("kind", ["paced-nlerp", "slerp-threshold", "slerp"])
+def test_blends_follow_the_great_circle_as_closely_as_they_promise(kind: str) -> None:
+    allowed_deg = {"paced-nlerp": 0.05, "slerp-threshold": 1e-4, "slerp": 1e-12}[kind]
+    for angle_deg in range(0, 180, 3):
+        start, end = pair(angle_deg)
+        off = off_deg(BLENDS[kind](start, end, SHARES), scipy_path(start, end))
+        assert off.max() < allowed_deg
+
+
+@pytest.mark.parametrize("angle_rad", [0.0, 1e-12, 1e-6, 0.3, 1.5, 3.1])
+def test_the_turn_between_two_orientations_is_its_angle(angle_rad: float) -> None:
+    start, end = pair(np.degrees(angle_rad))
+    for other in (end, -end):
+        assert turn_between_rad(start, other) == pytest.approx(angle_rad, abs=1e-15, rel=1e-4)
+
+
+ANGLES = st.tuples(*[st.floats(-3.0, 3.0)] * 3)
+
+
+@pytest.mark.parametrize("sequence", ["ZYX", "XYZ", "ZXZ", "YXZ"])
+@given(ANGLES, st.tuples(*[st.floats(-1.0, 1.0)] * 3))
+@settings(max_examples=20)
+def test_the_jacobian_gives_the_angular_velocity(
+    sequence: str, angles: tuple[float, float, float], rates: tuple[float, float, float]
+) -> None:
+    step = 1e-6
+    before, after = (
+        Rotation.from_euler(sequence, np.add(angles, np.multiply(sign * step, rates)))
+        for sign in (-1, 1)
+    )
+    measured = (after * before.inv()).as_rotvec() / (2 * step)
+    omega = rotation_paths.rate_axes(sequence, angles) @ rates
+    np.testing.assert_allclose(omega, measured, atol=1e-8)
+
+
+@pytest.mark.parametrize("sequence", ["ZYX", "xyz"])
+def test_blended_angles_give_the_matrix_of_those_angles(sequence: str) -> None:
+    start, end, shares = (0.1, -0.4, 2.0), (1.3, 0.8, -1.0), np.linspace(0, 1, 5)
+    found = rotation_paths.euler_blend(sequence, start, end, shares)
+    angles = np.array(start) + shares[:, None] * np.subtract(end, start)
+    np.testing.assert_allclose(found, Rotation.from_euler(sequence, angles).as_matrix(), atol=1e-14)
+
+
+def test_matrices_are_blended_entry_by_entry_for_each_share() -> None:
+    start, end = np.arange(9.0).reshape(3, 3), np.ones((3, 3))
+    shares = np.array([[0.0, 0.25], [1.0, 2.0]])
+    found = rotation_paths.matrix_blend(start, end, shares)
+    assert found.shape == (2, 2, 3, 3)
+    np.testing.assert_allclose(found[0, 1], 0.75 * start + 0.25)
+    np.testing.assert_allclose(found[1, 1], 2 - start)
+
+
+@pytest.mark.parametrize("apart", [1e-9, 1e-3, 1.0])
+def test_off_a_short_arc_only_what_lies_across_counts(apart: float) -> None:
+    """From no turn to a turn about x: turns about y are off it by their whole angle."""
+    start, end = quaternions.from_rotation_vector([(0, 0, 0), (apart, 0, 0)])
+    along, across = quaternions.from_rotation_vector([(0.7, 0, 0), (0, 0.3, 0)])
+    assert rotation_paths.off_great_circle(along, start, end) == pytest.approx(0, abs=1e-6)
+    assert rotation_paths.off_great_circle(across, start, end) == pytest.approx(0.3)

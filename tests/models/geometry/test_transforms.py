@@ -1,13 +1,23 @@
-"""2D transformations: how each moves points, and where the division by w fails."""
+"""Transformations of the plane and of space: how they move points, what they cut off, estimates."""
 
 import math
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from numpy.typing import ArrayLike
+from skimage.transform import EuclideanTransform, SimilarityTransform
 
-from simulations.models.geometry import transforms
-from simulations.models.geometry.transforms import apply_homography
+from simulations.models.arrays import Floats
+from simulations.models.geometry import rotations, transforms, transforms_3d
+from simulations.models.geometry.preserved_properties import measure_preservation
+from simulations.models.geometry.transforms import (
+    apply_homography,
+    clip_half_plane,
+    clip_to_visible,
+)
+from simulations.models.geometry.transforms_3d import apply_transform, estimate_similarity
 
 TILTED = transforms.projective([1, 0, 0, 0, 1, 0, 1, 0, 1])
 """w = 1 + x: the line x = −1 goes to infinity."""
@@ -49,6 +59,8 @@ def test_the_smallest_w_that_counts_is_relative_to_its_terms() -> None:
 
 
 PLAIN = np.array([[1.0, 2, 3], [0, 1, 4], [1, 0, 2]])
+
+
 TO_INFINITY = np.array([[1.0, 0, 0], [0, 0, 1], [0, -2, 0]])
 """Sends the origin there."""
 
@@ -74,3 +86,210 @@ def test_a_homography_is_scaled_to_its_last_entry_or_else_to_unit_norm(
     matrix: ArrayLike, scaled: ArrayLike
 ) -> None:
     np.testing.assert_allclose(transforms.projective(matrix), np.array(scaled), atol=1e-12)
+
+
+SQUARE = np.array([(-2.0, 0.0), (2.0, 0.0), (2.0, 1.0), (-2.0, 1.0)])
+
+
+def test_clipping_keeps_just_the_part_in_front() -> None:
+    visible = clip_to_visible(TILTED, SQUARE, w_minimum=0.1)
+    # The largest sum of terms is 3, at x = ±2, so the cut lies at w = 0.3.
+    expected = {(-0.7, 0), (2, 0), (2, 1), (-0.7, 1)}
+    assert set(map(tuple, visible.round(12))) == expected
+    assert apply_homography(TILTED, visible)[1].all()
+
+
+@given(st.lists(st.floats(-1, 1), min_size=9, max_size=9))
+def test_whatever_survives_clipping_has_an_image_and_lies_with_the_point_that_is_seen(
+    entries: list[float],
+) -> None:
+    H = np.array(entries).reshape(3, 3)
+    if abs(H[2, 2]) > 1e-3:
+        kept = clip_to_visible(H, SQUARE)
+        assert apply_homography(H, kept)[1].all()
+        assert (transforms.sign_of_w(H, kept) == np.sign(H[2, 2])).all()
+
+
+def test_the_two_sides_of_the_line_make_up_the_figure() -> None:
+    origin_s, beyond = (
+        clip_to_visible(TILTED, SQUARE),
+        clip_to_visible(TILTED, SQUARE, seen=(-5, 0)),
+    )
+    assert origin_s[:, 0].min() == pytest.approx(-1, abs=1e-5)
+    assert beyond[:, 0].max() == pytest.approx(-1, abs=1e-5)
+    assert {(2, 0), (2, 1)} < set(map(tuple, origin_s))
+    assert {(-2, 0), (-2, 1)} < set(map(tuple, beyond))
+
+
+def test_clipping_a_polygon_by_any_line_leaves_the_area_that_is_known() -> None:
+    """The unit square, cut by x + y ≤ 3/2, loses a triangle with legs of 1/2."""
+    square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+    kept = clip_half_plane(square, (-1.0, -1.0, 1.5))
+    assert {tuple(p) for p in kept} == {(0, 0), (1, 0), (1, 0.5), (0.5, 1), (0, 1)}
+    x, y = kept.T
+    assert (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2 == pytest.approx(7 / 8)
+
+
+def test_a_polyline_keeps_its_order_and_its_parts_in_front() -> None:
+    line = [(-1.0, 0.0), (1.0, 2.0), (3.0, 2.0), (-1.0, -2.0)]
+    kept = clip_half_plane(line, (1, 0, 0), closed=False)
+    assert kept.tolist() == [[0, 1], [1, 2], [3, 2], [0, -1]]
+    assert clip_half_plane(line, (1, 0, 0)).tolist() == [[0, 1], [1, 2], [3, 2], [0, -1]]
+    triangle = [(1.0, 0.0), (1.0, 2.0), (-1.0, 2.0)]
+    assert len(clip_half_plane(triangle, (1, 0, 0))) == 4
+    assert len(clip_half_plane(triangle, (1, 0, 0), closed=False)) == 3
+
+
+SEGMENTS = np.array(
+    [[(0, 0), (1, 0)], [(0, 1), (1, 1)], [(0, 0), (0, 1)], [(1, 0), (1, 1)], [(0, 0), (1, 1)]],
+    dtype=float,
+)
+
+
+RUNGS = {
+    "translation": (transforms.translation(3, 1), set()),
+    "rigid": (transforms.rigid(0.4, 3, 1), {"turn_rad"}),
+    "similarity": (transforms.similarity(1.5, 0.4, 3, 1), {"turn_rad", "length"}),
+    "affine": (
+        transforms.affine([[1.2, 0.3], [0.1, 0.8]], (3, 1)),
+        {"turn_rad", "length", "angle_rad"},
+    ),
+    "mirror": (transforms.affine([[-1, 0], [0, 1]], (0, 0)), {"turn_rad"}),
+    "projective": (TILTED, {"turn_rad", "length", "angle_rad", "parallel_rad"}),
+}
+
+
+@pytest.mark.parametrize("rung", RUNGS)
+def test_every_rung_gives_up_one_more_property(rung: str) -> None:
+    H, lost = RUNGS[rung]
+    measured = measure_preservation(H, SEGMENTS)
+    changed = {name for name in measured.__slots__ if getattr(measured, name) > 1e-12}
+    assert changed == lost
+
+
+def test_lengths_change_without_bound_where_the_figure_is_cut() -> None:
+    measured = measure_preservation(TILTED, SEGMENTS - [0.5 + 1, 0])
+    assert measured.length == math.inf
+    assert measured.bend < 1e-9
+
+
+def test_a_projective_map_changes_what_is_known_of_a_rectangle() -> None:
+    """Under w = 1 + x the sides of the unit square at x = 0 and 1 become 1 and 1/2 long."""
+    square = np.array(
+        [[(0, 0), (1, 0)], [(1, 0), (1, 1)], [(0, 1), (1, 1)], [(0, 0), (0, 1)]], float
+    )
+    measured = measure_preservation(TILTED, square)
+    slant = math.hypot(0.5, 0.5)  # the upper side runs from (0, 1) to (1/2, 1/2)
+    assert measured.turn_rad == pytest.approx(math.pi / 4)
+    assert measured.length == pytest.approx(0.5)
+    assert abs(slant - 1) < 0.5
+    assert measured.angle_rad == pytest.approx(math.pi / 4)
+    assert measured.parallel_rad == pytest.approx(math.pi / 4)
+    assert measured.bend == pytest.approx(0, abs=1e-12)
+
+
+def test_parallel_lines_may_run_in_opposite_senses() -> None:
+    """Under w = 1 + y/2 the uprights at x = 0 and x = 1 lean by atan 1/2 towards one another."""
+    H = transforms.projective([1, 0, 0, 0, 1, 0, 0, 0.5, 1])
+    up = np.array([[(0, 0), (0, 1)], [(1, 0), (1, 1)]], float)
+    for two in (up, up[::-1], np.array([up[0], up[1, ::-1]])):
+        measured = measure_preservation(H, two)
+        assert measured.parallel_rad == pytest.approx(math.atan(0.5))
+        assert measured.turn_rad == pytest.approx(math.atan(0.5))
+
+
+R = rotations.exponential([0.3, -0.5, 0.8])
+
+
+POINTS = np.random.default_rng(4).uniform(-2, 2, (30, 3))
+
+
+A = np.array([[1.0, 0.5, 0.0], [0.0, 2.0, 0.3], [0.1, 0.0, -0.5]])
+
+
+@pytest.mark.parametrize(
+    ("H", "expected"),
+    [
+        (transforms_3d.translation([1, 2, 3]), POINTS),
+        (transforms_3d.rigid(R, [1, 2, 3]), POINTS @ R.T),
+        (transforms_3d.similarity(2.5, R, [1, 2, 3]), 2.5 * POINTS @ R.T),
+        (transforms_3d.affine(A, [1, 2, 3]), POINTS @ A.T),
+    ],
+)
+def test_each_rung_moves_points_as_its_equation_says(H: Floats, expected: Floats) -> None:
+    moved, valid = apply_transform(H, POINTS)
+    assert valid.all()
+    np.testing.assert_allclose(moved, np.add(expected, [1, 2, 3]), atol=1e-13)
+
+
+def test_what_is_sent_to_infinity_is_invalid() -> None:
+    H = np.eye(4)
+    H[3] = [0.0, 0.0, 1.0, 0.0]
+    points = [[1.0, 2, 4], [1.0, 2, 0], [1.0, 2, -4], [np.inf, 0, 1], [1e200, 0, 1e-200]]
+    images, valid = apply_transform(H, points)
+    assert valid.tolist() == [True, False, True, False, False]
+    np.testing.assert_array_equal(images[0], [0.25, 0.5, 1.0])
+    np.testing.assert_array_equal(images[2], [-0.25, -0.5, 1.0])
+    assert np.isnan(images[[1, 3, 4]]).all()
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_w_is_judged_beside_all_the_terms_that_it_is_the_sum_of(sign: float) -> None:
+    """1 − (1 − 1.5e−12) is rounding beside 2, though not beside 1."""
+    H = np.eye(4)
+    H[3] = [sign, 0.0, 0.0, -1.0 + 1.5e-12]
+    assert not apply_transform(H, [sign, 0.0, 0.0])[1]
+    H[3, 3] = -1.0 + 3e-12
+    assert apply_transform(H, [sign, 0.0, 0.0])[1]
+
+
+@pytest.mark.parametrize(
+    ("scaled", "oracle"), [(True, SimilarityTransform), (False, EuclideanTransform)]
+)
+def test_of_noisy_points_the_least_squares_are_those_of_scikit_image(
+    scaled: bool, oracle: type[EuclideanTransform] | type[SimilarityTransform]
+) -> None:
+    rng = np.random.default_rng(1)
+    for _ in range(10):
+        target = rng.uniform(-1, 1, (8, 3))
+        found, valid = estimate_similarity(POINTS[:8], target, scaled=scaled)
+        theirs = oracle.from_estimate(POINTS[:8], target)
+        assert valid
+        np.testing.assert_allclose(found, theirs.params, atol=1e-12)
+
+
+def test_three_points_are_enough_and_mirrored_ones_are_turned_as_near_as_can_be() -> None:
+    found, valid = estimate_similarity(POINTS[:3], POINTS[:3] @ R.T)
+    assert valid
+    np.testing.assert_allclose(found[:3, :3], R, atol=1e-13)
+    mirrored, valid = estimate_similarity(POINTS, POINTS * [1, 1, -1], scaled=False)
+    assert valid
+    assert np.linalg.det(mirrored[:3, :3]) == pytest.approx(1)
+
+
+@pytest.mark.parametrize(
+    ("source", "target"),
+    [
+        ([[0, 0, 0], [1, 1, 1], [2, 2, 2]], [[0, 0, 0], [1, 0, 0], [2, 0, 0]]),
+        (np.ones((4, 3)), POINTS[:4]),
+        (POINTS * 1e-300, POINTS * 1e50),  # a scale beyond all numbers
+        ([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]],) * 2,
+    ],
+)
+def test_points_that_determine_no_rotation_are_told(source: ArrayLike, target: ArrayLike) -> None:
+    target = np.array(target, float)
+    if len(target) == 6:
+        target = -target  # a mirror image in all directions alike
+    found, valid = estimate_similarity(source, target)
+    assert not valid
+    assert np.isnan(found).all()
+    assert found.shape == (4, 4)
+
+
+@pytest.mark.parametrize(
+    ("small", "large"), [(1e-200, 1.0), (1e-300, 1e-300), (1e-100, 1e99), (4e99, 1e99)]
+)
+def test_points_whose_squares_vanish_are_aligned(small: float, large: float) -> None:
+    found, valid = estimate_similarity(POINTS * small, POINTS @ R.T * large)
+    assert valid
+    np.testing.assert_allclose(found[:3, :3] / (large / small), R, atol=1e-12)
