@@ -1,4 +1,4 @@
-"""Files of a calibration, read back by other programs or by their formulae."""
+"""Files of a calibration read back, and photographs without their distortion."""
 
 import json
 import xml.etree.ElementTree as ET
@@ -17,10 +17,15 @@ from simulations.models.calibration.exports import (
     lensfun_xml,
     opencv_yaml,
 )
+from simulations.models.calibration.undistorted import UNSEEN, undistorted
 from simulations.models.distortion.lens_model import Distortion
 
 POSES = photographs(3).poses
+
+
 PHOTOGRAPHS = (("a.jpg", 0.1), ("b.jpg", 0.2), ("c & d.jpg", 0.1))
+
+
 RADIAL = Camera(600.0, 600.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08))
 
 
@@ -81,14 +86,6 @@ def test_lensfun_distorts_as_the_calibrated_lens() -> None:
     assert lensfun_pixels(lensfun_xml(report(RADIAL)), ideal) == pytest.approx(expected, abs=1e-3)
 
 
-def test_a_third_coefficient_is_fitted_by_lensfuns_two() -> None:
-    rich = Camera(600.0, 600.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08, k3=0.02))
-    ideal = np.random.default_rng(1).uniform((0, 0), SIZE, (50, 2))
-    direction = (ideal - (rich.cx, rich.cy)) / rich.fx
-    expected = rich.pixels(np.c_[direction, np.ones(50)])
-    assert lensfun_pixels(lensfun_xml(report(rich)), ideal) == pytest.approx(expected, abs=0.05)
-
-
 def test_lensfun_gets_the_focal_length_in_millimetres() -> None:
     full_frame = Camera(600.0, 600.0, 319.5, 239.5)
     xml = lensfun_xml(report(full_frame), Maker("Acme & Co", "One", "Zoom <1>", 35.0, 1.0))
@@ -97,3 +94,26 @@ def test_lensfun_gets_the_focal_length_in_millimetres() -> None:
     assert float(model.get("focal", "")) == 35.0
     # 4:3 of the diagonal of 36 × 24 mm: 34.61 mm wide, so that 640 px are 34.61 mm
     assert float(model.get("real-focal", "")) == pytest.approx(600 * 34.613 / 640, rel=1e-4)
+
+
+CAMERA = Camera(300.0, 302.0, 163.0, 117.0, Distortion(k1=-0.25, k2=0.08, p1=1e-3, p2=-1e-3))
+
+
+def smooth_picture() -> np.ndarray:
+    x, y = np.meshgrid(np.arange(320), np.arange(240))
+    planes = [120 + 80 * np.sin(x / 17.0 + phase) * np.cos(y / 23.0) for phase in (0.0, 1.0, 2.0)]
+    return np.stack(planes, axis=-1).astype(np.uint8)
+
+
+def test_it_is_opencvs() -> None:
+    codes = smooth_picture()
+    expected = cv2.undistort(codes, CAMERA.matrix, np.array(CAMERA.lens.opencv[:5]))
+    off = undistorted(codes, CAMERA).astype(int) - expected
+    assert np.abs(off[4:-4, 4:-4]).max() <= 2  # theirs rounds places to 1/32 px
+
+
+def test_what_the_photograph_does_not_show_is_grey() -> None:
+    pincushion = Camera(300.0, 300.0, 159.5, 119.5, Distortion(k1=0.3))
+    folded = Camera(100.0, 100.0, 159.5, 119.5, Distortion(k1=-0.3))
+    assert (undistorted(smooth_picture(), pincushion)[0, 0] == UNSEEN).all()
+    assert (undistorted(smooth_picture(), folded)[0, 0] == UNSEEN).all()

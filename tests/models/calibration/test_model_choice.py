@@ -1,18 +1,20 @@
-"""Which lens the photographs support, what they cover, and what to photograph next."""
+"""Which lens the photographs support, how well it is known, and what to photograph next."""
 
 import numpy as np
 import pytest
-from support.sittings import SIZE, photographs
+from support.sittings import SIZE, TRUTH, photographs
 
-from simulations.models.calibration.advice import Coverage, coverage, emptiest, next_photograph
-from simulations.models.calibration.bundle_adjustment import calibrate
-from simulations.models.calibration.camera import LENSES, Camera
+from simulations.models.calibration.advice import Coverage, coverage, next_photograph
+from simulations.models.calibration.bundle_adjustment import calibrate, refine
+from simulations.models.calibration.camera import LENSES, PINHOLE, Camera
+from simulations.models.calibration.left_out import growth, left_out_px
 from simulations.models.calibration.model_choice import (
     akaike,
     compare,
     compare_first,
     supported,
 )
+from simulations.models.calibration.standard_errors import uncertainty
 from simulations.models.distortion.lens_model import Distortion
 
 
@@ -34,25 +36,6 @@ def test_the_model_that_made_the_photographs_is_supported(lens: Distortion, expe
     assert min(trials, key=lambda trial: trial.aic).rms_px == pytest.approx(
         supported(trials).rms_px, rel=0.01
     )
-
-
-def test_a_richer_model_fits_better_and_predicts_worse() -> None:
-    truth = photographs(4, seed=1, camera=Camera(500.0, 500.0, 322.0, 236.0))
-    views = truth.views(0.5)
-    trials = compare(views, SIZE)
-    assert [trial.lens for trial in trials] == list(LENSES)
-    assert trials[-1].rms_px < trials[0].rms_px
-    assert trials[-1].left_out_px > trials[0].left_out_px
-
-
-def test_the_first_photographs_are_judged_alike_from_either_start() -> None:
-    views = photographs(10, seed=2).views(0.1)
-    first = views.take(slice(6))
-    cold, warm = compare(first, SIZE), compare_first(compare(views, SIZE), first)
-    for one, other in zip(cold, warm, strict=True):
-        assert one.lens == other.lens
-        assert one.left_out_px == pytest.approx(other.left_out_px)
-        assert one.aic == pytest.approx(other.aic)
 
 
 @pytest.mark.parametrize("count", [3, 6, 9])
@@ -104,6 +87,57 @@ def test_next_photograph_is_what_is_missing_most() -> None:
     assert next_photograph(covered()) == "nothing is missing"
 
 
-def test_the_emptiest_part_is_named() -> None:
-    assert emptiest(covered(empty=(slice(4, 6), slice(0, 3)))) == "bottom left"
-    assert emptiest(covered(empty=(slice(2, 4), slice(3, 5)))) == "middle"
+TANGENTIAL = PINHOLE + LENSES["p1p2"]
+
+
+def errors_in_units(runs: int, count: int, sigma_px: float) -> np.ndarray:
+    """(runs, m) true errors of calibrations, in standard errors stated by each."""
+    truth = photographs(count, seed=5)
+    rows = []
+    for run in range(runs):
+        views = truth.views(sigma_px, seed=run)
+        fit = calibrate(views, SIZE, "p1p2")
+        stated = np.array(list(uncertainty(views, fit, TANGENTIAL).errors.values()))
+        rows.append((fit.camera.values(TANGENTIAL) - TRUTH.values(TANGENTIAL)) / stated)
+    return np.array(rows)
+
+
+def check_coverage(runs: int, tolerance: float) -> None:
+    off = errors_in_units(runs, 6, 0.2)
+    assert np.mean(np.abs(off) < 1.0) == pytest.approx(0.683, abs=tolerance)
+    assert np.mean(np.abs(off) < 2.0) == pytest.approx(0.954, abs=tolerance)
+    assert np.abs(off.mean(axis=0)).max() < 4.0 / np.sqrt(runs)
+
+
+def test_the_truth_lies_within_the_stated_errors_at_the_stated_rate() -> None:
+    check_coverage(60, 0.08)
+
+
+@pytest.mark.deep
+def test_the_truth_lies_within_the_stated_errors_at_the_stated_rate_over_many_runs() -> None:
+    check_coverage(1000, 0.02)
+
+
+@pytest.mark.parametrize("lens", ["k1k2", "p1p2", "k3"])
+def test_error_on_a_photograph_left_out_is_that_of_a_calibration_without_it(lens: str) -> None:
+    views, free = photographs(8, seed=4).views(0.1), PINHOLE + LENSES[lens]
+    fit = calibrate(views, SIZE, lens)
+    quick = left_out_px(views, fit, free)
+    for index in range(len(views)):
+        rest = [other for other in range(len(views)) if other != index]
+        others = calibrate(views.take(rest), SIZE, lens).camera
+        alone = refine(views.take([index]), others, fit.poses.take(slice(index, index + 1)), ())
+        assert quick[index] == pytest.approx(np.sqrt(alone.cost / 54), rel=0.01)
+
+
+def test_growth_is_that_of_calibrations_of_the_first_photographs() -> None:
+    views = photographs(10, seed=6).views(0.1)
+    fit = calibrate(views, SIZE, "p1p2")
+    grown = growth(views, fit, TANGENTIAL, 0.1, "fx", 4)
+    assert grown.counts == tuple(range(4, 11))
+    for count, value, error in zip(grown.counts, grown.value, grown.error, strict=True):
+        first = views.take(slice(count))
+        alone = calibrate(first, SIZE, "p1p2")
+        stated = uncertainty(first, alone, TANGENTIAL)
+        assert value == pytest.approx(alone.camera.fx, abs=0.1 * error)
+        assert error == pytest.approx(0.1 * stated.errors["fx"] / stated.sigma_px, rel=0.03)

@@ -1,46 +1,34 @@
-"""Block-DCT compression against scipy's transform and Pillow's JPEG."""
+"""Cosine transforms, blocks and symbols of JPEG, against SciPy, Pillow and the standard."""
 
 import io
+import math
 
 import numpy as np
 import pytest
 import scipy.fft
-from numpy.typing import DTypeLike
+import skimage.data
+from numpy.typing import DTypeLike, NDArray
 from PIL import Image
 from PIL.JpegImagePlugin import JpegImageFile
+from scipy.fft import dctn
 
 from simulations.models.arrays import Floats
 from simulations.models.compression import blocks as compression
-from simulations.models.compression.cosine_transforms import exact_cosines
+from simulations.models.compression import jpeg
+from simulations.models.compression.cosine_transforms import (
+    PASS_BITS,
+    TRANSFORMS,
+    exact_block_dct,
+    fixed_point,
+)
+from simulations.models.compression.entropy import LARGEST, run_symbols, size, symbol_bits
+from simulations.models.compression.zigzag import RANK, ZIGZAG, first_in_order
 
 
 def test_the_inverse_transform_is_scipys() -> None:
     blocks = np.random.default_rng(0).normal(size=(5, 8, 8))
     theirs = scipy.fft.idctn(blocks, axes=(1, 2), norm="ortho")
     np.testing.assert_allclose(compression.inverse_block_dct(blocks), theirs, atol=1e-12)
-
-
-def test_cosines_of_many_turns_keep_all_their_digits() -> None:
-    """As floats the angles reach 20.6, whose own last digit is twenty times that of a cosine."""
-    exact = exact_cosines()
-    k, n = np.mgrid[:8, :8]
-    truth = exact[(2 * n + 1) * k % 32] / 2
-    truth[0] *= exact[4]
-    assert np.abs(compression.DCT - truth).max() < 1.2e-16
-
-
-@pytest.mark.parametrize(
-    ("tie", "nearly", "rounded"),
-    [
-        (None, [2.5 - 1e-12, 2.5, -2.5 + 1e-12, 2.5 - 1e-7, 2.4, 0.0], [3, 3, -3, 2, 2, 0]),
-        (5e-4, [2.5 - 4e-4, -2.5 + 4e-4, 2.5 - 6e-4, 0.5 - 4e-4], [3, -3, 2, 1]),
-    ],
-)
-def test_halves_go_outwards_however_they_were_summed(
-    tie: float | None, nearly: list[float], rounded: list[int]
-) -> None:
-    ties = () if tie is None else (tie,)
-    np.testing.assert_array_equal(compression.round_outwards(nearly, *ties), rounded)
 
 
 @pytest.mark.parametrize("quality", [1, 2, 7, 33, 49, 50, 51, 75, 99, 100])
@@ -54,14 +42,6 @@ def test_tables_are_those_of_pillow(quality: int) -> None:
         np.testing.assert_array_equal(ours.reshape(-1), theirs[index])
 
 
-def test_a_flat_plane_is_rounded_to_an_eighth_of_the_first_step() -> None:
-    """The first coefficient of a flat block is 8 times its value, in steps of 16."""
-    flat = np.full((8, 8), 10.6)  # 84.8 / 16 = 5.3
-    decoded, zeros = compression.compress_plane(flat, compression.LUMINANCE_TABLE)
-    np.testing.assert_allclose(decoded, 5 * 16 / 8)
-    assert zeros == 63 / 64
-
-
 @pytest.mark.parametrize("shape", [(9, 12), (12, 9), (3, 16), (1, 5)])
 def test_fine_steps_keep_a_plane_of_any_size(shape: tuple[int, int]) -> None:
     plane = np.random.default_rng(1).normal(0, 40, shape)
@@ -69,16 +49,6 @@ def test_fine_steps_keep_a_plane_of_any_size(shape: tuple[int, int]) -> None:
     assert decoded.shape == shape
     np.testing.assert_allclose(decoded, plane, atol=0.5e-3 * 8)
     assert zeros < 0.9
-
-
-def test_the_border_is_repeated_to_whole_blocks() -> None:
-    plane = np.random.default_rng(3).normal(0, 40, (10, 13))
-    whole = np.pad(plane, ((0, 6), (0, 3)), mode="edge")
-    table = compression.CHROMINANCE_TABLE
-    decoded, zeros = compression.compress_plane(plane, table)
-    theirs, theirs_zeros = compression.compress_plane(whole, table)
-    np.testing.assert_allclose(decoded, theirs[:10, :13], atol=1e-10)
-    assert zeros == theirs_zeros
 
 
 @pytest.mark.parametrize(("dtype", "tie"), [(np.float32, 5e-4), (np.float64, 1e-9)])
@@ -102,3 +72,152 @@ def test_codes_are_the_coefficients_in_steps() -> None:
     theirs = scipy.fft.dctn(plane[:, 8:], norm="ortho") / compression.LUMINANCE_TABLE
     np.testing.assert_array_equal(codes[0, 1], np.rint(theirs))
     assert codes.dtype == np.int64
+
+
+CODES = np.random.default_rng(5).integers(-128, 128, (3, 50, 8, 8)).astype(float)
+
+
+ORACLE = dctn(CODES, type=2, norm="ortho", axes=(-2, -1))
+
+
+ALLOWED = {
+    # Two roundings to an eighth, the first mixed by a second pass of unit rows.
+    "fixed-point": (1 + np.sqrt(8)) * 2.0 ** -(PASS_BITS + 1) + 0.1,
+    # Sums of 64 products of up to 128, at 2⁻²⁴ each.
+    "separable-32": 64 * 128 * 2.0**-24,
+    "separable": 64 * 128 * 2.0**-52,
+    "direct-32": 64 * 128 * 2.0**-24,
+    "direct": 64 * 128 * 2.0**-52,
+    "fourier": 64 * 128 * 2.0**-52,
+}
+
+
+def impulse(row: int, column: int, height: float = 100.0) -> Floats:
+    block = np.zeros((8, 8))
+    block[row, column] = height
+    return block
+
+
+@pytest.mark.parametrize("name", TRANSFORMS)
+def test_a_transform_is_scipys_to_the_digits_of_its_numbers(name: str) -> None:
+    ours = TRANSFORMS[name](CODES)
+    assert ours.shape == CODES.shape
+    assert np.abs(ours - ORACLE).max() < ALLOWED[name]
+
+
+def test_integers_hold_means_of_four_whole_codes_exactly() -> None:
+    quarters = np.round(4 * impulse(2, 5, 3.75) + 1) / 4
+    exact = dctn(quarters, type=2, norm="ortho")
+    assert np.abs(fixed_point(quarters) - exact).max() < ALLOWED["fixed-point"]
+    # Half a code everywhere is a mean of four: whole samples would make it 0 or 8.
+    assert fixed_point(np.full((8, 8), 0.5))[0, 0] == pytest.approx(4, abs=0.3)
+    assert fixed_point(np.full((8, 8), -0.25))[0, 0] == pytest.approx(-2, abs=0.3)
+
+
+def test_the_judge_is_scipys_transform_and_keeps_more_digits() -> None:
+    truth = exact_block_dct(CODES)
+    assert truth.dtype == np.longdouble
+    np.testing.assert_allclose(truth.astype(float), ORACLE, atol=1e-12)
+    # An orthonormal transform keeps the sum of squares: here to the digits beyond float64's.
+    kept = (truth**2).sum(axis=(-2, -1)) / (CODES**2).sum(axis=(-2, -1)).astype(np.longdouble)
+    wider = float(np.finfo(np.longdouble).eps)
+    assert float(np.abs(kept - 1).max()) < 100 * max(wider, 1e-19)
+
+
+ASTRONAUT = skimage.data.astronaut()[:192, 100:340]
+
+
+def one_block(codes: dict[int, int]) -> NDArray[np.int64]:
+    """A block with ``codes`` {place in zigzag order: code}."""
+    block = np.zeros(64, np.int64)
+    for place, code in codes.items():
+        block[ZIGZAG[place]] = code
+    return block.reshape(1, 1, 8, 8)
+
+
+@pytest.mark.parametrize(
+    ("codes", "bits"),
+    [
+        ({}, 0),
+        # Mean 5 (3 bits), then 17 zeros and a 1 (1 bit), then the end. Its symbols are one length
+        # of the mean, which is certain and free, and three others at log2(3) bits each.
+        ({0: 5, 18: 1}, 3 + 1 + 3 * math.log2(3)),
+        (dict.fromkeys(range(1, 64), -1), 63),  # one symbol, certain and free; no end is needed
+        ({1: LARGEST}, 15 + 2),
+        ({1: -LARGEST}, 15 + 2),
+    ],
+    ids=["grey", "by hand", "full", "largest", "least"],
+)
+def test_bits_are_counted_as_by_hand(codes: dict[int, int], bits: float) -> None:
+    assert symbol_bits([one_block(codes)]) == pytest.approx(bits)
+
+
+def test_planes_that_share_their_tables_share_the_rarity_of_symbols() -> None:
+    flat, edge = np.zeros((1, 3, 8, 8), np.int64), one_block({0: 1})
+    apart = symbol_bits([flat]) + symbol_bits([edge])
+    assert apart == 1
+    assert symbol_bits([flat, edge]) == pytest.approx(1 + 2 + 3 * math.log2(4 / 3))
+
+
+def symbols(codes: list[dict[int, int]]) -> tuple[dict[int, int], float]:
+    """{symbol: count} and bits of blocks given as {place: code} of the 63 after the mean."""
+    blocks = np.zeros((len(codes), 63), np.int64)
+    for block, given in zip(blocks, codes, strict=True):
+        block[list(given)] = list(given.values())
+    counts, bits = run_symbols(blocks)
+    return {int(k): int(counts[k]) for k in np.flatnonzero(counts)}, bits
+
+
+@pytest.mark.parametrize(
+    ("codes", "expected", "bits"),
+    [
+        pytest.param({}, {0x00: 1}, 0, id="end-only"),
+        pytest.param({0: 1}, {0x01: 1, 0x00: 1}, 1, id="no-zeros-before"),
+        pytest.param({3: -6}, {0x33: 1, 0x00: 1}, 3, id="three-zeros-then-three-bits"),
+        pytest.param({0: 2, 4: 7}, {0x02: 1, 0x33: 1, 0x00: 1}, 5, id="run-from-the-last"),
+        pytest.param({15: 1}, {0xF1: 1, 0x00: 1}, 1, id="fifteen-zeros"),
+        pytest.param({16: 1}, {0xF0: 1, 0x01: 1, 0x00: 1}, 1, id="sixteen-zeros"),
+        pytest.param({34: 1}, {0xF0: 2, 0x21: 1, 0x00: 1}, 1, id="thirty-four-zeros"),
+        pytest.param({62: -1}, {0xF0: 3, 0xE1: 1}, 1, id="to-the-very-end"),
+        pytest.param({61: 1}, {0xF0: 3, 0xD1: 1, 0x00: 1}, 1, id="all-but-the-end"),
+    ],
+)
+def test_symbols_are_those_of_the_standard(
+    codes: dict[int, int], expected: dict[int, int], bits: int
+) -> None:
+    assert symbols([codes]) == (expected, bits)
+
+
+def test_a_run_of_zeros_ends_with_its_block() -> None:
+    assert symbols([{62: 1}, {2: 1}]) == ({0xF0: 3, 0xE1: 1, 0x21: 1, 0x00: 1}, 2)
+
+
+@pytest.mark.parametrize("quality", [50, 75, 90])
+@pytest.mark.parametrize("subsampling", ["4:4:4", "4:2:0"])
+def test_the_bits_of_a_photograph_are_those_of_pillows_file(quality: int, subsampling: str) -> None:
+    """Huffman's code spends whole bits on each symbol: a little more than its entropy."""
+    file = io.BytesIO()
+    kind = {"4:4:4": 0, "4:2:0": 2}[subsampling]
+    Image.fromarray(ASTRONAUT).save(file, "JPEG", quality=quality, subsampling=kind, optimize=True)
+    data = file.getvalue()
+    scan = data.index(b"\xff\xda")
+    header = 2 + int.from_bytes(data[scan + 2 : scan + 4])
+    theirs = 8 * len(data[scan + header : -2].replace(b"\xff\x00", b"\xff"))
+    ours = size(jpeg.encode(jpeg.to_planes(ASTRONAUT / 255), quality, subsampling))
+    assert 0.96 * theirs < ours.bits < 1.005 * theirs
+
+
+def test_the_zigzag_starts_as_in_the_standard_and_visits_every_place() -> None:
+    assert ZIGZAG[:10].tolist() == [0, 1, 8, 16, 9, 2, 3, 10, 17, 24]
+    assert ZIGZAG[-3:].tolist() == [55, 62, 63]
+    assert RANK.ravel()[ZIGZAG].tolist() == list(range(64))
+
+
+@pytest.mark.parametrize("count", [1, 3, 63, 64])
+def test_as_many_are_left_as_asked_for_and_they_are_the_first(count: int) -> None:
+    codes = np.arange(1, 129).reshape(2, 8, 8)
+    kept = first_in_order(codes, count)
+    assert np.count_nonzero(kept, axis=(1, 2)).tolist() == [count, count]
+    np.testing.assert_array_equal(
+        kept.reshape(2, 64)[:, ZIGZAG[:count]], codes.reshape(2, 64)[:, ZIGZAG[:count]]
+    )

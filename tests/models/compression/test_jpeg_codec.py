@@ -1,4 +1,4 @@
-"""JPEG's planes and pictures against Pillow's, at every colour subsampling."""
+"""JPEG’s planes, coarse colours and pictures against Pillow, OpenCV and scikit-image."""
 
 import io
 
@@ -6,14 +6,22 @@ import cv2
 import numpy as np
 import pytest
 import skimage.data
+import skimage.transform
 from numpy.typing import NDArray
 from PIL import Image
 
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import blocks, jpeg
+from simulations.models.compression.chroma_subsampling import (
+    coarsen,
+)
+from simulations.models.compression.chroma_upsampling import GRAIN_CODES, KERNELS, METHODS, refine
 from simulations.pictures.balloon import balloon
 
 PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
+
+
 PHOTO = skimage.data.astronaut()[:128, 160:288]
 
 
@@ -75,13 +83,6 @@ def test_any_size_keeps_its_size_and_grey_stays_grey(
     np.testing.assert_allclose(decoded, grey, atol=0.5 / 255)
 
 
-def test_a_coded_picture_knows_how_to_be_decoded() -> None:
-    coded = jpeg.encode(jpeg.to_planes(PHOTO[:20, :30] / 255), 60, "4:2:2")
-    assert (coded.height, coded.width, coded.quality, coded.subsampling) == (20, 30, 60, "4:2:2")
-    assert jpeg.decode(coded).shape == (20, 30, 3)
-    assert [codes.shape[:2] for codes in coded.planes] == [(3, 4), (3, 2), (3, 2)]
-
-
 def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels() -> None:
     checks = np.zeros((8, 16, 3))
     checks[::2, ::2] = 1
@@ -92,3 +93,94 @@ def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels() -> Non
     coarse = blocks.quantisation_table(blocks.LUMINANCE_TABLE, 5)
     # Grey has no colour differences: those two channels are zero throughout.
     assert zeros == pytest.approx((blocks.compress_plane(luma, coarse)[1] + 2) / 3)
+
+
+@pytest.mark.parametrize("factor", [(1, 1), (1, 2), (2, 1), (2, 2), (3, 4)])
+def test_cells_are_averaged_as_by_scikit_image(factor: tuple[int, int]) -> None:
+    rows, columns = factor
+    plane = np.random.default_rng(0).normal(0, 50, (6 * rows, 5 * columns))
+    theirs = skimage.transform.downscale_local_mean(plane, factor)
+    np.testing.assert_allclose(coarsen(plane, factor), theirs, rtol=1e-12)
+
+
+def test_a_cell_over_the_border_repeats_it() -> None:
+    plane = np.array([[1.0, 3, 5], [1, 3, 9], [8, 8, 2]])
+    assert coarsen(plane, (2, 2)).tolist() == [[2, 7], [8, 2]]
+
+
+FACTORS = [(1, 1), (1, 2), (2, 1), (2, 2)]
+
+
+RANDOM = np.random.default_rng(0)
+
+
+def luma_for(plane: Floats, factor: tuple[int, int]) -> Floats:
+    rows, columns = (side * cells for side, cells in zip(plane.shape, factor, strict=True))
+    return RANDOM.normal(0, 50, (rows, columns))
+
+
+@pytest.mark.parametrize("factor", FACTORS)
+@pytest.mark.parametrize(
+    ("method", "theirs"), [("repeated", cv2.INTER_NEAREST), ("triangle", cv2.INTER_LINEAR)]
+)
+def test_repetition_and_triangle_are_opencvs(
+    method: str, theirs: int, factor: tuple[int, int]
+) -> None:
+    plane = RANDOM.normal(0, 50, (6, 5))
+    luma = luma_for(plane, factor)
+    expected = cv2.resize(plane, luma.shape[::-1], interpolation=theirs)
+    np.testing.assert_allclose(refine(plane, factor, luma, method), expected, atol=1e-12)
+
+
+def test_the_parabola_is_exact_for_means_of_a_parabola() -> None:
+    """Means over cells and over half cells of 3 + 2t − t²/2, from its integral."""
+
+    def means(edges: Floats) -> Floats:
+        integral = 3 * edges + edges**2 - edges**3 / 6
+        return np.diff(integral) / np.diff(edges)
+
+    coarse, fine = means(np.arange(0.0, 9.0)), means(np.arange(0.0, 8.25, 0.5))
+    ours = refine(coarse[None], (1, 2), np.zeros((1, 16)), "parabola")[0]
+    np.testing.assert_allclose(ours[2:-2], fine[2:-2], atol=1e-12)
+
+
+def test_the_cubic_s_weights_are_catmull_and_roms() -> None:
+    """(−t + 2t² − t³)/2 and so on, at three quarters of the way."""
+    t = 0.75
+    expected = (
+        (-t + 2 * t**2 - t**3) / 2,
+        (2 - 5 * t**2 + 3 * t**3) / 2,
+        (t + 4 * t**2 - 3 * t**3) / 2,
+        (-(t**2) + t**3) / 2,
+    )
+    assert KERNELS["cubic"] == pytest.approx(expected)
+
+
+def test_the_slope_is_that_of_a_regression_held_back_by_grain() -> None:
+    """Cell by cell, by numpy's covariance of the 3 x 3 cells around it."""
+    luma = RANDOM.normal(0, 30, (10, 12))
+    coarse = coarsen(luma, (2, 2))
+    plane = 0.5 * coarse + RANDOM.normal(0, 10, coarse.shape)
+    slope = np.empty_like(plane)
+    light, colour = np.pad(coarse, 1, mode="edge"), np.pad(plane, 1, mode="edge")
+    for row, column in np.ndindex(plane.shape):
+        around = (slice(row, row + 3), slice(column, column + 3))
+        covariance = np.cov(light[around].ravel(), colour[around].ravel(), bias=True)
+        slope[row, column] = covariance[0, 1] / (covariance[0, 0] + GRAIN_CODES**2)
+    base, detail, scale = (
+        refine(each, (2, 2), luma, "parabola") for each in (plane, coarse, slope)
+    )
+    expected = base + scale * (luma - detail)
+    np.testing.assert_allclose(refine(plane, (2, 2), luma, "guided"), expected, atol=1e-10)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("factor", FACTORS)
+@pytest.mark.parametrize("shape", [(1, 1), (3, 5), (4, 6), (7, 2)])
+def test_any_size_comes_back_and_one_colour_stays(
+    shape: tuple[int, int], factor: tuple[int, int], method: str
+) -> None:
+    coarse = coarsen(np.full(shape, 0.3), factor)
+    back = refine(coarse, factor, RANDOM.normal(0, 50, shape), method)
+    assert back.shape == shape
+    np.testing.assert_allclose(back, 0.3, rtol=1e-13)

@@ -79,39 +79,3 @@ def test_a_lens_sees_up_to_its_largest_angle_and_nothing_lies_beyond_its_image(
         seen, valid = project_fisheye(angles, lens)[1], unproject_fisheye(points, lens)[1]
     assert seen.tolist() == [True, True, largest == np.pi]  # beyond half a turn is the other side
     assert valid.tolist() == [True, True, *[False] * 4]
-
-
-@pytest.mark.parametrize(
-    ("model", "edge"),
-    [
-        ("perspective", [1.0, 0.0, 0.0]),
-        ("orthographic", [0.0, 1.0, 0.0]),
-        ("stereographic", [1e-300, 0.0, -1.0]),
-        ("equidistant", [0.0, -1e-300, -1.0]),
-        ("equisolid", [1e-300, 0.0, -1.0]),
-    ],
-)
-def test_a_model_does_not_see_its_largest_angle_itself(model: str, edge: list[float]) -> None:
-    assert not project_ideal(edge, model)[1]
-    assert project_fisheye(edge, Fisheye())[1] == (edge[2] == 0.0)
-
-
-@pytest.mark.parametrize("size", [3e-323, 1e-300, 1.0, 1e300])
-def test_the_length_of_a_direction_does_not_matter(size: float) -> None:
-    image, valid = project_ideal(size * np.array([3.0, 4.0, 5.0]), "perspective")
-    assert valid
-    np.testing.assert_allclose(image, [0.6, 0.8], rtol=0.2 if size < 1e-320 else 1e-7)
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_the_longest_directions_do_not_overflow(sign: int) -> None:
-    image, valid = project_ideal(sign * np.array([1.5e308, 1e308, 1e-300]), "equidistant")
-    assert valid
-    azimuth = np.arctan2(sign * 2, sign * 3)
-    np.testing.assert_allclose(image, np.pi / 2 * np.array([np.cos(azimuth), np.sin(azimuth)]))
-
-
-def test_each_coefficient_is_of_its_own_power() -> None:
-    for power, name in enumerate(("k1", "k2", "k3", "k4"), start=1):
-        image, _ = project_fisheye(rays([0.6], 0.0), Fisheye(**{name: 0.01}))
-        assert image[0, 0] == pytest.approx(0.6 * (1 + 0.01 * 0.36**power), abs=1e-15)

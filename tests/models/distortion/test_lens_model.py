@@ -1,9 +1,14 @@
-"""Lens distortion against OpenCV, against analysis, and against its own inverse."""
+"""Lens distortion against OpenCV, analysis, and its own inverses."""
+
+from collections.abc import Callable
 
 import cv2
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
+from simulations.models.distortion.kinds import classify, line_bow
 from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
@@ -12,6 +17,13 @@ from simulations.models.distortion.lens_model import (
     largest_distorted_radius,
     undistort,
     undistort_clamped,
+)
+from simulations.models.distortion.undistortion import (
+    INVERSES,
+    undistort_bracketed,
+    undistort_fixed_point,
+    undistort_newton,
+    undistort_table,
 )
 
 POINTS = np.random.default_rng(1).uniform(-0.7, 0.7, (200, 2))
@@ -87,3 +99,84 @@ def test_far_points_go_to_infinity_with_the_signs_of_their_direction(
     moved = distort([point, *beside], lens)
     np.testing.assert_allclose(moved[0], image, rtol=1e-12)
     np.testing.assert_array_equal(moved[1:], [distort(near, lens) for near in beside] or moved[1:])
+
+
+RADII = np.stack((np.linspace(0.01, 0.9, 50), np.zeros(50)), axis=-1)
+
+
+SCATTERED = np.random.default_rng(0).uniform(-0.5, 0.5, (200, 2))
+
+
+@pytest.mark.parametrize(("k1", "k2"), [(-0.3, 0.1), (0.2, 0.0), (0.0, -0.2)])
+@pytest.mark.parametrize(
+    ("undo", "within"),
+    [
+        (lambda xy, lens: undistort_fixed_point(xy, lens, 60), 1e-12),
+        (lambda xy, lens: undistort_newton(xy, lens, 6), 1e-12),
+        (undistort_table, 1e-6),
+        (undistort_bracketed, 1e-14),
+    ],
+)
+def test_points_all_over_the_picture_come_back(
+    undo: Callable[..., Floats], within: float, k1: float, k2: float
+) -> None:
+    lens = Distortion(k1=k1, k2=k2)
+    np.testing.assert_allclose(undo(distort(SCATTERED, lens), lens), SCATTERED, atol=within)
+
+
+@pytest.mark.parametrize("name", ["closed-form", "checked-table", "newton-bracketed"])
+def test_the_careful_ones_put_what_lies_past_the_fold_on_it(name: str) -> None:
+    lens = Distortion(k1=-0.5)
+    inside = RADII[RADII[:, 0] < 0.8]
+    seen = np.concatenate((distort(inside, lens), [[0.0, 0.6], [1.5, 0.0]]))
+    fold = fold_radius(lens)
+    expected = np.concatenate((inside, [[0.0, fold], [fold, 0.0]]))
+    np.testing.assert_allclose(INVERSES[name](seen, lens), expected, atol=1e-12)
+
+
+TURNS = Distortion(k1=-0.2, k2=0.2)
+"""g = 1 − 0.2 s + 0.2 s² turns at s = 1/2."""
+
+
+@pytest.mark.parametrize(
+    ("lens", "corner", "tolerance", "kind"),
+    [
+        (Distortion(), 1.0, 0.0, "none"),
+        (Distortion(k1=-0.1), 1.0, 1e-4, "barrel"),
+        (Distortion(k1=0.1), 1.0, 1e-4, "pincushion"),
+        (Distortion(k1=-0.2, k2=0.05), 1.0, 1e-4, "barrel"),  # turns only at r = 1.41
+        (TURNS, 1.0, 1e-4, "moustache"),
+        (TURNS, 0.7, 1e-4, "barrel"),
+        (TURNS, 0.75, 1e-4, "moustache"),
+        (Distortion(k1=-0.5, k2=0.03), 4.0, 1e-4, "barrel"),  # folds at 0.83, before g turns
+        # The magnification changes from 1 on the axis to 1 + k₁ at the corner.
+        (Distortion(k1=0.1), 1.0, 0.099, "pincushion"),
+        (Distortion(k1=0.1), 1.0, 0.101, "none"),
+        (Distortion(k1=-0.1), 1.0, 0.099, "barrel"),
+        (Distortion(k1=-0.1), 1.0, 0.101, "none"),
+        (Distortion(k1=0.1), 0.0, 1e-3, "none"),
+        (Distortion(k1=0.1), 1e45, 1e-3, "pincushion"),
+    ],
+)
+def test_the_kind_follows_from_the_profile_inside_the_picture(
+    lens: Distortion, corner: float, tolerance: float, kind: str
+) -> None:
+    assert classify(lens, corner, tolerance) == kind
+
+
+SQUARE = np.array([[1.0, 1], [4, 1], [4, 5], [1, 5], [1, 1]])
+
+
+@pytest.mark.parametrize(
+    ("curve", "bow"),
+    [
+        (SQUARE, 5.0),  # a closed curve is measured from its ends
+        ([SQUARE, 2 * SQUARE], [5.0, 10.0]),
+        ([[3.0, 4.0], [5.0, 6.0]], 0.0),
+        ([[0, 0], [1, 1], [2, 2]], 0.0),
+        ([[0.0, 0], [1e3, 250.0], [2e3, 0]], 250.0),
+        ([[-1e150, 0.0], [0.0, 1e150], [1e150, 0.0]], 1e150),
+    ],
+)
+def test_a_bow_is_the_furthest_from_the_chord(curve: ArrayLike, bow: ArrayLike) -> None:
+    assert line_bow(curve).tolist() == pytest.approx(bow)

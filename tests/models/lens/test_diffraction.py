@@ -1,11 +1,14 @@
-"""A perfect round lens: Airy's disc, and transfer functions against pupils shifted here."""
+"""A perfect round lens and a hole: Airy’s disc, Fresnel’s integral and transfer functions."""
+
+import math
 
 import numpy as np
 import pytest
 import scipy.special
+from scipy.integrate import quad
+from scipy.special import j0, j1
 
 from simulations.models.arrays import Floats
-from simulations.models.lens.bessel import bessel_j0
 from simulations.models.lens.diffraction import (
     FIRST_ZERO,
     cutoff_per_mm,
@@ -14,11 +17,7 @@ from simulations.models.lens.diffraction import (
     spot,
     spot_diameter_um,
 )
-
-
-def test_j0_is_scipy_s() -> None:
-    x = np.linspace(-200, 200, 40001)
-    np.testing.assert_allclose(bessel_j0(x), scipy.special.j0(x), atol=1e-7)
+from simulations.models.lens.pinhole import pinhole_transfer
 
 
 def test_the_spot_in_focus_is_airy_s() -> None:
@@ -43,28 +42,6 @@ def test_defocus_darkens_the_middle_like_a_squared_sinc(waves: float) -> None:
     assert middle == pytest.approx(np.sinc(waves) ** 2, abs=1e-12)
 
 
-def by_shifted_pupils(share: Floats, waves: float) -> Floats:
-    """The overlap of a pupil with itself, shifted by a share of its diameter, on a grid."""
-    along = (np.arange(1500) + 0.5) / 750 - 1
-    x, y = np.meshgrid(along, along[:750] + 1)
-    answers = []
-    for nu in share:
-        left, right = (x + nu) ** 2 + y**2, (x - nu) ** 2 + y**2
-        both = (left <= 1) & (right <= 1)
-        phase = 2 * np.pi * waves * (left - right)
-        answers.append(2 * np.cos(phase[both]).sum() / 750**2 / np.pi)
-    return np.array(answers)
-
-
-@pytest.mark.parametrize("waves", [0.0, 0.3, 1.0, 4.0])
-def test_transfer_is_the_overlap_of_the_opening_with_itself(waves: float) -> None:
-    share = np.linspace(0.02, 0.98, 13)
-    cutoff = cutoff_per_mm(0.55, 4)
-    defocus = waves * 8 * 0.55 * 4**2
-    ours = lens_transfer(share * cutoff, 0.55, 4, defocus)
-    np.testing.assert_allclose(ours, by_shifted_pupils(share, waves), atol=2e-3)
-
-
 def test_transfer_is_continuous_where_defocus_begins() -> None:
     f = np.linspace(0, 500, 101)
     np.testing.assert_allclose(
@@ -77,3 +54,39 @@ def test_nothing_passes_beyond_the_cut_off() -> None:
     assert cutoff == pytest.approx(227.27, abs=0.01)
     np.testing.assert_array_equal(lens_transfer([cutoff, 300, np.inf], 0.55, 8), 0)
     np.testing.assert_array_equal(lens_transfer([cutoff, 300, np.inf], 0.55, 8, 100), 0)
+
+
+DEPTH_MM, GREEN_UM = 100.0, 0.55
+
+
+def fresnel_spot(radius_mm: float, hole_mm: float) -> float:
+    """Light beside that of the same hole with a lens: Fresnel's integral over the hole."""
+    wave, half = GREEN_UM * 1e-3 * DEPTH_MM, hole_mm / 2.0
+
+    def part(phase: float) -> float:
+        def integrand(rho: float) -> float:
+            swing = math.pi * rho * rho / wave - phase
+            return float(j0(2.0 * math.pi * rho * radius_mm / wave)) * math.cos(swing) * rho
+
+        return quad(integrand, 0.0, half, limit=400)[0] * 2.0 / half**2
+
+    return part(0.0) ** 2 + part(math.pi / 2.0) ** 2
+
+
+@pytest.mark.parametrize("hole", [0.1, 0.37, 1.0, 2.0])
+def test_the_spot_is_that_of_fresnel_s_integral(hole: float) -> None:
+    radii = np.array([0.0, 0.2, 0.45, 0.8]) * hole
+    ours = spot(1000.0 * radii, GREEN_UM, DEPTH_MM / hole, 1000.0 * DEPTH_MM)
+    assert ours == pytest.approx([fresnel_spot(radius, hole) for radius in radii], abs=1e-6)
+
+
+def disc(frequency: Floats, width_mm: float) -> Floats:
+    """Transfer function of a uniform disc."""
+    x = math.pi * width_mm * frequency
+    return np.asarray(2.0 * j1(x) / x)
+
+
+def test_a_wide_hole_blurs_like_a_disc_of_its_own_width() -> None:
+    frequency = np.linspace(0.02, 1.2, 60)
+    ours = pinhole_transfer(frequency, 2.0, DEPTH_MM, GREEN_UM)
+    assert ours == pytest.approx(disc(frequency, 2.0), abs=0.03)

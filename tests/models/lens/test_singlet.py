@@ -1,4 +1,4 @@
-"""A lens of one glass: textbook formulas, Fermat's principle, and where rays end."""
+"""A lens of one glass and a stop: textbook formulas, Fermat’s principle, and where rays end."""
 
 import math
 
@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 
+from simulations.models.arrays import Floats
 from simulations.models.lens.singlet import (
-    LEAVES_BY_RIM,
     MISSES,
     PASSES,
     REFLECTED,
@@ -26,6 +26,7 @@ from simulations.models.lens.singlet import (
     through_paraxial,
     through_thin,
 )
+from simulations.models.lens.stop_position import ChiefRays, chief_rays, chief_rays_of_pair
 from simulations.models.lens.thin_lens import thin_lens_image_distance
 
 EXAMPLE = Singlet(1 / 40, -1 / 40, 10.0, 1.5)
@@ -122,13 +123,6 @@ def test_rays_end_where_the_glass_does() -> None:
     assert np.isnan(rays.crossing_mm[1:]).all()
 
 
-def test_a_hollow_lens_throws_light_against_its_rim() -> None:
-    rays = through_exact(Singlet(-1 / 50, 1 / 50, 20.0, 1.8), np.inf, [21.0], 22.0)
-    assert rays.fate.tolist() == [LEAVES_BY_RIM]
-    assert np.isfinite(rays.front).all()
-    assert np.isnan(rays.back).all()
-
-
 def test_refraction_keeps_directions_of_length_one() -> None:
     along, normal = np.array([[0.8, 0.6]]), np.array([[1.0, 0.0]])
     inside, passed = refract(along, normal, 1 / 1.5)
@@ -137,3 +131,47 @@ def test_refraction_keeps_directions_of_length_one() -> None:
     back, passed = refract(along, normal, 1.8)
     assert not passed.any()
     np.testing.assert_array_equal(back, along)
+
+
+LENS = Singlet(1 / 50, -1 / 50, 6.0, 1.5)
+
+
+SLOPES = np.linspace(0.02, 0.3, 15)
+
+
+def distortion(rays: ChiefRays) -> Floats:
+    return rays.image / rays.tan_field - 1.0
+
+
+def test_before_the_lens_they_are_rays_from_a_point_of_the_axis() -> None:
+    rays = chief_rays(LENS, -12.0, SLOPES)
+    traced = through_exact(LENS, 12.0, 12.0 * SLOPES, 40.0)
+    np.testing.assert_allclose(rays.places[:, 0], traced.front, rtol=1e-12)
+    np.testing.assert_allclose(rays.places[:, 1], traced.back, rtol=1e-12)
+    height = traced.back[:, 1] + (rays.image_mm - traced.back[:, 0]) * traced.slope
+    np.testing.assert_allclose(rays.image * rays.focal_mm, height, rtol=1e-12)
+    np.testing.assert_array_equal(rays.tan_field, SLOPES)
+
+
+def test_traced_forwards_the_rays_with_the_stop_behind_come_to_its_centre() -> None:
+    lens = Singlet(1 / 40, -1 / 90, 6.0, 1.5)
+    rays = chief_rays(lens, 12.0, SLOPES)
+    front, back = rays.places[:, 0], rays.places[:, 1]
+    along = np.stack([np.ones_like(SLOPES), rays.tan_field], -1)
+    along /= np.linalg.norm(along, axis=-1, keepdims=True)
+    for place, vertex, curvature, ratio in (
+        (front, -3.0, lens.front_per_mm, 1 / 1.5),
+        (back, 3.0, lens.back_per_mm, 1.5),
+    ):
+        normal = np.array([1.0, 0.0]) - curvature * (place - np.array([vertex, 0.0]))
+        along, _ = refract(along, normal, ratio)
+    reached = back[:, 1] + (12.0 - back[:, 0]) * along[:, 1] / along[:, 0]
+    np.testing.assert_allclose(reached, 0.0, atol=1e-12)
+    np.testing.assert_allclose(along[:, 1] / along[:, 0], SLOPES, rtol=1e-12)
+
+
+def test_a_pair_images_small_angles_as_its_focal_length_says() -> None:
+    lens = Singlet(1 / 100, -1 / 120, 6.0, 1.5)
+    assert distortion(chief_rays_of_pair(lens, 10.0, [1e-4]))[0] == pytest.approx(0, abs=1e-7)
+    before, behind = np.split(chief_rays_of_pair(lens, 10.0, [0.1]).places[0], 2)
+    np.testing.assert_array_equal(before, -behind[::-1])

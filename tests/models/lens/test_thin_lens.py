@@ -1,16 +1,32 @@
-"""The thin lens: textbook values, limits, and rays traced here."""
+"""The thin lens: textbook values, limits, rays traced here, and what its rims hide."""
 
 from fractions import Fraction
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
+from simulations.models.arrays import Floats
+from simulations.models.lens.chromatic_aberration import (
+    LINE_C_UM,
+    LINE_D_UM,
+    LINE_F_UM,
+    Glass,
+    axial_chromatic_mm,
+    focal_length_mm,
+    lateral_chromatic_scale,
+    refractive_index,
+)
+from simulations.models.lens.spectral_bands import Band, chosen_wavelengths, even_wavelengths
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     depth_of_field,
     hyperfocal,
+    principal_distance_mm,
     thin_lens_image_distance,
 )
+from simulations.models.projection.pinhole import intrinsics, project
 
 
 @pytest.mark.parametrize(("focus", "depth"), [(2000.0, 5000.0), (3000.0, 700.0), (900.0, 60.0)])
@@ -73,11 +89,127 @@ def test_an_object_near_the_focal_point_is_imaged_as_far_off_as_it_should(beyond
     assert thin_lens_image_distance(50.0, distance) == pytest.approx(float(exact), rel=1e-15)
 
 
-@pytest.mark.parametrize("focus", [50.001, 1000.0, 1e6])
-@pytest.mark.parametrize("off", [-1e-6, 1e-9, 1e-3])
-def test_the_blur_of_what_is_nearly_in_focus_keeps_its_digits(focus: float, off: float) -> None:
-    depth = focus * (1 + off)
-    f, z, zf = Fraction(50), Fraction(depth), Fraction(focus)
-    exact = f / 2 * f * zf / (zf - f) * abs(1 / z - 1 / zf)
-    blur = circle_of_confusion_mm(50.0, 2.0, focus, depth)
-    assert blur == pytest.approx(float(exact), rel=1e-14)
+ACROSS = np.linspace(-1.0, 1.0, 11)
+"""Where rays pass the opening, in radii; the middle one is the chief ray."""
+
+
+FOCAL_MM = st.floats(8.0, 400.0)
+
+
+F_NUMBER = st.floats(0.8, 32.0)
+
+
+FOCUS = st.floats(1.2, 2000.0)
+"""In focal lengths."""
+
+
+DEPTH = st.floats(1.1, 5000.0)
+
+
+SIDEWAYS = st.floats(-0.8, 0.8)
+"""Of the depth."""
+
+
+def behind_lens(x_mm: float, depth_mm: float, heights_mm: Floats, focal_mm: float) -> Floats:
+    """Slopes behind the lens of the rays from a point to these heights on the lens."""
+    return (heights_mm - x_mm) / depth_mm - heights_mm / focal_mm
+
+
+def crossing_mm(focal_mm: float, focus_mm: float) -> float:
+    """Distance behind the lens at which two rays of a point on the axis meet."""
+    up, down = behind_lens(0.0, focus_mm, np.array([1.0, -1.0]), focal_mm)
+    return 2.0 / (down - up)
+
+
+def seen_by_sensor(
+    focal_mm: float, f_number: float, focus_mm: float, depth_mm: float, x_mm: float
+) -> tuple[Floats, float]:
+    """Where rays of one point meet the sensor, turned about the axis so that it is upright."""
+    heights = ACROSS * focal_mm / f_number / 2
+    sensor = crossing_mm(focal_mm, focus_mm)
+    return -(heights + sensor * behind_lens(x_mm, depth_mm, heights, focal_mm)), sensor
+
+
+@settings(deadline=None, max_examples=300)
+@given(FOCAL_MM, F_NUMBER, FOCUS, DEPTH, SIDEWAYS)
+def test_a_point_is_seen_where_projection_with_the_sensor_s_distance_puts_it(
+    focal: float, f_number: float, focus: float, depth: float, aside: float
+) -> None:
+    focus, depth = focus * focal, depth * focal
+    hits, sensor = seen_by_sensor(focal, f_number, focus, depth, aside * depth)
+    z = principal_distance_mm(focal, focus)
+    assert z == pytest.approx(sensor, rel=1e-9)
+    (x, _), _ = project([aside * depth, 0.0, depth], intrinsics(z, (0.0, 0.0)))
+    blur = float(circle_of_confusion_mm(focal, f_number, focus, depth))
+    assert hits[len(hits) // 2] == pytest.approx(x, abs=1e-9 * z)
+    assert hits.mean() == pytest.approx(x, abs=1e-9 * (z + blur))
+    assert np.ptp(hits) == pytest.approx(blur, abs=1e-9 * (z + blur))
+
+
+GLASS = Glass()
+
+
+@pytest.mark.parametrize("wavelength", [0.45, 0.7])
+def test_the_axial_blur_is_where_the_coloured_cone_meets_the_sensor(wavelength: float) -> None:
+    focal = focal_length_mm(GLASS, 50, wavelength)
+    blur = axial_chromatic_mm(GLASS, 50, 2, wavelength)
+    assert blur == pytest.approx(25 * abs(50 - focal) / focal)
+
+
+def test_the_lateral_scale_agrees_with_a_ray_traced_through_the_stop() -> None:
+    focal_d, stop, slope = 50.0, 15.0, 0.2
+
+    def height_on_sensor(focal: float) -> float:
+        at_lens = stop * slope
+        return at_lens + focal_d * (slope - at_lens / focal)
+
+    blue = float(focal_length_mm(GLASS, focal_d, 0.45))
+    expected = height_on_sensor(blue) / height_on_sensor(focal_d)
+    assert lateral_chromatic_scale(GLASS, focal_d, stop, 0.45) == pytest.approx(expected)
+    assert lateral_chromatic_scale(GLASS, focal_d, 0.0, 0.45) == 1.0
+
+
+def test_the_fraunhofer_lines_are_where_fraunhofer_saw_them() -> None:
+    """Micrometres, from any glass catalogue; BK7 has n_F 1.52238 and n_C 1.51432."""
+    assert (LINE_F_UM, LINE_D_UM, LINE_C_UM) == (0.4861, 0.5876, 0.6563)
+    f, c = refractive_index(GLASS, [0.4861, 0.6563])
+    assert f == pytest.approx(1.52238, abs=2e-4)
+    assert c == pytest.approx(1.51432, abs=2e-4)
+    assert (1.5168 - 1) / (f - c) == pytest.approx(64.2)
+    assert focal_length_mm(GLASS, 50.0, LINE_D_UM) == pytest.approx(50.0)
+
+
+PEAKS, WIDTH = (0.6, 0.54, 0.46), 0.03
+
+
+def moment_about(band: Band, power: int, about: float) -> float:
+    return float(band.shares @ (band.wavelengths_um - about) ** power)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 5])
+def test_chosen_wavelengths_have_the_moments_of_the_bell_curve(count: int) -> None:
+    """Exact up to the power 2n − 1: 1, 0, σ², 0, 3σ⁴ ..."""
+    band = chosen_wavelengths(0.54, WIDTH, count)
+    moments = [1, 0, WIDTH**2, 0, 3 * WIDTH**4, 0, 15 * WIDTH**6, 0, 105 * WIDTH**8, 0]
+    for power, moment in enumerate(moments[: 2 * count]):
+        assert moment_about(band, power, 0.54) == pytest.approx(moment, rel=1e-9, abs=1e-15)
+
+
+def test_many_even_wavelengths_have_the_moments_of_each_bell() -> None:
+    bands = even_wavelengths(PEAKS, WIDTH, 0.3, 0.8, 60)
+    for band, peak in zip(bands, PEAKS, strict=True):
+        assert band.shares.sum() == pytest.approx(1)
+        assert moment_about(band, 1, peak) == pytest.approx(0, abs=1e-7)
+        assert moment_about(band, 2, peak) == pytest.approx(WIDTH**2, rel=1e-4)
+
+
+def test_shares_fall_off_as_the_bell_does() -> None:
+    (band,) = even_wavelengths([0.5], WIDTH, 0.5 - 0.03, 0.5 + 0.09, 2)
+    np.testing.assert_allclose(band.wavelengths_um, [0.5, 0.56])
+    assert band.shares[1] / band.shares[0] == pytest.approx(np.exp(-2))
+
+
+def test_a_curve_between_two_wavelengths_is_taken_at_the_nearest() -> None:
+    narrow, far = even_wavelengths((0.6, 60.0), 1e-5, 0.38, 0.72, 3)
+    np.testing.assert_array_equal(narrow.shares, [0, 1, 0])
+    np.testing.assert_array_equal(far.shares, [0, 0, 1])

@@ -1,11 +1,20 @@
-"""Vignetting: cosines, the area that two discs share, and cat's eyes."""
+"""Vignetting, the area that two discs share, and points on a lens."""
 
+from collections.abc import Callable
 from fractions import Fraction
 from math import factorial
 
 import numpy as np
 import pytest
 
+from simulations.models.arrays import Floats
+from simulations.models.lens.aperture import (
+    fibonacci_disc,
+    jittered_disc,
+    random_disc,
+    turned_disc,
+)
+from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.vignetting import (
     disc_overlap_area,
     mechanical_vignetting,
@@ -30,15 +39,6 @@ def test_a_rim_hides_as_much_of_the_pupil_as_it_overlaps(
     np.testing.assert_allclose(found, share, atol=1e-15)
 
 
-def test_the_cats_eye_has_the_area_counted_on_a_fine_grid() -> None:
-    axis = np.linspace(-5, 5, 1001)
-    x, y = np.meshgrid(axis, axis)
-    pupil = np.hypot(x, y) <= 5
-    counted = (pupil & (np.hypot(x - 4, y) <= 6)).sum() / pupil.sum()
-    left, right = mechanical_vignetting([-0.4, 0.4], 5.0, 6.0, 10.0)
-    assert left == right == pytest.approx(counted, abs=1e-3)
-
-
 @pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (3.0, 2.0), (2.0, 3.0), (5.0, 0.5)])
 def test_two_discs_share_all_of_the_smaller_nothing_or_a_lens(a: float, b: float) -> None:
     """The lens by the integral of the chords that both discs have."""
@@ -54,35 +54,12 @@ def test_two_discs_share_all_of_the_smaller_nothing_or_a_lens(a: float, b: float
         assert disc_overlap_area(d, a, b) == pytest.approx(area, rel=1e-5)
 
 
-def test_discs_that_just_touch_from_within_or_without_share_a_finite_area() -> None:
-    """Where rounding can take a cosine or a share beyond 1."""
-    for a, b in np.random.default_rng(0).uniform(0.1, 3, (500, 2)):
-        ends = np.array([np.nextafter(abs(a - b), 9), a + b, np.nextafter(a + b, 0)])
-        area = disc_overlap_area(ends, a, b) / (np.pi * min(a, b) ** 2)
-        np.testing.assert_allclose(area, [1, 0, 0], atol=1e-12)
-        assert (area >= 0).all()
-        assert (area <= 1).all()
-
-
 def segment(sine_of_half: float) -> float:
     """x − sin x cos x, the area of a unit disc beyond a chord, from sin x/2; as a series."""
     turn = 4 * np.arcsin(sine_of_half)
     return sum(
         (-1) ** (k + 1) * turn ** (2 * k + 1) / (2 * factorial(2 * k + 1)) for k in range(1, 9)
     )
-
-
-@pytest.mark.parametrize("overlap", [1e-3, 1e-5, 1e-8])
-@pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (1.0, 1.3), (1.0, 0.2)])
-def test_a_sliver_that_discs_share_keeps_its_digits(a: float, b: float, overlap: float) -> None:
-    d = a + b - overlap
-    exact_overlap = float(Fraction(a) + Fraction(b) - Fraction(d))
-    halves = [
-        np.sqrt(exact_overlap * (other - mine + d) / (4 * d * mine))
-        for mine, other in ((a, b), (b, a))
-    ]
-    exact = a * a * segment(halves[0]) + b * b * segment(halves[1])
-    assert disc_overlap_area(d, a, b) == pytest.approx(exact, rel=1e-14 / overlap, abs=1e-16)
 
 
 @pytest.mark.parametrize("out", [1e-3, 1e-6])
@@ -127,3 +104,63 @@ def test_discs_of_any_size_share_what_they_should(
     apart: float, a: float, b: float, area: float, off: float
 ) -> None:
     assert disc_overlap_area(apart, a, b) == pytest.approx(area, abs=off, rel=0)
+
+
+@pytest.mark.parametrize("count", [1, 16, 500])
+def test_every_ring_of_equal_area_holds_one_point_of_the_spiral(count: int) -> None:
+    square = np.sum(fibonacci_disc(count) ** 2, axis=1)
+    np.testing.assert_allclose(square, (np.arange(count) + 0.5) / count, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("draw", "count"),
+    [
+        (lambda rng: random_disc(300, (20, 30), rng), 300),
+        (lambda rng: jittered_disc(15, 20, (20, 30), rng), 300),
+    ],
+    ids=["random", "jittered"],
+)
+def test_points_are_uniform_on_the_disc(
+    draw: Callable[[np.random.Generator], Floats], count: int
+) -> None:
+    points = draw(np.random.default_rng(3))
+    assert points.shape == (count, 2, 20, 30)
+    assert points.dtype == np.float32
+    square = np.sum(points**2, axis=1)
+    assert square.max() <= 1 + 1e-6
+    for power in (1, 2):  # E r^2k = 1 / (k + 1)
+        assert np.mean(square**power) == pytest.approx(1 / (power + 1), abs=0.003)
+    assert np.mean(points, axis=(0, 2, 3)) == pytest.approx([0, 0], abs=0.004)
+    assert np.mean(points**2, axis=(0, 2, 3)) == pytest.approx([1 / 4, 1 / 4], abs=0.003)
+
+
+def test_a_spiral_is_turned_as_a_whole_and_for_each_pixel_by_another_angle() -> None:
+    spiral = fibonacci_disc(7)
+    points = turned_disc(spiral, (20, 30), np.random.default_rng(3)).astype(float)
+    assert points.shape == (7, 2, 20, 30)
+    np.testing.assert_allclose(
+        np.hypot(*points.swapaxes(0, 1)),
+        np.hypot(*spiral.T)[:, None, None] + np.zeros((20, 30)),
+        atol=1e-6,
+    )
+    turns = ((points[:, 0] + 1j * points[:, 1]).T / (spiral @ [1, 1j])).T
+    np.testing.assert_allclose(turns, turns[:1] + np.zeros_like(turns), atol=1e-5)
+    assert len(np.unique(np.angle(turns[0]).round(3))) > 550
+    assert abs(turns[0].mean()) < 0.1
+
+
+def test_any_beginning_is_balanced_about_the_centre() -> None:
+    points = np.array(aperture_grid(7))
+    for count in range(12, len(points) + 1):
+        assert np.linalg.norm(points[:count].mean(axis=0)) < 0.2
+
+
+@pytest.mark.parametrize("across", [2, 5, 8])
+def test_the_points_are_the_centres_of_square_cells_and_x_comes_first(across: int) -> None:
+    centres = (np.arange(across) + 0.5) * 2 / across - 1
+    assert {round(x, 9) for point in aperture_grid(across) for x in point} <= {
+        round(float(c), 9) for c in centres
+    }
+    first = aperture_grid(across)[0]  # the upper left of those inside: left of the centre, above
+    assert first[1] == pytest.approx(centres[0])
+    assert first[0] < 0

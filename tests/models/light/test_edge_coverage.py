@@ -1,20 +1,23 @@
-"""Coverage of a pixel from the distance of an edge, against exact areas."""
+"""Coverage of a pixel by an edge, and shading blended across cells."""
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.interpolate import RegularGridInterpolator
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.light.cell_blending import blend_cells, blend_normals
 from simulations.models.light.edge_coverage import (
     chord_length,
     curved_edge_coverage,
-    ramp_coverage,
     straight_edge_coverage,
 )
 
 ANGLES = st.floats(0, 2 * np.pi)
+
+
 PIXEL = np.array([[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]])
 
 
@@ -45,23 +48,6 @@ def test_the_chord_is_the_slope_of_the_coverage(angle: float, distance: float) -
         assert chord_length(distance, n) == pytest.approx(rise / (2 * step), abs=1e-4)
 
 
-def test_chords_through_the_centre_are_one_along_the_grid_and_root_two_across() -> None:
-    diagonal = np.array([1.0, -1.0]) / np.sqrt(2)
-    assert chord_length(0.0, [0.0, 1.0]) == pytest.approx(1)
-    assert chord_length(0.0, [-1.0, 0.0]) == pytest.approx(1)
-    assert chord_length(0.0, diagonal) == pytest.approx(np.sqrt(2))
-    assert chord_length([-0.6, 0.6, 3.0], [1.0, 0.0]).tolist() == [0, 0, 0]
-    assert chord_length(0.2, [np.inf, 0.0]) == 1.0
-
-
-@pytest.mark.parametrize("distance", [-0.6, -0.5, -0.2, 0.0, 0.3, 0.5, 2.0])
-def test_on_an_edge_along_the_grid_the_ramp_is_exact(distance: float) -> None:
-    expected = min(max(0.5 + distance, 0.0), 1.0)
-    assert ramp_coverage(distance) == pytest.approx(expected, abs=1e-15)
-    for normal in ([1.0, 0.0], [0.0, -1.0], [3.0, 0.0], [np.inf, 0.0]):
-        assert straight_edge_coverage(distance, normal) == pytest.approx(expected, abs=1e-12)
-
-
 @pytest.mark.parametrize(
     ("angle", "offset"),
     [(np.pi / 2, 0.3), (np.pi / 2, 0.0), (1.2, 0.0), (2.2, 0.0), (np.pi / 4, -0.2)],
@@ -86,11 +72,37 @@ def test_a_hollow_edge_covers_more_and_never_more_than_all() -> None:
     assert curved_edge_coverage(0.1, [0.6, 0.8], [-1e308, 1e308]).tolist() == [1, 0]
 
 
-def test_an_edge_far_away_covers_all_or_nothing_even_at_infinity() -> None:
-    far = [np.inf, 1e300, 3.0, -3.0, -np.inf]
-    for coverage in (
-        ramp_coverage(far),
-        straight_edge_coverage(far, [0.6, 0.8]),
-        curved_edge_coverage(far, [0.6, 0.8], 0.1),
-    ):
-        assert coverage.tolist() == [1, 1, 1, 0, 0]
+sizes = st.integers(2, 9)
+
+
+def grid(rows: int, columns: int, channels: int = 3) -> Floats:
+    return np.random.default_rng(rows * 100 + columns).standard_normal((rows, columns, channels))
+
+
+@given(sizes, sizes, sizes, sizes)
+def test_it_is_scipys_linear_interpolation_between_corners(
+    rows: int, columns: int, height: int, width: int
+) -> None:
+    corners = grid(rows, columns)
+    axes = np.arange(rows), np.arange(columns)
+    y, x = np.linspace(0, rows - 1, height), np.linspace(0, columns - 1, width)
+    oracle = RegularGridInterpolator(axes, corners)(np.stack(np.meshgrid(y, x, indexing="ij"), -1))
+    np.testing.assert_allclose(blend_cells(corners, height, width), oracle, atol=1e-12)
+
+
+def test_blended_normals_have_length_one_and_halve_the_angle_between_two() -> None:
+    tilt = np.radians(40)
+    corners = np.array([[[0, 0, 1.0], [np.sin(tilt), 0, np.cos(tilt)]]] * 2)
+    blended = blend_normals(corners, 2, 5)
+    np.testing.assert_allclose(np.linalg.norm(blended, axis=-1), 1, atol=1e-15)
+    np.testing.assert_allclose(blended[0, 2], [np.sin(tilt / 2), 0, np.cos(tilt / 2)], atol=1e-15)
+    np.testing.assert_allclose(blended[:, [0, -1]], corners, atol=1e-15)
+
+
+@pytest.mark.parametrize("wild", [np.inf, np.nan, 1e308])
+def test_a_wild_corner_stays_in_its_own_cells(wild: float) -> None:
+    corners = np.ones((3, 3))
+    corners[0, 0] = wild
+    corners[0, 1] = -1e308
+    picture = blend_cells(corners, 5, 5)
+    np.testing.assert_array_equal(picture[2:, :], 1.0)

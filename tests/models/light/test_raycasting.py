@@ -1,4 +1,4 @@
-"""Rays against spheres, boxes and planes."""
+"""Rays against solids, the pixels that these cover, and their shadows."""
 
 import math
 
@@ -6,15 +6,24 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from support.rays import AHEAD, ORIGIN, rays_around, unit
+from support.rays import AHEAD, ORIGIN, unit
 
+from simulations.models.light.edge_coverage import straight_edge_coverage
 from simulations.models.light.raycasting import (
     Box,
     Sphere,
+    edge_coverage,
     face_margins,
     intersect,
     intersect_plane,
 )
+from simulations.models.light.soft_shadows import (
+    bounding_radius,
+    shadow_bounds,
+    sphere_occlusion,
+    visibility,
+)
+from simulations.models.projection import pinhole
 
 BALL, CUBE = Sphere((0, 5, 0), 2.0), Box((0, 5, 0), (2, 4, 2))
 
@@ -39,25 +48,10 @@ def test_a_solid_is_met_at_its_surface_at_any_size_and_place(
     assert hit.normals == pytest.approx([0, facing, 0])
 
 
-@pytest.mark.parametrize("size", [1e-60, 1.0, 1e60])
-def test_a_ball_of_any_size_is_met_at_its_distance(size: float) -> None:
-    hit = intersect(Sphere((0.0, 3.0 * size, 0.0), size), ORIGIN, AHEAD)
-    assert hit.distance == pytest.approx(2.0 * size)
-    assert hit.margin == pytest.approx(size * size)
-
-
 @pytest.mark.parametrize("solid", [BALL, CUBE, Sphere((0.0, 5.0, 2.0), 2.0)])
 def test_what_lies_behind_or_is_only_grazed_is_missed(solid: Box | Sphere) -> None:
     assert not intersect(solid, ORIGIN, -AHEAD).valid
     assert intersect(solid, ORIGIN, AHEAD).valid == (solid.centre[2] == 0)
-
-
-def test_points_on_a_sphere_lie_one_radius_from_its_centre() -> None:
-    sphere = Sphere((0.3, 4.0, -0.2), 0.7)
-    hit = intersect(sphere, ORIGIN, rays_around(AHEAD, 0.3, 500))
-    assert 50 < hit.valid.sum() < 500
-    radii = np.linalg.norm(hit.points[hit.valid] - sphere.centre, axis=-1)
-    assert radii == pytest.approx(0.7, abs=1e-12)
 
 
 def test_a_slanted_ray_has_the_normal_of_the_face_that_it_meets_first() -> None:
@@ -88,16 +82,6 @@ def test_a_box_is_met_where_its_edges_lie_along_each_axis() -> None:
         assert hit.points == pytest.approx(point)
         assert hit.distance == pytest.approx(math.dist(eye, point))
         assert hit.normals == pytest.approx(-np.array(towards))
-
-
-def test_from_inside_a_box_each_face_is_met_with_the_normal_that_points_out() -> None:
-    box = Box((0.0, 0.0, 0.0), (2.0, 4.0, 6.0))
-    directions = np.concatenate([np.eye(3), -np.eye(3)])
-    hit = intersect(box, (0.1, 0.2, 0.3), directions)
-    assert hit.valid.all()
-    assert hit.distance == pytest.approx([0.9, 1.8, 2.7, 1.1, 2.2, 3.3])
-    assert hit.normals == pytest.approx(directions)
-    assert hit.margin.tolist() == [1] * 6
 
 
 @settings(deadline=None, max_examples=30)
@@ -137,14 +121,129 @@ def test_a_plane_is_met_at_the_distance_of_similar_triangles() -> None:
     assert not intersect_plane((0, 0, 1), (0, 0, 1), (0, 0, 1), [0.0, 0, -1])[1]
 
 
-@pytest.mark.parametrize(("slant", "valid"), [(1e-10, True), (1e-13, False)])
-def test_a_ray_runs_along_a_plane_to_rounding(slant: float, valid: bool) -> None:
-    assert intersect_plane((0, 0, 0), (0, 0, 1), (0, 0, 1), [1.0, 0, -slant])[1] == valid
-
-
 def test_the_margin_of_a_box_s_face_is_positive_there_alone_and_zero_on_its_edges() -> None:
     box, eye = Box((0.0, 4.0, 0.0), (2.0, 2.0, 2.0)), (3.0, 0.0, 2.0)
     points = np.array([[0.2, 3.0, 0.1], [1.0, 4.2, -0.3], [0.1, 3.9, 1.0], [1.0, 3.0, 0.5]])
     margins = face_margins(box, eye, unit(points - eye))
     np.testing.assert_array_equal(margins[:, :3] > 0, np.eye(3, dtype=bool)[[1, 0, 2]])
     np.testing.assert_allclose(margins[:2, 3], 0.0, atol=1e-12)
+
+
+def test_covered_area_of_a_sphere_is_the_area_of_its_ellipse() -> None:
+    """A sphere off the axis projects to an ellipse, whose area follows from its dual conic."""
+    K = pinhole.intrinsics(300.0, (127.5, 95.5))
+    centre, radius = np.array([0.55, -0.35, 3.0]), 0.5
+    rays = unit(pinhole.pixel_rays(K, 256, 192))
+    coverage = edge_coverage(intersect(Sphere(tuple(centre), radius), ORIGIN, rays).margin)
+    # Dual conic of the outline: K (R² I − c cᵀ) Kᵀ up to sign; area = π sqrt(det of the 2D part).
+    dual = K @ (np.outer(centre, centre) - radius**2 * np.eye(3)) @ K.T
+    dual = dual / dual[2, 2]
+    middle = dual[:2, 2]
+    shape = np.outer(middle, middle) - dual[:2, :2]
+    assert coverage.sum() == pytest.approx(math.pi * math.sqrt(np.linalg.det(shape)), rel=1e-3)
+
+
+def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord() -> None:
+    hit = intersect(Sphere((0.0, 5.0, 1.0), 2.0), ORIGIN, AHEAD)
+    assert hit.margin == pytest.approx(2.0**2 - 1.0**2)
+    assert hit.distance == pytest.approx(5 - math.sqrt(3))
+    behind = intersect(Sphere((0.0, -5.0, 1.0), 3.0), ORIGIN, AHEAD)
+    assert behind.margin == pytest.approx(3.0**2 - 26.0)
+    missed = intersect(Sphere((0.0, 5.0, 3.0), 2.0), ORIGIN, AHEAD)  # at its closest approach
+    assert not missed.valid
+    assert missed.distance == pytest.approx(5.0)
+    assert missed.points == pytest.approx([0, 5, 0])
+    assert missed.margin == pytest.approx(2.0**2 - 3.0**2)
+    assert missed.normals == pytest.approx([0, 0, -1])
+
+
+def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette() -> None:
+    """The face at y = 4 reaches to x = ±1, so that the silhouette lies at atan 1/4."""
+    box = Box((0.0, 5.0, 0.0), (2.0, 2.0, 40.0))
+    angle = math.atan2(1, 4)
+    for off in (-0.1, -0.01, 0.01, 0.1):
+        for side in (-1, 1):
+            towards = (side * math.sin(angle + off), math.cos(angle + off), 0.0)
+            margin = intersect(box, ORIGIN, np.array(towards)).margin
+            assert margin == pytest.approx(-math.sin(off))
+
+
+def test_straight_edges_on_the_grid_are_covered_by_their_distance() -> None:
+    """x − 2.3 px is the distance itself; its rows and columns, and any multiple, are alike."""
+    x = np.arange(6.0)
+    expected = np.clip(0.5 + x - 2.3, 0, 1)
+    for factor in (1e-6, 1.0, 50.0):
+        margin = factor * (x - 2.3) + np.zeros((4, 1))
+        np.testing.assert_allclose(edge_coverage(margin), np.tile(expected, (4, 1)))
+        np.testing.assert_allclose(edge_coverage(margin.T), np.tile(expected, (4, 1)).T)
+    slanted = (3 * x + 4 * np.arange(5.0)[:, None] - 11) / 5
+    behind = straight_edge_coverage(slanted, [0.6, 0.8])
+    np.testing.assert_allclose(edge_coverage(slanted), behind, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("offset", "share"), [(-1.0, 0.0), (-0.5, 0.15625), (0.0, 0.5), (0.5, 0.84375), (1.0, 1.0)]
+)
+def test_the_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(
+    offset: float, share: float
+) -> None:
+    """At 2 m the lamp of 3° spreads over 2 tan 3°; s²(3 − 2 s) at a quarter is 5/32."""
+    width = 2.0 * math.tan(math.radians(3))
+    point = (0.5 + offset * width, 0, 0)
+    seen = visibility(Sphere((0, 0, 2), 0.5), point, (0, 0, 1.0), math.radians(3))
+    assert seen == pytest.approx(share, abs=1e-9)
+
+
+def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray() -> None:
+    """Light from the side at 45°: near an edge the ray cuts off a corner."""
+    box, light, lamp = Box((0, 0, 2), (2, 2, 2)), unit([1.0, 0, 1]), math.radians(3)
+    for x in (-0.05, -0.2, -1.0):
+        start = (x - 0.0, 0.0, 0.0)  # meets the lower face z = 1 at x + 1, leaves at the side x = 1
+        entry = math.sqrt(2)
+        leave = math.sqrt(2) * min(1 - x, 3)
+        ramp = min((leave - entry) / (2 * entry * math.tan(lamp)), 1)
+        expected = 1 - ramp * ramp * (3 - 2 * ramp)
+        assert visibility(box, start, light, lamp) == pytest.approx(expected)
+    assert visibility(box, (0.05, 0.0, 0.0), light, lamp) == 1
+    for z in (0.6, 0.995):  # the nearer the face, the sharper; but not nearer than 2 cm
+        entry = math.sqrt(2) * (1 - z)
+        width = 2 * max(entry, 0.02) * math.tan(lamp)
+        x = z - 0.3 * width / math.sqrt(2)  # so that the ray cuts off 0.3 of the width
+        assert visibility(box, (x, 0.0, z), light, lamp) == pytest.approx(1 - 0.09 * 2.4)
+    just_below = visibility(box, (0.0, 0.0, 0.99), (0, 0, 1.0), lamp)
+    assert just_below == 0
+
+
+@pytest.mark.parametrize("turn", [0.4, math.pi / 2, -2.0])
+def test_turning_box_points_and_lamp_together_changes_no_shadow(turn: float) -> None:
+    box, light = Box((0.3, -0.2, 2), (2, 1, 1.5), 0.2), unit([0.5, -0.7, 0.9])
+    points = np.random.default_rng(2).uniform([-3, -3, 0], [3, 3, 0], (200, 3))
+    seen = visibility(box, points, light, 0.05)
+    assert 0 < (seen < 1).sum() < 200
+    R = Box((0, 0, 0), (1, 1, 1), turn).world_to_box.T
+    turned = Box(tuple(R @ box.centre), box.size, 0.2 + turn)
+    assert visibility(turned, points @ R.T, R @ light, 0.05) == pytest.approx(seen, abs=1e-9)
+
+
+def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone() -> None:
+    """Ball of 0.5 at height 2: the shadow falls 2.5 m and widens by 2.5 tan α."""
+    spread = 2.5 * math.tan(math.radians(5))
+    low, high = shadow_bounds(Sphere((1, 3, 2), 0.5), (0.0, 0.0, 1.0), math.radians(5))
+    assert low == pytest.approx([0.5 - spread, 2.5 - spread, -0.5 - 0.5 - spread])
+    assert high == pytest.approx([1.5 + spread, 3.5 + spread, max(2.5, 0.0 + spread)])
+    box = Box((1, 3, 2), (1.0, 2.0, 2.0))
+    assert bounding_radius(box) == pytest.approx(1.5)
+    assert bounding_radius(Sphere((0, 0, 0), 0.7)) == 0.7
+    slanted = shadow_bounds(Sphere((0, 0, 1), 0.5), (0.6, 0.0, 0.8), math.radians(5))
+    length = 1.5 / 0.8
+    assert slanted[0][0] == pytest.approx(-0.6 * length - 0.5 - length * math.tan(math.radians(5)))
+    assert slanted[1][0] == pytest.approx(
+        max(0.5, -0.6 * length + 0.5 + length * math.tan(math.radians(5)))
+    )
+
+
+def test_a_sphere_hides_its_form_factor_from_each_point() -> None:
+    points = np.array([[0, 0, 0], [0, 0, 1.0], [3, 0, 0], [0, 0, 9.0], [0, 0, 4.9]])
+    hidden = sphere_occlusion((0, 0, 5), 0.5, points, (0, 0, 1.0))
+    by_hand = [0.5**2 / 25, 0.5**2 / 16, 5 / math.sqrt(34) * 0.25 / 34, 0.0, 1.0]
+    assert hidden == pytest.approx(by_hand)

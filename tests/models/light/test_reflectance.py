@@ -1,33 +1,42 @@
-"""Lambert, Phong, Blinn-Phong and lamps against numbers worked by hand."""
+"""Reflection against numbers worked by hand, vectors written out, and SciPy’s integrals."""
 
 import math
 from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy.integrate import dblquad, quad
 
 from simulations.models.arrays import Floats
+from simulations.models.light.brdf import (
+    MODELS,
+    Material,
+    parts,
+    reflected,
+    sent_back,
+)
+from simulations.models.light.interreflection import (
+    CELLS,
+    EDGES,
+    bounced,
+    edge_factor,
+    lamp_light,
+    mean_lamp_light,
+    seen_of,
+    shadow_end,
+)
 from simulations.models.light.reflectance import (
     DirectionalLight,
-    Light,
     PointLight,
     attenuation,
     blinn_phong,
     irradiance,
-    lambert,
     normalise,
     phong,
 )
 
 FRONT = np.array([0.0, 0.0, 1.0])
-
-
-@given(st.floats(-math.pi, math.pi))
-def test_lambert_is_the_cosine_until_the_horizon_then_dark(theta: float) -> None:
-    light = [math.sin(theta), 0, math.cos(theta)]
-    assert lambert(FRONT, light, 0.8) == pytest.approx(0.8 * max(0, math.cos(theta)))
 
 
 @pytest.mark.parametrize("shininess", [0, 0.5, 128, 1e6])
@@ -48,7 +57,11 @@ def test_light_opposite_to_the_eye_gives_no_highlight(shininess: float, slant_de
 
 
 NONE, ALONG = np.zeros(3), np.array([1.0, 0, 0])
+
+
 ABOVE_ONE = np.array([1 + np.finfo(np.float32).eps, 0, 0], np.float32)
+
+
 SIDE, SLANTED = np.array([0, 1.0, 0]), np.array([math.sin(1), 0, math.cos(1)])
 
 
@@ -74,13 +87,6 @@ def test_highlights_at_the_edge_of_what_there_is(
     assert found == pytest.approx(shade, abs=1e-15)
 
 
-@pytest.mark.parametrize("model", [phong, blinn_phong])
-def test_of_a_field_what_has_no_direction_adds_no_highlight(model: Callable[..., Floats]) -> None:
-    lights, views = np.array([NONE, FRONT]), np.array([FRONT, NONE])
-    for shininess in (0, 1, 64):
-        assert model(FRONT, lights, views, 0.0, shininess=shininess).tolist() == [0, 0]
-
-
 def test_fields_are_shaded_one_by_one() -> None:
     normals, lights, views = normalise(np.random.default_rng(2).normal(size=(3, 4, 5, 3)))
     for model in (phong, blinn_phong):
@@ -91,50 +97,6 @@ def test_fields_are_shaded_one_by_one() -> None:
     found = irradiance([0, 0, 0], normals, [DirectionalLight((0.6, 0, 0.8), (0.5, 1, 2))])
     cosines = np.maximum(normals @ [0.6, 0, 0.8], 0)
     np.testing.assert_allclose(found, cosines[..., None] * [0.5, 1, 2], atol=1e-15)
-
-
-@given(
-    st.tuples(*[st.floats(-1, 1)] * 9).map(lambda v: np.reshape(v, (3, 3))),
-    st.floats(1, 200),
-)
-def test_phong_is_its_formula_with_the_mirrored_ray_made(vectors: Floats, shininess: float) -> None:
-    n, l, v = normalise(vectors)  # noqa: E741
-    if min(np.linalg.norm((n, l, v), axis=-1)) < 0.5:
-        return
-    mirrored = 2 * (n @ l) * n - l
-    expected = max(0.0, mirrored @ v) ** shininess if n @ l > 0 else 0.0
-    assert phong(n, l, v, 0.0, specular=1.0, shininess=shininess) == pytest.approx(
-        expected, abs=1e-12
-    )
-
-
-@pytest.mark.parametrize("dtype", [np.float32, np.float64])
-@pytest.mark.parametrize("shininess", [1, 32, 1000])
-def test_a_power_multiplies_the_rounding_of_the_cosine(dtype: type, shininess: int) -> None:
-    """Near the mirror's direction, against the same in long double."""
-    rng = np.random.default_rng(5)
-    n = normalise(rng.normal(size=(20_000, 3)))
-    along = normalise(np.cross(n, rng.normal(size=n.shape)))
-    slant = rng.uniform(0, 1.5, (len(n), 1))
-    l = np.cos(slant) * n + np.sin(slant) * along  # noqa: E741
-    v = np.cos(slant) * n - np.sin(slant) * along + rng.normal(size=n.shape) / shininess**0.5
-    n, l, v = (normalise(each).astype(dtype) for each in (n, l, v))  # noqa: E741
-    found = phong(n, l, v, 0.0, specular=1.0, shininess=shininess)
-    exactly = np.array([n, l, v], np.longdouble)
-    exactly /= np.sqrt((exactly**2).sum(-1, keepdims=True))
-    n_l, n_v, l_v = ((exactly[a] * exactly[b]).sum(-1) for a, b in ((0, 1), (0, 2), (1, 2)))
-    truth = np.where(n_l > 0, np.maximum(2 * n_l * n_v - l_v, 0) ** shininess, 0)
-    assert np.abs(found - truth).max() < 10 * shininess * np.finfo(dtype).eps
-
-
-def test_twice_the_distance_a_quarter_of_the_light() -> None:
-    np.testing.assert_allclose(attenuation([1, 2, np.inf]), [1, 0.25, 0])
-    assert attenuation(0, radius=0.1) == pytest.approx(100)
-
-
-def test_lights_add_up() -> None:
-    lamps: list[Light] = [DirectionalLight((0, 0, 1), (1, 0, 0)), PointLight((0, 0, 2), (0, 8, 0))]
-    np.testing.assert_allclose(irradiance([0, 0, 0], FRONT, lamps), [1, 2, 0])
 
 
 def test_lamps_are_white_and_a_centimetre_wide_unless_told_otherwise() -> None:
@@ -171,11 +133,127 @@ def test_the_usual_highlights_are_half_as_bright_as_white_and_fourfold_for_blinn
     assert blinn_phong(FRONT, FRONT, view) == pytest.approx(1 + 0.5 * math.cos(0.1) ** 128)
 
 
-def test_the_brightest_lights_still_have_a_number_for_every_pixel() -> None:
-    lights: list[Light] = [
-        DirectionalLight((0, 0, 1), (1e30, 0.0, 1.0)),
-        PointLight((0, 0, 1), (1e30, 1e30, 1e30)),
-    ]
-    for kind in (np.float32, np.float64):
-        light = irradiance(np.zeros((2, 3), kind), np.tile(FRONT.astype(kind), (2, 1)), lights)
-        assert light[0] == pytest.approx([2e30, 1e30, 1e30])
+SATIN = Material(0.5, 0.3, 0.4)
+
+
+RNG = np.random.default_rng(2)
+
+
+def directions(count: int) -> NDArray[np.float64]:
+    """(count, 3) unit vectors above the surface z = 0."""
+    vectors = RNG.normal(size=(count, 3))
+    vectors[:, 2] = np.abs(vectors[:, 2]) + 0.05
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+
+
+LIGHTS, EYES = directions(200), directions(200)
+
+
+N_L, N_V, L_V = LIGHTS[:, 2], EYES[:, 2], np.sum(LIGHTS * EYES, axis=1)
+
+
+def test_phong_as_of_1975_is_the_radiance_of_the_older_model_over_the_irradiance() -> None:
+    normals = np.broadcast_to([0.0, 0.0, 1.0], (200, 3))
+    radiance = phong(normals, LIGHTS, EYES, 0.5, specular=0.3, shininess=SATIN.shininess)
+    found = reflected("phong", SATIN, N_L, N_V, L_V)
+    np.testing.assert_allclose(found * np.pi * N_L, radiance, rtol=1e-9)
+
+
+def test_microfacets_are_those_of_walter_and_heitz() -> None:
+    """Written out with vectors; the masking by the two Λ of Smith."""
+    found = parts("microfacets", SATIN, N_L, N_V, L_V)
+    for i in range(200):
+        light, eye, m = LIGHTS[i], EYES[i], SATIN.roughness
+        half = (light + eye) / np.linalg.norm(light + eye)
+        tangent = np.tan(np.arccos(half[2]))
+        density = m**2 / (np.pi * half[2] ** 4 * (m**2 + tangent**2) ** 2)
+        slopes = [m * np.tan(np.arccos(way[2])) for way in (light, eye)]
+        hidden = sum((np.sqrt(1 + slope**2) - 1) / 2 for slope in slopes)
+        mirrored, into, out = (
+            0.3 + 0.7 * (1 - cosine) ** 5 for cosine in (half @ light, light[2], eye[2])
+        )
+        mirrored = mirrored * density / (1 + hidden) / (4 * light[2] * eye[2])
+        assert found[1][i] == pytest.approx(mirrored, rel=1e-9)
+        assert found[0][i] == pytest.approx((1 - into) * (1 - out) / np.pi)
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("roughness", [0.15, 0.5])
+@pytest.mark.parametrize("angle", [0.0, 50.0, 85.0])
+def test_what_is_sent_back_is_scipys_integral(model: str, roughness: float, angle: float) -> None:
+    material = Material(0.4, 0.2, roughness)
+    light, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+
+    def sent(around: float, polar: float) -> float:
+        eye = np.cos(polar)
+        between = light * eye + sine * np.sin(polar) * np.cos(around)
+        # Above the surface: at its rim the cosine is 6e-17.
+        return float(reflected(model, material, light, eye, between)) * eye * np.sin(polar)
+
+    whole = 2 * dblquad(sent, 0, np.pi / 2, 0, np.pi, epsabs=2e-4, epsrel=2e-4)[0]
+    assert sent_back(model, material, light) == pytest.approx(whole, abs=1e-3)
+
+
+OPENINGS = [np.radians(angle) for angle in (40.0, 90.0, 140.0)]
+
+
+PLACES = np.array([0.02, 0.3, 1.0])
+
+
+@pytest.mark.parametrize("opening", OPENINGS)
+def test_form_factors_are_integrals_of_both_cosines_over_the_distance(opening: float) -> None:
+    """Of endless strips: cos θ cos θ′ / (2 r) per length."""
+
+    def kernel(there: float, here: float) -> float:
+        square = here**2 + there**2 - 2 * here * there * np.cos(opening)
+        return float(np.sin(opening) ** 2 * here * there / (2 * square**1.5))
+
+    for i, place in enumerate(PLACES):
+        for j in (0, 7, CELLS - 1):
+            whole = quad(kernel, EDGES[j], EDGES[j + 1], args=(place,))[0]
+            assert seen_of(PLACES, opening)[i, j] == pytest.approx(whole, rel=1e-8, abs=1e-13)
+
+
+@pytest.mark.parametrize("opening", OPENINGS)
+@pytest.mark.parametrize("albedo", [0.0, 0.5, 0.9])
+def test_the_edge_of_two_planes_alike_is_brighter_by_the_closed_form(
+    opening: float, albedo: float
+) -> None:
+    lit = bounced(np.ones((2, CELLS)), [albedo, albedo], opening, None)
+    expected = albedo * edge_factor(albedo, opening)
+    np.testing.assert_allclose(lit[:, 0], expected, rtol=0.03)
+    np.testing.assert_allclose(lit[0], lit[1])
+
+
+def test_bounce_after_bounce_comes_to_what_the_linear_system_says() -> None:
+    lamp = np.random.default_rng(3).random((2, CELLS))
+    for opening in OPENINGS:
+        endless = bounced(lamp, [0.8, 0.6], opening, None)
+        np.testing.assert_allclose(bounced(lamp, [0.8, 0.6], opening, 60), endless, rtol=1e-8)
+        alone = bounced(lamp, [0.8, 0.6], opening, 0)
+        np.testing.assert_allclose(alone, np.array([[0.8], [0.6]]) * lamp)
+        before = bounced(lamp, [0.8, 0.6], opening, 3)
+        after = bounced(lamp, [0.8, 0.6], opening, 4)
+        assert (before < after).all()
+        assert (after < endless).all()
+
+
+def test_the_lamps_light_goes_as_the_cosine_and_stops_at_the_shadow() -> None:
+    places, opening = np.linspace(0.0, 1.0, 11), np.radians(90.0)
+    np.testing.assert_allclose(lamp_light(places, np.radians(30.0), opening), 0.5)
+    light = np.radians(135.0)
+    assert shadow_end(light, opening) == pytest.approx(1.0)
+    assert shadow_end(np.radians(110.0), opening) == pytest.approx(1 / np.tan(np.radians(70.0)))
+    found = lamp_light(places, np.radians(110.0), opening)
+    np.testing.assert_allclose(found, np.where(places > 0.364, np.sin(np.radians(110.0)), 0.0))
+    for beneath in (0.0, -0.5, -3.0):
+        assert not lamp_light(places, beneath, opening).any()
+
+
+@pytest.mark.parametrize("angle", [20.0, 95.0, 110.0, 150.0, 179.0])
+def test_the_strips_have_the_mean_of_their_places(angle: float) -> None:
+    light, opening = np.radians(angle), np.radians(90.0)
+    fine = (np.arange(400_000) + 0.5) / 400_000
+    sums = np.histogram(fine, EDGES, weights=lamp_light(fine, light, opening))[0]
+    counts = np.histogram(fine, EDGES)[0]
+    np.testing.assert_allclose(mean_lamp_light(light, opening), sums / counts, atol=5e-3)

@@ -1,16 +1,26 @@
-"""Pinhole projection, poses and rays."""
+"""Pinhole projection, poses, and parallel cameras as its limits."""
 
 import math
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 
+from simulations.models.arrays import Floats
 from simulations.models.projection import pinhole
+from simulations.models.projection.affine_cameras import (
+    orthographic_camera,
+    paraperspective_camera,
+    project_affine,
+    scaled_orthographic_camera,
+)
+from simulations.models.projection.pinhole import intrinsics, project
 
 K = pinhole.intrinsics((400.0, 410.0), (320.0, 240.0), skew=2.0)
+
+
 POSE = pinhole.look_at((3.0, -2.0, -6.0), (0.5, 0.2, 1.0), (0.0, -1.0, 0.0))
-RNG = np.random.default_rng(2)
 
 
 NOWHERE = (math.nan, math.nan)
@@ -55,21 +65,6 @@ def test_homogeneous_points_in_front_have_their_pixel_and_others_none(
     assert found == pytest.approx(pixel, nan_ok=True)
 
 
-def test_the_camera_matrix_projects_like_pose_and_intrinsics() -> None:
-    points = RNG.uniform(-2, 2, (50, 3))
-    homogeneous = np.column_stack([points, np.ones(50)]) * RNG.choice([-3.0, 1.0, 7.0], (50, 1))
-    P = pinhole.camera_matrix(K, POSE)
-    pixels, valid = pinhole.project_homogeneous(homogeneous, P)
-    assert valid.all()
-    assert pixels == pytest.approx(pinhole.project(pinhole.world_to_camera(points, POSE), K)[0])
-
-
-def test_intrinsics_are_upper_triangular_and_one_focal_length_serves_both_axes() -> None:
-    assert pinhole.intrinsics(80, (3, 4)).tolist() == [[80, 0, 3], [0, 80, 4], [0, 0, 1]]
-    skewed = pinhole.intrinsics((5.0, 6.0), (3, 4), 2.0)
-    assert skewed.tolist() == [[5, 2, 3], [0, 6, 4], [0, 0, 1]]
-
-
 @pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
 def test_a_field_of_view_is_an_angle_of_similar_triangles(unit: float) -> None:
     angle = pinhole.field_of_view_rad(50.0 * unit, 36.0 * unit)
@@ -82,16 +77,6 @@ def test_a_ray_through_a_pixel_centre_projects_back_to_it() -> None:
     rows, columns = np.mgrid[:5, :7]
     assert valid.all()
     assert pixels == pytest.approx(np.stack([columns, rows], axis=-1), abs=1e-12)
-
-
-def test_look_at_puts_the_target_on_the_axis_and_up_upwards() -> None:
-    assert POSE[:3, :3].T @ POSE[:3, :3] == pytest.approx(np.eye(3), abs=1e-15)
-    assert np.linalg.det(POSE[:3, :3]) == pytest.approx(1.0)
-    target = pinhole.world_to_camera((0.5, 0.2, 1.0), POSE)
-    assert target[:2] == pytest.approx((0, 0), abs=1e-14)
-    assert target[2] == pytest.approx(math.dist((3, -2, -6), (0.5, 0.2, 1)))
-    assert (POSE[:3, :3] @ (0.0, -1.0, 0.0))[1] < 0
-    assert (POSE[:3, :3] @ (0.0, -1.0, 0.0))[0] == pytest.approx(0, abs=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -120,3 +105,41 @@ def test_the_inverse_pose_holds_the_camera_centre() -> None:
     back = pinhole.invert_pose(POSE)
     assert back @ POSE == pytest.approx(np.eye(4), abs=1e-14)
     assert back[:3, 3] == pytest.approx((3, -2, -6))
+
+
+SKEWED = intrinsics((800.0, 820.0), (320.0, 240.0), skew=3.0)
+
+
+POINTS = np.random.default_rng(0).uniform([-2, -2, 4], [2, 2, 9], (40, 3))
+
+
+def by_opencv(points: Floats, matrix: Floats) -> Floats:
+    pixels, _ = cv2.projectPoints(
+        np.asarray(points)[:, None], np.zeros(3), np.zeros(3), matrix, None
+    )
+    return pixels[:, 0]
+
+
+def test_orthography_by_hand_and_whatever_the_depth() -> None:
+    camera = orthographic_camera(30.0, (5.0, 7.0))
+    for depth in (-4.0, 0.0, 1e9):
+        assert project_affine([2.0, -1.0, depth], camera)[0].tolist() == [65.0, -23.0]
+    assert project_affine([0.0, 0.0, 3.0], orthographic_camera(30.0))[0].tolist() == [0.0, 0.0]
+
+
+def test_scaled_orthography_is_opencvs_perspective_of_points_moved_to_the_plane() -> None:
+    flat = POINTS.copy()
+    flat[:, 2] = 6.0
+    ours, _ = project_affine(POINTS, scaled_orthographic_camera(SKEWED, 6.0))
+    upright = intrinsics((800.0, 820.0), (320.0, 240.0))  # OpenCV knows no skew
+    theirs = by_opencv(flat, upright) + np.outer(flat[:, 1], [3.0 / 6.0, 0.0])
+    np.testing.assert_allclose(ours, theirs, rtol=1e-12)
+
+
+def test_paraperspective_moves_points_along_the_line_of_sight_to_the_reference() -> None:
+    reference = np.array([1.0, -0.5, 6.0])
+    steps = (6.0 - POINTS[:, 2:]) / 6.0
+    moved = POINTS + steps * reference
+    np.testing.assert_allclose(moved[:, 2], 6.0)
+    ours, _ = project_affine(POINTS, paraperspective_camera(SKEWED, reference))
+    np.testing.assert_allclose(ours, project(moved, SKEWED)[0], rtol=1e-12)

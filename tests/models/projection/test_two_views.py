@@ -1,4 +1,4 @@
-"""Two views of one point, against points projected into both, OpenCV, and drawn errors."""
+"""Two views of one point or plane, against points projected into both, OpenCV, and drawn errors."""
 
 import math
 
@@ -8,6 +8,7 @@ import pytest
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import rotations
+from simulations.models.geometry.transforms import apply_homography
 from simulations.models.projection import pinhole
 from simulations.models.projection.two_views import (
     depth_error,
@@ -16,13 +17,30 @@ from simulations.models.projection.two_views import (
     epipolar_lines,
     fundamental_matrix,
 )
+from simulations.models.projection.view_homographies import (
+    in_front,
+    plane_between_views,
+    turned_camera,
+)
 
 FIRST = pinhole.intrinsics((800.0, 780.0), (320.0, 240.0), 1.5)
+
+
 SECOND = pinhole.intrinsics(500.0, (300.0, 200.0))
+
+
 R = rotations.exponential([0.1, -0.3, 0.05])
+
+
 T = np.array([-0.4, 0.1, 0.2])
+
+
 F = fundamental_matrix(FIRST, SECOND, R, T)
+
+
 RNG = np.random.default_rng(3)
+
+
 POINTS = RNG.uniform((-1, -1, 3), (1, 1, 9), (40, 3))
 
 
@@ -51,14 +69,6 @@ def test_a_match_tells_the_depth() -> None:
     cameras = FIRST @ np.eye(3, 4), SECOND @ np.column_stack([R, T])
     theirs = cv2.triangulatePoints(*cameras, left.T, right.T)
     np.testing.assert_allclose(depth, theirs[2] / theirs[3], rtol=1e-6)
-
-
-def test_a_match_beside_its_line_counts_as_the_nearest_point_of_it() -> None:
-    left, right = pair()
-    lines, _ = epipolar_lines(F, left)
-    beside = right + 3.0 * lines[:, :2]
-    depth, _ = depth_of_match(left, beside, FIRST, SECOND, R, T)
-    np.testing.assert_allclose(depth, POINTS[:, 2], rtol=1e-9)
 
 
 def test_where_the_ray_vanishes_depth_is_infinite_and_beyond_there_is_none() -> None:
@@ -95,3 +105,50 @@ def test_drawn_errors_of_disparity_spread_depth_as_the_formula_says(depth: float
 def test_an_exact_disparity_leaves_no_depth_in_doubt_and_a_wrong_one_all_of_infinity() -> None:
     wrong = depth_error([math.inf, 1e200, math.inf, math.nan], 800.0, 0.1, [0.0, 0.0, 0.5, 0.0])
     np.testing.assert_array_equal(wrong, [0.0, 0.0, math.inf, math.nan])
+
+
+POSE = pinhole.rigid_pose(R, [0.4, -0.1, 0.2])
+
+
+DRAWS = np.random.default_rng(8)
+
+
+def seen(points: Floats, pose: Floats, K: Floats) -> Floats:
+    pixels, valid = pinhole.project(pinhole.world_to_camera(points, pose), K)
+    assert valid.all()
+    return pixels
+
+
+def test_a_turned_camera_moves_pixels_alike_at_any_depth() -> None:
+    points = DRAWS.uniform((-1, -1, 2), (1, 1, 4), (50, 3))
+    points *= 10 ** DRAWS.uniform(0, 6, (50, 1))
+    moved, valid = apply_homography(turned_camera(FIRST, SECOND, R), seen(points, np.eye(4), FIRST))
+    assert valid.all()
+    turned = pinhole.rigid_pose(R, [0.0, 0.0, 0.0])
+    np.testing.assert_allclose(moved, seen(points, turned, SECOND), atol=1e-9)
+
+
+def test_in_front_is_where_points_of_the_plane_project_to_in_the_second_camera() -> None:
+    """The floor, 1.5 below a camera that is turned sideways: half of what is seen falls behind."""
+    pose = pinhole.rigid_pose(rotations.exponential([0.0, 1.3, 0.0]), [0.2, 0.1, -3.0])
+    points = DRAWS.uniform((-6, 1.5, 0.5), (6, 1.5, 9), (300, 3))
+    H = plane_between_views(FIRST, SECOND, pose, [0.0, 1.0, 0.0, -1.5])
+    _, before = pinhole.project(pinhole.world_to_camera(points, pose), SECOND)
+    assert 0.2 < before.mean() < 0.8
+    assert in_front(H, seen(points, np.eye(4), FIRST)).tolist() == before.tolist()
+
+
+@pytest.mark.parametrize("scale", [1.0, -3.0, 1e-6])
+@pytest.mark.parametrize("normal", [(0.0, 0.0, 1.0), (0.3, -0.2, 1.0), (1.0, 0.2, 0.1)])
+def test_a_plane_moves_as_its_points_do(normal: tuple[float, float, float], scale: float) -> None:
+    """Points anywhere on n·X = 3 |n|², in front of both cameras."""
+    n = np.array(normal)
+    points = DRAWS.uniform(-0.5, 0.5, (40, 3))
+    points += 3 * n - ((points @ n) / (n @ n))[:, None] * n
+    points = points[points[:, 2] > 0.2]
+    H = plane_between_views(FIRST, SECOND, POSE, scale * np.array([*n, -3 * n @ n]))
+    moved, valid = apply_homography(H, seen(points, np.eye(4), FIRST))
+    expected, before = pinhole.project(pinhole.world_to_camera(points, POSE), SECOND)
+    assert len(points) > 5
+    assert valid.tolist() == before.tolist()
+    np.testing.assert_allclose(moved, expected, atol=1e-8, rtol=1e-11)

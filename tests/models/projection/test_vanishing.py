@@ -1,23 +1,24 @@
-"""Where parallel lines and planes vanish: points, horizons, and those that have none."""
+"""Where parallel lines and planes vanish, and what follows from it for drawn lines."""
 
 import math
 from collections.abc import Sequence
 
 import numpy as np
 import pytest
+from scipy.optimize import least_squares
 
+from simulations.models.arrays import Floats
 from simulations.models.projection import pinhole, vanishing
+from simulations.models.projection.vanishing_lines import (
+    fit_vanishing_point,
+    line_residuals,
+    pixel_of,
+)
 
 K = pinhole.intrinsics((400.0, 410.0), (320.0, 240.0), skew=2.0)
+
+
 RNG = np.random.default_rng(2)
-
-
-def test_parallel_lines_meet_in_their_vanishing_point() -> None:
-    direction = np.array([1.0, -0.3, 2.0])
-    expected, valid = vanishing.vanishing_point(direction, K)
-    far = pinhole.project(np.array([[0, 0, 5.0], [3, 1, 5.0]]) + 1e12 * direction, K)[0]
-    assert valid
-    assert far == pytest.approx(np.array([expected, expected]), abs=1e-6)
 
 
 NOWHERE = (math.nan, math.nan)
@@ -40,13 +41,6 @@ def test_directions_that_meet_the_picture_vanish_in_it(
     found, valid = vanishing.vanishing_point(direction, K)
     assert valid == np.isfinite(pixel).all()
     assert found == pytest.approx(pixel, nan_ok=True)
-
-
-@pytest.mark.parametrize("size", [-1.0, 1e-300, 1e300])
-def test_the_length_of_a_normal_does_not_matter(size: float) -> None:
-    normal = np.array([0.1, 1.0, 0.2])
-    expected = np.sign(size) * vanishing.horizon(normal, K)[0]
-    assert vanishing.horizon(size * normal, K)[0] == pytest.approx(expected)
 
 
 @pytest.mark.parametrize(
@@ -89,16 +83,60 @@ def test_the_angle_between_lines_is_read_off_where_they_vanish() -> None:
     assert angles == pytest.approx(np.arccos(np.abs(cosines)))
 
 
-def test_a_direction_across_the_camera_vanishes_at_infinity_and_has_its_angle() -> None:
-    sixty = (
-        math.cos(math.pi / 3) * 400.0 + 320.0 * math.sin(math.pi / 3),
-        240.0 * math.sin(math.pi / 3),
+SEGMENTS = RNG.uniform(0.0, 600.0, (6, 2, 2))
+
+
+def towards(point: tuple[float, float], count: int, rng: np.random.Generator) -> Floats:
+    near = rng.uniform((0.0, 0.0), (800.0, 600.0), (count, 2))
+    return np.stack([near, near + 0.3 * (np.array(point) - near)], axis=1)
+
+
+def test_a_residual_is_the_distance_of_the_ends_from_the_nearest_line_through_the_point() -> None:
+    residuals, _ = line_residuals(SEGMENTS, (900.0, -200.0, 1.0))
+    seen = SEGMENTS - (900.0, -200.0)
+    smallest = np.linalg.eigvalsh(np.swapaxes(seen, 1, 2) @ seen)[:, 0]
+    np.testing.assert_allclose(residuals**2, smallest, rtol=1e-8)
+
+
+def test_parallel_lines_meet_at_infinity() -> None:
+    start = np.random.default_rng(1).uniform(0, 600, (4, 2))
+    found, covariance = fit_vanishing_point(
+        np.stack([start, start + np.array([120.0, 50.0])], axis=1)
     )
-    assert vanishing.angle_between(
-        (400, 0, 0), (*sixty, math.sin(math.pi / 3)), K
-    ) == pytest.approx(math.pi / 3)
+    x, y, w = found
+    assert abs(w) < 1e-9 * np.hypot(x, y)
+    np.testing.assert_allclose(y / x, 50.0 / 120.0)
+    pixel, spread, finite = pixel_of((1.0, 0.0, 0.0), covariance)
+    assert not finite
+    assert np.isnan(pixel).all()
+    assert np.isnan(spread).all()
 
 
-@pytest.mark.parametrize("none", [(0, 0, 0), (math.nan, 0, 1), (math.inf, 1, 1)])
-def test_what_is_no_point_has_no_angle(none: Sequence[float]) -> None:
-    assert np.isnan(vanishing.angle_between(none, (1, 2, 1), K))
+def test_it_is_the_likeliest_point_that_scipy_finds_with_a_free_line_for_each() -> None:
+    rng = np.random.default_rng(5)
+    ends = towards((1100.0, 220.0), 6, rng) + rng.normal(0, 2, (6, 2, 2))
+
+    def distances(unknowns: Floats) -> Floats:
+        point, angles = unknowns[:2], unknowns[2:]
+        normals = np.column_stack([-np.sin(angles), np.cos(angles)])
+        return np.einsum("nei,ni->ne", ends - point, normals).ravel()
+
+    way = ends[:, 1] - ends[:, 0]
+    start = np.concatenate([[1000.0, 200.0], np.arctan2(way[:, 1], way[:, 0])])
+    expected = least_squares(distances, start, x_scale=np.maximum(np.abs(start), 0.1), xtol=1e-14)
+    found, covariance = fit_vanishing_point(ends, 2.0)
+    pixel, spread, _ = pixel_of(found, covariance)
+    np.testing.assert_allclose(pixel, expected.x[:2], rtol=1e-5)
+    J = expected.jac
+    np.testing.assert_allclose(spread, 4.0 * np.linalg.inv(J.T @ J)[:2, :2], rtol=0.02)
+
+
+def test_the_truth_is_inside_the_stated_ellipse_as_often_as_stated() -> None:
+    truth, inside = np.array([1000.0, 250.0]), 0
+    for seed in range(200):
+        rng = np.random.default_rng(seed)
+        ends = towards((1000.0, 250.0), 5, rng) + rng.normal(0, 1, (5, 2, 2))
+        pixel, spread, _ = pixel_of(*fit_vanishing_point(ends, 1.0))
+        off = pixel - truth
+        inside += off @ np.linalg.solve(spread, off) < 2.0 * np.log(2.0)
+    assert 0.42 < inside / 200 < 0.58  # of a half

@@ -1,12 +1,19 @@
-"""Sampling and resizing against OpenCV, SciPy and Pillow, and against what kernels reproduce."""
+"""Sampling and resizing against OpenCV, SciPy and Pillow."""
 
-from collections.abc import Sequence
+from typing import Literal
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 from PIL import Image
+from scipy import ndimage
+from scipy.interpolate import BSpline
 from scipy.ndimage import map_coordinates
 
+from simulations.models.arrays import Floats
+from simulations.models.sampling.bspline import coefficients, weigh
+from simulations.models.sampling.cubic_warp import cubic_warp, warp
+from simulations.models.sampling.magnification import magnify
 from simulations.models.sampling.resampling import (
     KERNELS,
     gather,
@@ -17,8 +24,11 @@ from simulations.models.sampling.resampling import (
 )
 
 RNG = np.random.default_rng(3)
+
+
 PICTURE = RNG.random((40, 50)).astype(np.float32)
-INTERIOR = np.stack((RNG.uniform(4, 45, 300), RNG.uniform(4, 35, 300)), axis=-1)
+
+
 ANYWHERE = RNG.uniform(-0.5, 39.5, (300, 2))
 
 
@@ -48,16 +58,6 @@ def test_inside_is_up_to_half_a_pixel_beyond_the_outer_centres(
     assert sample(PICTURE, place, fill=9.0) == pytest.approx(PICTURE[*pixel], abs=1e-6)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_one_table_serves_pictures_and_channels_alike(kernel: str) -> None:
-    table = gather_table(INTERIOR.reshape(20, 15, 2), (40, 50), kernel)
-    colour = np.stack((PICTURE, 1 - PICTURE), -1)
-    both = gather(table, colour)
-    assert both.shape == (20, 15, 2)
-    assert both.dtype == np.float32
-    np.testing.assert_array_equal(both[..., 0], gather(table, PICTURE))
-
-
 @pytest.mark.parametrize("size", [(13, 17), (80, 120), (1, 1), (41, 7)])
 @pytest.mark.parametrize(
     ("kernel", "filter_"),
@@ -72,25 +72,6 @@ def test_resizing_agrees_with_pillow(
 ) -> None:
     expected = Image.fromarray(PICTURE).resize(size[::-1], filter_)
     np.testing.assert_allclose(resize(PICTURE, *size, kernel), np.asarray(expected), atol=2e-6)
-
-
-@pytest.mark.parametrize(
-    ("kernel", "distances", "weights"),
-    [
-        ("nearest", [-0.51, -0.5, 0.0, 0.49, 0.5], [0, 1, 1, 1, 0]),
-        ("bilinear", [-1.0, -0.25, 0.0, 0.75, 1.2], [0, 0.75, 1, 0.25, 0]),
-        (
-            "bicubic",
-            [0.0, 0.5, -0.5, 1.0, 1.5, -1.5, 2.0],
-            [1, 9 / 16, 9 / 16, 0, -1 / 16, -1 / 16, 0],
-        ),
-        ("lanczos3", [0.0, 0.5, 1.0, -2.5, 3.0], [1, 6 / np.pi**2, 0, 0.0243171, 0]),
-    ],
-)
-def test_each_kernel_has_its_textbook_weights(
-    kernel: str, distances: list[float], weights: Sequence[float]
-) -> None:
-    np.testing.assert_allclose(KERNELS[kernel].weigh(np.array(distances)), weights, atol=1e-7)
 
 
 @pytest.mark.parametrize("kernel", [name for name in KERNELS if name != "spline"])
@@ -117,48 +98,56 @@ def test_beyond_the_border_the_border_repeats(kernel: str) -> None:
     np.testing.assert_allclose(found, sample(wide, places + 8, kernel), atol=1e-6)
 
 
-def test_half_a_pixel_belongs_to_the_right_also_when_a_picture_shrinks() -> None:
-    assert resize([[1.0, 4.0, 6.0]], 1, 2, "nearest").tolist() == [[1, 5]]
-
-
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_pictures_in_float64_are_weighed_in_float64(kernel: str) -> None:
-    """Weights in float32 were off by 0.04 among values of ten million."""
-    y, x = np.mgrid[:40, :50].astype(float)
-    found = sample(1e7 + 0.25 * x - 0.125 * y, INTERIOR, kernel)
-    px, py = np.floor(INTERIOR.T + 0.5) if kernel == "nearest" else INTERIOR.T
-    # With any weights Lanczos only nearly follows a ramp, and the spline feels where it ends.
-    off = {"lanczos3": 1e-2, "spline": 2e-4}.get(kernel, 2e-8)
-    np.testing.assert_allclose(found, 1e7 + 0.25 * px - 0.125 * py, rtol=0, atol=off)
-    if kernel != "nearest":
-        lifted = sample(1e7 + PICTURE.astype(float), INTERIOR, kernel) - 1e7
-        np.testing.assert_allclose(
-            lifted, sample(PICTURE.astype(float), INTERIOR, kernel), atol=1e-7
-        )
-
-
-def test_a_table_of_single_weights_serves_single_pictures_alone() -> None:
-    single = gather_table(INTERIOR, (40, 50), "bicubic", np.float32)
-    assert single.across.dtype == single.down.dtype == np.float32
-    np.testing.assert_array_equal(gather(single, PICTURE), sample(PICTURE, INTERIOR, "bicubic"))
-    np.testing.assert_array_equal(
-        gather(gather_table(INTERIOR, (40, 50), "bicubic"), PICTURE), gather(single, PICTURE)
-    )
-
-
-def test_channels_are_resized_each_on_its_own() -> None:
-    colour = np.stack((PICTURE, 1 - PICTURE, PICTURE**2), -1)
-    resized = resize(colour, 13, 17, "bicubic")
-    assert resized.shape == (13, 17, 3)
-    for channel in range(3):
-        np.testing.assert_allclose(
-            resized[..., channel], resize(colour[..., channel], 13, 17, "bicubic"), atol=1e-6
-        )
-
-
 @pytest.mark.parametrize("kernel", KERNELS)
 def test_a_picture_made_ready_once_is_read_as_the_picture_is(kernel: str) -> None:
     picture = np.random.default_rng(3).random((7, 9, 3), np.float32)
     table = gather_table([[2.3, 4.6], [-0.4, 0.1]], (7, 9), kernel, np.float32)
     ready = gather_source(picture, kernel)
     np.testing.assert_array_equal(gather(table, ready), gather(table, picture))
+
+
+DRAWS = np.random.default_rng(4)
+
+
+NORMAL = DRAWS.normal(size=(33, 41))
+
+
+def test_the_bump_is_scipy_s() -> None:
+    x = np.linspace(-2, 2, 401)
+    oracle = BSpline.basis_element([-2, -1, 0, 1, 2], extrapolate=False)(x)
+    np.testing.assert_allclose(weigh(x), np.nan_to_num(oracle), atol=1e-15)
+    assert weigh(np.array([-1.0, 0.0, 1.0, 2.0, 7.0])) == pytest.approx([1 / 6, 4 / 6, 1 / 6, 0, 0])
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_heights_are_scipy_s_where_the_border_is_far(order: Literal["C", "F"]) -> None:
+    oracle = ndimage.spline_filter(np.pad(NORMAL, 30, mode="edge"), order=3, mode="mirror")
+    ours = coefficients(np.pad(NORMAL, 2, mode="edge").astype(float, order=order))
+    np.testing.assert_allclose(ours, oracle[28:-28, 28:-28], atol=1e-13)
+
+
+UNIFORM = np.random.default_rng(11)
+
+
+HEIGHT, WIDTH = 23, 31
+
+
+PLANES = UNIFORM.random((3, HEIGHT, WIDTH)).astype(np.float32)
+
+
+X, Y = UNIFORM.uniform(1, WIDTH - 2, (9, 14)), UNIFORM.uniform(1, HEIGHT - 2, (9, 14))
+
+
+def read(planes: Floats, x: ArrayLike = X, y: ArrayLike = Y) -> Floats:
+    return warp(cubic_warp(x, y, (HEIGHT, WIDTH)), planes)
+
+
+def test_it_reads_what_the_bicubic_sampler_reads() -> None:
+    expected = sample(PLANES.transpose(1, 2, 0), np.stack((X, Y), -1), "bicubic")
+    np.testing.assert_allclose(read(PLANES), expected.transpose(2, 0, 1), atol=1e-6)
+
+
+def test_magnifying_keeps_a_straight_ramp_to_the_last_digit() -> None:
+    ramp = np.add.outer(np.arange(40.0), 3 * np.arange(60.0)).astype(np.float32)
+    expected = ramp.mean() + (ramp - ramp.mean()) / 1.02
+    assert magnify(ramp, 1.02)[4:-4, 4:-4] == pytest.approx(expected[4:-4, 4:-4], abs=1e-3)

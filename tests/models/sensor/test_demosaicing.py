@@ -1,17 +1,34 @@
-"""Demosaicing against colour_demosaicing, and what must hold of any method."""
+"""Demosaicing and camera colours against published methods and measurements."""
 
 import warnings
 from collections.abc import Callable
 from functools import partial
 
+import cv2
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+from scipy.stats import pearsonr
+from support.oracle_spectra import oracle as measurements
+from support.oracle_spectra import sampled
 
 from simulations.models.arrays import Floats
+from simulations.models.color.illuminants import D65_K, daylight, planck
+from simulations.models.color.observer import tristimulus
+from simulations.models.color.spectra import WAVELENGTHS_NM
+from simulations.models.color.surfaces import CHART, chart_patch
 from simulations.models.sensor.bayer import filter_colours, red_position, through_filters
+from simulations.models.sensor.camera_colour import camera_curves, exposed, fit_colour_matrix
 from simulations.models.sensor.demosaicing import METHODS, PATTERNS, demosaic, mosaic
+from simulations.models.sensor.resolution import (
+    nyquist_per_mm,
+    pixel_transfer,
+    plate_transfer,
+)
+from simulations.models.sensor.shared_detail import shared_detail
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # the oracle warns that it cannot plot
@@ -32,6 +49,8 @@ ORACLES: dict[str, Callable[[Floats, str], Floats]] = {
     "menon": oracle.demosaicing_CFA_Bayer_Menon2007,
     "menon-encoded": menon_on_encoded_values,
 }
+
+
 BORDER = {"bilinear": 1, "malvar": 2, "menon-unrefined": 6, "menon": 6, "menon-encoded": 6}
 """Pixels at the border where conventions differ."""
 
@@ -79,12 +98,6 @@ def test_measured_values_are_kept(method: str, pattern: str) -> None:
     np.testing.assert_array_equal(mosaic(demosaic(cfa, pattern, method), pattern), cfa)
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("shape", [(1, 1), (1, 2), (2, 1), (1, 7), (8, 1)])
-def test_a_line_of_grey_stays_grey(method: str, shape: tuple[int, int]) -> None:
-    np.testing.assert_allclose(demosaic(np.full(shape, 0.3), "GRBG", method), 0.3, atol=1e-15)
-
-
 @pytest.mark.parametrize("pattern", PATTERNS)
 def test_each_pixel_has_the_filter_that_the_pattern_names(pattern: str) -> None:
     expected = [["RGB".index(pattern[2 * (y % 2) + x % 2]) for x in range(7)] for y in range(5)]
@@ -101,14 +114,6 @@ def test_through_the_filters_only_the_measured_colour_is_seen(pattern: str) -> N
     np.testing.assert_array_equal(seen, np.where(mask, picture, 0))
 
 
-def test_red_first_is_the_default() -> None:
-    picture = np.random.default_rng(5).random((4, 6, 3))
-    cfa = mosaic(picture)
-    np.testing.assert_array_equal(cfa, mosaic(picture, "RGGB"))
-    np.testing.assert_array_equal(through_filters(cfa), through_filters(cfa, "RGGB"))
-    np.testing.assert_array_equal(demosaic(cfa), demosaic(cfa, "RGGB", "bilinear"))
-
-
 def test_nearest_copies_from_within_the_quad() -> None:
     cfa = np.array([[1.0, 2, 5, 6], [3, 4, 7, 8]])
     result = demosaic(cfa, "RGGB", "nearest")
@@ -123,3 +128,75 @@ def test_a_line_copies_the_nearest_sample_and_greys_what_it_lacks() -> None:
     np.testing.assert_allclose(result[:, 1], [0.8, 0.8, 0.6, 0.6, 0.2])
     np.testing.assert_allclose(result[:, 2], [0.1, 0.1, 0.1, 0.3, 0.3])
     np.testing.assert_allclose(result[:, 0], result[:, 1:].mean(axis=1))
+
+
+D65 = daylight(D65_K)
+
+
+CURVES = camera_curves(WAVELENGTHS_NM)
+
+
+PATCHES = np.stack([chart_patch(name) for name in CHART])
+
+
+def test_the_curves_are_those_that_were_measured() -> None:
+    measured = sampled(measurements.MSDS_CAMERA_SENSITIVITIES["Nikon 5100 (NPL)"])
+    off = CURVES - measured
+    assert np.abs(off).max() < 0.05
+    assert (np.sqrt(np.mean(off**2, axis=0)) < [0.021, 0.0137, 0.0071]).all()
+
+
+def test_a_raw_value_is_the_sum_over_the_spectrum() -> None:
+    light, patch = planck(3000.0), PATCHES[3]
+    by_hand = [sum(light * patch * CURVES[:, k]) / sum(light * CURVES[:, 1]) for k in range(3)]
+    np.testing.assert_allclose(exposed(patch * light, CURVES, light), by_hand)
+    assert exposed(light, CURVES, light)[1] == pytest.approx(1)
+
+
+def chart() -> tuple[Floats, Floats, Floats]:
+    """Balanced raw values, XYZ, and the white's XYZ."""
+    white = exposed(D65, CURVES, D65)
+    balanced = exposed(PATCHES * D65, CURVES, D65) / white
+    return balanced, tristimulus(PATCHES * D65, D65), tristimulus(D65, D65)
+
+
+def test_no_other_matrix_that_keeps_white_errs_less() -> None:
+    balanced, xyz, white = chart()
+
+    def matrix_of(free: NDArray[np.float64]) -> NDArray[np.float64]:
+        two = free.reshape(3, 2)
+        return np.column_stack([two, white - two.sum(axis=1)])
+
+    def error(free: NDArray[np.float64]) -> float:
+        return float(np.sum((balanced @ matrix_of(free).T - xyz) ** 2))
+
+    best = minimize(error, np.full(6, 0.3), tol=1e-14).x
+    np.testing.assert_allclose(fit_colour_matrix(balanced, xyz, white), matrix_of(best), atol=1e-4)
+
+
+def test_it_is_the_correlation_of_the_laplacians() -> None:
+    picture = np.random.default_rng(0).random((30, 41, 3))
+    picture[..., 0] += 0.7 * picture[..., 1]
+    picture[..., 2] -= 0.2 * picture[..., 1]
+    detail = cv2.Laplacian(picture, cv2.CV_64F, ksize=1)[1:-1, 1:-1].reshape(-1, 3).T
+    expected = [pearsonr(detail[colour], detail[1])[0] for colour in (0, 2)]
+    assert shared_detail(picture) == pytest.approx(expected, abs=1e-12)
+
+
+@pytest.mark.parametrize("frequency", [0, 30, 125, 250, 300, 410])
+def test_a_pixel_leaves_the_mean_over_its_width(frequency: float) -> None:
+    places_mm = (np.arange(20_000) + 0.5) / 20_000 * 0.004 - 0.002
+    mean = np.cos(2 * np.pi * frequency * places_mm).mean()
+    assert pixel_transfer(frequency, 4) == pytest.approx(mean, abs=1e-7)
+
+
+@pytest.mark.parametrize("frequency", [0, 30, 125, 250])
+def test_a_plate_leaves_the_mean_of_two_copies(frequency: float) -> None:
+    mean = np.cos(2 * np.pi * frequency * np.array([-0.0015, 0.0015])).mean()
+    assert plate_transfer(frequency, 3) == pytest.approx(mean, abs=1e-12)
+
+
+def test_nyquist_is_half_a_cycle_to_a_pixel() -> None:
+    assert nyquist_per_mm(4) == 125
+    assert pixel_transfer(nyquist_per_mm(7), 7) == pytest.approx(2 / np.pi)
+    assert plate_transfer(nyquist_per_mm(7), 7) == pytest.approx(0, abs=1e-15)

@@ -1,19 +1,37 @@
-"""A sensor: light and warmth counted, read out with noise, and rounded to codes."""
+"""Light counted, read out with noise and rounded to codes, against SciPy’s distributions."""
 
-from typing import Any
+import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
+from scipy import stats
 
+from simulations.models.arrays import Floats
+from simulations.models.sensor.exposure import (
+    mean_of_instants,
+    mean_of_jittered_instants,
+    mean_of_random_instants,
+)
 from simulations.models.sensor.photon_counting import (
+    SHOT_MODELS,
     Sensor,
+    ShotModel,
     develop,
     expose,
     quantise,
     read_out,
+    shot_noise,
+    shot_noise_from_normal,
     signal_to_noise,
     with_iso,
 )
+from simulations.models.sensor.poisson import (
+    gap_from_poisson,
+    largest_chance_gap,
+    poisson_cumulative,
+)
+from simulations.models.sensor.poisson_quantile import FEW, normal_tail, poisson_from_normal
 
 
 def rng() -> np.random.Generator:
@@ -28,28 +46,6 @@ def test_rounding_adds_one_twelfth_of_variance() -> None:
 def test_exposure_counts_light_and_warmth() -> None:
     sensor = Sensor(quantum_efficiency=0.5, dark_current_e_per_s=2.0)
     assert expose(100.0, 3.0, sensor) == pytest.approx(156)
-
-
-@pytest.mark.parametrize(
-    ("field", "legal", "illegal"),
-    [
-        ("full_well_e", [1e-3, 1e9, 1e13, np.inf], [0.0, -1.0, np.nan, 1.1e13]),
-        ("read_noise_e", [0.0, 5.0, 1e15], [-1e-9, np.nan, 1.1e15, np.inf]),
-        ("dark_current_e_per_s", [0.0, 5.0, 1e30], [-1e-9, np.nan, 1.1e30, np.inf]),
-        ("gain_e_per_dn", [1e-30, 1e30], [0.0, -1.0, np.nan, 9e-31, 1.1e30]),
-        ("bits", [7, 16, np.int64(12)], [0, 17, 12.0]),
-        ("black_level_dn", [0.0, 4094.9], [-1e-9, 4095.0, np.nan]),
-        ("quantum_efficiency", [0.0, 1.0], [-1e-9, 1.001, np.nan]),
-    ],
-)
-def test_each_property_of_a_sensor_has_its_range(
-    field: str, legal: list[Any], illegal: list[Any]
-) -> None:
-    for value in legal:
-        assert getattr(Sensor(**{field: value}), field) == value
-    for value in illegal:
-        with pytest.raises(ValueError, match=rf"^{field} .*; legal: "):
-            Sensor(**{field: value})
 
 
 def test_iso_divides_the_electrons_per_code() -> None:
@@ -89,8 +85,139 @@ def test_signal_to_noise_adds_all_variances() -> None:
     assert signal_to_noise(10_000, bare) == pytest.approx(100)
 
 
-@pytest.mark.parametrize("gain", [1e-30, 1e30])
-def test_any_gain_amplifies_single_precision_as_well(gain: float) -> None:
-    sensor = Sensor(gain_e_per_dn=gain, read_noise_e=0.0)
-    signal = read_out(np.array([0.0, 100.0], np.float32), sensor, rng())
-    assert signal == pytest.approx([64.0, 64.0 + 100.0 / gain])
+@pytest.mark.parametrize("model", SHOT_MODELS)
+def test_no_light_frees_no_electron_and_any_light_is_held_by_the_well(model: ShotModel) -> None:
+    held = shot_noise([0.0, 1e9, 1e300, np.inf], rng(), 1000.0, model)
+    np.testing.assert_array_equal(held, [0, 1000, 1000, 1000])
+    # Without a well, as much as a sampler can draw.
+    assert shot_noise([1e300, np.inf], rng(), model=model) == pytest.approx([1e13, 1e13], rel=1e-5)
+
+
+@pytest.mark.parametrize("model", SHOT_MODELS)
+@pytest.mark.parametrize("mean", [30.0, 400.0])
+def test_every_model_of_shot_noise_has_the_mean_and_variance_of_poisson(
+    model: ShotModel, mean: float
+) -> None:
+    counted = shot_noise(np.full(200_000, mean), rng(), model=model)
+    assert np.array_equal(counted, np.rint(counted))
+    assert counted.mean() == pytest.approx(mean, abs=5 * np.sqrt(mean / 200_000))
+    assert counted.var() == pytest.approx(mean, rel=0.02)
+
+
+def test_normals_drawn_beforehand_give_the_counts_of_the_same_draws() -> None:
+    mean = np.linspace(0, 1500, 4000, dtype=np.float32)
+    z = rng().standard_normal(mean.shape, np.float32)
+    counted = shot_noise_from_normal(mean, z, 1000.0)
+    np.testing.assert_array_equal(counted, shot_noise(mean, rng(), 1000.0, model="quantile"))
+    assert counted[0] == 0
+    assert counted.max() == 1000
+
+
+def test_the_second_term_leans_counts_to_the_right() -> None:
+    """Cornish and Fisher: m + sqrt(m) z + (z^2 - 1) / 6, rounded."""
+    z = rng().standard_normal(1000)
+    expected = np.rint(100 + 10 * z + (z**2 - 1) / 6)
+    drawn = shot_noise(np.full(1000, 100.0), rng(), model="skewed")
+    np.testing.assert_array_equal(drawn, expected)
+
+
+@pytest.mark.parametrize("mean", [0.0, *np.geomspace(1e-3, 1e6, 28)])
+def test_the_cumulative_is_scipys_and_nothing_worth_counting_lies_beyond(mean: float) -> None:
+    first, cumulative = poisson_cumulative(mean)
+    last = first + cumulative.size - 1
+    counts = np.arange(first, last + 1)
+    # scipy's own error grows with the mean, as does that of a sum of so many ratios.
+    np.testing.assert_allclose(
+        cumulative, stats.poisson.cdf(counts, mean), atol=1e-15 * (10 + math.sqrt(mean))
+    )
+    assert stats.poisson.cdf(first - 1, mean) < 1e-20
+    assert stats.poisson.sf(last, mean) < 1e-20
+
+
+@pytest.mark.parametrize("mean", [0.3, 7.0, 300.0])
+def test_the_gap_is_the_kolmogorov_smirnov_distance(mean: float) -> None:
+    counted = np.random.default_rng(1).poisson(1.1 * mean, 500)
+    every = np.arange(counted.max() + 2)
+    share = np.searchsorted(np.sort(counted), every, side="right") / counted.size
+    expected = np.abs(share - stats.poisson.cdf(every, mean)).max()
+    assert gap_from_poisson(counted.astype(np.float32), mean) == pytest.approx(expected, abs=1e-12)
+
+
+@pytest.mark.parametrize(("distributions", "samples"), [(1, 400), (24, 400), (24, 6400)])
+def test_half_of_all_tries_exceed_the_chance_gap(distributions: int, samples: int) -> None:
+    """Kolmogorov's own distribution, from scipy: the median of the largest of several."""
+    median = stats.kstwobign.ppf(0.5 ** (1 / distributions)) / math.sqrt(samples)
+    assert largest_chance_gap(distributions, samples) == pytest.approx(median, rel=0.01)
+
+
+STEPS = 400_000
+
+
+PROBABILITY = (np.arange(STEPS) + 0.5) / STEPS
+
+
+EVEN = stats.norm.ppf(PROBABILITY)
+"""Deviates that cut the normal into equal parts: what they give is a distribution, not a sample."""
+
+
+MEANS = (1e-12, 1e-6, 1e-3, 0.05, 0.3, 1.0, 3.0, 9.999, 10.0, 30.0, 1e2, 1e3, 1e4, 1e5)
+
+
+def counted(mean: float, z: Floats = EVEN) -> Floats:
+    return poisson_from_normal(np.full(z.shape, mean, z.dtype), z)
+
+
+def whole_numbers(mean: float) -> Floats:
+    """All that can matter."""
+    reach = 9 * np.sqrt(mean) + 12
+    return np.arange(max(0, int(mean - reach)), int(mean + reach), dtype=float)
+
+
+@pytest.mark.parametrize("mean", MEANS)
+def test_it_is_scipy_s_quantile_deviate_by_deviate(mean: float) -> None:
+    k = whole_numbers(mean)  # the first whose probability is reached: 500 times as quick as `ppf`
+    off = counted(mean) - k[np.searchsorted(stats.poisson.cdf(k, mean), PROBABILITY)]
+    assert np.abs(off).max() <= 1
+    assert np.mean(off != 0) < (1e-5 if mean < FEW else 0.003)
+
+
+def test_an_electron_in_a_billion_is_drawn_where_it_is_due() -> None:
+    """Far out on the tail, where probabilities near 1 have no digits left."""
+    mean = np.array([1e-12, 1e-9, 1e-6, 1e-3])
+    due = stats.norm.isf(-np.expm1(-mean))
+    assert poisson_from_normal(mean, due - 1e-3).tolist() == [0, 0, 0, 0]
+    assert poisson_from_normal(mean, due + 1e-3).tolist() == [1, 1, 1, 1]
+
+
+def test_the_tail_of_the_normal_is_scipy_s() -> None:
+    z = np.linspace(-8, 8, 10_001)
+    np.testing.assert_allclose(normal_tail(z), stats.norm.sf(z), rtol=1.3e-7)
+
+
+def test_a_square_is_short_by_the_midpoint_rules_error() -> None:
+    """∫t² dt = 1/3, and n midpoints miss 1/(12 n²) of it."""
+    for count in (1, 3, 10):
+        found = mean_of_instants(lambda time: np.array([time * time]), count)
+        assert found[0] == pytest.approx(1 / 3 - 1 / (12 * count**2), abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("mean", "shares"),
+    [(mean_of_random_instants, 1), (mean_of_jittered_instants, 5)],
+    ids=["random", "one in each share"],
+)
+def test_every_pixel_draws_times_of_its_own(mean: Callable[..., Floats], shares: int) -> None:
+    asked: list[Floats] = []
+
+    def note(times: Floats) -> Floats:
+        asked.append(times)
+        return times
+
+    found = mean(note, 5, (40, 30), np.random.default_rng(3))
+    times = np.array(asked)
+    assert times.shape == (5, 40, 30)
+    assert np.unique(times).size == times.size
+    assert np.histogram(times, 10, (0, 1))[0] == pytest.approx(times.size / 10, rel=0.2)
+    np.testing.assert_allclose(found, times.mean(axis=0))
+    share = np.floor(shares * times)
+    assert (share == np.arange(5)[:, None, None] * (shares > 1)).all()

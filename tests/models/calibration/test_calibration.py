@@ -1,0 +1,176 @@
+"""Calibration beside OpenCV, on corners without error, and its derivatives."""
+
+from itertools import pairwise
+
+import cv2
+import numpy as np
+import pytest
+from support.sittings import SIZE, TRUTH, photographs
+
+from simulations.models.calibration.bundle_adjustment import (
+    calibrate,
+    cost_of,
+    descend,
+)
+from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
+from simulations.models.calibration.jacobian import Linearised, linearise
+from simulations.models.calibration.simulated import Sitting
+from simulations.models.calibration.standard_errors import rms_of_each, rms_px, uncertainty
+from simulations.models.calibration.views import Views
+from simulations.models.calibration.zhang import UndeterminedError, closed_form, linear_lens
+from simulations.models.chequerboard.board import Board
+from simulations.models.distortion.lens_model import Distortion
+from simulations.models.geometry import rotations
+
+FIXED = {
+    "none": cv2.CALIB_FIX_K1 | cv2.CALIB_FIX_K2 | cv2.CALIB_FIX_K3 | cv2.CALIB_ZERO_TANGENT_DIST,
+    "k1": cv2.CALIB_FIX_K2 | cv2.CALIB_FIX_K3 | cv2.CALIB_ZERO_TANGENT_DIST,
+    "k1k2": cv2.CALIB_FIX_K3 | cv2.CALIB_ZERO_TANGENT_DIST,
+    "p1p2": cv2.CALIB_FIX_K3,
+    "k3": 0,
+}
+
+
+ORDER = (*PINHOLE, "k1", "k2", "p1", "p2", "k3")
+
+
+def in_single_precision(views: Views) -> Views:
+    """As OpenCV takes its points."""
+    pixels = views.pixels.astype(np.float32).astype(float)
+    return Views(views.board, pixels, views.found)
+
+
+@pytest.mark.parametrize("lens", LENSES)
+def test_minimum_parameters_and_standard_errors_are_those_of_opencv(lens: str) -> None:
+    views = in_single_precision(photographs(10, seed=3).views(0.1))
+    ours = calibrate(views, SIZE, lens)
+    free = PINHOLE + LENSES[lens]
+    board = [np.c_[b, np.zeros(len(b))].astype(np.float32) for b in views.board]
+    found = [p.astype(np.float32) for p in views.pixels]
+    rms, K, coefficients, turns, shifts, errors, _, each = cv2.calibrateCameraExtended(
+        board, found, SIZE, None, None, flags=FIXED[lens], criteria=(3, 300, 1e-16)
+    )
+    theirs = Camera(
+        K[0, 0],
+        K[1, 1],
+        K[0, 2],
+        K[1, 2],
+        Distortion(**dict(zip(ORDER[4:], coefficients.ravel(), strict=False))),
+    )
+    assert ours.cost <= rms * rms * views.corners * (1.0 + 1e-9)
+    assert ours.camera.values(free) == pytest.approx(theirs.values(free), rel=1e-6, abs=1e-8)
+    assert ours.poses.rotation_vectors == pytest.approx(np.array(turns)[..., 0], abs=1e-6)
+    assert ours.poses.t == pytest.approx(np.array(shifts)[..., 0], rel=1e-6, abs=1e-6)
+    our_errors = uncertainty(views, ours, free).errors
+    their_errors = dict(zip(ORDER, errors.ravel(), strict=False))
+    assert our_errors == pytest.approx({name: their_errors[name] for name in free}, rel=0.01)
+    assert rms_of_each(views, ours) == pytest.approx(each.ravel(), rel=1e-6)
+
+
+@pytest.mark.parametrize("k1", [-0.3, -0.1, 0.0, 0.2])
+def test_corners_without_error_give_the_camera_back(k1: float) -> None:
+    lens = Distortion(k1=k1, k2=0.05, p1=1e-3, p2=-5e-4)
+    truth = photographs(6, seed=1, camera=Camera(500.0, 505.0, 330.0, 230.0, lens))
+    fit = calibrate(truth.views(0.0), SIZE)
+    names = PINHOLE + LENSES["k3"]
+    assert rms_px(truth.views(0.0), fit) < 1e-9
+    assert fit.camera.values(names) == pytest.approx(truth.camera.values(names), abs=1e-7)
+
+
+def test_every_step_lowers_the_sum_and_the_last_is_the_minimum() -> None:
+    views = photographs(5).views(0.1)
+    free = PINHOLE + LENSES["k1k2"]
+    steps = list(descend(views, *closed_form(views, SIZE), free))
+    assert all(after.cost <= before.cost * (1 + 1e-12) for before, after in pairwise(steps))
+    assert steps[-1].settled
+    best = steps[-1]
+    for name in free:
+        error = uncertainty(views, best, free).errors[name]
+        for sign in (-0.1, 0.1):
+            moved = best.camera.changed((name,), best.camera.values((name,)) + sign * error)
+            assert cost_of(views, moved, best.poses) > best.cost
+
+
+IDEAL = Camera(600.0, 603.0, 322.0, 236.0)
+
+
+def sitting_of(turns: list[tuple[float, float, float]]) -> Sitting:
+    R = rotations.exponential(np.array(turns))
+    t = np.array([(0.3 * i, 0.2 * i, 14.0 + i) for i in range(len(turns))]) - R @ (4.0, 2.5, 0.0)
+    return Sitting(TRUTH, SIZE, Board(), Poses(R, t))
+
+
+def test_perfect_corners_of_an_ideal_lens_give_camera_and_poses_exactly() -> None:
+    truth = photographs(3, camera=IDEAL)
+    camera, poses = closed_form(truth.views(0.0), SIZE)
+    names = ("fx", "fy", "cx", "cy")
+    assert camera.values(names) == pytest.approx(IDEAL.values(names), rel=1e-9)
+    assert pytest.approx(truth.poses.R, abs=1e-9) == poses.R
+    assert poses.t == pytest.approx(truth.poses.t, rel=1e-9)
+
+
+def test_the_shift_of_corners_from_their_pinhole_places_gives_the_lens() -> None:
+    lens = Distortion(k1=-0.25, k2=0.08)
+    truth = photographs(4, camera=Camera(600.0, 603.0, 322.0, 236.0, lens))
+    found = linear_lens(truth.views(0.0), IDEAL, truth.poses).lens
+    assert (found.k1, found.k2) == pytest.approx((lens.k1, lens.k2), rel=1e-9)
+
+
+@pytest.mark.parametrize("sigma_px", [0.0, 0.05, 0.5])
+@pytest.mark.parametrize("lens", ["none", "k1k2", "k3"])
+@pytest.mark.parametrize(
+    "turns",
+    [
+        [(0.0, 0.0, 0.2 * i) for i in range(5)],
+        [(0.0, 0.6, 0.0)] * 5,
+    ],
+    ids=["facing the camera", "all tilted alike"],
+)
+def test_parallel_boards_are_refused_with_the_advice_to_tilt(
+    turns: list[tuple[float, float, float]], lens: str, sigma_px: float
+) -> None:
+    views = sitting_of(turns).views(sigma_px)
+    with pytest.raises(UndeterminedError, match="tilt"):
+        uncertainty(views, calibrate(views, SIZE, lens), PINHOLE + LENSES[lens])
+
+
+def test_two_photographs_are_too_few() -> None:
+    with pytest.raises(UndeterminedError, match="At least 3"):
+        closed_form(photographs(2).views(0.0), SIZE)
+
+
+def test_corners_on_one_line_are_refused_with_the_number_of_the_photograph() -> None:
+    views = photographs(4).views(0.0)
+    views.found[2, 9:] = False
+    with pytest.raises(UndeterminedError, match="Photograph 3"):
+        closed_form(views, SIZE)
+
+
+FREE = PINHOLE + LENSES["k3"]
+
+
+STEP = 1e-6
+
+
+def near(camera_step: np.ndarray, pose_step: np.ndarray) -> Linearised:
+    truth = photographs(3)
+    camera = TRUTH.changed(FREE, TRUTH.values(FREE) + camera_step)
+    return linearise(truth.views(0.0), camera, truth.poses.moved(pose_step), FREE)
+
+
+@pytest.mark.parametrize("index", range(len(FREE)))
+def test_derivatives_by_the_camera(index: int) -> None:
+    step = STEP * np.eye(len(FREE))[index]
+    still = np.zeros((3, 6))
+    change = (near(step, still).residual - near(-step, still).residual) / (2.0 * STEP)
+    exact = near(0.0 * step, still).by_camera[..., index]
+    assert change == pytest.approx(exact, rel=1e-6, abs=1e-6)
+
+
+@pytest.mark.parametrize("index", range(6))
+def test_derivatives_by_the_poses(index: int) -> None:
+    step = STEP * np.broadcast_to(np.eye(6)[index], (3, 6))
+    still = np.zeros(len(FREE))
+    change = (near(still, step).residual - near(still, -step).residual) / (2.0 * STEP)
+    exact = near(still, 0.0 * step).by_pose[..., index]
+    assert change == pytest.approx(exact, rel=1e-6, abs=1e-5)
