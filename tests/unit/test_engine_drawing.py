@@ -1,6 +1,7 @@
-"""Overlay markup: well formed, escaped, and the same on machines whose libm differs slightly."""
+"""Overlay markup: well formed, escaped, rounded alike everywhere, and ending where it says."""
 
 import math
+import re
 from xml.etree import ElementTree
 
 import numpy as np
@@ -8,10 +9,19 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from simulations.engine import drawing
+from simulations.engine import drafting, drawing
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
 from simulations.engine.letters import width_em
 
 finite = st.floats(-1e4, 1e4)
+
+
+def points(markup: str) -> np.ndarray:
+    """All points (N, 2) of a polyline or a path."""
+    element = ElementTree.fromstring(markup)
+    data = element.get("points") or element.get("d") or ""
+    return np.array([float(value) for value in re.findall(r"-?[\d.]+", data)]).reshape(-1, 2)
 
 
 @pytest.mark.parametrize(
@@ -21,24 +31,13 @@ def test_coordinates_are_rounded_to_a_hundredth(value: float, text: str) -> None
     assert drawing.coordinate(value) == text
 
 
-@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
-def test_what_no_renderer_can_draw_is_refused(value: float) -> None:
-    with pytest.raises(ValueError, match="cannot draw at"):
-        drawing.line((0, 0), (value, 0))
-
-
 @given(st.lists(st.tuples(finite, finite), max_size=5))
 @example([(-0.001, 100.0), (0.1, 10.5), (-0.004, -0.006), (-10.0, 1e4)])
 def test_an_array_of_points_is_written_as_each_of_them_would_be(
-    points: list[tuple[float, float]],
+    places: list[tuple[float, float]],
 ) -> None:
-    array = np.array(points, float).reshape(-1, 2)
-    assert drawing.polyline(array, "ray") == drawing.polyline(points, "ray")
-
-
-def test_an_array_with_a_point_that_cannot_be_drawn_is_refused() -> None:
-    with pytest.raises(ValueError, match="cannot draw at inf"):
-        drawing.polyline(np.array([(0.0, 0.0), (1.0, math.inf)]))
+    array = np.array(places, float).reshape(-1, 2)
+    assert drawing.polyline(array, "ray") == drawing.polyline(places, "ray")
 
 
 @given(finite, finite, finite, finite)
@@ -46,10 +45,9 @@ def test_an_arrow_is_well_formed_and_ends_at_its_end(
     x1: float, y1: float, x2: float, y2: float
 ) -> None:
     markup = ElementTree.fromstring(f"<g>{drawing.arrow((x1, y1), (x2, y2), 'ray')}</g>")
-    shaft = markup.find("line")
+    shaft, head = markup.find("line"), markup.find("polygon")
     assert shaft is not None
     end = f"{drawing.coordinate(x2)},{drawing.coordinate(y2)}"
-    head = markup.find("polygon")
     if head is None:
         assert math.hypot(x2 - x1, y2 - y1) <= 8.0
         assert end == f"{shaft.get('x2')},{shaft.get('y2')}"
@@ -67,27 +65,77 @@ def test_any_text_is_escaped(content: str) -> None:
 def test_a_label_over_a_picture_has_a_ground_around_its_words(anchor: str, left: float) -> None:
     markup = drawing.text((10, 20), "horizon", "camera small ground", anchor)
     ground, label = ElementTree.fromstring(f"<g>{markup}</g>")
-    assert ground.get("class") == "ground small"
     begins, width = (float((ground.get(name) or "")[:-2]) for name in ("x", "width"))
     words = width_em("horizon")
     assert begins < -left * words < -left * words + words < begins + width
     assert label.text == "horizon"
 
 
-def test_shapes_carry_their_classes_and_no_colours() -> None:
-    markup = "".join(
-        (
-            drawing.polyline([(0, 0), (1, 1)], "ray dashed"),
-            drawing.polygon([(0, 0), (1, 1), (1, 0)], "world fill"),
-            drawing.path([[(0, 0), (1, 1)], [(2, 2), (3, 3)]], "muted"),
-            drawing.ellipse((1, 1), (2, 3), "light"),
-            drawing.rectangle((0, 0), 4, 3, "image"),
-            drawing.dot((1, 1), "camera"),
-        )
-    )
-    group = ElementTree.fromstring(drawing.group([markup], "figure"))
-    assert [child.get("class") for child in group] == [
-        "ray dashed", "world fill", "muted", "light", "image", "camera solid",
-    ]  # fmt: skip
+def test_shapes_carry_their_classes_and_no_colours_but_those_that_are_computed() -> None:
+    shapes = {
+        "ray dashed": drawing.polyline([(0, 0), (1, 1)], "ray dashed"),
+        "world fill": drawing.polygon([(0, 0), (1, 1), (1, 0)], "world fill"),
+        "muted": drawing.path([[(0, 0), (1, 1)], [(2, 2), (3, 3)]], "muted"),
+        "light": drawing.ellipse((1, 1), (2, 3), "light"),
+        "image": drawing.rectangle((0, 0), 4, 3, "image"),
+        "camera solid": drawing.dot((1, 1), "camera"),
+    }
+    group = ElementTree.fromstring(drawing.group([*shapes.values()], "figure"))
+    assert [child.get("class") for child in group] == [*shapes]
     assert group[2].get("d") == "M0,0L1,1M2,2L3,3"
     assert not {"fill", "stroke", "style"} & {name for child in group for name in child.attrib}
+    swatch = ElementTree.fromstring(drafting.swatch((1, 2), 3, 4, (1.2, 0.5, -0.1)))
+    assert swatch.get("fill") == "#ff8000"
+    tinted = drafting.tinted([drawing.line((0, 0), (1, 1), "thin")], (1.0, 0.5, 0.0))
+    assert tinted == '<g color="#ff8000"><line class="thin" x1="0" y1="0" x2="1" y2="1"/></g>'
+
+
+@pytest.mark.parametrize(
+    ("content", "spans"),
+    [
+        ("plain < text", [(None, "plain < text")]),
+        ("z_s", [(None, "z"), ("sub", "s")]),
+        ("10^{−4} m", [(None, "10"), ("super", "−4"), ("on line", " m")]),
+        ("r_d = k_1", [(None, "r"), ("sub", "d"), ("on line", " = k"), ("sub", "1")]),
+        ("a_b^c d", [(None, "a"), ("sub", "b"), ("super", "c"), ("on line", " d")]),
+    ],
+)
+def test_scripts_leave_the_line_and_the_rest_returns_to_it(
+    content: str, spans: list[tuple[str | None, str]]
+) -> None:
+    text = ElementTree.fromstring(drafting.label((0, 0), content))
+    found = [(span.get("class") or "on line", span.text or "") for span in text]
+    assert [(None, text.text or ""), *found] == spans
+    size = {"sub": 0.74, "super": 0.74, None: 1.0}  # an em is the size of the span's own letters
+    after = ElementTree.fromstring(drafting.label((0, 0), f"{content}!"))
+    steps = [size[s.get("class")] * float((s.get("dy") or "").removesuffix("em")) for s in after]
+    assert sum(steps) == pytest.approx(0, abs=0.01)
+
+
+def test_arcs_count_upwards_from_the_right_and_a_lens_is_as_high_and_thick_as_asked() -> None:
+    arc = points(drafting.arc((10, 20), 5, 0, math.pi / 2))
+    assert arc[[0, -1]].tolist() == [[15, 20], [10, 15]]
+    assert np.hypot(*(arc - [10, 20]).T) == pytest.approx(5, abs=0.01)
+    assert np.ptp(points(drafting.glass((50, 60), 30, 8)), axis=0) == pytest.approx(
+        [16, 60], abs=0.02
+    )
+
+
+PANEL = Panel("a", "", 400, 300)
+DRAWN = Panel("a", "", 1, 1, raster=np.zeros((1, 1, 4), np.uint8))
+
+
+@pytest.mark.parametrize(
+    ("make", "fault"),
+    [
+        (lambda: drawing.line((0, 0), (math.nan, 0)), "cannot draw at"),
+        (lambda: drawing.line((0, 0), (-math.inf, 0)), "cannot draw at"),
+        (lambda: drawing.polyline(np.array([(0.0, 0.0), (1.0, math.inf)])), "cannot draw at inf"),
+        (lambda: Illustration((), "Shows."), "without panels"),
+        (lambda: Illustration((PANEL,), " "), "without a description"),
+        (lambda: Illustration((DRAWN,), "Shows."), "a raster"),
+    ],
+)
+def test_drawings_that_no_page_could_show_are_refused(make: object, fault: str) -> None:
+    with pytest.raises(ValueError, match=fault):
+        make()  # type: ignore[operator]

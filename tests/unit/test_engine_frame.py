@@ -2,6 +2,7 @@
 
 import json
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,19 +20,24 @@ from simulations.engine.frame import (
     to_json,
     value_with_error,
 )
+from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
+
+PANEL = Panel("a", "", 400, 300)
+DOUBLES: Any = np.zeros((2, 2, 3))
+SILENCE = np.zeros(4, np.float32)
 
 
 @pytest.mark.parametrize(
     ("value", "digits", "text"),
     [
         (3.14159, 2, "3.14"),
-        (-0.25, 2, "\u22120.25"),
+        (-0.25, 2, "−0.25"),
         (-0.001, 2, "0.00"),
         (-0.0, 0, "0"),
         (10.0, 0, "10"),
         (float("inf"), 2, "∞"),
-        (float("-inf"), 2, "\u2212∞"),
+        (float("-inf"), 2, "−∞"),
         (float("nan"), 2, "undefined"),
     ],
 )
@@ -54,103 +60,6 @@ def test_numbers_have_fixed_decimals_and_a_true_minus_sign(
 )
 def test_a_number_of_unknown_size_has_two_digits_at_least(value: float, text: str) -> None:
     assert format_magnitude(value, 1e-9) == text
-
-
-def test_a_matrix_is_rows_of_entries_in_columns_of_one_width() -> None:
-    rows = matrix_readout("R", "Rotation", [[0, -1], [1, 0]], digits=0).text.split("\n")
-    assert [row.replace("\u2007", "").split(" ") for row in rows] == [["0", "\u22121"], ["1", "0"]]
-    assert len({len(row) for row in rows}) == 1
-
-
-def test_names_must_be_unique_in_a_frame() -> None:
-    panel = Panel("a", "", 400, 300)
-    with pytest.raises(ValueError, match="duplicate panel"):
-        Frame((panel, panel), (), "Shows.")
-    with pytest.raises(ValueError, match="duplicate readout"):
-        Frame((panel,), (readout("x", "x", 1), readout("x", "y", 2)), "Shows.")
-
-
-def test_at_most_one_panel_leads() -> None:
-    both = (Panel("one", "", 400, 300, lead=True), Panel("two", "", 400, 300, lead=True))
-    with pytest.raises(ValueError, match="all lead"):
-        Frame(both, (), "Two pictures.")
-
-
-def test_a_frame_must_be_told_in_words() -> None:
-    with pytest.raises(ValueError, match="description"):
-        Frame((Panel("a", "", 400, 300),), (), "  ")
-
-
-@pytest.mark.parametrize(
-    "raster",
-    [
-        np.zeros((4, 4, 3), np.uint8),
-        np.zeros((4, 4), np.uint8),
-        np.zeros((4, 4, 4)),
-        np.zeros((4, 8, 4), np.uint8)[:, ::2],
-    ],
-    ids=["no alpha", "no channels", "floats", "strided"],
-)
-def test_a_raster_must_be_the_bytes_of_a_canvas(raster: np.ndarray) -> None:
-    with pytest.raises(ValueError, match="legal: C-contiguous"):
-        Panel("a", "", 400, 300, raster=raster)
-
-
-def test_an_unknown_role_is_refused() -> None:
-    with pytest.raises(ValueError, match="role 'Light blue'"):
-        Readout("x", "x", "1", role="Light blue")
-
-
-def test_the_frame_without_its_pixels_is_json() -> None:
-    frame = Frame(
-        (Panel("a", "A", 400, 300, raster=np.zeros((2, 3, 4), np.uint8)), Panel("b", "", 1, 1)),
-        (readout("x", "x", 1.5, "px", role="ray"),),
-        "Shows.",
-        (StageReport("blur", "skipped", "no blur"),),
-    )
-    data = json.loads(to_json(frame))
-    assert data["panels"][0]["raster"] == {"width": 3, "height": 2}
-    assert data["panels"][1]["raster"] is None
-    assert data["readouts"] == [
-        {"name": "x", "label": "x", "text": "1.50", "unit": "px", "role": "ray"}
-    ]
-    assert data["stages"] == [{"name": "blur", "status": "skipped", "reason": "no blur"}]
-
-
-def test_pixels_are_rounded_clipped_and_never_undefined() -> None:
-    rgba = to_rgba8(np.array([[0.0, 0.5, 1.0, -1.0, 2.0, np.nan, np.inf, -np.inf]]))
-    assert rgba[0, :, 0].tolist() == [0, 128, 255, 0, 255, 0, 255, 0]
-    assert (rgba[..., 3] == 255).all()
-    assert rgba.flags.c_contiguous
-
-
-def test_coverage_becomes_the_alpha_channel() -> None:
-    rgba = to_rgba8(np.ones((1, 2, 3)), alpha=np.array([[0.0, 1.0]]))
-    assert rgba[0].tolist() == [[255, 255, 255, 0], [255, 255, 255, 255]]
-
-
-@pytest.mark.parametrize(
-    ("samples", "rate", "legal"),
-    [
-        (np.zeros(4), 22_050, "legal: an array of float32"),
-        (np.zeros((2, 4), np.float32), 22_050, r"legal: \(N,\)"),
-        (np.array([0.5, -1.5], np.float32), 22_050, "up to 1.5; legal: from -1 to 1"),
-        (np.array([np.nan], np.float32), 22_050, "up to nan"),
-        (np.zeros(4, np.float32), 4000, "legal: 8000 to 96000 Hz"),
-    ],
-)
-def test_sounds_that_no_page_could_play_are_refused(
-    samples: np.ndarray, rate: int, legal: str
-) -> None:
-    with pytest.raises((TypeError, ValueError), match=legal):
-        Sound(samples, rate)
-
-
-def test_a_frame_tells_the_rate_of_its_sound() -> None:
-    panel = Panel("a", "", 400, 300)
-    sound = Sound(np.zeros(4, np.float32), 8000)
-    assert json.loads(to_json(Frame((panel,), (), "Hum.", sound=sound)))["sound"] == {"rate": 8000}
-    assert "sound" not in json.loads(to_json(Frame((panel,), (), "Silent.")))
 
 
 @pytest.mark.parametrize(
@@ -176,3 +85,77 @@ def test_a_measured_value_has_an_error_of_one_or_two_digits_and_never_zero(
     value: float, error: float, text: str
 ) -> None:
     assert value_with_error(value, error) == text
+
+
+def test_a_matrix_is_rows_of_entries_in_columns_of_one_width() -> None:
+    rows = matrix_readout("R", "Rotation", [[0, -1], [1, 0]], digits=0).text.split("\n")
+    assert [row.replace("\u2007", "").split(" ") for row in rows] == [["0", "−1"], ["1", "0"]]
+    assert len({len(row) for row in rows}) == 1
+
+
+def test_the_frame_without_its_pixels_and_samples_is_json() -> None:
+    frame = Frame(
+        (Panel("a", "A", 400, 300, raster=np.zeros((2, 3, 4), np.uint8)), Panel("b", "", 1, 1)),
+        (readout("x", "x", 1.5, "px", role="ray"),),
+        "Shows.",
+        (StageReport("blur", "skipped", "no blur"),),
+        sound=Sound(SILENCE, 8000),
+    )
+    data = json.loads(to_json(frame))
+    assert [panel["raster"] for panel in data["panels"]] == [{"width": 3, "height": 2}, None]
+    assert data["readouts"] == [
+        {"name": "x", "label": "x", "text": "1.50", "unit": "px", "role": "ray"}
+    ]
+    assert data["stages"] == [{"name": "blur", "status": "skipped", "reason": "no blur"}]
+    assert data["sound"] == {"rate": 8000}
+    assert "sound" not in json.loads(to_json(Frame((PANEL,), (), "Silent.")))
+
+
+def test_pixels_are_rounded_clipped_and_never_undefined_and_coverage_is_alpha() -> None:
+    rgba = to_rgba8(np.array([[0.0, 0.5, 1.0, -1.0, 2.0, np.nan, np.inf, -np.inf]]))
+    assert rgba[0, :, 0].tolist() == [0, 128, 255, 0, 255, 0, 255, 0]
+    assert (rgba[..., 3] == 255).all()
+    assert rgba.flags.c_contiguous
+    covered = to_rgba8(np.ones((1, 2, 3)), alpha=np.array([[0.0, 1.0]]))
+    assert covered[0].tolist() == [[255, 255, 255, 0], [255, 255, 255, 255]]
+
+
+def test_pictures_are_told_apart_by_their_number() -> None:
+    black, white = (np.full((1, 1, 3), level, np.uint8) for level in (0, 255))
+    assert Photograph(1, black, "a", {"iso": 100}) == Photograph(1, white)
+    assert Photograph(1, black) != Photograph(2, black)
+    assert len({Photograph(1, black, facts={"iso": 100}), Photograph(1, white)}) == 1
+
+
+def _panel(raster: Any) -> Panel:
+    return Panel("a", "", 400, 300, raster=raster)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Frame((PANEL, PANEL), (), "Shows."), "duplicate panel"),
+        (lambda: Frame((PANEL,), (readout("x", "x", 1),) * 2, "Shows."), "duplicate readout"),
+        (
+            lambda: Frame(tuple(Panel(n, "", 4, 3, lead=True) for n in "ab"), (), "Two."),
+            "all lead",
+        ),
+        (lambda: Frame((PANEL,), (), "  "), "description"),
+        (lambda: Readout("x", "x", "1", role="Light blue"), "role 'Light blue'"),
+        (lambda: _panel(np.zeros((4, 4, 3), np.uint8)), "legal: C-contiguous"),
+        (lambda: _panel(np.zeros((4, 4), np.uint8)), "legal: C-contiguous"),
+        (lambda: _panel(np.zeros((4, 4, 4))), "legal: C-contiguous"),
+        (lambda: _panel(np.zeros((4, 8, 4), np.uint8)[:, ::2]), "legal: C-contiguous"),
+        (lambda: Sound(DOUBLES[0, 0], 22_050), "legal: an array of float32"),
+        (lambda: Sound(np.zeros((2, 4), np.float32), 22_050), r"legal: \(N,\)"),
+        (lambda: Sound(SILENCE - 1.5, 22_050), "up to 1.5; legal: from -1 to 1"),
+        (lambda: Sound(SILENCE + np.float32(np.nan), 22_050), "up to nan"),
+        (lambda: Sound(SILENCE, 4000), "legal: 8000 to 96000 Hz"),
+        (lambda: Photograph(1, np.zeros((2, 2), np.uint8)), r"legal: \(H, W, 3\) uint8"),
+        (lambda: Photograph(1, DOUBLES), r"legal: \(H, W, 3\) uint8"),
+        (lambda: Photograph(1, np.zeros((0, 2, 3), np.uint8)), r"legal: \(H, W, 3\) uint8"),
+    ],
+)
+def test_frames_that_no_page_could_show_are_refused(make: Any, message: str) -> None:
+    with pytest.raises((TypeError, ValueError), match=message):
+        make()

@@ -1,18 +1,21 @@
-"""What the engine promises about handles: where they are, and what a pull may change."""
+"""Handles: where they are, what a pull may change, and the search for the value at the pointer."""
 
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
 import pytest
 
-from simulations.engine.controls import ControlError, Slider, Value
+from simulations.engine.controls import ControlError, PointLists, Value
 from simulations.engine.frame import Frame, Panel, Place, to_json
 from simulations.engine.handles import Handle, Point
+from simulations.engine.photograph import Photograph
 from simulations.engine.scene import Scene
-from simulations.engine.settings import choice, slider, toggle
+from simulations.engine.settings import choice, points, slider, toggle
 from simulations.engine.stages import Outputs, StageCache
+from site_builder.pages.catalogue import _simulation
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +24,7 @@ class Settings:
     along: int = slider("Along", 3, 0, 9, 3)
     kind: str = choice("Kind", {"left": "Left", "right": "Right"})
     grid: bool = toggle("Grid")
+    lines: str = points("Lines", 3, 4, buttons={"add": "Add a line"}, default=";0.5,0.5")
 
 
 def draw(_settings: Settings, _outputs: Outputs) -> Frame:
@@ -36,6 +40,8 @@ def pull(_settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 POINT: Handle[Settings] = Handle("point", "plane", "Point", ("across", "along"), at, pull)
+GROUND = replace(POINT, reach="drag")
+NAN = float("nan")
 
 
 def scene_of(*handles: Handle[Settings]) -> Scene[Settings]:
@@ -47,93 +53,25 @@ def frame_of(handle: Handle[Settings], **given: Value) -> Frame:
     return scene.render(scene.check(given), "", StageCache())
 
 
-def test_a_frame_says_where_its_handles_are() -> None:
-    frame = frame_of(POINT, across=1.25, along=3)
-    assert frame.handles == (Place("point", 125, 300),)
-    assert json.loads(to_json(frame))["handles"] == [{"name": "point", "x": 125, "y": 300}]
-
-
-def test_a_mark_stays_inside_its_panel() -> None:
-    assert frame_of(POINT, along=9).handles == (Place("point", 100, 300),)
-
-
-def test_what_is_dragged_from_anywhere_may_lie_outside() -> None:
-    ground = replace(POINT, reach="drag")
-    assert frame_of(ground, along=9).handles == (Place("point", 100, 900),)
-
-
-@pytest.mark.parametrize("nowhere", [None, (float("nan"), 1.0), (float("inf"), 1.0)])
-def test_a_handle_without_a_place_is_not_offered(nowhere: Point | None) -> None:
-    assert frame_of(replace(POINT, at=lambda _settings, _outputs: nowhere)).handles == ()
-
-
-def test_a_pull_brings_its_settings_onto_their_steps_and_into_their_range() -> None:
-    scene = scene_of(POINT)
-    start = scene.check({})
-    assert scene.pull(start, "point", (112, 340)) == {"across": 1, "along": 3}
-    assert scene.pull(start, "point", (-50, 1e9)) == {"across": 0, "along": 9}
-
-
-def test_what_no_number_leads_to_stays_as_it_is() -> None:
-    lost = replace(POINT, pull=lambda _settings, _place: {"across": float("nan"), "along": 6})
-    assert scene_of(lost).pull(Settings(), "point", (0, 0)) == {"along": 6}
-
-
-def test_a_menu_takes_only_its_options() -> None:
-    kinds = replace(POINT, drives=("kind",), pull=lambda _settings, _place: {"kind": "right"})
-    assert scene_of(kinds).pull(Settings(), "point", (0, 0)) == {"kind": "right"}
-    wrong = replace(kinds, pull=lambda _settings, _place: {"kind": "rihgt"})
-    with pytest.raises(ControlError, match="did you mean 'right'"):
-        scene_of(wrong).pull(Settings(), "point", (0, 0))
-
-
-def test_a_pull_may_change_nothing_else() -> None:
-    greedy = replace(POINT, drives=("along",))
-    with pytest.raises(ValueError, match="'point': a pull changes 'across'; legal: along"):
-        scene_of(greedy).pull(Settings(), "point", (0, 0))
-
-
-def test_a_place_must_be_one() -> None:
-    with pytest.raises(ValueError, match="legal: finite"):
-        scene_of(POINT).pull(Settings(), "point", (float("nan"), 0))
-    with pytest.raises(KeyError, match="'piont'; legal: point"):
-        scene_of(POINT).pull(Settings(), "piont", (0, 0))
-
-
 @pytest.mark.parametrize(
-    ("wrong", "message"),
+    ("handle", "along", "place"),
     [
-        ({"drives": ("grid",)}, "drives 'grid'; legal: across, along, kind"),
-        ({"drives": ()}, "legal: one or two settings"),
-        ({"reversed": ("kind",)}, "reverses 'kind'; legal: across, along"),
-        ({"role": "the lamp"}, "role 'the lamp'; legal:"),
+        (POINT, 3, (Place("point", 125, 300),)),
+        (POINT, 9, (Place("point", 125, 300),)),  # held inside its panel
+        (GROUND, 9, (Place("point", 125, 900),)),
+        (replace(POINT, at=lambda *_: None), 3, ()),
+        (replace(POINT, at=lambda *_: (NAN, 1.0)), 3, ()),
+        (replace(POINT, at=lambda *_: (float("inf"), 1.0)), 3, ()),
+        (replace(POINT, step=lambda *_: 0.5), 3, (Place("point", 125, 300, 0.5),)),
     ],
 )
-def test_a_scene_refuses_a_handle_that_contradicts_it(wrong: Any, message: str) -> None:
-    with pytest.raises(ValueError, match=message):
-        scene_of(replace(POINT, **wrong))
-
-
-def test_handles_have_names_of_their_own_and_share_no_ground() -> None:
-    with pytest.raises(ValueError, match="two handles named 'point'"):
-        scene_of(POINT, POINT)
-    ground = replace(POINT, reach="drag")
-    with pytest.raises(ValueError, match="whole of panel 'plane'"):
-        scene_of(ground, replace(ground, name="other"))
-
-
-def test_a_handle_lies_in_a_panel_that_there_is() -> None:
-    with pytest.raises(ValueError, match="panel 'plan'; legal: plane"):
-        frame_of(replace(POINT, panel="plan"))
-
-
-@pytest.mark.parametrize(
-    ("number", "nearest"),
-    [(0.3, 0.25), (0.05, 0.0), (-4, 0.0), (4, 0.75), (float("inf"), 0.75), (float("-inf"), 0.0)],
-)
-def test_the_nearest_value_is_one_that_whole_steps_lead_to(number: float, nearest: float) -> None:
-    uneven = Slider(name="s", label="S", default=0, minimum=0, maximum=0.9, step=0.25)
-    assert uneven.nearest(number) == nearest
+def test_a_frame_says_where_its_handles_are(
+    handle: Handle[Settings], along: int, place: tuple[Place, ...]
+) -> None:
+    frame = frame_of(handle, across=1.25, along=along)
+    assert frame.handles == place
+    told = [{"name": p.name, "x": p.x, "y": p.y} | ({"step": 0.5} if p.step else {}) for p in place]
+    assert json.loads(to_json(frame)).get("handles", []) == told
 
 
 def scale(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -144,25 +82,89 @@ def option(settings: Settings, _outputs: Outputs) -> Point:
     return ({"left": 10, "right": 90}[settings.kind], 0)
 
 
+def searched(drives: str, where: Any) -> Handle[Settings]:
+    return Handle("point", "plane", "Point", (drives,), where)
+
+
 @pytest.mark.parametrize(
-    ("drives", "where", "place", "value"),
+    ("handle", "place", "changes"),
     [
-        ("across", scale, (100 * 0.75**2, 0), 0.75),
-        ("across", scale, (-500, 0), 0.0),
-        ("across", scale, (1e9, 1e9), 1.75),  # at 2 there is nothing to grab
-        ("along", lambda settings, _: (0, 7 * settings.along), (0, 40), 6),
-        ("along", lambda *_: (0, 0), (0, 40), 3),  # it does not move: stays
-        ("along", lambda *_: None, (0, 40), 3),
-        ("kind", option, (60, 5), "right"),
+        (POINT, (112, 340), {"across": 1, "along": 3}),
+        (POINT, (-50, 1e9), {"across": 0, "along": 9}),
+        (
+            replace(POINT, pull=lambda *_: {"across": float("nan"), "along": 6}),
+            (0, 0),
+            {"along": 6},
+        ),
+        (
+            replace(POINT, drives=("kind",), pull=lambda *_: {"kind": "right"}),
+            (0, 0),
+            {"kind": "right"},
+        ),
+        (searched("across", scale), (100 * 0.75**2, 0), {"across": 0.75}),
+        (searched("across", scale), (-500, 0), {"across": 0.0}),
+        (searched("across", scale), (1e9, 1e9), {"across": 1.75}),  # at 2 there is no place
+        (searched("along", lambda settings, _: (0, 7 * settings.along)), (0, 40), {"along": 6}),
+        (searched("along", lambda *_: (0, 0)), (0, 40), {"along": 3}),  # it does not move: stays
+        (searched("along", lambda *_: None), (0, 40), {"along": 3}),
+        (searched("kind", option), (60, 5), {"kind": "right"}),
     ],
 )
-def test_a_search_finds_the_value_nearest_to_the_pointer(
-    drives: str, where: Any, place: Point, value: Value
+def test_a_pull_brings_its_settings_onto_their_steps_and_into_their_range(
+    handle: Handle[Settings], place: Point, changes: dict[str, Value]
 ) -> None:
-    scene = scene_of(Handle("point", "plane", "Point", (drives,), where))
-    assert scene.pull(scene.check({}), "point", place) == {drives: value}
+    scene = scene_of(handle)
+    assert scene.pull(scene.check({}), "point", place) == changes
 
 
-def test_two_settings_need_a_pull() -> None:
-    with pytest.raises(ValueError, match="'point' has no pull"):
-        scene_of(replace(POINT, pull=None))
+@pytest.mark.parametrize(
+    ("changed", "name", "place", "message"),
+    [
+        ({"drives": ("kind",), "pull": lambda *_: {"kind": "rihgt"}}, "point", (0, 0), "'right'"),
+        ({"drives": ("along",)}, "point", (0, 0), "changes 'across'; legal: along"),
+        ({}, "point", (NAN, 0), "legal: finite"),
+        ({}, "piont", (0, 0), "'piont'; legal: point"),
+    ],
+)
+def test_a_pull_of_something_else_or_to_nowhere_is_refused(
+    changed: Any, name: str, place: Point, message: str
+) -> None:
+    with pytest.raises((ControlError, ValueError, KeyError), match=message):
+        scene_of(replace(POINT, **changed)).pull(Settings(), name, place)
+
+
+@pytest.mark.parametrize(
+    ("handles", "message"),
+    [
+        ((replace(POINT, drives=("grid",)),), "drives 'grid'; legal: across, along, kind"),
+        ((replace(POINT, drives=()),), "legal: one or two settings"),
+        ((replace(POINT, reversed=("kind",)),), "reverses 'kind'; legal: across, along"),
+        ((replace(POINT, role="the lamp"),), "role 'the lamp'; legal:"),
+        ((replace(POINT, pull=None),), "'point' has no pull"),
+        ((POINT, POINT), "two handles named 'point'"),
+        ((GROUND, replace(GROUND, name="other")), "whole of panel 'plane'"),
+    ],
+)
+def test_a_scene_refuses_handles_that_contradict_it(handles: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        scene_of(*handles)
+
+
+def test_a_handle_lies_in_a_panel_that_there_is() -> None:
+    with pytest.raises(ValueError, match="panel 'plan'; legal: plane"):
+        frame_of(replace(POINT, panel="plan"))
+
+
+def test_a_pull_of_points_may_ask_for_the_readers_photograph() -> None:
+    def moved(_: Settings, place: Point, photograph: Photograph | None) -> Mapping[str, Value]:
+        shares = (((place[0] / 400, place[1] / 300),),)
+        return {"lines": PointLists("own" if photograph else "book", 0, shares).text}
+
+    scene = scene_of(replace(POINT, drives=("lines",), pull=moved))
+    photograph = Photograph(1, np.zeros((1, 1, 3), np.uint8))
+    for given, name in ((None, "book"), (photograph, "own")):
+        pulled = scene.pull(Settings(), "point", (40, 30), "", given)
+        assert pulled == {"lines": f"{name};0.1,0.1"}
+    controls: Any = _simulation(scene)["controls"]
+    listed = {control["name"] for control in controls}
+    assert listed == {"across", "along", "kind", "grid"}, "what a hand moves"

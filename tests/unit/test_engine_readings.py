@@ -13,19 +13,25 @@ from PIL import Image
 
 from simulations import browser
 from simulations.engine.export import Export
-from simulations.engine.frame import Frame, Panel, Readout, readout
-from simulations.engine.photograph import Codes, Photograph, Whole
+from simulations.engine.frame import Frame, Panel, readout
+from simulations.engine.photograph import Photograph, Whole
 from simulations.engine.reading import Readings, UnfitError
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider, toggle
 from simulations.engine.stages import Outputs, Stage
 
 FIGURE = "figure-of-readings"
+REQUEST = (FIGURE, "s", '{"gain": 2}', "")
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
     gain: float = slider("Gain", 1, 1, 4, 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Clashing:
+    readings: bool = toggle("Readings", default=False)
 
 
 def mean_of(photograph: Photograph) -> Mapping[str, Any]:
@@ -44,14 +50,6 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame((Panel("a", "A", 400, 300),), (mean,), "A mean.")
 
 
-def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
-    return (readout("mean", "Mean", outputs["mean"], "codes"),)
-
-
-def brighten(photograph: Photograph, settings: Settings, _outputs: Outputs) -> Codes:
-    return (photograph.codes * settings.gain).astype(np.uint8)
-
-
 def as_text(_settings: Settings, outputs: Outputs) -> str:
     return f"mean {outputs['mean']:g}"
 
@@ -61,9 +59,9 @@ WHOLE: dict[str, Any] = {
     "stages": STAGES,
     "photograph": Whole(),
     "read": mean_of,
-    "develop": brighten,
+    "develop": lambda photograph, s, _outputs: (photograph.codes * s.gain).astype(np.uint8),
     "exports": (Export("mean", "Text", ".txt", as_text),),
-    "sheet": sheet,
+    "sheet": lambda _settings, outputs: (readout("mean", "Mean", outputs["mean"], "codes"),),
 }
 
 
@@ -72,10 +70,14 @@ def scene_of(**changed: Any) -> Scene[Any]:
 
 
 @pytest.fixture(autouse=True)
-def _figure(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    scene = scene_of(**WHOLE)
-    monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
-    yield
+def use(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., None]]:
+    """Have the worker find another scene than the whole one."""
+
+    def chosen(**parts: Any) -> None:
+        monkeypatch.setattr(browser, "load_scene", lambda _id: scene_of(**parts))
+
+    chosen(**WHOLE)
+    yield chosen
     browser.forget(FIGURE)
 
 
@@ -88,37 +90,24 @@ def picture(level: int, file: bytes = b"") -> SimpleNamespace:
     )  # fmt: skip
 
 
-def read(level: int, file: bytes = b"") -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(browser.read("s", picture(level, file)))
-    return found
-
-
-def keep(*means: float) -> None:
-    kept = [{"number": at, "name": "", "data": {"mean": mean}} for at, mean in enumerate(means)]
-    browser.readings(FIGURE, json.dumps(kept))
-
-
-def shown() -> str:
-    frame = json.loads(browser.render(FIGURE, "s", "{}", "").meta)
-    return str(frame["readouts"][0]["text"])
-
-
-def test_a_photograph_is_read_with_the_facts_of_its_file() -> None:
+def test_a_photograph_is_read_with_the_facts_of_its_file_or_refused_in_a_sentence() -> None:
     exif, file = Image.Exif(), io.BytesIO()
     exif[0x0110] = "Model"
     Image.new("RGB", (2, 1)).save(file, "JPEG", exif=exif)
-    assert read(40, file.getvalue()) == {"data": {"mean": 40.0, "model": "Model", "width": 20}}
+    found = json.loads(browser.read("s", picture(40, file.getvalue())))
+    assert found == {"data": {"mean": 40.0, "model": "Model", "width": 20}}
+    unfit = json.loads(browser.read("s", picture(255)))
+    assert unfit == {"unfit": "All white; photograph with less light."}
 
 
-def test_a_raw_file_brings_its_facts_and_its_cells(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_raw_file_brings_its_facts_and_its_cells(use: Callable[..., None]) -> None:
     seen: list[Photograph] = []
 
     def look(photograph: Photograph) -> dict[str, Any]:
         seen.append(photograph)
         return {}
 
-    scene = scene_of(**WHOLE | {"read": look})
-    monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
+    use(**WHOLE | {"read": look})
     raw = picture(40)
     raw.facts = '{"iso": 400}'
     raw.mosaic = SimpleNamespace(
@@ -133,77 +122,42 @@ def test_a_raw_file_brings_its_facts_and_its_cells(monkeypatch: pytest.MonkeyPat
     assert photograph.mosaic.black == (1, 2, 3, 4)
 
 
-def test_a_photograph_that_cannot_be_used_is_refused_in_a_sentence() -> None:
-    assert read(255) == {"unfit": "All white; photograph with less light."}
-
-
-def test_what_was_read_takes_the_place_of_the_book_s_pictures_until_it_is_taken_away() -> None:
-    assert shown() == "100"
-    keep(10, 30)
-    assert shown() == "20"
-    keep()
-    assert shown() == "100"
-
-
-def test_files_sheet_and_development_follow_from_what_was_read() -> None:
-    keep(10, 30)
-    request = (FIGURE, "s", '{"gain": 2}', "")
-    assert browser.export(*request, "mean") == "mean 20"
-    told = json.loads(browser.sheet(*request))
+def test_what_was_read_replaces_the_books_pictures_and_gives_files_sheet_and_development() -> None:
+    for means, shown in (((), "100"), ((10, 30), "20"), ((), "100"), ((10, 30), "20")):
+        kept = [{"number": at, "name": "", "data": {"mean": mean}} for at, mean in enumerate(means)]
+        browser.readings(FIGURE, json.dumps(kept))
+        frame = json.loads(browser.render(FIGURE, "s", "{}", "").meta)
+        assert frame["readouts"][0]["text"] == shown
+    assert browser.export(*REQUEST, "mean") == "mean 20"
+    told = json.loads(browser.sheet(*REQUEST))
     assert (told["lines"][0]["text"], told["measured"]) == ("20.00", None)
-    made = browser.develop(*request, picture(40))
+    made = browser.develop(*REQUEST, picture(40))
     np.testing.assert_array_equal(made, [[[80, 80, 80, 255]] * 2])
-
-
-def test_an_export_that_the_scene_lacks_is_named_with_the_legal_ones() -> None:
     with pytest.raises(KeyError, match="export 'yaml'; legal: mean"):
-        browser.export(FIGURE, "s", "{}", "", "yaml")
+        browser.export(*REQUEST, "yaml")
+
+
+def test_a_scene_without_the_function_says_so(use: Callable[..., None]) -> None:
+    use(stages=STAGES)
+    with pytest.raises(TypeError, match="reads no photographs"):
+        browser.read("s", picture(40))
+    with pytest.raises(TypeError, match="develops no photographs"):
+        browser.develop(*REQUEST, picture(40))
 
 
 @pytest.mark.parametrize(
-    ("ask", "message"),
+    ("make", "message"),
     [
-        (lambda: read(40), "reads no photographs"),
-        (
-            lambda: browser.develop(FIGURE, "s", "{}", "", picture(40)),
-            "develops no photographs",
-        ),
+        (lambda: scene_of(settings=Clashing), "setting 'readings' has the name of the reader's"),
+        (lambda: scene_of(read=mean_of), "no stage reads what `read` finds"),
+        (lambda: scene_of(develop=WHOLE["develop"]), "it develops no photograph"),
+        (lambda: scene_of(exports=WHOLE["exports"] * 2), "legal: a name for each"),
+        (lambda: Export("a b", "Text", ".txt", as_text), "legal"),
+        (lambda: Export("a", "Text", "txt", as_text), "legal"),
+        (lambda: Whole(0.0), "legal: above 0, at most 24"),
+        (lambda: Whole(25.0), "legal: above 0, at most 24"),
     ],
 )
-def test_a_scene_without_the_function_says_so(
-    monkeypatch: pytest.MonkeyPatch, ask: Callable[[], object], message: str
-) -> None:
-    monkeypatch.setattr(browser, "load_scene", lambda _id: scene_of(stages=STAGES))
-    with pytest.raises(TypeError, match=message):
-        ask()
-
-
-@dataclass(frozen=True, slots=True)
-class Clashing:
-    readings: bool = toggle("Readings", default=False)
-
-
-@pytest.mark.parametrize(
-    ("changed", "message"),
-    [
-        ({"settings": Clashing}, "setting 'readings' has the name of the reader's"),
-        ({"read": mean_of, "stages": ()}, "no stage reads what `read` finds"),
-        ({"develop": brighten}, "it develops no photograph"),
-        ({"exports": WHOLE["exports"] * 2}, "legal: a name for each"),
-    ],
-)
-def test_a_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], message: str) -> None:
+def test_a_scene_of_photographs_that_contradicts_itself_is_refused(make: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        scene_of(**changed)
-
-
-@pytest.mark.parametrize(("name", "suffix"), [("a b", ".txt"), ("a", "txt")])
-def test_a_file_has_a_plain_name_and_a_suffix(name: str, suffix: str) -> None:
-    with pytest.raises(ValueError, match="legal"):
-        Export(name, "Text", suffix, as_text)
-
-
-@pytest.mark.parametrize("most", [0.0, 25.0])
-def test_whole_photographs_fit_into_the_memory(most: float) -> None:
-    with pytest.raises(ValueError, match="legal: above 0, at most 24"):
-        Whole(most)
+        make()

@@ -1,7 +1,7 @@
-"""The contract of a scene, the table of scenes, and what the browser's worker calls."""
+"""The contract of a scene, tables of scenes and ladders, and what the browser's worker calls."""
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -13,9 +13,16 @@ from simulations.engine.frame import Frame, Panel, Readout
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage, StageCache
-from simulations.registry import SCENE_MODULES, UnknownIdError, load_ladder, load_scene
+from simulations.registry import (
+    LADDER_MODULES,
+    SCENE_MODULES,
+    UnknownIdError,
+    load_ladder,
+    load_scene,
+)
 
 TIERS = {"tiers": ("coarse", "fine"), "default_tier": "fine", "draft_tier": "coarse"}
+SHADED = {**TIERS, "ladder": "shading"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,46 +30,40 @@ class Settings:
     size: float = slider("Size", 1, 0, 2, 1)
 
 
+@dataclass(frozen=True)
+class Driving:
+    size: float = slider("Size", 1, 0, 2, 1)
+    play: int = action("Play", drives="sise", effect="play")
+
+
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    panel = Panel("a", "A", 400, 300)
     told = outputs.get("told", "nothing")
-    return Frame((panel,), (), f"Size {settings.size:g}, {told}.")
+    return Frame((Panel("a", "A", 400, 300),), (), f"Size {settings.size:g}, {told}.")
+
+
+def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Readout]:
+    for rays in (1, 2):
+        yield Readout("error", f"{tier}, {rays} rays", f"{settings.size:g}", "px")
 
 
 STAGES = (Stage("told", lambda size, tier: f"{tier} of {size:g}"),)
+DOUBLE = (Stage("told", lambda size, tier, double: f"{tier}: {size:g}, twice {double:g}"),)
 
 
-def scene_of(**changed: Any) -> Scene[Settings]:
-    return Scene("s", "S", Settings, draw, **changed)
+def scene_of(**changed: Any) -> Scene[Any]:
+    return Scene("s", "S", **{"settings": Settings, "draw": draw, **changed})
 
 
-@pytest.mark.parametrize("value", [None, 3])
-def test_a_module_without_a_scene_is_refused(
-    monkeypatch: pytest.MonkeyPatch, value: object
-) -> None:
-    known = next(iter(SCENE_MODULES))
-    monkeypatch.setattr(import_module(SCENE_MODULES[known]), "SCENE", value)
-    with pytest.raises(UnknownIdError, match=r"has (no|int as) SCENE; legal: a Scene"):
-        load_scene(known)
+@pytest.fixture
+def use(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Scene[Any]]:
+    """Have the worker find a scene of these parts."""
 
+    def chosen(**parts: Any) -> Scene[Any]:
+        scene = scene_of(**parts)
+        monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
+        return scene
 
-def test_a_scene_with_the_id_of_another_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("simulations.scenes.camera.scene.SCENE", load_scene("aliasing"))
-    with pytest.raises(UnknownIdError, match=r"has the id 'aliasing'; legal: 'camera'"):
-        load_scene("camera")
-
-
-def test_a_button_must_drive_a_slider_of_its_scene() -> None:
-    @dataclass(frozen=True)
-    class Driving:
-        size: float = slider("Size", 1, 0, 2, 1)
-        play: int = action("Play", drives="sise", effect="play")
-
-    with pytest.raises(ValueError, match="'play' drives no slider 'sise'; legal: size"):
-        Scene("s", "S", Driving, lambda _settings, _outputs: Frame((), (), ""))
-
-
-SHADED = {**TIERS, "ladder": "shading"}
+    return chosen
 
 
 @pytest.mark.parametrize(
@@ -79,6 +80,7 @@ SHADED = {**TIERS, "ladder": "shading"}
         ({**SHADED, "drafted_in": {"finer": ("size",)}}, r"drafted_in .*'finer'.*legal: \('coarse"),
         ({**SHADED, "own_drafts": {"coarse": ("size",)}}, "'coarse' is a tier; legal: another"),
         ({"own_drafts": {"rough": ("sise",)}}, "drafted 'sise'"),
+        ({"settings": Driving}, "'play' drives no slider 'sise'; legal: size"),
     ],
 )
 def test_a_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], message: str) -> None:
@@ -86,51 +88,94 @@ def test_a_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], mes
         scene_of(**changed)
 
 
-def test_a_drag_is_answered_by_the_default_where_no_draft_is_named() -> None:
+def test_a_drag_is_drawn_by_the_default_or_by_a_draft_in_place_of_all_that_is_dearer() -> None:
     assert scene_of(tiers=("fast",), default_tier="fast", ladder="shading").draft_tier == "fast"
-
-
-def test_a_draft_of_its_own_stands_in_for_the_default_and_what_is_dearer() -> None:
-    tiers = {"tiers": ("coarse", "fine", "finest"), "default_tier": "fine"}
-    words = {tier: tier for tier in tiers["tiers"]}
-    scene = scene_of(**tiers, tier_labels=words, stages=STAGES, own_drafts={"rough": ("size",)})
-    assert [scene.drafts_of(tier) for tier in tiers["tiers"]] == [
-        {},
-        {"size": "rough"},
-        {"size": "rough"},
-    ]
+    tiers = ("coarse", "fine", "finest")
+    words = {tier: tier for tier in tiers}
+    scene = scene_of(
+        tiers=tiers, default_tier="fine", tier_labels=words, stages=STAGES,
+        own_drafts={"rough": ("size",)},
+    )  # fmt: skip
+    assert [scene.drafts_of(tier).get("size") for tier in tiers] == [None, "rough", "rough"]
     assert "rough of 1" in scene.render(Settings(), "rough", StageCache()).description
 
 
-def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both() -> None:
-    double = Stage("told", lambda size, tier, double: f"{tier}: {size:g}, twice {double:g}")
-    scene = scene_of(
-        **SHADED,
-        stages=(double,),
-        parameters=lambda settings, tier: {"double": 2 * settings.size + (tier == "coarse")},
-    )
-    frame = scene.render(Settings(2), "coarse", StageCache())
-    assert frame.description == "Size 2, coarse: 2, twice 5."
-    assert [report.name for report in frame.stages] == ["told"]
+@pytest.mark.parametrize(
+    ("stages", "parameters", "tier", "said"),
+    [
+        (STAGES, None, "coarse", "Size 2, coarse of 2."),
+        (STAGES, None, "", "Size 2, fine of 2."),
+        (STAGES, None, "no such tier", "Size 2, fine of 2."),
+        (DOUBLE, lambda s, _tier: {"double": 3 * s.size}, "fine", "Size 2, fine: 2, twice 6."),
+        (STAGES, lambda _settings, _tier: {"size": 7}, "fine", "Size 2, fine of 7."),
+        (STAGES, lambda _settings, _tier: None, "fine", "Size 2, nothing."),
+    ],
+)
+def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both(
+    stages: Any, parameters: Any, tier: str, said: str
+) -> None:
+    """Where there is nothing to compute, no stage runs and none is reported."""
+    given = {"parameters": parameters} if parameters else {}
+    frame = scene_of(**SHADED, stages=stages, **given).render(Settings(2), tier, StageCache())
+    assert frame.description == said
+    assert [report.name for report in frame.stages] == ([] if "nothing" in said else ["told"])
 
 
-def test_what_is_worked_out_may_stand_for_a_setting() -> None:
-    scene = scene_of(**SHADED, stages=STAGES, parameters=lambda _settings, _tier: {"size": 7})
-    assert scene.render(Settings(2), "", StageCache()).description == "Size 2, fine of 7."
+def test_estimates_of_the_error_come_one_at_a_time_and_begin_anew_with_other_settings(
+    use: Callable[..., Scene[Any]],
+) -> None:
+    use(estimate=estimate)
+
+    def ask(size: int) -> Any:
+        answer = json.loads(browser.error("figure-3", "s", f'{{"size": {size}}}', ""))
+        return answer and (answer["label"], answer["text"])
+
+    one, two = (", 1 rays", "2"), (", 2 rays", "2")
+    assert [ask(2) for _ in range(4)] == [one, two, None, None]
+    assert [ask(1), ask(2)] == [(", 1 rays", "1"), one]
+    use()
+    assert browser.error("figure-5", "s", "{}", "") == "null"
 
 
-def test_where_there_is_nothing_to_compute_no_stage_runs_and_none_is_reported() -> None:
-    scene = scene_of(**SHADED, stages=STAGES, parameters=lambda _settings, _tier: None)
-    frame = scene.render(Settings(2), "fine", StageCache())
-    assert frame.description == "Size 2, nothing."
-    assert frame.stages == ()
+def test_the_worker_gets_a_clamped_frame_and_forgets_only_the_cache_of_a_figure(
+    use: Callable[..., Scene[Any]],
+) -> None:
+    use(**SHADED, stages=STAGES)
+    asked = ("figure-1", "s", '{"size": 99}', "no such tier")
+    reply = browser.render(*asked)
+    assert json.loads(reply.meta)["description"] == "Size 2, fine of 2."
+    assert reply.rasters == ()
+    browser.forget("figure-1")
+    browser.forget("figure-1")
+    assert browser.render(*asked) == reply
 
 
-def test_a_tier_that_the_scene_lacks_is_its_default() -> None:
-    scene = scene_of(**SHADED, stages=STAGES)
-    for tier in ("", "fine", "no such tier"):
-        frame = scene.render(Settings(), tier, StageCache())
-        assert frame.description == "Size 1, fine of 1."
+@pytest.mark.parametrize(
+    ("load", "modules", "known"),
+    [(load_scene, SCENE_MODULES, "camera"), (load_ladder, LADDER_MODULES, "shading")],
+)
+def test_all_of_a_table_load_under_their_own_ids_and_an_unknown_one_meets_the_nearest(
+    load: Callable[[str], Any], modules: dict[str, str], known: str
+) -> None:
+    assert [load(name).id for name in modules] == list(modules)
+    with pytest.raises(UnknownIdError, match=f"unknown [a-z]+ '{known}x'; did you mean '{known}'"):
+        load(f"{known}x")
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        (None, "has no SCENE; legal: a Scene"),
+        (3, "has int as SCENE"),
+        (scene_of(), "has the id 's'; legal: 'camera'"),
+    ],
+)
+def test_a_module_without_a_scene_of_its_name_is_refused(
+    monkeypatch: pytest.MonkeyPatch, value: object, message: str
+) -> None:
+    monkeypatch.setattr(import_module(SCENE_MODULES["camera"]), "SCENE", value)
+    with pytest.raises(UnknownIdError, match=message):
+        load_scene("camera")
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
@@ -139,61 +184,3 @@ def test_every_tier_of_a_scene_is_a_rung_of_its_ladder(scene_id: str) -> None:
     if scene.ladder:
         rungs = [tier.id for tier in load_ladder(scene.ladder).tiers]
         assert [rung for rung in rungs if rung in scene.tiers] == list(scene.tiers)
-
-
-def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Readout]:
-    for rays in (1, 2):
-        yield Readout("error", f"{tier}, {rays} rays", f"{settings.size:g}", "px")
-
-
-def test_estimates_of_the_error_come_one_at_a_time_and_end(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    scene = scene_of(estimate=estimate)
-    monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
-    ask = [json.loads(browser.error("figure-3", "s", '{"size": 2}', "")) for _ in range(4)]
-    assert [answer and answer["label"] for answer in ask] == [", 1 rays", ", 2 rays", None, None]
-    assert ask[0]["text"] == "2"
-
-
-def test_another_setting_is_judged_from_the_beginning(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = scene_of(estimate=estimate)
-    monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
-    browser.error("figure-4", "s", '{"size": 2}', "")
-    assert json.loads(browser.error("figure-4", "s", '{"size": 1}', ""))["label"] == ", 1 rays"
-    assert json.loads(browser.error("figure-4", "s", '{"size": 2}', ""))["label"] == ", 1 rays"
-
-
-def test_a_scene_without_a_reference_has_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = scene_of()
-    monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
-    assert browser.error("figure-5", "s", "{}", "") == "null"
-
-
-def test_an_unknown_scene_is_named_with_the_nearest_legal_one() -> None:
-    known = next(iter(SCENE_MODULES))
-    with pytest.raises(UnknownIdError) as raised:
-        load_scene(f"{known}x")
-    assert str(raised.value) == f"unknown simulation '{known}x'; did you mean {known!r}?"
-
-
-@pytest.mark.parametrize("scene_id", SCENE_MODULES)
-def test_every_scene_of_the_table_loads_under_its_own_id(scene_id: str) -> None:
-    assert load_scene(scene_id).id == scene_id
-
-
-def test_the_worker_gets_a_clamped_frame_and_its_pixels(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = scene_of(**SHADED, stages=STAGES)
-    monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
-    reply = browser.render("figure-1", "s", '{"size": 99}', "no such tier")
-    assert json.loads(reply.meta)["description"] == "Size 2, fine of 2."
-    assert reply.rasters == ()
-
-
-def test_a_figure_that_is_forgotten_loses_only_its_cache(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = scene_of()
-    monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
-    first = browser.render("figure-2", "s", "{}", "")
-    browser.forget("figure-2")
-    browser.forget("figure-2")
-    assert browser.render("figure-2", "s", "{}", "") == first

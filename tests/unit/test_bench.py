@@ -1,0 +1,77 @@
+"""What the benchmarks hold against budgets, name as growth of memory, and count as late."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import bench.slowed
+import pytest
+from bench.costs import beyond, keep
+from bench.latency import row
+from bench.memory import INTERPRETER, grown
+from bench.slow_phone import drag_summary
+from support.places import ROOT
+
+from site_builder.benchmarks.costs import Cost, read_costs
+
+BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_time())"
+LEVEL = {"heap MB": 10.0, "nodes": 5000.0, "listeners": 300.0, INTERPRETER: 80.0}
+WANDERING = {**LEVEL, "heap MB": 10.4, "nodes": 4900.0}
+
+
+@pytest.mark.parametrize(
+    ("cold", "named"),
+    [
+        ({"ratio": 0.45, "book_ms": 9e9}, []),
+        ({"ratio": 0.54}, ["start cold ratio: 0.54, 20% beyond its budget of 0.45"]),
+        ({}, ["start cold ratio: not measured"]),
+        ({"ratio": None}, ["start cold ratio: not measured"]),
+        ({"ratio": float("nan")}, ["start cold ratio: nan, nan% beyond its budget of 0.45"]),
+    ],
+)
+def test_a_cost_beyond_its_budget_or_not_measured_is_named(cold: Any, named: list[str]) -> None:
+    assert [*beyond({"start": {"cold": cold}}, {"start": {"cold": {"ratio": 0.45}}})] == named
+
+
+def test_one_section_of_costs_is_replaced_and_the_others_stay(tmp_path: Path) -> None:
+    file = tmp_path / "costs.json"
+    keep("start", {"ratio": 0.4}, file)
+    keep("bytes", {"paint_kb": 99}, file)
+    keep("start", {"ratio": 0.3}, file)
+    kept = json.loads(file.read_text(encoding="utf-8"))
+    assert kept == {"bytes": {"paint_kb": 99}, "start": {"ratio": 0.3}}
+
+
+@pytest.mark.parametrize(
+    ("rounds", "named"),
+    [
+        ([{**LEVEL, INTERPRETER: 60.0}, LEVEL, {**LEVEL, "heap MB": 40.0}, WANDERING], ""),
+        ([LEVEL, LEVEL, LEVEL, {**LEVEL, INTERPRETER: 96.0}], INTERPRETER),
+        ([LEVEL, LEVEL, LEVEL, {**LEVEL, "listeners": 301.0}], "listeners"),
+    ],
+)
+def test_memory_that_grew_from_half_to_the_end_is_named(rounds: Any, named: str) -> None:
+    found = [*grown(rounds)]
+    assert [line.startswith(named) for line in found] == ([True] if named else [])
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_a_slowed_program_takes_so_many_times_as_long() -> None:
+    command = [sys.executable, str(Path(bench.slowed.__file__)), "4", sys.executable, "-c", BUSY]
+    begun = time.perf_counter()
+    ran_s = float(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    assert time.perf_counter() - begun > 3.0 * ran_s
+
+
+def test_a_slider_is_late_if_its_median_move_is() -> None:
+    quick, late = (row("one", "a", [100.0, middle, 900.0], [1.0]) for middle in (200.0, 300.0))
+    found = drag_summary([quick, quick, late])
+    assert (found["sliders"], found["late"], found["slowest_ms"]) == (3, 1, 300.0)
+
+
+@pytest.mark.parametrize("name", ["cold ratio", "first slider_ms", "drags in_time", "heavy rate"])
+def test_the_book_can_tell_what_was_measured_on_a_slow_phone(name: str) -> None:
+    assert isinstance(read_costs(ROOT).find(f"slow_phone {name}"), Cost)

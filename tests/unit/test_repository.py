@@ -1,0 +1,20 @@
+"""The contracts of import-linter, and the pins of the two groups of dependencies."""
+
+import re
+import subprocess
+import sys
+
+from support.places import ROOT
+
+
+def test_imports_run_downwards_only() -> None:
+    lint = "from importlinter.cli import lint_imports_command as lint; lint()"
+    command = [sys.executable, "-c", lint, "--no-cache"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+def test_the_book_is_built_by_the_pins_that_it_is_tested_with() -> None:
+    texts = [(ROOT / f".locks/{group}.txt").read_text("utf-8") for group in ("book", "test")]
+    book, test = (set(re.findall(r"^[\w.-]+==[^\s;]+", text, re.MULTILINE)) for text in texts)
+    assert book < test

@@ -1,0 +1,88 @@
+"""Style sheets: text readable in both themes, every class drawn, nothing from other origins."""
+
+import re
+from itertools import combinations, product
+from pathlib import Path
+
+import pytest
+
+from simulations.engine.frame import ROLES
+from site_builder.checks.colours import Rgb, contrast, rgb
+from site_builder.languages.words import ENGLISH
+from site_builder.output.book_files import STYLE
+
+STYLES = Path(__file__).parents[2] / "static" / "css"
+SHEETS = {path.name: path.read_text(encoding="utf-8") for path in STYLES.glob("*.css")}
+THEMES = ("paper", "ink")
+GROUNDS = ("paper", "raised", "sunken")
+IDEAS = tuple(role for role in ROLES if role)
+READABLE = [
+    *product(("ink", "ink-soft", "accent", *IDEAS), GROUNDS, [4.5]),
+    ("on-accent", "accent", 4.5),
+    *product(["rule-strong"], GROUNDS, [3.0]),  # WCAG 2.2, 1.4.11: outlines of controls
+]
+"""A colour, what it stands on, and the least contrast."""
+
+
+def token(name: str, theme: str) -> Rgb:
+    """A token of tokens.css as sRGB in 0..1; the file writes light-dark(#paper, #ink)."""
+    pair = re.search(
+        rf"--{name}: light-dark\((#[0-9a-f]{{6}}), (#[0-9a-f]{{6}})\);", SHEETS["tokens.css"]
+    )
+    assert pair, f"tokens.css has no colour --{name}"
+    return rgb(pair[1 + THEMES.index(theme)])
+
+
+def lightness_and_opponents(colour: Rgb) -> tuple[float, float, float]:
+    """Oklab (Ottosson 2020), in which equal distances look about equally different."""
+    r, g, b = (v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in colour)
+    long = (0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b) ** (1 / 3)
+    middle = (0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b) ** (1 / 3)
+    short = (0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b) ** (1 / 3)
+    return (
+        0.2104542553 * long + 0.7936177850 * middle - 0.0040720468 * short,
+        1.9779984951 * long - 2.4285922050 * middle + 0.4505937099 * short,
+        0.0259040371 * long + 0.7827717662 * middle - 0.8086757660 * short,
+    )
+
+
+@pytest.mark.parametrize("theme", THEMES)
+def test_colours_stand_out_from_what_they_stand_on(theme: str) -> None:
+    assert contrast((0.0, 0.0, 0.0), (1.0, 1.0, 1.0)) == pytest.approx(21)
+    found = {(n, g): contrast(token(n, theme), token(g, theme)) - least for n, g, least in READABLE}
+    assert {pair for pair, spare in found.items() if spare < 0} == set()
+
+
+@pytest.mark.parametrize("theme", THEMES)
+def test_colours_of_ideas_are_told_apart(theme: str) -> None:
+    """0.02 is about what is just seen when side by side; labels are far apart and thin."""
+    places = {name: lightness_and_opponents(token(name, theme)) for name in (*IDEAS, "accent")}
+    for one, other in combinations(places, 2):
+        apart = sum((a - b) ** 2 for a, b in zip(places[one], places[other], strict=True)) ** 0.5
+        assert apart >= 0.06, (one, other)
+
+
+@pytest.mark.parametrize("role", IDEAS)
+def test_every_role_is_styled_in_drawings_readouts_and_prose(role: str) -> None:
+    for selector, sheet in (
+        (f".overlay .{role}", "overlay.css"),
+        (f".readout.role-{role}", "readouts.css"),
+        (f".role-{role}", "tokens.css"),
+    ):
+        assert re.search(rf"(^|}}|\*/)\s*{re.escape(selector)}\s*{{", SHEETS[sheet], re.MULTILINE)
+
+
+def test_every_style_sheet_is_imported_or_fetched_and_every_import_exists() -> None:
+    imports = re.findall(r'@import "([^"]+)"', SHEETS["book.css"])
+    scripts = (path.read_text(encoding="utf-8") for path in STYLES.parent.rglob("*.ts"))
+    fetched = [name for text in scripts for name in re.findall(r'/css/([\w-]+\.css)"', text)]
+    own = [name for name in imports if "-kinds" not in name]
+    assert sorted([*own, *fetched, "book.css"]) == sorted(SHEETS)
+
+
+def test_every_custom_property_is_defined_and_nothing_is_asked_of_other_origins() -> None:
+    text = "\n".join(SHEETS.values())
+    used, defined = (set(re.findall(it, text)) for it in (r"var\((--[\w-]+)", r"(--[\w-]+):"))
+    words = {f"--word-{key.removeprefix(STYLE)}" for key in ENGLISH.texts if key.startswith(STYLE)}
+    assert used - defined == words
+    assert "//" not in text
