@@ -28,8 +28,7 @@ from simulations.engine.controls import Slider
 from simulations.engine.frame import Raster
 from simulations.engine.stages import StageCache
 from simulations.registry import load_scene
-from simulations.scenes._ball.ball import PIXELS_PER_UNIT, RADIUS_PX
-from simulations.scenes._ball.marks import CENTRE, HEIGHT, WIDTH
+from simulations.scenes._ball import CENTRE, HEIGHT, PIXELS_PER_UNIT, RADIUS_PX, WIDTH
 from simulations.scenes.lens_distortion.radii import FOCAL_PX, HEIGHT_PX, WIDTH_PX
 from simulations.scenes.lens_distortion.stages import MARGIN_PX
 

@@ -14,7 +14,6 @@ from simulations.models.light.interreflection import edge_factor
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes.phong.scene import SCENE
 from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
-from simulations.scenes.second_bounce.shown import shown_at
 
 CHAPTER = "05-lighting-and-reflectance"
 FRONT = np.array((0.0, 0, 1))
@@ -146,5 +145,5 @@ def the_peak_lies_beyond_the_mirror() -> Says:
 def near_the_edge_of_two_white_planes() -> Says:
     given = {"light_angle": 45, "wall": "white", "place": 0.01}
     planes = BOUNCE.run(BOUNCE.check(given), "", StageCache()).outputs["planes"]
-    shown = shown_at(planes, 0.01)
-    yield f"a factor of {shown.red / shown.lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"
+    lamp, red, _ = planes.at(0.01)
+    yield f"a factor of {red / lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"

@@ -1,35 +1,125 @@
 """The panel of materials: a ball of the chosen one, and a chart of others to choose from.
 
-In the chart the roughness grows to the right and the specular strength upwards.
+Spheres are lit by the lamp and seen from far away. In the chart the roughness grows to the right
+and the specular strength upwards.
 """
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from simulations.engine.drawing import Point, circle, dot, text
+from simulations.engine.drawing import Point, text
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
-from simulations.models.color.srgb import encode_srgb
-from simulations.scenes._ball.marks import HEIGHT, WIDTH, named
-from simulations.scenes.brdf.settings import ROUGHEST, SMOOTHEST
-from simulations.scenes.brdf.spheres import WALL, Lit, Sphere, lit, shown, sphere
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.light.brdf import Material, parts
+from simulations.scenes._ball import HEIGHT, WIDTH, light_direction, named, outlined_dot
 
-FINE = 1.75
-"""Raster pixels per unit of the view box."""
-CENTRE, RADIUS = (104.0, 170.0), 92.0
-"""The ball, in view box units."""
-LEFT, RIGHT, TOP, BOTTOM = 236.0, 370.0, 90.0, 250.0
-"""Centres of the chart's outer spheres, in view box units."""
-ROWS, COLUMNS = 4, 4
-SMALL = 20.0
-"""Radius of a sphere of the chart."""
+SMOOTHEST, ROUGHEST = 0.15, 1.0
+TINT = np.array([1.0, 0.13, 0.1], np.float32)
+"""Albedo of the spheres in green and blue, as a share of that in red; the figure follows red."""
+WALL = np.array([0.05, 0.055, 0.062], np.float32)  # linear RGB behind the spheres
+FINE = 1.75  # raster pixels per unit of the view box
+CENTRE, RADIUS = (104.0, 170.0), 92.0  # the ball, in view box units
+LEFT, RIGHT, TOP, BOTTOM = 236.0, 370.0, 90.0, 250.0  # centres of the chart's outer spheres
+SMALL = 20.0  # radius of a sphere of the chart
+STEPS = np.linspace(0.0, 1.0, 4).tolist()  # columns and rows, as shares of the chart's sides
 
-BALL = sphere(RADIUS * FINE)
-SAMPLE = sphere(SMALL * FINE)
-STEPS = np.linspace(0.0, 1.0, COLUMNS)
-"""Places of the columns and rows, as shares of the chart's sides."""
+
+@dataclass(frozen=True, slots=True)
+class Sphere:
+    """The pixels of a square around a sphere."""
+
+    normals: Floats  # (n, n, 3) unit normals; z towards the camera
+    cover: Floats  # (n * n, 1) share of the pixel that the sphere covers
+    unlit: Raster  # (n, n, 4) bytes of the square with a black sphere
+
+
+@dataclass(frozen=True, slots=True)
+class Lit:
+    """The light that a sphere sends to the camera; 1 is a perfect white that faces the lamp."""
+
+    pixels: NDArray[np.intp]
+    """(N,) indices into the flattened square of the pixels that the lamp reaches."""
+    matte: Floats  # (N, 1) the matte part, for an albedo of 1
+    mirrored: Floats  # (N, 1) the specular part
+
+
+def sphere(radius_px: float) -> Sphere:
+    """A sphere in the middle of its square."""
+    count = 2 * math.ceil(radius_px)
+    along = ((np.arange(count) + 0.5 - count / 2) / radius_px).astype(np.float32)
+    x, y = np.meshgrid(along, -along)
+    distance = np.hypot(x, y)
+    outer = np.maximum(distance, 1.0)
+    z = np.sqrt(np.maximum(1.0 - distance * distance, 0.0))
+    cover = np.clip((1.0 - distance) * radius_px + 0.5, 0.0, 1.0)
+    wall = encode_srgb_table(WALL * (1.0 - cover[..., None]))
+    normals = np.stack([x / outer, y / outer, z], axis=-1)
+    return Sphere(normals, cover.reshape(-1, 1), to_rgba8(wall))
+
+
+BALL, SAMPLE = sphere(RADIUS * FINE), sphere(SMALL * FINE)
+
+
+def lit(
+    of: Sphere, model: str, specular: float, roughness: float, light_angle: float, view_angle: float
+) -> Lit:
+    """The sphere in the light of the lamp; the camera is in front."""
+    to_light = light_direction(light_angle - view_angle).astype(np.float32)
+    shade = (of.normals @ to_light).ravel()
+    pixels = np.flatnonzero((shade > 0) & (of.cover[:, 0] > 0))
+    arriving, facing = shade[pixels], of.normals[..., 2].ravel()[pixels]
+    material = Material(1.0, specular, roughness)
+    matte, mirrored = parts(model, material, arriving, facing, to_light[2])
+    arriving *= np.float32(np.pi)
+    return Lit(pixels, (matte * arriving)[:, None], (mirrored * arriving)[:, None])
+
+
+def samples() -> Iterator[tuple[float, float]]:
+    """Roughness and specular strength of the spheres of the chart."""
+    for specular in STEPS:
+        for share in STEPS:
+            yield SMOOTHEST + share * (ROUGHEST - SMOOTHEST), specular
+
+
+def lit_samples(model: str, light_angle: float, view_angle: float) -> tuple[Lit, ...]:
+    """The spheres of the chart, in the order of `samples`."""
+    return tuple(
+        lit(SAMPLE, model, specular, roughness, light_angle, view_angle)
+        for roughness, specular in samples()
+    )
+
+
+def chart(samples_lit: tuple[Lit, ...], albedo: float) -> Raster:
+    """(H, W, 4) bytes of the panel without its ball."""
+    wall = to_rgba8(encode_srgb(WALL[None, None]))
+    picture = np.tile(wall, (round(HEIGHT * FINE), round(WIDTH * FINE), 1))
+    for material, light in zip(samples(), samples_lit, strict=True):
+        paste(picture, SAMPLE, light, albedo, in_chart(*material))
+    return picture
+
+
+def with_ball(chart: Raster, light: Lit, albedo: float) -> Raster:
+    """(H, W, 4) bytes of the whole panel."""
+    picture = chart.copy()
+    paste(picture, BALL, light, albedo, CENTRE)
+    return picture
+
+
+def paste(picture: Raster, of: Sphere, light: Lit, albedo: float, middle: Point) -> None:
+    """Put the square of a sphere, with the wall around it, into the picture."""
+    linear = light.mirrored + light.matte * (np.float32(albedo) * TINT)
+    mixed = WALL + of.cover[light.pixels] * (linear - WALL)
+    shown = of.unlit.copy()
+    shown.reshape(-1, 4)[light.pixels] = to_rgba8(encode_srgb_table(mixed)[None])[0]
+    size = len(shown)
+    left, top = (round(FINE * each - size / 2) for each in (middle[0], middle[1]))
+    picture[top : top + size, left : left + size] = shown
 
 
 def on_equator(angle_deg: float) -> tuple[float, float]:
@@ -37,14 +127,7 @@ def on_equator(angle_deg: float) -> tuple[float, float]:
     return CENTRE[0] + RADIUS * math.sin(math.radians(angle_deg)), CENTRE[1]
 
 
-def angle_of_normal(place: Point) -> float:
-    """The angle in degrees of the normal on the equator above or below a place."""
-    across = (float(place[0]) - CENTRE[0]) / RADIUS
-    return math.degrees(math.asin(min(max(across, -1.0), 1.0)))
-
-
-def at(roughness: float, specular: float) -> tuple[float, float]:
-    """The place of a material in the chart."""
+def in_chart(roughness: float, specular: float) -> tuple[float, float]:
     share = (roughness - SMOOTHEST) / (ROUGHEST - SMOOTHEST)
     return LEFT + share * (RIGHT - LEFT), BOTTOM - specular * (BOTTOM - TOP)
 
@@ -58,53 +141,16 @@ def material_at(place: Point) -> Mapping[str, float]:
     }
 
 
-def lit_samples(model: str, light_angle: float, view_angle: float) -> tuple[Lit, ...]:
-    """The spheres of the chart, in the order of `_samples`."""
-    return tuple(
-        lit(SAMPLE, model, specular, roughness, light_angle, view_angle)
-        for roughness, specular in _samples()
-    )
-
-
-def chart(samples: tuple[Lit, ...], albedo: float) -> Raster:
-    """(H, W, 4) bytes of the panel without its ball."""
-    wall = to_rgba8(encode_srgb(WALL[None, None]))
-    picture = np.tile(wall, (round(HEIGHT * FINE), round(WIDTH * FINE), 1))
-    for (roughness, specular), light in zip(_samples(), samples, strict=True):
-        _paste(picture, SAMPLE, light, albedo, at(roughness, specular))
-    return picture
-
-
-def with_ball(chart: Raster, light: Lit, albedo: float) -> Raster:
-    """The whole panel."""
-    picture = chart.copy()
-    _paste(picture, BALL, light, albedo, CENTRE)
-    return picture
-
-
 def marks(view_angle: float, roughness: float, specular: float) -> str:
     """The probed point, the chosen material, and the ends of the chart."""
-    chosen, probed = at(roughness, specular), on_equator(-view_angle)
+    probed = on_equator(-view_angle)
     across, below = 0.5 * (LEFT + RIGHT), BOTTOM + SMALL + 24
     return "".join(
         (
-            *(circle(probed, 5.5, "casing"), dot(probed, "world", 5.5)),
-            *(circle(chosen, 5.5, "casing"), dot(chosen, "ray", 5.5)),
+            outlined_dot(probed, "world"),
+            outlined_dot(in_chart(roughness, specular), "ray"),
             named(probed, "probed point", "world"),
             text((across, TOP - SMALL - 14), "more mirror ↑", "small ground", "middle"),
             text((across, below), "rougher →", "small ground", "middle"),
         )
     )
-
-
-def _samples() -> Iterator[tuple[float, float]]:
-    """Roughness and specular strength of the spheres of the chart."""
-    for specular in STEPS.tolist():
-        for share in STEPS.tolist():
-            yield SMOOTHEST + share * (ROUGHEST - SMOOTHEST), specular
-
-
-def _paste(picture: Raster, of: Sphere, light: Lit, albedo: float, middle: Point) -> None:
-    size = len(of.unlit)
-    left, top = (round(FINE * each - size / 2) for each in (middle[0], middle[1]))
-    picture[top : top + size, left : left + size] = shown(of, light, albedo)

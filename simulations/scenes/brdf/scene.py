@@ -1,80 +1,237 @@
 """Reflection at a point of a surface: four models, their lobes, and their energy.
 
 For each it shows whether more light is reflected than arrives, and whether the BRDF is reciprocal.
-The computation is in `simulations.scenes.brdf.stages`.
+All directions of the lobe are in the plane of the light and the normal; angles are from the normal,
+positive to the right. The quadrature is accurate to a percent and takes a few milliseconds: no
+tiers.
 """
 
 import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
 
+import numpy as np
+
+from simulations.engine.drawing import Point, arrow, dot, line, polygon, polyline, text
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.handles import Handle
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
-from simulations.engine.stages import Outputs
-from simulations.models.light.brdf import reflected
-from simulations.scenes._ball.marks import HEIGHT, WIDTH
-from simulations.scenes.brdf.energy import energy_plot
-from simulations.scenes.brdf.handles import HANDLES
-from simulations.scenes.brdf.lobe import lobe_plot
-from simulations.scenes.brdf.materials import marks
-from simulations.scenes.brdf.settings import MODELS, Settings
-from simulations.scenes.brdf.stages import STAGES, Exchange
+from simulations.engine.settings import choice, slider
+from simulations.engine.stages import Outputs, Stage
+from simulations.models.arrays import Floats
+from simulations.models.light.brdf import Material, reflected, schlick, sent_back
+from simulations.scenes._ball import HEIGHT, WIDTH, lamp, outlined_dot
+from simulations.scenes.brdf import materials
+from simulations.scenes.brdf.materials import BALL, ROUGHEST, SMOOTHEST, Lit, lit
 
-EQUAL = 1e-6
-"""Relative difference up to which two directions count as equal."""
+LARGEST_DEG = 88  # directions nearer to the horizon have almost no light
+MODELS = {
+    "microfacets": "Microfacets over matte",
+    "lambert": "Matte (Lambert)",
+    "phong": "Phong, as of 1975",
+    "normalised": "Phong, normalised",
+}
+AROUND_DEG = np.arange(-89.0, 90.0, 2.0)  # (90,) cameras of the lobe
+INCIDENCE_DEG = np.arange(0.0, 89.0, 4.0)  # (23,) lights of the curve of the reflected share
+
+FOOT = (WIDTH / 2, 262.0)
+LAMP, CAMERA = 186.0, 170.0  # drawn distances from the foot; both are far away
+LONGEST = 165.0  # largest length of the lobe, in units of the view box
+UNIT = 140.0  # length of a brightness of 1, unless the lobe would be too long
+APART_DEG = 14.0  # least angle between camera and mirror direction for the label of the latter
+
+PLOT = Plot(Axis(0.0, 90.0, 46.0, 384.0), Axis(0.0, 1.5, 280.0, 30.0))
+ANGLES = Scale("angle of the light from the normal", "°", ticks=(0, 45, 90), style="light")
+SHARES = Scale(ticks=(0, 1))
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    model: str = choice("Model", MODELS)
+    light_angle: float = slider("Light angle", -40, -LARGEST_DEG, LARGEST_DEG, 1, unit="°")
+    view_angle: float = slider("Camera angle", 20, -LARGEST_DEG, LARGEST_DEG, 1, unit="°")
+    roughness: float = slider("Roughness m", 0.3, SMOOTHEST, ROUGHEST, 0.01)
+    specular: float = slider("Specular strength kₛ or F₀", 0.15, 0, 1, 0.01)
+    albedo: float = slider("Albedo ρ of the matte part", 0.5, 0, 1, 0.01)
+
+
+@dataclass(frozen=True, slots=True)
+class Exchange:
+    """The BRDF at the probed point, in both directions."""
+
+    there: float  # BRDF from the light to the camera, 1/sr
+    back: float  # BRDF from the camera to the light, 1/sr
+    sent: float  # Share of the light that is reflected in all directions together
+
+    @property
+    def is_reciprocal(self) -> bool:
+        return math.isclose(self.there, self.back, rel_tol=1e-6)
+
+
+def material_of(albedo: float, specular: float, roughness: float) -> Material:
+    return Material(albedo, specular, roughness)
+
+
+def between(model: str, material: Material, light_deg: float, view_deg: Floats) -> Floats:
+    light, view = np.radians(light_deg), np.radians(view_deg)
+    return reflected(model, material, np.cos(light), np.cos(view), np.cos(light - view))
+
+
+def lobe(material: Material, model: str, light_angle: float) -> Floats:
+    """Brightness (90,) that each camera sees; 1 is a perfect white that faces the light."""
+    shade = np.cos(np.radians(light_angle))
+    return np.pi * shade * between(model, material, light_angle, AROUND_DEG)
+
+
+def exchange(material: Material, model: str, light_angle: float, view_angle: float) -> Exchange:
+    return Exchange(
+        float(between(model, material, light_angle, np.array([view_angle]))[0]),
+        float(between(model, material, view_angle, np.array([light_angle]))[0]),
+        float(sent_back(model, material, np.cos(np.radians(light_angle)))),
+    )
+
+
+def reflected_share(material: Material, model: str) -> Floats:
+    """(23,) by the angle of the light."""
+    return sent_back(model, material, np.cos(np.radians(INCIDENCE_DEG)))
+
+
+def ball_light(
+    model: str, specular: float, roughness: float, light_angle: float, view_angle: float
+) -> Lit:
+    return lit(BALL, model, specular, roughness, light_angle, view_angle)
+
+
+STAGES = (
+    Stage("material", material_of),
+    Stage("lobe", lobe, ("material",)),
+    Stage("exchange", exchange, ("material",)),
+    Stage("sent back", reflected_share, ("material",)),
+    Stage("samples", materials.lit_samples),
+    Stage("chart", materials.chart, ("samples",)),
+    Stage("light", ball_light),
+    Stage("picture", materials.with_ball, ("chart", "light")),
+)
+
+
+def towards(angle_deg: float, length: float) -> tuple[float, float]:
+    """The place at an angle from the normal and a distance from the foot."""
+    turn = math.radians(angle_deg)
+    return FOOT[0] + length * math.sin(turn), FOOT[1] - length * math.cos(turn)
+
+
+def lobe_plot(light_deg: float, view_deg: float, lobe: Floats, seen: float) -> str:
+    """Light, camera, and the lobe: brightness (90,) by direction; ``seen`` is that of the
+    camera."""
+    unit = min(UNIT, LONGEST / max(float(lobe.max()), 1e-9))
+    outline = [
+        towards(a, unit * b) for a, b in zip(AROUND_DEG.tolist(), lobe.tolist(), strict=True)
+    ]
+    light, eye = towards(light_deg, LAMP), towards(view_deg, CAMERA)
+    mirror = text(towards(-light_deg, 170), "mirror", "muted small ground", "middle")
+    return "".join(
+        (
+            *surface(unit),
+            polygon([FOOT, *outline], "ray fill"),
+            arrow(FOOT, towards(0, 150), "world"),
+            text(towards(2.2, 157), "n", "world strong ground", "middle"),
+            line(FOOT, towards(-light_deg, 160), "muted thin dashed"),
+            mirror if abs(light_deg + view_deg) >= APART_DEG else "",
+            arrow(light, towards(light_deg, 5), "light bold"),
+            lamp(light),
+            line(FOOT, eye, "camera bold"),
+            outlined_dot(eye, "camera", 5.5, 6),
+            outlined_dot(towards(view_deg, unit * seen), "image", 5),
+            dot(FOOT, "world", 4.5),
+        )
+    )
+
+
+def surface(unit: float) -> Iterator[str]:
+    """The surface, and circles of the brightness ½, 1, 2 … that fit."""
+    yield line((16, FOOT[1]), (WIDTH - 16, FOOT[1]), "world bold")
+    yield text((18, FOOT[1] + 20), "surface", "world small")
+    for level, name in ((0.5, "½"), (1.0, "1"), (2.0, "2"), (5.0, "5"), (10.0, "10")):
+        radius = unit * level
+        if 28.0 <= radius <= LONGEST + 6.0:
+            around = np.linspace(-90.0, 90.0, 31)
+            yield polyline([towards(float(a), radius) for a in around], "muted thin faint")
+            yield text((FOOT[0] + radius, FOOT[1] + 16), name, "muted small", "middle")
+    yield text((FOOT[0] + 60, HEIGHT - 34), "circles: brightness", "muted small", "middle")
+
+
+def energy_plot(curve: Floats, angle_deg: float, sent: float, head_on: float | None) -> str:
+    """The reflected share (23,), that of a smooth facet, and the present light."""
+    return "".join(
+        (
+            energy_ground(),
+            "" if head_on is None else smooth_facet(head_on, float(curve[0])),
+            PLOT.curve(INCIDENCE_DEG, curve, "error bold" if curve.max() > 1 else "ray bold"),
+            PLOT.drop(angle_deg, sent, "light thin"),
+            PLOT.mark(angle_deg, sent, "light"),
+        )
+    )
+
+
+def smooth_facet(head_on: float, share: float) -> str:
+    """The share of a smooth facet; its name keeps clear of the curve, which begins at ``share``."""
+    below = head_on > 0.12 and 0.0 <= share - head_on < 0.16
+    fine = np.linspace(0.0, 90.0, 46)
+    x, y = PLOT.clamped(0.0, head_on)
+    return PLOT.curve(fine, schlick(np.cos(np.radians(fine)), head_on), "image thin dashed") + text(
+        (x + 8, y + (15 if below else -6)), "F(θ) of one facet", "image small ground"
+    )
+
+
+@cache
+def energy_ground() -> str:
+    x, y = PLOT.clamped(0, 1)
+    return "".join(
+        (
+            PLOT.region(y=(1.0, 1.5), style="error fill faint"),
+            PLOT.level(1.0, "error thin dashed"),
+            PLOT.frame(ANGLES, SHARES),
+            text((x + 8, y - 7), "more than arrives", "error small ground"),
+        )
+    )
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The material, its lobe, and the reflected share."""
-    exchange: Exchange = outputs["exchange"]
+    here: Exchange = outputs["exchange"]
     light, view = settings.light_angle, settings.view_angle
-    seen = math.pi * math.cos(math.radians(light)) * exchange.there
+    seen = math.pi * math.cos(math.radians(light)) * here.there
+    marks = materials.marks(view, settings.roughness, settings.specular)
+    around = lobe_plot(light, view, outputs["lobe"], seen)
     smooth = settings.specular if settings.model == "microfacets" else None
-    energy = energy_plot(outputs["sent back"], abs(light), exchange.sent, smooth)
+    energy = energy_plot(outputs["sent back"], abs(light), here.sent, smooth)
+    size = WIDTH, HEIGHT
     return Frame(
-        panels=(
-            Panel(
-                "camera",
-                "The material",
-                WIDTH,
-                HEIGHT,
-                outputs["picture"],
-                marks(view, settings.roughness, settings.specular),
-                lead=True,
-            ),
-            Panel(
-                "lobe",
-                "Where the light goes",
-                WIDTH,
-                HEIGHT,
-                overlay=lobe_plot(light, view, outputs["lobe"], seen),
-            ),
-            Panel("energy", "How much is reflected", WIDTH, HEIGHT, overlay=energy),
+        (
+            Panel("camera", "The material", *size, outputs["picture"], marks, lead=True),
+            Panel("lobe", "Where the light goes", *size, overlay=around),
+            Panel("energy", "How much is reflected", *size, overlay=energy),
         ),
-        readouts=_readouts(exchange, seen),
-        description=describe(settings, exchange, seen),
+        (
+            readout("there", "BRDF, light to camera", here.there, "1/sr", digits=3, role="ray"),
+            readout("back", "BRDF, camera to light", here.back, "1/sr", digits=3, role="camera"),
+            readout("seen", "Brightness seen", seen, digits=3, role="image"),
+            readout("sent", "Total reflected", here.sent, "of the light", digits=3, role="light"),
+            Readout("reciprocal", "Reciprocal", "yes" if here.is_reciprocal else "no"),
+        ),
+        describe(settings, here, seen),
     )
 
 
-def _readouts(exchange: Exchange, seen: float) -> tuple[Readout, ...]:
-    return (
-        readout("there", "BRDF, light to camera", exchange.there, "1/sr", digits=3, role="ray"),
-        readout("back", "BRDF, camera to light", exchange.back, "1/sr", digits=3, role="camera"),
-        readout("seen", "Brightness seen", seen, digits=3, role="image"),
-        readout("sent", "Total reflected", exchange.sent, "of the light", digits=3, role="light"),
-        Readout("reciprocal", "Reciprocal", "yes" if _alike(exchange) else "no"),
-    )
-
-
-def _alike(exchange: Exchange) -> bool:
-    return math.isclose(exchange.there, exchange.back, rel_tol=EQUAL)
-
-
-def describe(settings: Settings, exchange: Exchange, seen: float) -> str:
-    """The picture in one sentence."""
+def describe(settings: Settings, here: Exchange, seen: float) -> str:
     name = MODELS[settings.model].replace(" (Lambert)", "").lower().replace("phong", "Phong")
     sides = "the same side" if settings.light_angle * settings.view_angle > 0 else "the other side"
-    share = format_number(100 * exchange.sent, 0)
-    verdict = ", more than came" if exchange.sent > 1 + 1e-9 else ""
-    alike = "" if _alike(exchange) else "; light and camera exchanged, it would be another"
+    share = format_number(100 * here.sent, 0)
+    verdict = ", more than came" if here.sent > 1 + 1e-9 else ""
+    alike = "" if here.is_reciprocal else "; light and camera exchanged, it would be another"
     return (
         f"A red ball by the model “{name}”, beside sixteen from smooth to rough and from "
         f"matte to mirror; a point of it, lit at {abs(settings.light_angle):.0f}° from its "
@@ -84,13 +241,62 @@ def describe(settings: Settings, exchange: Exchange, seen: float) -> str:
     )
 
 
-# The quadrature is accurate to a percent and takes a few milliseconds: no tiers.
+def incidence_pulled(settings: Settings, place: Point) -> dict[str, float]:
+    angle = min(max(PLOT.values(place)[0], 0.0), 90.0)
+    return {"light_angle": math.copysign(angle, settings.light_angle)}
+
+
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle(
+        "material",
+        "camera",
+        "Material",
+        ("roughness", "specular"),
+        lambda settings, _: materials.in_chart(settings.roughness, settings.specular),
+        lambda _, place: materials.material_at(place),
+        role="ray",
+    ),
+    Handle(
+        "lamp",
+        "lobe",
+        "Lamp",
+        ("light_angle",),
+        lambda settings, _: towards(settings.light_angle, LAMP),
+        role="light",
+    ),
+    Handle(
+        "eye",
+        "lobe",
+        "Camera",
+        ("view_angle",),
+        lambda settings, _: towards(settings.view_angle, CAMERA),
+        role="camera",
+    ),
+    Handle(  # the camera is fixed in front of the ball; the normal is turned away from it
+        "probe",
+        "camera",
+        "Probed point",
+        ("view_angle",),
+        lambda settings, _: materials.on_equator(-settings.view_angle),
+        role="world",
+        reversed=("view_angle",),
+    ),
+    Handle(
+        "incidence",
+        "energy",
+        "Angle of the light",
+        ("light_angle",),
+        lambda settings, outputs: PLOT.clamped(abs(settings.light_angle), outputs["exchange"].sent),
+        incidence_pulled,  # not searched: the height is the output of a slow stage
+        role="light",
+    ),
+)
 SCENE = Scene(
-    id="brdf",
-    title="Reflectance Distribution (BRDF)",
-    settings=Settings,
-    draw=draw,
+    "brdf",
+    "Reflectance Distribution (BRDF)",
+    Settings,
+    draw,
+    STAGES,
+    HANDLES,
     formula=reflected,
-    stages=STAGES,
-    handles=HANDLES,
 )

@@ -1,67 +1,108 @@
 """A glossy ball: matte colour plus a highlight, by Phong's model or Blinn's variant of it.
 
 The matte part has the ball's colour and the highlight the lamp's, so only the red part of a pixel
-has both in full.
+has both in full. Light, camera and the probed point are in the horizontal plane through the ball's
+centre, at angles from the camera's direction.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from simulations.engine.drawing import Point
 from simulations.engine.frame import Frame, Panel, Readout, readout
+from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
+from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.light.reflectance import lambert, phong
-from simulations.scenes._ball.ball import (
-    DEFAULT_TIER,
-    LIT,
-    TIER_LABELS,
-    Ball,
-    build_ball,
-    camera_panel,
-    light_direction,
-    light_of_pixels,
-    lit_normals,
-    paint,
-    rms_error,
+from simulations.models.light.reflectance import blinn_phong, lambert, phong
+from simulations.scenes import _ball
+from simulations.scenes._ball import HEIGHT, WIDTH, Ball, light_direction, true_cosine
+from simulations.scenes.phong.drawing import (
+    DEGREES,
+    PLOT,
+    VECTOR,
+    highlight_grip,
+    lamp_place,
+    lobe_plot,
+    over_ball,
+    towards,
+    width_plot,
 )
-from simulations.scenes._ball.marks import HEIGHT, WIDTH
-from simulations.scenes.phong.drawing import lobe_plot, over_ball
-from simulations.scenes.phong.gloss import (
-    ALBEDO,
-    MODELS,
-    VIEW,
-    angles_at,
-    brightness_at,
-    half_width_rad,
-    highlight,
-    lobe,
-    true_light,
-)
-from simulations.scenes.phong.handles import HANDLES
-from simulations.scenes.phong.settings import Settings
-from simulations.scenes.phong.width import width_plot
+
+ALBEDO = np.array([0.60, 0.06, 0.05], np.float32)
+"""Linear RGB of the ball's paint; the plot and the readouts follow red, the first."""
+VIEW = np.array([0.0, 0.0, 1.0])
+"""Unit vector towards the camera, which is far away: the same for every point."""
 
 
-def _matte(normals: Floats, ball: Ball, light_angle: float) -> Floats:
+@dataclass(frozen=True, slots=True)
+class Model:
+    """A model of a highlight as a power of a cosine."""
+
+    name: str
+    cosine: str  # The cosine, in the letters of the plot
+    light: Callable[..., Floats]
+    turn: float  # Turn of the camera per increase of the cosine's angle
+    true_cosine: Callable[[Ball, float], Floats]
+    """Computes the cosine (h, w) in float64, for the angle of a light."""
+
+
+def mirrored_camera(ball: Ball, light_angle: float) -> Floats:
+    """r · v, with the camera mirrored in place of the light."""
+    normals = _ball.true_normals(ball)
+    return (2 * normals[..., 2:] * normals - VIEW) @ light_direction(light_angle)
+
+
+MODELS: Mapping[str, Model] = {
+    "phong": Model("Phong", "r · v", phong, 1, mirrored_camera),
+    "blinn_phong": Model(  # h is at half the light's angle
+        "Blinn–Phong", "n · h", blinn_phong, 2, lambda ball, angle: true_cosine(ball, angle / 2)
+    ),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    light_angle: float = slider("Light angle", 60, -180, 180, 1, unit="°")
+    probe: float = slider("Probed point", 20, -90, 90, 1, unit="°")
+    shininess: float = slider("Shininess α", 20, 1, 500, 1)
+    specular: float = slider("Specular strength kₛ", 0.6, 0, 1, 0.05)
+    model: str = choice(
+        "Model", {name: f"{model.name} ({model.cosine})" for name, model in MODELS.items()}
+    )
+
+
+def highlight(
+    normals: Floats, light_angle: float, view: Floats, model: str, shininess: float
+) -> Floats:
+    """The second term of the model alone, for a strength of 1."""
+    return MODELS[model].light(
+        normals, light_direction(light_angle), view, 0.0, specular=1.0, shininess=shininess
+    )
+
+
+def matte_light(normals: Floats, ball: Ball, light_angle: float) -> Floats:
     """(h, w, 3) linear light of the ball without its highlight."""
-    cosines = light_of_pixels(lambert(normals, light_direction(light_angle)), ball)
+    cosines = _ball.light_of_pixels(lambert(normals, light_direction(light_angle)), ball)
     return cosines[..., None] * ALBEDO
 
 
-def _shine(normals: Floats, ball: Ball, light_angle: float, shininess: float, model: str) -> Floats:
+def shine(normals: Floats, ball: Ball, light_angle: float, shininess: float, model: str) -> Floats:
     """(h, w) the highlight, for a strength of 1."""
-    return light_of_pixels(highlight(normals, light_angle, np.array(VIEW), model, shininess), ball)
+    return _ball.light_of_pixels(highlight(normals, light_angle, VIEW, model, shininess), ball)
 
 
-def _add(matte: Floats, shine: Floats, specular: float) -> Floats:
+def add(matte: Floats, shine: Floats, specular: float) -> Floats:
     """(h, w, 3) linear light of both."""
     return matte + np.float32(specular) * shine[..., None]
 
 
-def _dull(specular: float, light_angle: float) -> str:
+def is_dull(specular: float, light_angle: float) -> str:
     """Why the ball has no highlight, if it has none."""
     if specular == 0:
         return "a highlight of strength 0 adds nothing"
@@ -70,88 +111,131 @@ def _dull(specular: float, light_angle: float) -> str:
 
 
 STAGES = (
-    Stage("ball", build_ball),
-    Stage("normals", lit_normals, ("ball",)),
-    Stage("matte", _matte, ("normals", "ball")),
+    Stage("ball", _ball.build_ball),
+    Stage("normals", _ball.lit_normals, ("ball",)),
+    Stage("matte", matte_light, ("normals", "ball")),
     # If it is skipped, so is the sum, and its output is not used.
-    Stage("highlight", _shine, ("normals", "ball"), _dull),
-    Stage("light", _add, ("matte", "highlight"), _dull),
-    Stage("picture", paint, ("ball", "light")),
+    Stage("highlight", shine, ("normals", "ball"), is_dull),
+    Stage("light", add, ("matte", "highlight"), is_dull),
+    Stage("picture", _ball.paint, ("ball", "light")),
 )
 
 
+def true_light(
+    ball: Ball, light_angle: float, model: str, shininess: float, specular: float
+) -> NDArray[np.float64]:
+    """Red light (h, w) in float64.
+
+    If light and camera are exactly opposed, no visible point is lit.
+    """
+    n_dot_l = true_cosine(ball, light_angle)
+    cosine = MODELS[model].true_cosine(ball, light_angle)
+    red = float(ALBEDO[0]) * n_dot_l + specular * np.maximum(cosine, 0.0) ** shininess
+    return np.where((n_dot_l > 0) & (abs(light_angle) < 180), red, 0.0)
+
+
+def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
+    """Error of the red light of this picture against the chosen formula in float64."""
+    ball, model = outputs["ball"], settings.model
+    truth = true_light(ball, settings.light_angle, model, settings.shininess, settings.specular)
+    yield _ball.rms_error(ball, outputs["light"][..., 0], truth)
+
+
+def half_width_rad(model: str, shininess: float) -> float:
+    """Turn of the camera, in the plane of n and l, that halves the highlight.
+
+    A turn of the camera turns ``h`` by only half as much, so that Blinn's lobe is twice as wide:
+    at a shininess of 1, the least that there is here, 120°.
+    """
+    return MODELS[model].turn * math.acos(2 ** (-1 / shininess))
+
+
+def fading(model: str, shininess: float, turn_rad: Floats) -> Floats:
+    """The highlight (...) as a share of its middle, to a camera that turns away in the plane of n
+    and l, by less than a right angle."""
+    return np.cos(turn_rad / MODELS[model].turn) ** shininess
+
+
+def lobe(light: float, model: str, shininess: float, specular: float) -> Floats:
+    """Brightness (181,) that cameras at −90°…90° from the normal would see at a point.
+
+    ``light`` is its angle from the normal, too.
+    """
+    around = np.radians(np.arange(-90.0, 91.0))
+    cameras = np.stack([np.sin(around), np.zeros_like(around), np.cos(around)], axis=-1)
+    normals = np.broadcast_to(VIEW, cameras.shape)
+    shine = highlight(normals, light, cameras, model, shininess)
+    matte = float(ALBEDO[0]) * max(0.0, math.cos(math.radians(light)))
+    return matte + specular * shine
+
+
+def cosines_at(light_angle: float, probe: float) -> tuple[float, float, float]:
+    """n · l, r · v and n · h at the probed point, none of them clamped. All directions are in one
+    plane, so that each cosine is that of a difference of angles. The last is nan if light and
+    camera are exactly opposed, without a halfway direction."""
+    light_rad, normal_rad = math.radians(light_angle), math.radians(probe)
+    halfway = math.remainder(light_rad, 2 * math.pi) / 2
+    return (
+        math.cos(light_rad - normal_rad),
+        math.cos(2 * normal_rad - light_rad),
+        math.nan if abs(light_angle) == 180 else math.cos(normal_rad - halfway),
+    )
+
+
+def half_place(settings: Settings) -> Point | None:
+    """The place in the plot at which the highlight has half its strength; None if it is wider."""
+    half_deg = math.degrees(half_width_rad(settings.model, settings.shininess))
+    return PLOT.at(half_deg, 0.5) if half_deg <= PLOT.x.high else None
+
+
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The ball, the lobe, and the width of the highlight."""
-    light_angle, probe, model = settings.light_angle, settings.probe, settings.model
-    shininess, specular = settings.shininess, settings.specular
-    at = angles_at(light_angle, probe)
-    matte, shine = brightness_at(light_angle, probe, model, shininess, specular)
+    light_angle, probe, shininess = settings.light_angle, settings.probe, settings.shininess
+    light_rad, probe_rad = math.radians(light_angle), math.radians(probe)
+    n_dot_l, r_dot_v, n_dot_h = cosines_at(light_angle, probe)
+    # Matte part and highlight of the probed point, in red light.
+    normal, model = light_direction(probe), settings.model
+    matte = float(lambert(normal, light_direction(light_angle), ALBEDO[0]))
+    shine = settings.specular * float(highlight(normal, light_angle, VIEW, model, shininess))
+    chosen, other = sorted(MODELS, key=lambda name: name != model)
+    lobes = (
+        lobe(light_angle - probe, chosen, shininess, settings.specular),
+        lobe(light_angle - probe, other, shininess, settings.specular),
+    )
+    turns = np.radians(DEGREES)
+    fadings = fading(chosen, shininess, turns), fading(other, shininess, turns)
+    names = MODELS[chosen].name, MODELS[other].name
+    directions = lobe_plot(light_rad - probe_rad, -probe_rad, lobes, matte, names)
+    widths = width_plot(names, fadings, half_place(settings))
     width_deg = math.degrees(half_width_rad(model, shininess))
     return Frame(
-        panels=(
-            camera_panel(
-                outputs["picture"], over_ball(math.radians(light_angle), math.radians(probe))
-            ),
-            Panel(
-                "lobe",
-                "Brightness by direction",
-                WIDTH,
-                HEIGHT,
-                overlay=lobes(settings, matte),
-            ),
-            Panel(
-                "width",
-                "Width of the highlight",
-                WIDTH,
-                HEIGHT,
-                overlay=width_plot(model, shininess),
-            ),
+        (
+            _ball.camera_panel(outputs["picture"], over_ball(light_rad, probe_rad)),
+            Panel("lobe", "Brightness by direction", WIDTH, HEIGHT, overlay=directions),
+            Panel("width", "Width of the highlight", WIDTH, HEIGHT, overlay=widths),
         ),
-        readouts=(
-            readout("n_dot_l", "n · l", at.n_dot_l, digits=3, role="light"),
-            readout("r_dot_v", "r · v", at.r_dot_v, digits=3, role="ray"),
-            readout("n_dot_h", "n · h", at.n_dot_h, digits=3),
+        (
+            readout("n_dot_l", "n · l", n_dot_l, digits=3, role="light"),
+            readout("r_dot_v", "r · v", r_dot_v, digits=3, role="ray"),
+            readout("n_dot_h", "n · h", n_dot_h, digits=3),
             readout("matte", "Matte part", matte, digits=3, role="world"),
             readout("highlight", "Highlight", shine, digits=3, role="ray"),
             readout("brightness", "Brightness I (red)", matte + shine, digits=3, role="image"),
             readout("half_width", "Half-width of the lobe", width_deg, "°", digits=1, role="ray"),
         ),
-        description=describe(settings, matte, shine),
+        describe(settings, matte, shine, width_deg),
     )
 
 
-def lobes(settings: Settings, matte: float) -> str:
-    """The lobe of the chosen model, and that of the other one."""
-    light_rad, probe_rad = math.radians(settings.light_angle), math.radians(settings.probe)
-    other = next(name for name in MODELS if name != settings.model)
-    chosen, other_lobe = (
-        lobe(settings.light_angle - settings.probe, name, settings.shininess, settings.specular)
-        for name in (settings.model, other)
-    )
-    return lobe_plot(light_rad - probe_rad, -probe_rad, chosen, other_lobe, matte, settings.model)
-
-
-def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """Error of the red light of this picture against the chosen formula in float64."""
-    ball: Ball = outputs["ball"]
-    truth = true_light(
-        ball, settings.light_angle, settings.model, settings.shininess, settings.specular
-    )
-    yield rms_error(ball, outputs["light"][..., 0], truth)
-
-
-def describe(settings: Settings, matte: float, shine: float) -> str:
-    """The picture in one sentence."""
+def describe(settings: Settings, matte: float, shine: float, width_deg: float) -> str:
     angle = settings.light_angle
     if abs(angle) == 180:
         return "A red ball is lit exactly from behind: it is black and has no highlight."
     side = "right" if angle > 0 else "left"
     lamp = f"from {abs(angle):.0f}° to the {side}" if angle else "from the camera"
     where = f"{abs(angle) / 2:.0f}° to the {side}" if angle else "at its centre"
-    model = MODELS[settings.model].name
-    width = math.degrees(half_width_rad(settings.model, settings.shininess))
     spot = (
-        f"its {model} highlight lies {where} and has a half-width of {width:.0f}°"
+        f"its {MODELS[settings.model].name} highlight lies {where} and has a half-width of "
+        f"{width_deg:.0f}°"
         if settings.specular > 0
         else "it has no highlight, since the strength is 0"
     )
@@ -161,18 +245,53 @@ def describe(settings: Settings, matte: float, shine: float) -> str:
     )
 
 
+def highlight_at(settings: Settings, _outputs: Outputs) -> Point | None:
+    opposed = abs(settings.light_angle) == 180
+    return None if opposed else highlight_grip(math.radians(settings.light_angle))
+
+
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("highlight", "camera", "Highlight", ("light_angle",), highlight_at, role="ray"),
+    _ball.probe_on_ball("world"),
+    Handle(
+        "lamp",
+        "lobe",
+        "Lamp",
+        ("light_angle",),
+        lambda settings, _: lamp_place(math.radians(settings.light_angle - settings.probe)),
+        role="light",
+    ),
+    Handle(  # the camera is fixed; the point turns with its normal
+        "camera",
+        "lobe",
+        "Camera",
+        ("probe",),
+        lambda settings, _: towards(math.radians(-settings.probe), VECTOR),
+        role="camera",
+        reversed=("probe",),
+    ),
+    Handle(
+        "width",
+        "width",
+        "Width of the highlight",
+        ("shininess",),
+        lambda settings, _: half_place(settings),
+        role="ray",
+        reversed=("shininess",),
+    ),
+)
 SCENE = Scene(
-    id="phong",
-    title="Phong Reflection",
-    settings=Settings,
-    draw=draw,
-    formula=phong,
-    stages=STAGES,
-    handles=HANDLES,
-    tiers=tuple(LIT),
-    default_tier=DEFAULT_TIER,
+    "phong",
+    "Phong Reflection",
+    Settings,
+    draw,
+    STAGES,
+    HANDLES,
+    tiers=tuple(_ball.LIT),
+    default_tier=_ball.DEFAULT_TIER,
     draft_tier="gouraud-64",
     ladder="shading",
-    tier_labels=TIER_LABELS,
+    tier_labels=_ball.TIER_LABELS,
     estimate=estimate,
+    formula=phong,
 )

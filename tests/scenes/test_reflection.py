@@ -1,0 +1,233 @@
+"""Figures on reflection: what their pictures, curves and readouts show is what the models say."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from support.frames import estimates_of, frame_of, number_of, outputs_of, pixels_of, texts_at
+
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.light.reflectance import blinn_phong, lambert, phong
+from simulations.scenes import _ball
+from simulations.scenes._ball import LIT, PIXELS_PER_UNIT, RADIUS_PX, build_ball, light_direction
+from simulations.scenes.brdf import materials
+from simulations.scenes.brdf.scene import AROUND_DEG, INCIDENCE_DEG
+from simulations.scenes.brdf.scene import MODELS as BRDFS
+from simulations.scenes.brdf.scene import SCENE as BRDF
+from simulations.scenes.lambertian_shading import SCENE as LAMBERTIAN
+from simulations.scenes.phong.scene import ALBEDO, fading, half_width_rad, lobe, true_light
+from simulations.scenes.phong.scene import SCENE as PHONG
+from simulations.scenes.second_bounce import room
+from simulations.scenes.second_bounce.picture import FINE
+from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
+
+BALL = build_ball()
+GLOSS = {"phong": phong, "blinn_phong": blinn_phong}
+CELLS = [tier for tier in LIT if tier.startswith("gouraud")]
+
+
+def normals_64() -> NDArray[np.float64]:
+    """(h, w, 3) unit normals of the ball's own pixels; towards the camera elsewhere."""
+    x, y = np.meshgrid(BALL.x.astype(float) / RADIUS_PX, BALL.y.astype(float) / RADIUS_PX)
+    z = np.sqrt(np.maximum(1 - x * x - y * y, 0))
+    return np.where(BALL.inner[..., None], np.stack([x, y, z], axis=-1), (0, 0, 1.0))
+
+
+def estimate(scene: Any, tier: str, **given: object) -> float:
+    (only,) = estimates_of(scene, tier, **given)
+    return number_of(only.text)
+
+
+@pytest.mark.parametrize("tier", LIT)
+@pytest.mark.parametrize("model", ["lambert", *GLOSS])
+def test_the_estimated_error_is_that_of_the_bytes(tier: str, model: str) -> None:
+    """Strength and albedo add up to less than 1, so that no pixel is cut off at white."""
+    scene, albedo, shine = LAMBERTIAN, 0.8, dict[str, Any]()
+    truth: Floats = lambert(normals_64(), light_direction(75), 0.8)
+    if model in GLOSS:
+        scene, albedo, shine = PHONG, float(ALBEDO[0]), {"specular": 0.35, "shininess": 9}
+        truth = GLOSS[model](normals_64(), light_direction(75), [0, 0, 1], albedo, **shine)
+    given = {"light_angle": 75} | (shine | {"model": model} if shine else {"albedo": albedo})
+    red = pixels_of(frame_of(scene, tier, **given))[BALL.square][..., 0][BALL.inner]
+    seen = np.sqrt(np.mean((decode_srgb(red / 255.0) - truth[BALL.inner]) ** 2))
+    assert seen == pytest.approx(estimate(scene, tier, **given), rel=0.05, abs=1.5e-3)
+
+
+@pytest.mark.parametrize("light_angle", [-180, -179, -91, -30, 0, 30, 91, 180])
+def test_the_reference_of_the_error_is_the_model_in_double_precision(light_angle: float) -> None:
+    towards = light_direction(light_angle)
+    assert not (abs(light_angle) == 180 and (towards[0] or lambert(BALL.normals, towards).any()))
+    cosine = np.maximum(_ball.true_cosine(BALL, light_angle), 0)[BALL.inner]
+    np.testing.assert_allclose(cosine, lambert(normals_64(), towards)[BALL.inner], atol=1e-14)
+    given = {"shininess": 41, "specular": 0.7}
+    for model, formula in GLOSS.items():
+        expected = formula(normals_64(), towards, [0, 0, 1], albedo=float(ALBEDO[0]), **given)
+        truth = true_light(BALL, light_angle, model, **given)
+        np.testing.assert_allclose(truth[BALL.inner], expected[BALL.inner], atol=1e-12)
+
+
+@pytest.mark.parametrize("light_angle", [0, 60, 150])
+def test_finer_cells_are_nearer_to_the_truth(light_angle: float) -> None:
+    for scene, most in ((LAMBERTIAN, 2**-22), (PHONG, 20 * 2**-23)):
+        errors = [estimate(scene, tier, light_angle=light_angle) for tier in (*CELLS, "phong")]
+        assert errors == sorted(errors, reverse=True)
+        assert errors[0] > 4 * errors[3]
+        assert errors[-1] < most
+
+
+def test_a_highlight_between_two_corners_is_lost_and_blended_normals_keep_it() -> None:
+    """The place of the chapter: light from 45°, shininess 300, cells of an eighth."""
+    for tier, red in (("gouraud-8", 0.6), ("phong", 1), ("blended-normals-16", 1)):
+        frame = frame_of(PHONG, tier, light_angle=45, shininess=300, specular=1)
+        brightest = pixels_of(frame)[BALL.square][..., 0][BALL.inner].max()
+        assert decode_srgb(brightest / 255.0) == pytest.approx(red, abs=0.03)
+
+
+@pytest.mark.parametrize(
+    ("scene", "given", "name"),
+    [
+        (LAMBERTIAN, {"probe": 40}, "code"),
+        (LAMBERTIAN, {"probe": -20, "light_angle": -70}, "code"),
+        (PHONG, {"probe": 15, "shininess": 4}, "brightness"),
+        (PHONG, {"probe": 35, "model": "blinn_phong", "specular": 0.3}, "brightness"),
+    ],
+)
+def test_the_pixel_at_the_probed_point_has_the_value_read_out(
+    scene: Any, given: dict[str, Any], name: str
+) -> None:
+    shown, (x, y) = (
+        float(texts_at(scene, **given)[name]),
+        _ball.on_equator(np.radians(given["probe"])),
+    )
+    pixel = pixels_of(frame_of(scene, **given))[
+        round(y * PIXELS_PER_UNIT), round(x * PIXELS_PER_UNIT), 0
+    ]
+    assert pixel == pytest.approx(shown if name == "code" else 255 * encode_srgb(shown), abs=2)
+
+
+@pytest.mark.parametrize("model", GLOSS)
+@pytest.mark.parametrize(("light_angle", "probe"), [(60, 20), (100, 5), (150, 50), (-170, 40)])
+def test_the_lobe_and_the_readouts_of_phong_have_the_formula_of_the_chapter(
+    model: str, light_angle: float, probe: int
+) -> None:
+    """By angles: the highlight only where the light is above the horizon."""
+    turn, view = math.radians(light_angle - probe), math.radians(-probe)
+    cosines = {"phong": math.cos(-turn - view), "blinn_phong": math.cos((turn + view) / 2)}
+    shine = max(0, cosines[model]) ** 3 if math.cos(turn) > 0 else 0
+    brightness = ALBEDO[0] * max(0, math.cos(turn)) + 0.5 * shine
+    given = {"light_angle": light_angle, "probe": probe, "model": model}
+    shown = texts_at(PHONG, **given, shininess=3, specular=0.5)
+    names = ("brightness", "n_dot_l", "r_dot_v", "n_dot_h")
+    values = [float(shown[name].replace("−", "-")) for name in names]
+    assert values == pytest.approx([brightness, math.cos(turn), *cosines.values()], abs=6e-4)
+    seen = lobe(light_angle - probe, model, 3, specular=0.5)[90 - probe]
+    assert seen == pytest.approx(brightness, abs=1e-6)
+
+
+@pytest.mark.parametrize("model", GLOSS)
+def test_the_width_of_the_highlight_is_that_of_the_lobe(model: str) -> None:
+    """Normal and lamp in line, so that the camera's turn is its angle from the normal."""
+    drawn = lobe(0, model, 30, specular=1) - ALBEDO[0]
+    turns = np.arange(0.0, 61.0)
+    np.testing.assert_allclose(fading(model, 30, np.radians(turns)), drawn[90:151], atol=1e-9)
+    width_deg = np.interp(0.5, drawn[150:89:-1], turns[::-1])
+    assert math.degrees(half_width_rad(model, 30)) == pytest.approx(width_deg, abs=0.1)
+
+
+@pytest.mark.parametrize("model", BRDFS)
+@pytest.mark.parametrize(("light", "view"), [(-50, 38), (20, 60), (-70, 0), (0, -45)])
+def test_ball_lobe_and_readouts_show_one_brdf(model: str, light: int, view: int) -> None:
+    given = {"model": model, "specular": 0.05, "albedo": 0.4}
+    here = {**given, "light_angle": light, "view_angle": view}
+    (x, y), shown = materials.on_equator(-view), texts_at(BRDF, **here)
+    pixel = pixels_of(frame_of(BRDF, **here))[round(y * materials.FINE), int(x * materials.FINE)]
+    seen = float(shown["seen"])
+    assert pixel[0] == pytest.approx(255 * min(float(encode_srgb(seen)), 1), abs=3)
+    outputs, turned = outputs_of(BRDF, **here), {"light_angle": view, "view_angle": light}
+    assert np.interp(view, AROUND_DEG, outputs["lobe"]) == pytest.approx(seen, abs=8e-3)
+    curve = np.interp(abs(light), INCIDENCE_DEG, outputs["sent back"])
+    assert curve == pytest.approx(float(shown["sent"]), abs=0.02)
+    other = texts_at(BRDF, **given, **turned)
+    assert (shown["there"], shown["back"]) == (other["back"], other["there"])
+    oblique = abs(light) != abs(view)
+    assert shown["reciprocal"] == ("no" if model == "phong" and oblique else "yes")
+
+
+def test_a_sphere_of_the_chart_looks_like_the_ball_of_its_material() -> None:
+    place = materials.in_chart(1.0, 1.0)
+    chosen = BRDF.pull(BRDF.check({}), "material", place)
+    assert chosen == {"roughness": 1.0, "specular": 1.0}
+    raster = pixels_of(frame_of(BRDF, light_angle=10, view_angle=-10, **chosen))
+    sample, ball = (
+        raster[round(materials.FINE * y), round(materials.FINE * x), :3]
+        for x, y in (place, materials.CENTRE)
+    )
+    np.testing.assert_allclose(sample, ball, atol=4)
+    matte = pixels_of(frame_of(BRDF, model="lambert", light_angle=0, view_angle=0, albedo=0.6))
+    middle = matte[round(materials.FINE * 170), round(materials.FINE * 104), :3]
+    np.testing.assert_allclose(middle, 255 * encode_srgb(0.6 * materials.TINT), atol=1.5)
+
+
+def in_room(at: tuple[float, float, float], **given: object) -> Floats:
+    """Linear RGB of the picture at a place in the room."""
+    x, y = (int(FINE * each) for each in room.project(at))
+    red, green, blue, opacity = pixels_of(frame_of(BOUNCE, **given))[y, x].tolist()
+    assert opacity == 255
+    return decode_srgb(np.array([red, green, blue]) / 255.0)
+
+
+def test_light_comes_into_the_shadow_with_the_second_bounce_in_the_colour_of_the_wall() -> None:
+    behind = {"light_angle": 105, "place": 0.12}
+    given = [{**behind, "bounces": each} for each in ("0", "1", "2", "4", "all")]
+    red = [float(texts_at(BOUNCE, **each)["red"]) for each in given]
+    assert red[0] == red[1] == 0.0 < red[2] < red[3] <= red[4]
+    assert float(texts_at(BOUNCE, **behind)["blue"]) < 0.15 * red[4]
+    white = texts_at(BOUNCE, **behind, wall="white")
+    assert white["blue"] == white["red"]
+    steps = np.diff(outputs_of(BOUNCE, light_angle=110)["planes"].all_light[0, 0])
+    sharp = 0.8 * np.sin(np.radians(110))
+    assert steps.max() == pytest.approx(sharp, abs=0.02), "the border stays sharp"
+
+
+def test_near_the_edge_two_white_planes_are_brighter_by_nearly_the_factor_read_out() -> None:
+    shown = texts_at(BOUNCE, light_angle=45, wall="white", place=0.01)
+    seen = {name: float(text) for name, text in shown.items()}
+    assert seen["red"] / seen["lamp"] == pytest.approx(seen["factor"], rel=0.05)
+
+
+@pytest.mark.parametrize("bounces", ["0", "2", "all"])
+def test_far_from_the_ball_the_room_has_the_brightness_of_the_curves(bounces: str) -> None:
+    given = {"light_angle": 40, "albedo": 0.5, "bounces": bounces}
+    planes = outputs_of(BOUNCE, **given)["planes"]
+    for at, side in (((0.5, 0.0, -1.25), 0), ((0.0, 0.5, 0.7), 1)):
+        np.testing.assert_allclose(
+            in_room(at, **given)[:2], planes.all_light[:, side, 100], atol=0.02
+        )
+    alone = np.allclose(planes.all_light[0], planes.lamp)
+    assert alone == (bounces == "0")
+
+
+def test_the_shadow_of_the_ball_is_black_until_the_wall_lights_it() -> None:
+    x, _, z = room.CENTRE.tolist()
+    shadow = (x - 0.1, 0.0, z + 0.12)
+    assert not in_room(shadow, bounces="0", light_angle=65).any()
+    red, blue, _ = in_room(shadow, light_angle=65)
+    assert red > 1.5 * blue > 0
+
+
+def test_the_ball_sees_the_wall_and_the_floor_sees_the_ball_by_their_form_factors() -> None:
+    """Where the ball faces the wall squarely, half the difference of the sines of its ends."""
+    seen = room.surroundings(90)
+    facing = int((-room.ball_normals()[:, 0]).argmax())
+    of_wall = (seen.index[facing] > room.PARTS) & (seen.index[facing] < room.NOTHING)
+    off = room.CENTRE[0] - room.RADIUS
+    expected = 0.5 * sum(y / np.hypot(y, off) for y in (room.RADIUS, 1.0 - room.RADIUS))
+    assert of_wall.mean() == pytest.approx(expected, abs=0.04)
+    under, up = np.array([room.CENTRE[0], 0, room.CENTRE[2]]), np.array([0.0, 1, 0])
+    assert room.ball_form_factor(under, up) == pytest.approx(1)
+    square = 1 + room.RADIUS**2
+    aside = room.ball_form_factor(under + np.array([0, 0, 1.0]), up)
+    assert aside == pytest.approx(room.RADIUS**3 / square**1.5, rel=1e-6)
