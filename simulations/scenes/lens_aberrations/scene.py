@@ -1,70 +1,189 @@
 """A simple lens in front of a test chart: colours of different size and sharpness, dark corners.
 
-A single element of 24 mm focal length, focused at infinity for the d line. The three channels are
-bands about the Fraunhofer lines C, d and F. Corners are 45° from the axis, 200 px from the centre.
+A single element of 24 mm focal length, focused at infinity for the d line. Corners are 45° from the
+axis, 200 px from the centre. In the drawing of the lens from the side, all lengths are to one
+scale and light comes from the left, 45° from above. Things behind the lens are drawn at their
+apparent places seen from the front, as in the formulas, with dashed lines.
 """
 
 import math
 from collections.abc import Iterator
-from functools import partial
+from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.drawing import dot, ellipse, line, path, polygon, rectangle, text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
+from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
+from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
-from simulations.models.lens.chromatic_aberration import lateral_chromatic_scale
-from simulations.scenes.lens_aberrations import drawing
-from simulations.scenes.lens_aberrations.colours import CORNER_PX, Colours, colours, shifts_px
-from simulations.scenes.lens_aberrations.error import (
+from simulations.models.arrays import Floats
+from simulations.models.lens.chromatic_aberration import focal_length_mm, lateral_chromatic_scale
+from simulations.scenes.lens_aberrations.stages import (
+    BANDS,
     CLOSE_LEFT,
     CLOSE_TOP,
-    corner_in,
-    corner_light,
-    estimates,
+    FOCAL_MM,
+    GLASSES,
+    HEIGHT_PX,
+    LINES_UM,
+    RIM_MM,
+    STAGES,
+    WIDTH_PX,
+    corner_errors,
+    discs_px,
+    light,
+    scales,
 )
-from simulations.scenes.lens_aberrations.handles import HANDLES
-from simulations.scenes.lens_aberrations.section import section
-from simulations.scenes.lens_aberrations.settings import Settings
-from simulations.scenes.lens_aberrations.spectrum import BANDS
-from simulations.scenes.lens_aberrations.stages import HEIGHT_PX, STAGES, WIDTH_PX, light
+
+type Place = tuple[float, float]
+
+CORNER_PX = 200.0  # from the centre to the corners
+WIDTH, HEIGHT = 400.0, 300.0
+UNITS_PER_MM = 5.0
+LENS_X, AXIS_Y = 200.0, 138.0
+LENS_MM, SENSOR_MM = 25.0, 26.0  # half heights as drawn
+BLADE_MM, TUBE_MM = 17.5, 14.0  # outer ends of the stop and of the rim, with their marks
+BESIDE_LENS = 28.0  # least distance of the name of the stop from the lens, in view box units
+SPREAD = 5.0  # exaggeration of the dispersion, which would be too small to see
 
 
-def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The corner of a chart through the lens, the lens from the side, and the whole chart."""
-    picture: Raster = outputs["encoded"]
-    lens = colours(settings.glass, settings.stop, settings.aperture)
-    shifts = shifts_px(settings.glass, settings.stop)
-    cos4, open_share = light(np.ones(1), settings.aperture, settings.rim, settings.natural)
-    corner = (float(cos4[0]), float(open_share[0]))
-    close = np.ascontiguousarray(picture[CLOSE_TOP:, CLOSE_LEFT:])
-    width, height = drawing.WIDTH, drawing.HEIGHT
-    frame = drawing.close_up_frame(CLOSE_LEFT / WIDTH_PX, CLOSE_TOP / HEIGHT_PX)
-    cut = section(settings.glass, settings.stop, settings.aperture, settings.rim)
-    return Frame(
-        panels=(
-            Panel(
-                "corner",
-                "The corner of the picture, enlarged",
-                width,
-                height,
-                close,
-                pixelated=True,
-                lead=True,
-            ),
-            Panel("lens", "The light of that corner, from the side", width, height, overlay=cut),
-            Panel("picture", "The whole picture", width, height, picture, frame),
-        ),
-        readouts=(
-            readout("lateral", "Red to blue, corner", shifts[2] - shifts[0], "px", role="error"),
-            readout("red_disc", "Red disc", lens.disc_px[0], "px"),
-            readout("blue_disc", "Blue disc", lens.disc_px[2], "px"),
-            readout("natural_stops", "Natural vignetting", stops(corner[0]), "stops", role="light"),
-            readout("rim_stops", "Cut by the rim", stops(corner[1]), "stops", role="camera"),
-            readout("corner_stops", "Corner in all", stops(corner[0] * corner[1]), "stops"),
-        ),
-        description=describe(settings, lens, corner),
+@dataclass(frozen=True, slots=True)
+class Settings:
+    glass: str = choice(
+        "Glass",
+        {"ideal": "Without dispersion", "crown": "Crown, V = 64.2", "flint": "Flint, V = 36.4"},
+        "crown",
     )
+    stop: float = slider("Stop-to-lens distance", 12, -15, 15, 1, unit="mm")
+    aperture: float = slider("Aperture", 2.8, 1.4, 16, 0.1, prefix="f/")
+    rim: float = slider("Rim-to-stop distance", 6, 0, 12, 0.5, unit="mm")
+    natural: bool = toggle("Natural vignetting, cos⁴", True)
+
+
+def at(along_mm: float, up_mm: float) -> Place:
+    """A place behind the lens and above the axis."""
+    return LENS_X + UNITS_PER_MM * along_mm, AXIS_Y - UNITS_PER_MM * up_mm
+
+
+def opening_mm(f_number: float) -> float:
+    """Radius of the opening."""
+    return FOCAL_MM / f_number / 2.0
+
+
+def stop_mark(settings: Settings, _outputs: Outputs) -> Place:
+    return at(-settings.stop, BLADE_MM)
+
+
+def opening_mark(settings: Settings, _outputs: Outputs) -> Place:
+    """The lower edge of the opening."""
+    return at(-settings.stop, -opening_mm(settings.aperture))
+
+
+def rim_mark(settings: Settings, _outputs: Outputs) -> Place:
+    return at(-settings.stop - settings.rim, -TUBE_MM)
+
+
+def passing(f_number: float, rim: float) -> tuple[float, float] | None:
+    """Heights in the stop between which the bundle passes the rim; None if nothing passes."""
+    opening = opening_mm(f_number)
+    highest = min(opening, RIM_MM - rim)
+    return (-opening, highest) if highest > -opening else None
+
+
+def section(settings: Settings) -> str:
+    """The rim, the stop, the lens and the sensor, and the path of the bundle."""
+    stop, opening = settings.stop, opening_mm(settings.aperture)
+    dispersive = settings.glass != "ideal"
+    open_heights = passing(settings.aperture, settings.rim)
+    parts = [line((6, AXIS_Y), (WIDTH - 6, AXIS_Y), "muted thin dashed")]
+    if open_heights:
+        low, high = open_heights
+        parts += bundle(low, high, stop)
+        heights = [low, high] + [0.0] * (low < 0.0 < high)
+        for style, shift in drawn_colours(settings.glass) if dispersive else (("light", 0.0),):
+            parts.append(path([refracted(height, stop, shift) for height in heights], style))
+    if open_heights is None or open_heights[1] < opening:  # the outermost ray ends on the rim
+        along = -stop - settings.rim
+        end = at(along, height_at(opening, stop, along))
+        parts += [line(start(opening, stop), end, "error thin dashed"), dot(end, "error", 3)]
+    parts += [*lens_and_sensor(), *rim_drawn(settings), *stop_drawn(settings)]
+    if dispersive:
+        parts.append(text((8, AXIS_Y + 156), f"dispersion × {SPREAD:.0f}", "muted small ground"))
+    if stop < 0:
+        parts.append(text((8, 14), "aperture stop as seen from the front", "muted small ground"))
+    return "".join(parts)
+
+
+def drawn_colours(glass: str) -> tuple[tuple[str, float], ...]:
+    """Style of red and blue, and the drawn shift of the image per height in the lens."""
+    focal = focal_length_mm(GLASSES[glass], FOCAL_MM, np.array(LINES_UM))
+    shifts = SPREAD * (1.0 - FOCAL_MM / focal)
+    return ("error", float(shifts[0])), ("image", float(shifts[2]))
+
+
+def height_at(height: float, stop: float, along: float) -> float:
+    """A point of the ray that meets the stop at ``height``, before refraction, falling by 45°."""
+    return height - stop - along
+
+
+def start(height: float, stop: float) -> Place:
+    """Where a ray enters the drawing: at the top, or at the left."""
+    along = max(height - stop - LENS_MM, -LENS_X / UNITS_PER_MM + 1.0)
+    return at(along, height_at(height, stop, along))
+
+
+def bundle(low: float, high: float, stop: float) -> Iterator[str]:
+    """The light that passes, up to the lens."""
+    starts = [start(height, stop) for height in (low, high)]
+    ends = [at(0.0, height_at(height, stop, 0.0)) for height in (low, high)]
+    yield polygon((starts[0], ends[0], ends[1], starts[1]), "light fill faint")
+    yield path(zip(starts, ends, strict=True), "light")
+    if low < 0.0 < high:
+        yield line(start(0.0, stop), at(0.0, height_at(0.0, stop, 0.0)), "light thin")
+    if stop < 0:
+        seen = [at(-stop, height) for height in (low, high)]
+        yield path(zip(ends, seen, strict=True), "light thin dashed")
+
+
+def refracted(height: float, stop: float, shift: float) -> tuple[Place, Place]:
+    """The light from the lens to the sensor, where light of the d line meets in one point."""
+    in_lens = height_at(height, stop, 0.0)
+    return at(0.0, in_lens), at(FOCAL_MM, shift * in_lens - FOCAL_MM)
+
+
+def lens_and_sensor() -> Iterator[str]:
+    yield ellipse((LENS_X, AXIS_Y), (9, UNITS_PER_MM * LENS_MM), "camera fill")
+    yield line(at(FOCAL_MM, SENSOR_MM), at(FOCAL_MM, -SENSOR_MM), "image bold")
+    row, beside = AXIS_Y + UNITS_PER_MM * SENSOR_MM + 16, at(FOCAL_MM, 0)[0] + 8
+    yield text((LENS_X, row), "lens", "camera", "middle")
+    yield text((beside, AXIS_Y - 100), "sensor", "image")
+    yield text((beside, AXIS_Y + 124), "corner", "image")
+
+
+def stop_drawn(settings: Settings) -> Iterator[str]:
+    stop, opening = settings.stop, opening_mm(settings.aperture)
+    for side in (-1, 1):
+        ends = at(-stop, side * opening), at(-stop, side * BLADE_MM)
+        yield line(*ends, "bold" if stop >= 0 else "bold dashed")
+    x, y = opening_mark(settings, {})
+    yield dot(stop_mark(settings, {})) + dot((x, y))
+    side = 1 if stop >= 0 else -1
+    column = LENS_X - side * max(abs(UNITS_PER_MM * stop), BESIDE_LENS)
+    yield text((column, AXIS_Y - 104), "stop", "ground", "middle")
+    anchor = "end" if stop >= 0 else "start"
+    yield text((x - side * 14.0, y + 10.0), "opening", "ground", anchor)
+
+
+def rim_drawn(settings: Settings) -> Iterator[str]:
+    along = -settings.stop - settings.rim
+    style = "camera bold" if along <= 0 else "camera bold dashed"
+    for side in (-1, 1):
+        yield line(at(along, side * RIM_MM), at(along, side * TUBE_MM), style)
+    x, y = rim_mark(settings, {})
+    yield dot((x, y), "camera")
+    yield text((x - 14, y + 4), "rim", "camera ground", "end")
 
 
 def stops(factor: float) -> float:
@@ -72,51 +191,76 @@ def stops(factor: float) -> float:
     return math.log2(factor) if factor > 0 else -math.inf
 
 
-def describe(settings: Settings, lens: Colours, corner: tuple[float, float]) -> str:
-    """The picture in one sentence."""
-    shift = CORNER_PX * float(lens.scale[2] - lens.scale[0])
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    picture: Raster = outputs["encoded"]
+    lines = np.array(LINES_UM)
+    discs = discs_px(settings.glass, settings.aperture, lines)
+    shifts = CORNER_PX * (scales(settings.glass, settings.stop, lines) - 1.0)
+    cos4, open_share = light(np.ones(1), settings.aperture, settings.rim, settings.natural)
+    natural, cut = float(cos4[0]), float(open_share[0])
+    close = np.ascontiguousarray(picture[CLOSE_TOP:, CLOSE_LEFT:])
+    corner = CLOSE_LEFT / WIDTH_PX * WIDTH, CLOSE_TOP / HEIGHT_PX * HEIGHT
+    size, rest = (WIDTH, HEIGHT), (WIDTH - corner[0] - 1, HEIGHT - corner[1] - 1)
+    frame = "".join(rectangle(corner, *rest, style) for style in ("casing", "camera"))
+    side, title = section(settings), "The corner of the picture, enlarged"
+    return Frame(
+        (
+            Panel("corner", title, *size, close, pixelated=True, lead=True),
+            Panel("lens", "The light of that corner, from the side", *size, overlay=side),
+            Panel("picture", "The whole picture", *size, picture, frame),
+        ),
+        (
+            readout("lateral", "Red to blue, corner", shifts[2] - shifts[0], "px", role="error"),
+            readout("red_disc", "Red disc", discs[0], "px"),
+            readout("blue_disc", "Blue disc", discs[2], "px"),
+            readout("natural_stops", "Natural vignetting", stops(natural), "stops", role="light"),
+            readout("rim_stops", "Cut by the rim", stops(cut), "stops", role="camera"),
+            readout("corner_stops", "Corner in all", stops(natural * cut), "stops"),
+        ),
+        describe(settings, shifts[2] - shifts[0], discs, natural * cut),
+    )
+
+
+def describe(settings: Settings, shift: float, discs: Floats, share: float) -> str:
     if abs(shift) < 0.005:
         fringe = "no coloured fringes in the corners"
     else:
         larger = "blue larger than red" if shift > 0 else "red larger than blue"
         fringe = f"{larger}, {format_number(abs(shift), 1)} pixels apart in the corners"
-    widest = float(lens.disc_px.max())
+    widest = float(discs.max())
     soft = f"discs of up to {widest:.1f} pixels" if widest > 1 else "all colours sharp"
-    share = corner[0] * corner[1]
+    side = "before" if settings.stop > 0 else "behind"
+    where = f"{abs(settings.stop):.0f} mm {side} it" if settings.stop else "in it"
     return (
-        f"A test chart through a simple lens at f/{settings.aperture:.1f}, "
-        f"{_where(settings.stop)}: {fringe}, "
-        f"{soft}, and {100 * share:.0f}\u00a0% of the centre’s light in the corners."
+        f"A test chart through a simple lens at f/{settings.aperture:.1f}, with the aperture stop "
+        f"{where}: {fringe}, {soft}, and {100 * share:.0f}\u00a0% of the centre’s light in the "
+        f"corners."
     )
-
-
-def _where(stop: float) -> str:
-    side = "before" if stop > 0 else "behind"
-    where = f"{abs(stop):.0f} mm {side} it" if stop else "in it"
-    return f"with the aperture stop {where}"
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
-    """Error of the enlarged corner against the sum over the whole spectrum."""
-    corner_of = partial(
-        corner_in, outputs["chart"], settings.glass, settings.stop, settings.aperture
-    )
-    factor = corner_light(settings.aperture, settings.rim, settings.natural)
-    return estimates(outputs["encoded"], corner_of, factor)
+    lens = settings.glass, settings.stop, settings.aperture
+    vignetting = settings.rim, settings.natural
+    return corner_errors(outputs["encoded"], outputs["chart"], *lens, *vignetting)
 
 
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("stop", "lens", "Aperture stop", ("stop",), stop_mark, reversed=("stop",)),
+    Handle("opening", "lens", "Edge of the opening", ("aperture",), opening_mark),
+    Handle("rim", "lens", "Rim", ("rim",), rim_mark, role="camera", reversed=("rim",)),
+)
 SCENE = Scene(
-    id="lens-aberrations",
-    title="Lens Aberrations",
-    settings=Settings,
-    draw=draw,
-    formula=lateral_chromatic_scale,
-    stages=STAGES,
-    handles=HANDLES,
+    "lens-aberrations",
+    "Lens Aberrations",
+    Settings,
+    draw,
+    STAGES,
+    HANDLES,
     tiers=tuple(BANDS),
     default_tier="even-16",
     draft_tier="gauss-1",
     drafted=("stop", "aperture"),
     ladder="chromatic-aberration",
     estimate=estimate,
+    formula=lateral_chromatic_scale,
 )

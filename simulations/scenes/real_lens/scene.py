@@ -1,7 +1,11 @@
-"""From Snell to the Thin Lens: rays through real glass, and in simpler models."""
+"""From Snell to the Thin Lens: rays through real glass, and in simpler models.
+
+The rays drawn are those of the tier's model; the readouts are of Snell's law.
+"""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,115 +17,105 @@ from simulations.engine.frame import (
     format_number,
     readout,
 )
+from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
-from simulations.engine.stages import Outputs
+from simulations.engine.settings import slider
+from simulations.engine.stages import Outputs, Stage
+from simulations.models.arrays import Floats
 from simulations.models.lens.singlet import (
     PASSES,
+    REFLECTED,
     Rays,
+    Singlet,
     focal_mm,
+    paraxial_image_mm,
     power_per_mm,
     refract,
+    rim_mm,
+    thin_image_mm,
     thin_power_per_mm,
+    through_exact,
+    through_paraxial,
+    through_thin,
 )
-from simulations.scenes.real_lens import plots, section
-from simulations.scenes.real_lens.handles import HANDLES
-from simulations.scenes.real_lens.settings import Settings
-from simulations.scenes.real_lens.stages import STAGES, TIERS, Glass, fan_heights
+from simulations.scenes.real_lens import drawing
+from simulations.scenes.real_lens.drawing import FATES, HEIGHT, HEIGHTS_MM, STOPPED, WIDTH, Glass
 
+LARGEST_MM = 22.0  # half the lens's height, unless its surfaces meet before
 FLATTEST = 1e-9
 """Power per mm below which a lens counts as a pane: a focal length of a thousand kilometres."""
+TIERS = {
+    "thin": "Thin lens: one bend",
+    "paraxial": "Thick lens, small angles",
+    "exact": "Snell’s law at both spheres",
+}
 
 
-def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The lens and its rays, the rays close to the image, and where each crosses the axis."""
-    glass: Glass = outputs["glass"]
-    fan, marked, true = (outputs[name] for name in ("fan", "marked", "true"))
-    heights = fan_heights(settings.opening)
-    width, height = section.WIDTH, section.HEIGHT
-    shown = plots.aberration(glass, outputs["curve"], settings.height, marked, settings.opening)
-    passing = None if section.stopped(settings, marked) else marked
-    return Frame(
-        panels=(
-            Panel(
-                "lens",
-                "The lens from the side",
-                width,
-                height,
-                overlay=section.draw(settings, glass, fan, marked, heights),
-                lead=True,
-            ),
-            Panel(
-                "close",
-                "Close to the image, heights enlarged",
-                width,
-                height,
-                overlay=plots.close(glass, fan, passing),
-            ),
-            Panel("aberration", "Where rays cross the axis", width, height, overlay=shown),
-        ),
-        readouts=_readouts(settings, glass, true),
-        description=describe(settings, glass, true),
-    )
+@dataclass(frozen=True, slots=True)
+class Settings:
+    height: float = slider("Height h of the ray", 10, 0.5, 20, 0.5, unit="mm")
+    front: float = slider("Front bulge 1/R₁", 25, -20, 40, 1, unit="/m")
+    back: float = slider("Back bulge 1/R₂", 25, -20, 40, 1, unit="/m")
+    index: float = slider("Index n", 1.5, 1.3, 2, 0.01)
+    thickness: float = slider("Thickness d", 10, 2, 20, 0.5, unit="mm")
+    opening: float = slider("Half opening", 14, 2, 20, 0.5, unit="mm")
+    vergence: float = slider("Object at 1/Z", 0, 0, 22, 0.5, unit="/m")
 
 
-def _readouts(settings: Settings, glass: Glass, true: Rays) -> tuple[Readout, ...]:
-    """The readouts that do not depend on the tier."""
-    thin, thick = thin_power_per_mm(glass.lens), power_per_mm(glass.lens)
-    crossing = float(true.crossing_mm[0])
-    off = crossing - glass.paraxial_mm if glass.real else math.nan
-    reason = _reason(settings, true)
-    return (
-        readout("focal_thin", "f, thin lens", _focal(thin), "mm"),
-        readout("focal", "f, thick lens", _focal(thick), "mm", role="image"),
-        _place("thin_at", "Thin lens: image at", glass.thin_mm, ""),
-        _place("thick_at", "Thick lens: image at", glass.paraxial_mm, "image"),
-        _or_reason("true_at", "The ray crosses at", reason, crossing, "ray"),
-        _or_reason("aberration", "Spherical aberration", reason, off, "error"),
-        _angle("incidence", "Ray meets the front at", glass, true, inside=False),
-        _angle("refracted", "… and goes on at", glass, true, inside=True),
-    )
+def object_mm(vergence: float) -> float:
+    """The object's distance from its reciprocal in 1/m: infinite for 0."""
+    return 1000.0 / vergence if vergence else math.inf
 
 
-def _focal(power: float) -> float:
-    return focal_mm(power if abs(power) > FLATTEST else 0.0)
+def glass_of(front: float, back: float, index: float, thickness: float, vergence: float) -> Glass:
+    # Curvatures of the settings are positive outwards, per metre.
+    lens = Singlet(front / 1000.0, -back / 1000.0, thickness, index)
+    far = object_mm(vergence)
+    images = thin_image_mm(lens, far), paraxial_image_mm(lens, far)
+    return Glass(lens, rim_mm(lens, LARGEST_MM), far, *images)
 
 
-def _place(name: str, label: str, along_mm: float, role: str) -> Readout:
-    """The image distance, or a text if there is no real image."""
-    if not abs(along_mm) < 1.0 / FLATTEST:
-        return Readout(name, label, "∞", "", role)
-    if along_mm < 0.0:
-        return Readout(name, label, "virtual", "", role)
-    return readout(name, label, along_mm, "mm", role=role)
+def trace(tier: str, glass: Glass, heights_mm: Floats) -> Rays:
+    """Rays (n,) by the model of one tier."""
+    simple: dict[str, Callable[[Singlet, float, Floats], Rays]] = {
+        "thin": through_thin,
+        "paraxial": through_paraxial,
+    }
+    if tier in simple:
+        return simple[tier](glass.lens, glass.distance_mm, heights_mm)
+    return through_exact(glass.lens, glass.distance_mm, heights_mm, LARGEST_MM)
 
 
-def _reason(settings: Settings, true: Rays) -> str:
-    """Why the marked ray does not get through; empty if it does."""
-    if section.stopped(settings, true):
-        return section.STOPPED
-    return "" if true.fate[0] == PASSES else section.FATES[int(true.fate[0])]
+def fan_rays(glass: Glass, opening: float, tier: str) -> Rays:
+    return trace(tier, glass, drawing.fan_heights(opening))
 
 
-def _or_reason(name: str, label: str, reason: str, value: float, role: str) -> Readout:
-    """A number, or the reason why there is none."""
-    if reason:
-        return Readout(name, label, reason, "", role)
-    if not math.isfinite(value) or abs(value) > 1.0 / FLATTEST:
-        return Readout(name, label, "none", "", role)
-    return readout(name, label, value, "mm", role=role)
+def marked_ray(glass: Glass, height: float, tier: str) -> Rays:
+    return trace(tier, glass, np.array([height]))
 
 
-def _angle(name: str, label: str, glass: Glass, true: Rays, *, inside: bool) -> Readout:
-    """Angles of the marked ray with the normal of the front surface, in degrees."""
-    degrees = front_angles(glass, true)[int(inside)]
-    if math.isnan(degrees):
-        return Readout(name, label, "none", "", "ray")
-    return readout(name, label, degrees, "°", digits=1, role="ray")
+def true_ray(glass: Glass, height: float) -> Rays:
+    """The marked ray by Snell's law."""
+    return trace("exact", glass, np.array([height]))
+
+
+def crossings(glass: Glass) -> Floats:
+    """(n,) where rays at `HEIGHTS_MM` cross the axis; NaN where they do not."""
+    return trace("exact", glass, HEIGHTS_MM).crossing_mm
+
+
+STAGES = (
+    Stage("glass", glass_of),
+    Stage("fan", fan_rays, ("glass",)),
+    Stage("marked", marked_ray, ("glass",)),
+    Stage("true", true_ray, ("glass",)),
+    Stage("curve", crossings, ("glass",)),
+)
 
 
 def front_angles(glass: Glass, true: Rays) -> tuple[float, float]:
-    """Angles of incidence and refraction at the front, by Snell's law; NaN for a ray that
-    misses."""
+    """Angles of incidence and refraction of the marked ray with the normal of the front, by
+    Snell's law, in degrees; NaN for a ray that misses."""
     place = true.front[0]
     if not math.isfinite(place[0]):
         return math.nan, math.nan
@@ -130,17 +124,83 @@ def front_angles(glass: Glass, true: Rays) -> tuple[float, float]:
     start = 0.0 if math.isinf(glass.distance_mm) else glass.distance_mm
     along = np.array([1.0, 0.0]) if not start else place + np.array([start, 0.0])
     sine = abs(normal[0] * along[1] - normal[1] * along[0]) / math.hypot(*along)
-    angles = [math.degrees(math.asin(min(value, 1.0))) for value in (sine, sine / glass.lens.index)]
-    return angles[0], angles[1]
+    outside, inside = (math.asin(min(value, 1.0)) for value in (sine, sine / glass.lens.index))
+    return math.degrees(outside), math.degrees(inside)
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    glass: Glass = outputs["glass"]
+    fan, marked, true = (outputs[name] for name in ("fan", "marked", "true"))
+    height, opening = settings.height, settings.opening
+    passing = None if drawing.is_stopped(height, opening, marked) else marked
+    side = drawing.from_side(glass, fan, marked, height, opening)
+    close = drawing.close(glass, fan, passing)
+    crossing = drawing.aberration(glass, outputs["curve"], height, marked, opening)
+    size = WIDTH, HEIGHT
+    return Frame(
+        (
+            Panel("lens", "The lens from the side", *size, overlay=side, lead=True),
+            Panel("close", "Close to the image, heights enlarged", *size, overlay=close),
+            Panel("aberration", "Where rays cross the axis", *size, overlay=crossing),
+        ),
+        tuple(readouts(settings, glass, true)),
+        describe(settings, glass, true),
+    )
+
+
+def readouts(settings: Settings, glass: Glass, true: Rays) -> Iterator[Readout]:
+    """The readouts, none of which depends on the tier."""
+    thin, thick = (
+        focal_mm(power if abs(power) > FLATTEST else 0.0)
+        for power in (thin_power_per_mm(glass.lens), power_per_mm(glass.lens))
+    )
+    yield readout("focal_thin", "f, thin lens", thin, "mm")
+    yield readout("focal", "f, thick lens", thick, "mm", role="image")
+    places = (
+        ("thin_at", "Thin lens: image at", glass.thin_mm, ""),
+        ("thick_at", "Thick lens: image at", glass.paraxial_mm, "image"),
+    )
+    for name, label, along, role in places:
+        word = "" if is_finite(along) and along >= 0.0 else "virtual" if is_finite(along) else "∞"
+        yield number_or(word, name, label, along, role)
+    crossing = float(true.crossing_mm[0])
+    off = crossing - glass.paraxial_mm if glass.real else math.nan
+    why = FATES.get(int(true.fate[0]), "")
+    if drawing.is_stopped(settings.height, settings.opening, true):
+        why = STOPPED
+    for name, label, value, role in (
+        ("true_at", "The ray crosses at", crossing, "ray"),
+        ("aberration", "Spherical aberration", off, "error"),
+    ):
+        yield number_or(why or ("" if is_finite(value) else "none"), name, label, value, role)
+    outside, inside = front_angles(glass, true)
+    word = "none" if math.isnan(outside) else ""
+    yield number_or(word, "incidence", "Ray meets the front at", outside, "ray", "°", 1)
+    yield number_or(word, "refracted", "… and goes on at", inside, "ray", "°", 1)
+
+
+def is_finite(length_mm: float) -> bool:
+    return abs(length_mm) <= 1.0 / FLATTEST
+
+
+def number_or(
+    word: str, name: str, label: str, value: float, role: str, unit: str = "mm", digits: int = 2
+) -> Readout:
+    """A number, or the word that says why there is none."""
+    if word:
+        return Readout(name, label, word, "", role)
+    return readout(name, label, value, unit, digits=digits, role=role)
 
 
 def describe(settings: Settings, glass: Glass, true: Rays) -> str:
-    """The result for the marked ray, compared with the simple models."""
     ray = f"A ray at a height of {format_number(settings.height, 1)} mm"
-    if section.stopped(settings, true):
-        return f"{ray} is {section.STOPPED}, half of which is smaller."
-    if true.fate[0] != PASSES:
-        return f"{ray} {_FAILED[int(true.fate[0])]}."
+    if drawing.is_stopped(settings.height, settings.opening, true):
+        return f"{ray} is {STOPPED}, half of which is smaller."
+    fate = int(true.fate[0])
+    if fate == REFLECTED:
+        return f"{ray} is totally reflected at the back of the lens."
+    if fate != PASSES:
+        return f"{ray} {FATES[fate]}."
     crossing = float(true.crossing_mm[0])
     if not glass.real or not 0.0 < crossing < math.inf:
         return f"{ray} leaves the lens without crossing the axis behind it as an image would need."
@@ -153,32 +213,88 @@ def describe(settings: Settings, glass: Glass, true: Rays) -> str:
     )
 
 
-_FAILED = {
-    fate: {"totally reflected": "is totally reflected at the back of the lens"}.get(words, words)
-    for fate, words in section.FATES.items()
-}
-
-
 def estimate(_settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """Error of the marked ray's crossing of the axis in this tier, in one step."""
     true, shown = (float(outputs[name].crossing_mm[0]) for name in ("true", "marked"))
-    label = "The marked ray crosses too far off by"
-    if math.isfinite(true - shown):
-        yield Readout("error", label, format_magnitude(abs(true - shown), 1e-9), "mm", "error")
+    label, off = "The marked ray crosses too far off by", abs(true - shown)
+    if math.isfinite(off):
+        yield Readout("error", label, format_magnitude(off, 1e-9), "mm", "error")
     else:
         yield Readout("error", label, "no crossing to compare", "", "error")
 
 
+def surface_at(settings: Settings, front: bool) -> tuple[float, float]:
+    bulge = settings.front if front else settings.back
+    far = object_mm(settings.vergence)
+    return drawing.surface_mark(far, bulge, settings.thickness, front=front)
+
+
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle(
+        "ray",
+        "lens",
+        "Marked ray",
+        ("height",),
+        lambda settings, _: drawing.entry_mark(object_mm(settings.vergence), settings.height),
+        role="ray",
+    ),
+    Handle(
+        "front",
+        "lens",
+        "Front surface",
+        ("front",),
+        lambda settings, _: surface_at(settings, front=True),
+        role="camera",
+    ),
+    Handle(
+        "back",
+        "lens",
+        "Back surface",
+        ("back",),
+        lambda settings, _: surface_at(settings, front=False),
+        role="camera",
+        reversed=("back",),
+    ),
+    Handle(
+        "object",
+        "lens",
+        "Object",
+        ("vergence",),
+        lambda settings, _: drawing.object_mark(object_mm(settings.vergence)),
+        role="world",
+        reversed=("vergence",),
+    ),
+    Handle(
+        "opening",
+        "aberration",
+        "Edge of the opening",
+        ("opening",),
+        lambda settings, _: drawing.opening_mark(settings.opening),
+    ),
+    Handle(
+        "curve",
+        "aberration",
+        "Marked ray",
+        ("height",),
+        lambda settings, outputs: drawing.curve_mark(
+            outputs["glass"], outputs["marked"], settings.height
+        ),
+        # Not searched: at each height the ray would be traced anew.
+        lambda _, place: {"height": drawing.HEIGHTS.value(float(place[1]))},
+        "press",
+        "ray",
+    ),
+)
 SCENE = Scene(
-    id="real-lens",
-    title="From Snell to the Thin Lens",
-    settings=Settings,
-    draw=draw,
-    formula=refract,
-    stages=STAGES,
-    handles=HANDLES,
+    "real-lens",
+    "From Snell to the Thin Lens",
+    Settings,
+    draw,
+    STAGES,
+    HANDLES,
     tiers=tuple(TIERS),
     default_tier="exact",
     tier_labels=TIERS,
     estimate=estimate,
+    formula=refract,
 )

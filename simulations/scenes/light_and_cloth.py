@@ -1,0 +1,254 @@
+"""A light on a surface: the spectrum that comes back, and its colour to the eye.
+
+A few sums over 81 wavelengths: no tiers.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from simulations.engine.drawing import Point, circle, dot, polygon, polyline, text
+from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
+from simulations.engine.handles import Handle
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
+from simulations.engine.scene import Scene
+from simulations.engine.stages import Outputs, Stage
+from simulations.models.arrays import Floats
+from simulations.models.color.chromatic_adaptation import adapt
+from simulations.models.color.chromaticity import lab_distance, xyz_to_xyy
+from simulations.models.color.cie import (
+    D65_XY,
+    SRGB_PRIMARIES_XY,
+    xyz_to_lab,
+    xyz_to_linear_rgb,
+)
+from simulations.models.color.illuminants import DAYLIGHT_K
+from simulations.models.color.observer import matching_functions, tristimulus
+from simulations.models.color.spectra import WAVELENGTHS_NM
+from simulations.models.color.surfaces import LEAST, MOST
+from simulations.scenes import _spectra
+from simulations.scenes._spectra import DAYLIGHT, HEIGHT, NAMES, WIDTH, Chart, LitSurface
+
+ROWS = (("in this light", "world"), ("by day", "world"))
+CHART = Chart(ROWS, 128, gap=0)
+"""The rows touch, so that the edge between two patches is their difference."""
+TWINS_CHART = Chart(ROWS, 120)  # With a twin below each surface, whose difference is then that edge
+VISIBLE = 2.0  # just noticeable ΔE
+
+HALF_HEIGHT = math.sqrt(2.0 * math.log(2.0))
+"""Standard deviations from the peak of a bell to half its height."""
+LEGEND = 24.0  # row of the names of the curves
+
+DIAGRAM = Plot(Axis(0.0, 0.82, 44.0, 298.2), Axis(0.0, 0.88, 284.0, 11.2))
+"""310 units of the view box per unit of x and of y."""
+TICKS = Scale(ticks=(0.4, 0.8), grid=(0.2, 0.4, 0.6, 0.8))
+PURE_NM = np.arange(420.0, 641.0, 4.0)
+"""Wavelengths of the edge of all colours: beyond these it hardly moves, and the fits are
+inaccurate."""
+MARKED_NM = (490, 600)
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """Twelve surfaces to the eye, and their twins in a second row: (2, 12, 3) each."""
+
+    xyz: Floats  # XYZ in this light; white has Y = 1
+    white_xy: tuple[float, float]  # Chromaticity of the light itself
+    here: Floats  # Linear sRGB seen by an eye that is adapted to this light
+    by_day: Floats  # Linear sRGB seen in daylight
+    apart: Floats  # (12,) ΔE of the twins in this light
+
+
+def chart(twin: bool) -> Chart:
+    return TWINS_CHART if twin else CHART
+
+
+def seen_by_eye(light: Floats, pairs: Floats) -> Seen:
+    xyz = tristimulus(pairs * light, light)
+    x, y = white_xy(light)
+    original, twin = xyz_to_lab(xyz, (x, y))
+    return Seen(
+        xyz=xyz,
+        white_xy=(x, y),
+        here=xyz_to_linear_rgb(adapt(xyz, (x, y), D65_XY)),
+        by_day=xyz_to_linear_rgb(tristimulus(pairs * DAYLIGHT, DAYLIGHT)),
+        apart=lab_distance(original, twin),
+    )
+
+
+def white_xy(light: Floats) -> tuple[float, float]:
+    x, y = xyz_to_xyy(tristimulus(light, light))[:2].tolist()
+    return x, y
+
+
+def picture(seen: Seen, twin: bool) -> Raster:
+    """The patches; twins in the lower halves."""
+    return chart(twin).paint((seen.here, seen.by_day), twin=twin)
+
+
+STAGES = (
+    Stage("light", _spectra.light_of),
+    Stage("surfaces", _spectra.surfaces_of),
+    Stage("pairs", _spectra.with_twins, ("surfaces",)),
+    Stage("seen", seen_by_eye, ("light", "pairs")),
+    Stage("picture", picture, ("seen",)),
+)
+
+
+def spectra(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -> str:
+    """The light, the reflectance (2, 81) of a surface and its twin, and the reflected light."""
+    height = light / light.max()
+    parts = [
+        _spectra.axes(),
+        _spectra.curve(height * pair[0], "ray"),
+        _spectra.curve(height, "light"),
+        _spectra.curve(pair[1], "world dashed") if twin else "",
+        _spectra.curve(pair[0], "world bold"),
+        text((40, LEGEND), "light", "light strong"),
+        text((92, LEGEND), "× surface", "world strong"),
+        text((178, LEGEND), "= what it sends back", "ray strong"),
+    ]
+    if twin:
+        parts.append(text((386, LEGEND + 17), "twin, dashed", "world small ground", "end"))
+    if cloth:
+        band = float(WAVELENGTHS_NM[pair[0].argmax()])
+        parts.append(dot(_spectra.PLOT.at(band, MOST), "world", 4.5))
+    return "".join(parts)
+
+
+def place_of(xy: Point) -> tuple[float, float]:
+    """View box units of a chromaticity."""
+    return DIAGRAM.at(float(xy[0]), float(xy[1]))
+
+
+@cache
+def whites(light: str) -> Floats:
+    """Chromaticities (N, 2) of one kind of light, by steps of its slider of temperature."""
+    kelvin = np.arange(_spectra.COOLEST_K, _spectra.HOTTEST_K + 1.0, _spectra.STEP_K)
+    if light == "daylight":
+        kelvin = kelvin[kelvin >= DAYLIGHT_K[0]]
+    return np.array([white_xy(_spectra.light_of(light, each)) for each in kelvin.tolist()])
+
+
+def diagram(light: str, seen: Seen, chosen: int, *, twin: bool) -> str:
+    """Chromaticities of pure colours, the display's gamut, the whites, and the surfaces."""
+    pairs = xyz_to_xyy(seen.xyz)[..., :2]
+    line = whites(light if light == "daylight" else "planck")
+    here = place_of(pairs[0, chosen])
+    parts = [
+        diagram_ground(),
+        polyline([place_of(xy) for xy in line[::4]], "light"),
+        *(dot(place_of(xy), "world", 2.5) for xy in pairs[0]),
+        circle(place_of(D65_XY), 4, "muted"),
+        dot(place_of(seen.white_xy), "light", 5),
+    ]
+    if twin:
+        other = place_of(pairs[1, chosen])
+        parts += [circle(other, 5.5, style) for style in ("casing", "world bold")]
+    return "".join((*parts, circle(here, 5, "casing"), dot(here, "ray", 5)))
+
+
+@cache
+def diagram_ground() -> str:
+    """Axes, the edge of all colours, and the display's triangle."""
+    edge = xyz_to_xyy(matching_functions(PURE_NM))[:, :2]
+    marked = xyz_to_xyy(matching_functions(np.array(MARKED_NM)))[:, :2]
+    corner = place_of((0, 0))
+    parts = [
+        DIAGRAM.frame(TICKS, TICKS),
+        text((DIAGRAM.x.end + 8, corner[1] + 19), "x", "italic"),
+        text((corner[0] - 8, DIAGRAM.y.end + 2), "y", "italic", "end"),
+        polygon([place_of(xy) for xy in edge], "world thin"),
+        polygon([place_of(xy) for xy in SRGB_PRIMARIES_XY], "image fill thin"),
+        text(place_of((0.33, 0.235)), "sRGB", "image small", "middle"),
+    ]
+    for nm, xy in zip(MARKED_NM, marked, strict=True):
+        x, y = place_of(xy)
+        parts.append(dot((x, y), "world", 2))
+        parts.append(text((x + 9, y - 4), f"{nm} nm", "world small"))
+    return "".join(parts)
+
+
+def draw(settings: LitSurface, outputs: Outputs) -> Frame:
+    seen: Seen = outputs["seen"]
+    chosen = NAMES.index(settings.surface)
+    pair, light = outputs["pairs"][:, chosen], outputs["light"]
+    curves = spectra(light, pair, twin=settings.twin, cloth=settings.surface == "cloth")
+    sent_back = _spectra.colours_under(light / light.max() * pair[0])
+    colours = diagram(settings.light, seen, chosen, twin=settings.twin)
+    patches = outputs["picture"], chart(settings.twin).overlay(settings.surface)
+    size = WIDTH, HEIGHT
+    x, y, luminance = xyz_to_xyy(seen.xyz[0, chosen]).tolist()
+    return Frame(
+        (
+            Panel("light", "Light × cloth", *size, sent_back, curves, lead=True),
+            Panel("patches", "What the eye sees", *size, *patches, pixelated=True),
+            Panel("diagram", "Colours without brightness", *size, overlay=colours),
+        ),
+        (
+            readout("x", "Chromaticity x", x, digits=3, role="world"),
+            readout("y", "Chromaticity y", y, digits=3, role="world"),
+            readout("luminance", "Luminance Y", luminance, "of white", digits=3, role="world"),
+            readout("apart", "Difference from the twin", seen.apart[chosen], "ΔE", digits=1),
+        ),
+        describe(settings, seen, chosen),
+    )
+
+
+def describe(settings: LitSurface, seen: Seen, chosen: int) -> str:
+    x, y = (format_number(float(each), 3) for each in xyz_to_xyy(seen.xyz[0, chosen])[:2])
+    sentence = f"{_spectra.lit_surface(settings)} has the chromaticity x = {x}, y = {y}"
+    if _spectra.outside_gamut(seen.by_day[0, chosen]):
+        sentence += ", and by day a colour that no display can show"
+    if settings.twin:
+        another = "another" if seen.apart[chosen] > VISIBLE else "the same"
+        sentence += f"; its twin is {another} colour to the eye"
+    return f"{sentence}."
+
+
+def band_mark(settings: LitSurface, _outputs: Outputs) -> Point | None:
+    """The peak of the cloth's band."""
+    return _spectra.PLOT.at(settings.band, MOST) if settings.surface == "cloth" else None
+
+
+def width_mark(settings: LitSurface, _outputs: Outputs) -> Point | None:
+    """Half the height of the band, on the right."""
+    if settings.surface != "cloth":
+        return None
+    beside = settings.band + HALF_HEIGHT * settings.width
+    return _spectra.PLOT.at(beside, 0.5 * (LEAST + MOST))
+
+
+def white_mark(settings: LitSurface, _outputs: Outputs) -> Point | None:
+    if settings.light not in ("planck", "daylight"):
+        return None
+    return place_of(white_xy(_spectra.light_of(settings.light, settings.temperature)))
+
+
+HANDLES: tuple[Handle[LitSurface], ...] = (
+    Handle("band", "light", "Band of the cloth", ("band",), band_mark, role="world"),
+    Handle("width", "light", "Width of the band", ("width",), width_mark, role="world"),
+    _spectra.SURFACE,
+    Handle(
+        "white",
+        "diagram",
+        "White of the light",
+        ("temperature",),
+        white_mark,
+        role="light",
+        reversed=("temperature",),
+    ),
+)
+SCENE = Scene(
+    "light-and-cloth",
+    "Light on a Cloth",
+    LitSurface,
+    draw,
+    STAGES,
+    HANDLES,
+    formula=tristimulus,
+)
