@@ -19,7 +19,7 @@ from simulations.scenes._still_life_camera.rays import COLUMNS, ROWS, largest_bl
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import bend_rays
 from simulations.scenes.camera.stages import TIERS
-from simulations.scenes.depth_of_field.sharpness import sharpness
+from simulations.scenes.depth_of_field.stages import sharpness
 
 CHAPTER = "08-full-camera-model"
 PIXEL_MM = 36 / 264

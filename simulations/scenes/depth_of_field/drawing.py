@@ -7,12 +7,11 @@ is drawn through the rim of its disc, with its tip before or behind the sensor.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from simulations.engine.drawing import Point, arrow, dot, ellipse, line, polyline, rectangle, text
+from simulations.engine.drawing import arrow, dot, ellipse, line, polyline, rectangle, text
 from simulations.engine.frame import format_number
+from simulations.scenes.depth_of_field.stages import FAR_M, NEAR_M, WIDTH, Sharpness
 
-WIDTH, HEIGHT = 420.0, 280.0
 LENS_X, SENSOR_X, AXIS_Y = 236.0, 336.0, 132.0
 LARGEST_DISC = 0.35
 """Largest disc as a share of the drawn opening: wider ones would push a cone's tip out of the
@@ -20,45 +19,14 @@ picture."""
 LARGEST_M = 10.0
 
 
-@dataclass(frozen=True, slots=True)
-class Blurred:
-    """A point out of focus."""
-
-    name: str
-    distance_m: float
-    disc_mm: float
-
-
-@dataclass(frozen=True, slots=True)
-class Lens:
-    """The quantities in the diagram."""
-
-    aperture_mm: float
-    focus_m: float
-    near: Blurred
-    far: Blurred
-    sharp_m: tuple[float, float]
-    """Depth of field; its far end may be infinite."""
-
-
 def column(distance_m: float) -> float:
     """Column of a distance before the lens."""
     return LENS_X - 66.0 * math.sqrt(min(distance_m, LARGEST_M))
 
 
-def distance_of(column: float) -> float:
-    """The distance before the lens at a column; 0 beyond the lens."""
-    return (max(LENS_X - column, 0.0) / 66.0) ** 2
-
-
 def half_opening(aperture_mm: float) -> float:
     """Drawn radius of the opening: 1 mm gives 28 units, 100 mm gives 74."""
     return 28.0 + 23.0 * math.log10(max(aperture_mm, 1.0))
-
-
-def aperture_of(half: float) -> float:
-    """The opening in mm whose drawn radius is ``half``."""
-    return math.pow(10.0, (min(max(half, 28.0), HEIGHT) - 28.0) / 23.0)
 
 
 def disc_scale(largest_mm: float, half: float) -> float:
@@ -71,38 +39,30 @@ def disc_scale(largest_mm: float, half: float) -> float:
     return max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-12))
 
 
-def lens_diagram(lens: Lens) -> str:
+def lens_diagram(sharp: Sharpness, focus_m: float) -> str:
     """Three cones, the sensor, the band in focus, and the scale of the discs."""
-    half = half_opening(lens.aperture_mm)
-    scale = disc_scale(max(lens.near.disc_mm, lens.far.disc_mm), half)
-    behind_focus = lens.near.distance_m > lens.focus_m
-    before_focus = lens.far.distance_m < lens.focus_m
-    # Light from beyond the focus meets before the sensor, light from nearer behind it.
-    discs = (
-        (lens.far, -lens.far.disc_mm if not before_focus else lens.far.disc_mm, "world"),
-        (lens.near, lens.near.disc_mm if not behind_focus else -lens.near.disc_mm, "error"),
-    )
-    parts = [*_axis(), *_in_focus(lens)]
-    for point, signed_mm, role in discs:
-        parts += _cone(point.distance_m, 0.5 * scale * signed_mm, half, role)
-    parts += _cone(lens.focus_m, 0.0, half, "ray bold")
-    parts += [_glass(half), *_sensor(), *_scale_bar(scale)]
-    parts += _labels(lens)
-    return "".join(parts)
+    half = half_opening(sharp.aperture_mm)
+    scale = disc_scale(max(sharp.near_blur_mm, sharp.far_blur_mm), half)
+    near, far = (column(max(limit, 0.01)) for limit in (sharp.near_limit_m, sharp.far_limit_m))
+    far = 8.0 if math.isinf(sharp.far_limit_m) else far
+    parts = [axis(), rectangle((far, AXIS_Y - 9), max(near - far, 0.5), 18, "ray fill thin")]
+    wall = (FAR_M, sharp.far_blur_mm, "world")
+    ball = (NEAR_M, sharp.near_blur_mm, "error")
+    for distance, disc_mm, role in (wall, ball):
+        # Light from beyond the focus meets before the sensor, light from nearer behind it.
+        sign = -1 if distance > focus_m else 1
+        parts += cone(distance, 0.5 * scale * sign * disc_mm, half, role)
+    parts += cone(focus_m, 0.0, half, "ray bold")
+    parts += [glass(half), line((SENSOR_X, AXIS_Y - 92), (SENSOR_X, AXIS_Y + 92), "image bold")]
+    parts += [text((SENSOR_X, AXIS_Y - 99), "sensor", "image", "middle"), lens_name()]
+    return "".join((*parts, *scale_bar(scale), *labels(focus_m)))
 
 
-def _axis() -> Iterator[str]:
-    yield line((8, AXIS_Y), (WIDTH - 8, AXIS_Y), "muted thin dashed")
+def axis() -> str:
+    return line((8, AXIS_Y), (WIDTH - 8, AXIS_Y), "muted thin dashed")
 
 
-def _in_focus(lens: Lens) -> Iterator[str]:
-    """The depth of field as a band along the axis."""
-    near, far = (column(max(distance, 0.01)) for distance in lens.sharp_m)
-    far = 8.0 if math.isinf(lens.sharp_m[1]) else far
-    yield rectangle((far, AXIS_Y - 9), max(near - far, 0.5), 18, "ray fill thin")
-
-
-def _cone(distance_m: float, disc: float, half: float, role: str) -> Iterator[str]:
+def cone(distance_m: float, disc: float, half: float, role: str) -> Iterator[str]:
     """Rim rays from the point through the lens; ``disc`` is the signed radius on the sensor.
 
     Positive: the sensor is met before the tip. Negative: the rays have crossed already.
@@ -118,78 +78,67 @@ def _cone(distance_m: float, disc: float, half: float, role: str) -> Iterator[st
         yield polyline(ends, role)
     yield dot(source, role.partition(" ")[0], 4)
     if abs(disc) > 0.5:
-        yield line((SENSOR_X, AXIS_Y - abs(disc)), (SENSOR_X, AXIS_Y + abs(disc)), "casing")
-        offset = 3 if disc > 0 else -3
-        yield line(
-            (SENSOR_X + offset, AXIS_Y - abs(disc)),
-            (SENSOR_X + offset, AXIS_Y + abs(disc)),
-            f"{role} bold",
-        )
+        top, bottom = AXIS_Y - abs(disc), AXIS_Y + abs(disc)
+        beside = SENSOR_X + math.copysign(3, disc)
+        yield line((SENSOR_X, top), (SENSOR_X, bottom), "casing")
+        yield line((beside, top), (beside, bottom), f"{role} bold")
 
 
-def _glass(half: float) -> str:
-    rims = ((LENS_X, AXIS_Y - half), (LENS_X, AXIS_Y + half))
+def glass(half: float) -> str:
     stops = "".join(
-        line(rim, (LENS_X, AXIS_Y + side * 92), "camera bold")
-        for side, rim in zip((-1, 1), rims, strict=True)
+        line((LENS_X, AXIS_Y + side * half), (LENS_X, AXIS_Y + side * 92), "camera bold")
+        for side in (-1, 1)
     )
     return ellipse((LENS_X, AXIS_Y), (9, half), "camera fill") + stops
 
 
-def _sensor() -> Iterator[str]:
-    yield line((SENSOR_X, AXIS_Y - 92), (SENSOR_X, AXIS_Y + 92), "image bold")
-    yield text((SENSOR_X, AXIS_Y - 99), "sensor", "image", "middle")
-    yield text((LENS_X, AXIS_Y - 99), "lens", "camera", "middle")
+def lens_name() -> str:
+    return text((LENS_X, AXIS_Y - 99), "lens", "camera", "middle")
 
 
-def _scale_bar(scale: float) -> Iterator[str]:
+def scale_bar(scale: float) -> Iterator[str]:
     """A length of at least 12 units on the sensor, in whole 1-2-5 millimetres."""
-    mm = next(
-        step * 10.0**power
-        for power in range(-3, 4)
-        for step in (1, 2, 5)
-        if step * 10.0**power * scale >= 12
-    )
-    x = WIDTH - 24.0
-    top, bottom = AXIS_Y - 0.5 * mm * scale, AXIS_Y + 0.5 * mm * scale
-    top, bottom = top + 58, bottom + 58
-    yield line((x, top), (x, bottom), "bold")
-    for y in (top, bottom):
+    lengths = (step * 10.0**power for power in range(-3, 4) for step in (1, 2, 5))
+    mm = next(length for length in lengths if length * scale >= 12)
+    x, middle = WIDTH - 24.0, AXIS_Y + 58
+    ends = middle - 0.5 * mm * scale, middle + 0.5 * mm * scale
+    yield line((x, ends[0]), (x, ends[1]), "bold")
+    for y in ends:
         yield line((x - 4, y), (x + 4, y))
     yield text((x - 8, AXIS_Y + 62), f"{mm:g} mm", "ground", "end")
 
 
-def _labels(lens: Lens) -> Iterator[str]:
+def labels(focus_m: float) -> Iterator[str]:
     """Labels of the three points, above and below the axis."""
-    for point, role, row in ((lens.near, "error", 104), (lens.far, "world", 122)):
-        at = column(point.distance_m)
+    ball, wall = ("red ball", NEAR_M, "error", 104), ("wall", FAR_M, "world", 122)
+    for name, distance, role, row in (ball, wall):
+        at = column(distance)
         yield line((at, AXIS_Y + 8), (at, AXIS_Y + row - 13), f"{role} thin faint")
-        name = f"{point.name}, {format_number(point.distance_m, 1)} m"
-        yield text((max(at, 46), AXIS_Y + row), name, f"{role} ground", "middle")
-    at = min(max(column(lens.focus_m), 56), LENS_X - 56)
-    yield line((column(lens.focus_m), AXIS_Y - 8), (at, AXIS_Y - 72), "ray thin faint")
-    name = f"focus {format_number(lens.focus_m, 2)} m"
-    yield text((at, AXIS_Y - 78), name, "ray strong ground", "middle")
+        words = f"{name}, {format_number(distance, 1)} m"
+        yield text((max(at, 46), AXIS_Y + row), words, f"{role} ground", "middle")
+    at = min(max(column(focus_m), 56), LENS_X - 56)
+    yield line((column(focus_m), AXIS_Y - 8), (at, AXIS_Y - 72), "ray thin faint")
+    words = f"focus {format_number(focus_m, 2)} m"
+    yield text((at, AXIS_Y - 78), words, "ray strong ground", "middle")
 
 
 def virtual_diagram(distance_m: float, focal_m: float) -> str:
     """A point at the focal length or nearer: its light leaves the lens parallel or spreading."""
-    half, source = 52.0, (column(distance_m), AXIS_Y)
-    focus = (column(focal_m), AXIS_Y)
+    half, source, focus = 52.0, (column(distance_m), AXIS_Y), (column(focal_m), AXIS_Y)
     # Deviation as drawn: rays from the drawn focal point come out parallel.
     slope = half / (LENS_X - source[0]) - half / (LENS_X - focus[0])
-    parts = [*_axis()]
+    reach = min(WIDTH - 8 - LENS_X, (AXIS_Y - half - 10) / max(slope, 1e-6))
+    parts = [axis()]
     for side in (-1, 1):
         rim = (LENS_X, AXIS_Y + side * half)
-        reach = min(WIDTH - 8 - LENS_X, (AXIS_Y - half - 10) / max(slope, 1e-6))
-        end: Point = (LENS_X + reach, rim[1] + side * slope * reach)
+        end = (LENS_X + reach, rim[1] + side * slope * reach)
         parts += [line(source, rim, "ray"), arrow(rim, end, "ray")]
     parts += [
-        _glass(half),
+        glass(half),
         dot(source, "ray", 4),
         dot(focus, "camera", 3),
         text((focus[0] - 6, AXIS_Y - 10), "focal point", "camera ground", "end"),
-        text((LENS_X, AXIS_Y - 99), "lens", "camera", "middle"),
+        lens_name(),
         text((12, AXIS_Y + 118), "The light does not meet behind the lens.", "strong"),
     ]
     return "".join(parts)

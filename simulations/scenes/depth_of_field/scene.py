@@ -6,40 +6,73 @@ as the focus comes nearer and the sensor moves away from the lens.
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.controls import Value
-from simulations.engine.drawing import text
-from simulations.engine.frame import Frame, Panel, Readout, format_number
+from simulations.engine.drawing import Point, text
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
+from simulations.engine.handles import Handle
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
+from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
+from simulations.pictures.still_life.depth import depth_met
+from simulations.scenes._still_life_camera.focus_plane import HANDLE_TANGENT
 from simulations.scenes._still_life_camera.picture import SCALED, drawing_of
-from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS
-from simulations.scenes.depth_of_field import drawing
-from simulations.scenes.depth_of_field.handles import HANDLES
-from simulations.scenes.depth_of_field.settings import Settings, has_image
-from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, Sharpness, sharpness
+from simulations.scenes._still_life_camera.rays import (
+    COLUMNS,
+    PITCH_MM,
+    ROWS,
+    SENSOR_HEIGHT_MM,
+    SENSOR_WIDTH_MM,
+    principal_mm,
+)
+from simulations.scenes.depth_of_field.drawing import (
+    AXIS_Y,
+    LENS_X,
+    column,
+    half_opening,
+    lens_diagram,
+    virtual_diagram,
+)
 from simulations.scenes.depth_of_field.stages import (
     COARSE,
     COSTLY,
     FINE,
     FIXED,
+    HEIGHT,
     QUICK,
     REDUCTIONS,
     STAGES,
     TIERS,
+    WIDTH,
+    Sharpness,
     estimates,
+    floor_row,
+    sharpness,
+    units_per_tangent,
     widest_px,
 )
 
-LARGEST_DRAWN_PX = 48.0
-"""Largest disc that is drawn: wider ones blur everything and take seconds."""
+LARGEST_DRAWN_PX = 48.0  # Largest disc that is drawn: wider ones blur everything and take seconds
 UNLIT = np.full((round(ROWS / FINE), round(COLUMNS / FINE)), 0.35)
 """The picture if the lens forms none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    focal_length: float = slider("Focal length", 50, 24, 135, 1, unit="mm")
+    aperture: float = slider("Aperture", 1.4, 1.4, 22, 0.1, prefix="f/")
+    focus: float = slider("Focus distance", 3.2, 0.05, 10, 0.05, unit="m")
+    rack: int = action("Sweep the focus", "Pause", drives="focus", effect="play", seconds=10.0)
+
+    @property
+    def has_image(self) -> bool:
+        """Whether the light of the distance in focus meets behind the lens."""
+        return 1000 * self.focus > self.focal_length
 
 
 def drawn_f_number(settings: Settings) -> float:
@@ -54,105 +87,83 @@ def drawn_f_number(settings: Settings) -> float:
 
 def parameters(settings: Settings, tier: str) -> dict[str, Value] | None:
     """The parameters of the stages, fixed or computed; None if there is no picture."""
-    if not has_image(settings):
+    if not settings.has_image:
         return None
     f_number = drawn_f_number(settings)
-    widest = widest_px(settings.focal_length, f_number, settings.focus)
     return {
         **FIXED,
         **drawing_of(tier == SCALED, settings.focal_length, settings.focus),
         "reduction": REDUCTIONS.get(tier, FINE),
         "repeated": 2 if tier in COSTLY else 1,
         "aperture": f_number,
-        "largest_blur": widest,
+        "largest_blur": widest_px(settings.focal_length, f_number, settings.focus),
     }
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The cones of light, and the still life as the lens shows it."""
     focal, f_number, focus = settings.focal_length, settings.aperture, settings.focus
     hyperfocal_m = thin_lens.hyperfocal(focal, f_number, PITCH_MM) / 1000
-    if not has_image(settings):
-        return _refuse(settings, hyperfocal_m)
-    sharp = sharpness(focal, f_number, focus)
-    lens = drawing.Lens(
-        aperture_mm=sharp.aperture_mm,
-        focus_m=focus,
-        near=drawing.Blurred("red ball", NEAR_M, sharp.near_blur_mm),
-        far=drawing.Blurred("wall", FAR_M, sharp.far_blur_mm),
-        sharp_m=(sharp.near_limit_m, sharp.far_limit_m),
-    )
-    texts = (
-        format_number(sharp.near_blur_mm, 3),
-        format_number(sharp.near_blur_mm / PITCH_MM, 1),
-        format_number(sharp.far_blur_mm, 3),
-        format_number(sharp.far_blur_mm / PITCH_MM, 1),
-        format_number(sharp.image_mm, 2),
-        format_number(sharp.near_limit_m, 2),
-        format_number(sharp.far_limit_m, 2),
-        format_number(hyperfocal_m, 2),
-    )
-    marks = outputs["plane of focus"] + _note(settings)
-    panels = _panels(drawing.lens_diagram(lens), outputs["encoded"], marks)
-    return Frame(panels, _readouts(texts), describe(settings, sharp))
+    if not settings.has_image:
+        note = text((WIDTH / 2, HEIGHT / 2), "no real image", "strong ground", "middle")
+        panels = side_by_side(virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
+        return Frame(panels, readouts(None, hyperfocal_m), describe_refusal(settings))
+    sharp, drawn, marks = sharpness(focal, f_number, focus), drawn_f_number(settings), ""
+    if drawn > f_number:
+        capped = f"drawn at f/{drawn:.3g}: no disc over {LARGEST_DRAWN_PX:.0f} px"
+        marks = text((WIDTH / 2, HEIGHT - 12), capped, "ground", "middle")
+    marks = outputs["plane of focus"] + marks
+    panels = side_by_side(lens_diagram(sharp, focus), outputs["encoded"], marks)
+    return Frame(panels, readouts(sharp, hyperfocal_m), describe(settings, sharp))
 
 
-def _note(settings: Settings) -> str:
-    """The note on a picture that is drawn with a smaller aperture than set."""
-    drawn = drawn_f_number(settings)
-    if drawn <= settings.aperture:
-        return ""
-    capped = f"drawn at f/{drawn:.3g}: no disc over {LARGEST_DRAWN_PX:.0f} px"
-    return text((drawing.WIDTH / 2, drawing.HEIGHT - 12), capped, "ground", "middle")
-
-
-def _panels(diagram: str, picture: NDArray[np.uint8], marks: str) -> tuple[Panel, Panel]:
-    width, height = drawing.WIDTH, drawing.HEIGHT
+def side_by_side(diagram: str, picture: Raster, marks: str) -> tuple[Panel, Panel]:
+    title = "Light through the lens, not to scale"
     return (
-        Panel("picture", "What the camera sees", width, height, picture, marks, lead=True),
-        Panel("lens", "Light through the lens, not to scale", width, height, overlay=diagram),
+        Panel("picture", "What the camera sees", WIDTH, HEIGHT, picture, marks, lead=True),
+        Panel("lens", title, WIDTH, HEIGHT, overlay=diagram),
     )
 
 
-def _readouts(texts: tuple[str, ...]) -> tuple[Readout, ...]:
-    names = (
-        ("near_mm", "Blur of the red ball", "mm", "error"),
-        ("near_px", "Blur of the red ball", "px", "error"),
-        ("far_mm", "Blur of the wall", "mm", "world"),
-        ("far_px", "Blur of the wall", "px", "world"),
-        ("sensor", "Lens to sensor", "mm", "camera"),
-        ("near_limit", "Sharp from", "m", "ray"),
-        ("far_limit", "Sharp to", "m", "ray"),
-        ("hyperfocal", "Hyperfocal distance", "m", ""),
+def readouts(sharp: Sharpness | None, hyperfocal_m: float) -> tuple[Readout, ...]:
+    """The readouts; without an image all but the last are "none"."""
+    near, far = (sharp.near_blur_mm, sharp.far_blur_mm) if sharp else (0.0, 0.0)
+    image, *limits = (
+        (sharp.image_mm, sharp.near_limit_m, sharp.far_limit_m) if sharp else (0.0, 0.0, 0.0)
     )
-    return tuple(
-        Readout(name, label, shown, unit, role)
-        for (name, label, unit, role), shown in zip(names, texts, strict=True)
+    rows = (
+        ("near_mm", "Blur of the red ball", near, 3, "mm", "error"),
+        ("near_px", "Blur of the red ball", near / PITCH_MM, 1, "px", "error"),
+        ("far_mm", "Blur of the wall", far, 3, "mm", "world"),
+        ("far_px", "Blur of the wall", far / PITCH_MM, 1, "px", "world"),
+        ("sensor", "Lens to sensor", image, 2, "mm", "camera"),
+        ("near_limit", "Sharp from", limits[0], 2, "m", "ray"),
+        ("far_limit", "Sharp to", limits[1], 2, "m", "ray"),
+    )
+    return (
+        *(
+            Readout(name, label, format_number(value, digits) if sharp else "none", unit, role)
+            for name, label, value, digits, unit, role in rows
+        ),
+        readout("hyperfocal", "Hyperfocal distance", hyperfocal_m, "m"),
     )
 
 
-def _refuse(settings: Settings, hyperfocal_m: float) -> Frame:
-    """The frame for a focus at the focal length or nearer."""
-    focal, focus = settings.focal_length, settings.focus
-    place, way = ("at", "parallel") if 1000 * focus == focal else ("inside", "spreading")
-    note = text((drawing.WIDTH / 2, drawing.HEIGHT / 2), "no real image", "strong ground", "middle")
-    texts = (*("none",) * 7, format_number(hyperfocal_m, 2))
-    panels = _panels(drawing.virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
-    description = (
-        f"No picture: an object at {1000 * focus:.0f} mm lies {place} the focal length of "
+def describe_refusal(settings: Settings) -> str:
+    """Why a focus at the focal length or nearer has no picture."""
+    focal, focus_mm = settings.focal_length, 1000 * settings.focus
+    place, way = ("at", "parallel") if focus_mm == focal else ("inside", "spreading")
+    return (
+        f"No picture: an object at {focus_mm:.0f} mm lies {place} the focal length of "
         f"{focal:.0f} mm. Its light leaves the lens {way}, and no sensor can catch an image."
     )
-    return Frame(panels, _readouts(texts), description)
 
 
 def describe(settings: Settings, sharp: Sharpness) -> str:
-    """The picture in one sentence."""
-    reach = (
-        f"from {format_number(sharp.near_limit_m, 2)} m onwards"
-        if math.isinf(sharp.far_limit_m)
-        else f"from {format_number(sharp.near_limit_m, 2)} to "
-        f"{format_number(sharp.far_limit_m, 2)} m"
+    near_limit, far_limit = (
+        format_number(limit, 2) for limit in (sharp.near_limit_m, sharp.far_limit_m)
     )
+    onwards = math.isinf(sharp.far_limit_m)
+    reach = f"from {near_limit} m onwards" if onwards else f"from {near_limit} to {far_limit} m"
     near, far = (
         format_number(blur / PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
     )
@@ -170,25 +181,78 @@ def describe(settings: Settings, sharp: Sharpness) -> str:
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """Error of the picture against rays through the whole lens, if there is a picture."""
-    if not has_image(settings):
+    if not settings.has_image:
         yield Readout("error", "Error", "no picture", "", "error")
         return
     setting = (settings.focal_length, drawn_f_number(settings), settings.focus)
     yield from estimates(outputs["encoded"], outputs["pinhole rays"], *setting)
 
 
+def floor_mark(settings: Settings, _outputs: Outputs) -> Point | None:
+    focal, focus = settings.focal_length, settings.focus
+    row = floor_row(focal, focus) if settings.has_image else None
+    across = HANDLE_TANGENT * units_per_tangent(focal, focus) if row is not None else 0.0
+    return None if row is None else (min(WIDTH / 2 + across, WIDTH), row)
+
+
+def rim_mark(settings: Settings, _outputs: Outputs) -> Point | None:
+    """The upper end of the opening, if the lens forms an image."""
+    half = half_opening(settings.focal_length / settings.aperture)
+    return (LENS_X, AXIS_Y - half) if settings.has_image else None
+
+
+def aimed(settings: Settings, place: Point) -> dict[str, Value]:
+    """Focus on the thing at a place of the picture; not available without an image."""
+    if not settings.has_image:
+        return {}
+    across = (place[0] / WIDTH - 0.5) * SENSOR_WIDTH_MM
+    down = (place[1] / HEIGHT - 0.5) * SENSOR_HEIGHT_MM
+    principal = principal_mm(settings.focal_length, settings.focus)
+    return {"focus": depth_met((across / principal, down / principal, 1.0))}
+
+
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle(
+        "aim",
+        "picture",
+        "Object to focus on",
+        ("focus",),
+        lambda *_: (WIDTH / 2, HEIGHT / 2),
+        aimed,
+        "aim",
+    ),
+    Handle("floor", "picture", "Plane of focus", ("focus",), floor_mark, role="ray"),
+    Handle(
+        "focus",
+        "lens",
+        "Point in focus",
+        ("focus",),
+        lambda settings, _: (column(settings.focus), AXIS_Y),
+        role="ray",
+        reversed=("focus",),
+    ),
+    Handle(
+        "rim",
+        "lens",
+        "Rim of the opening",
+        ("aperture",),
+        rim_mark,
+        role="camera",
+        reversed=("aperture",),
+    ),
+)
 SCENE = Scene(
-    id="depth-of-field",
-    title="Depth of Field",
-    settings=Settings,
-    draw=draw,
-    formula=thin_lens.circle_of_confusion_mm,
-    stages=STAGES,
-    handles=HANDLES,
+    "depth-of-field",
+    "Depth of Field",
+    Settings,
+    draw,
+    STAGES,
+    HANDLES,
     parameters=parameters,
     tiers=TIERS,
     default_tier="layered",
     own_drafts={SCALED: ("focus",), COARSE: ("focal_length",), QUICK: ("aperture",)},
     ladder="depth-of-field",
     estimate=estimate,
+    formula=thin_lens.circle_of_confusion_mm,
 )

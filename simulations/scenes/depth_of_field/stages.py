@@ -1,4 +1,5 @@
-"""The stages of the depth-of-field figure: one picture, blurred in the way of each tier.
+"""The stages of the depth-of-field figure: one picture, blurred in the way of each tier, and the
+sharpness of its ends by the formulas.
 
 The still life and its light are those of the camera simulator. There is no sensor, so that only
 the lens softens the picture.
@@ -6,6 +7,7 @@ the lens softens the picture.
 
 import math
 from collections.abc import Callable, Container, Iterator, Mapping
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -17,11 +19,14 @@ from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.error_measures import root_mean_square
+from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.depth_of_field import blur_by_depth
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life.light import LitScene
+from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
+from simulations.scenes._still_life_camera.focus_plane import floor_tangent, line_on_floor
 from simulations.scenes._still_life_camera.picture import (
     SCALED,
     defocus,
@@ -33,18 +38,25 @@ from simulations.scenes._still_life_camera.picture import (
     overlay,
     through_lens,
 )
-from simulations.scenes._still_life_camera.rays import Rays, blur_px, largest_blur_px, pinhole_rays
-from simulations.scenes.depth_of_field.focus_line import focus_line
+from simulations.scenes._still_life_camera.rays import (
+    PITCH_MM,
+    SENSOR_WIDTH_MM,
+    Rays,
+    blur_px,
+    largest_blur_px,
+    pinhole_rays,
+    principal_mm,
+)
 
+WIDTH, HEIGHT = 420.0, 280.0  # view box of the picture, and of the lens
+NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
+"""The red ball in front and the wall behind: the two ends of the still life."""
 TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
 """Rungs of the ladder `depth-of-field`, without its random rays and without 64 rays, which would
 take seconds."""
-COARSE = "coarse"
-"""The draft while the focal length moves: a ray for four pixels."""
-QUICK = "quick"
-"""The draft while the aperture moves: a ray for each pixel."""
-LAYERED = ("layered", COARSE, QUICK, SCALED)
-"""Tiers that blur each layer by itself."""
+COARSE = "coarse"  # the draft while the focal length moves: a ray for four pixels
+QUICK = "quick"  # the draft while the aperture moves: a ray for each pixel
+LAYERED = ("layered", COARSE, QUICK, SCALED)  # tiers that blur each layer by itself
 FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
     "discs": lambda sharp, radius, _depth: blur_by_depth(sharp, radius),
     "binned": lambda sharp, radius, _depth: binned_gaussian(sharp, radius),
@@ -53,12 +65,10 @@ FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
 """Tiers that blur a finished picture (3, H, W), by its radii of discs and its depths (H, W)."""
 SPIRALS: Mapping[str, Floats] = {"fibonacci-16": fibonacci_disc(16)}
 """Tiers that send rays through points (n, 2) spread over the lens."""
-COSTLY = ("gather", *SPIRALS)
-"""Tiers that are drawn with a ray for each pixel, too."""
+COSTLY = ("gather", *SPIRALS)  # tiers that are drawn with a ray for each pixel, too
 REDUCTIONS = {COARSE: 2.0, **dict.fromkeys((QUICK, SCALED, *COSTLY), 1.0)}
 """Pixels per ray each way, by tier and draft."""
-FINE = 0.5
-"""The same of all others: the picture is shown wider than the sensor has pixels."""
+FINE = 0.5  # The same of all others: the picture is shown wider than the sensor has pixels
 LIGHT_ANGLE_DEG = 40.0
 FIXED: Mapping[str, Value] = {
     "light_angle": LIGHT_ANGLE_DEG,
@@ -69,6 +79,27 @@ FIXED: Mapping[str, Value] = {
 """Parameters of the camera's stages that this figure does not offer."""
 FEWEST_ACROSS, MOST_ACROSS = 7, 15
 """Points across the lens of the picture that errors are measured against: 37 to 177 in all."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sharpness:
+    """Sharpness and blur of the still life at one setting; lengths in millimetres."""
+
+    aperture_mm: float  # Diameter of the opening
+    image_mm: float  # Distance from the lens to the sensor
+    near_blur_mm: float  # Disc of the red ball on the sensor
+    far_blur_mm: float  # Disc of the wall
+    near_limit_m: float  # Nearest distance whose disc is at most a pixel
+    far_limit_m: float  # Farthest; ∞ from the hyperfocal distance on
+
+
+def sharpness(focal_mm: float, f_number: float, focus_m: float) -> Sharpness:
+    """Raises ValueError for a focus at the focal length or nearer, which has no real image."""
+    focus_mm, ends_mm = 1000 * focus_m, np.array([1000 * NEAR_M, 1000 * FAR_M])
+    blur = thin_lens.circle_of_confusion_mm(focal_mm, f_number, focus_mm, ends_mm)
+    near, far = thin_lens.depth_of_field(focal_mm, f_number, focus_mm, PITCH_MM)
+    image_mm = float(thin_lens.thin_lens_image_distance(focal_mm, focus_mm))
+    return Sharpness(focal_mm / f_number, image_mm, *blur.tolist(), near / 1000, far / 1000)
 
 
 def widest_px(focal_length: float, aperture: float, focus: float) -> float:
@@ -90,11 +121,11 @@ def depth_of(lit: LitScene) -> Floats:
     return depth
 
 
-def _overlay(lit: LitScene, enlarged: float, reduction: float) -> Planes:
+def overlay_shown(lit: LitScene, enlarged: float, reduction: float) -> Planes:
     return enlarge(overlay(lit, enlarged), reduction)
 
 
-def _filter(
+def filtered(
     sharp: Planes,
     lit: LitScene,
     focal_length: float,
@@ -109,7 +140,7 @@ def _filter(
     return FILTERS[tier](sharp, radius, depth)
 
 
-def _rays(
+def rays_through_lens(
     rays: Rays, light_angle: float, focal_length: float, aperture: float, focus: float, tier: str
 ) -> Planes:
     """The mean of pictures through points spread over the lens."""
@@ -121,47 +152,54 @@ def encode(light: Planes) -> Raster:
     return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
 
 
-def _shown(light: Planes, repeated: int) -> Raster:
+def shown(light: Planes, repeated: int) -> Raster:
     """Canvas bytes, each repeated so many times each way: all tiers show pictures of one size."""
     raster = encode(light)
     return np.ascontiguousarray(raster.repeat(repeated, axis=0).repeat(repeated, axis=1))
 
 
-def _unless(tiers: Container[str], otherwise: str, tier: str) -> str:
+def units_per_tangent(focal_length: float, focus: float) -> float:
+    """View box units of the picture per tangent of the angle from the axis."""
+    return WIDTH * principal_mm(focal_length, focus) / SENSOR_WIDTH_MM
+
+
+def floor_row(focal_length: float, focus: float) -> float | None:
+    """Row of the view box in which the plane of focus cuts the floor; None outside the picture."""
+    if focus > WALL_DISTANCE:
+        return None
+    row = HEIGHT / 2 + floor_tangent(focus) * units_per_tangent(focal_length, focus)
+    return row if row < HEIGHT else None
+
+
+def focus_line(lit: LitScene, focal_length: float, focus: float, enlarged: float) -> str:
+    """SVG of the line in which the plane of focus cuts the floor, where no thing hides it."""
+    row = floor_row(focal_length, focus)
+    return "" if row is None else line_on_floor(lit, row, WIDTH, HEIGHT, enlarged)
+
+
+def unless(tiers: Container[str], otherwise: str, tier: str) -> str:
     """Why a stage of ``tiers`` would change nothing."""
     return "" if tier in tiers else otherwise
 
 
-def _unless_sharp(tiers: Container[str], otherwise: str, largest_blur: float, tier: str) -> str:
+def unless_sharp(tiers: Container[str], otherwise: str, largest_blur: float, tier: str) -> str:
     """Why a blur of ``tiers`` would change nothing. Rays through the lens are sent at any blur."""
-    return in_focus(largest_blur) or _unless(tiers, otherwise, tier)
+    return in_focus(largest_blur) or unless(tiers, otherwise, tier)
 
 
+NO_LAYER = partial(unless_sharp, LAYERED, "no layer is blurred by itself")
+NO_FILTER = partial(unless_sharp, FILTERS, "the finished picture is not filtered")
+ONE_RAY = partial(unless, SPIRALS, "every pixel has one ray")
+LENS_RAYS = "rays through the lens"
 STAGES = (
     Stage("pinhole rays", pinhole_rays),
     Stage("surfaces", find_surfaces, ("pinhole rays",)),
     Stage("light", light_surfaces, ("surfaces",)),
-    Stage(
-        "defocus",
-        defocus,
-        ("light",),
-        partial(_unless_sharp, LAYERED, "no layer is blurred by itself"),
-    ),
-    Stage("overlay", _overlay, ("defocus",)),
-    Stage(
-        "filter",
-        _filter,
-        ("overlay", "light"),
-        partial(_unless_sharp, FILTERS, "the finished picture is not filtered"),
-    ),
-    Stage(
-        "rays through the lens",
-        _rays,
-        ("pinhole rays",),
-        partial(_unless, SPIRALS, "every pixel has one ray"),
-        passes_on="filter",
-    ),
-    Stage("encoded", _shown, ("rays through the lens",)),
+    Stage("defocus", defocus, ("light",), NO_LAYER),
+    Stage("overlay", overlay_shown, ("defocus",)),
+    Stage("filter", filtered, ("overlay", "light"), NO_FILTER),
+    Stage(LENS_RAYS, rays_through_lens, ("pinhole rays",), ONE_RAY, passes_on="filter"),
+    Stage("encoded", shown, (LENS_RAYS,)),
     Stage("plane of focus", focus_line, ("light",)),
 )
 
@@ -174,13 +212,13 @@ def estimates(
     The rays form a grid that no tier uses; the wider the widest disc, the finer the grid.
     """
     repeated = len(picture) // len(rays.valid)
-    shown = picture[::repeated, ::repeated, :3].astype(np.float32)
+    seen = picture[::repeated, ::repeated, :3].astype(np.float32)
     across = math.ceil(1.5 * widest_px(focal_length, aperture, focus))
     points = aperture_grid(min(max(across, FEWEST_ACROSS), MOST_ACROSS))
-    total = np.zeros((3, *shown.shape[:2]), np.float32)
+    total = np.zeros((3, *seen.shape[:2]), np.float32)
     for count, at in enumerate(points, start=1):
         total += through_lens(rays, at, LIGHT_ANGLE_DEG, focal_length, aperture, focus)
-        off = shown - encode(np.asarray(total / count, np.float32))[..., :3]
+        off = seen - encode(np.asarray(total / count, np.float32))[..., :3]
         codes = format_number(root_mean_square(off), 2)
         label = f"RMS error against {count} of {len(points)} rays through the lens"
         yield Readout("error", label, codes, "codes of 255", "error")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.frame import format_number
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.light.reflectance import lambert
@@ -16,11 +17,12 @@ POINT_M = (0.4, -0.3, 3.0)
 """The point in the world, whose axes are right, down and ahead. It is fixed, like wall and lamp."""
 FOCAL_PX, CENTRE_PX = 800.0, (320.0, 240.0)
 LENS = Distortion(k1=-0.2)
-LAMP_ANGLE_RAD = math.radians(60.0)
-"""Angle of the lamp from the wall's normal."""
+LAMP_ANGLE_RAD = math.radians(60.0)  # from the wall's normal
 LAMP_COS = math.cos(LAMP_ANGLE_RAD)
-WHITE_E = 10_000.0
-"""Electrons from a white wall that faces the lamp: a full well."""
+WHITE_E = 10_000.0  # electrons from a white wall that faces the lamp: a full well
+SPECK_RADIUS_M, WALL_ALBEDO = 0.02, 0.08
+"""The disc of paint around the point, and the paint of the wall around it."""
+CELLS = 9  # cells of the sensor along each side of the patch that is shown
 FIRST_EXPOSURE = 16
 """Seed of the noise, chosen so that the ledger's numbers, rounded to two digits, give the printed
 code at every albedo."""
@@ -38,26 +40,27 @@ PIXEL = photon_counting.Sensor(
 class Journey:
     """All numbers of the point, in the order of the chain."""
 
-    world_m: tuple[float, float, float]
-    camera_m: tuple[float, float, float]
-    ideal: tuple[float, float]
-    """x, y of its pinhole image, in units of the focal length."""
-    distorted: tuple[float, float]
-    """The same, through the lens."""
-    pixel: tuple[float, float]
-    """Column and row, in pixels."""
-    relative_light: float
-    """Light, relative to a white wall that faces the lamp."""
-    mean_e: float
-    """Expected electrons."""
-    counted_e: float
-    """Electrons in this exposure."""
-    read_e: float
-    """Read noise, in electrons."""
-    raw_dn: int
-    """12-bit code for the sum of both."""
-    code: int
-    """8-bit sRGB."""
+    world_m: tuple[float, ...]
+    camera_m: tuple[float, ...]
+    ideal: tuple[float, ...]  # x, y of its pinhole image, in units of the focal length
+    distorted: tuple[float, ...]  # The same, through the lens
+    pixel: tuple[float, ...]  # Column and row, in pixels
+    relative_light: float  # Light, relative to a white wall that faces the lamp
+    mean_e: float  # Expected electrons
+    counted_e: float  # Electrons in this exposure
+    read_e: float  # Read noise, in electrons
+    raw_dn: int  # 12-bit code for the sum of both
+    code: int  # 8-bit sRGB
+
+
+@dataclass(frozen=True, slots=True)
+class Station:
+    """One entry of the ledger."""
+
+    title: str
+    numbers: str  # The result of this link, with units
+    sentence: str  # Description of this link, for a reader who cannot see the drawing
+    role: str
 
 
 def travel(distance_m: float, albedo: float, exposure: int) -> Journey:
@@ -79,11 +82,7 @@ def travel(distance_m: float, albedo: float, exposure: int) -> Journey:
     raw = photon_counting.quantise(signal_dn, PIXEL.bits)
     encoded = encode_srgb(photon_counting.develop(raw, PIXEL))
     return Journey(
-        world_m=_triple(world),
-        camera_m=_triple(camera),
-        ideal=_pair(ideal),
-        distorted=_pair(distorted),
-        pixel=_pair(pixel),
+        *(tuple(place.tolist()) for place in (world, camera, ideal, distorted, pixel)),
         relative_light=light,
         mean_e=mean_e,
         counted_e=float(counted[0]),
@@ -93,74 +92,56 @@ def travel(distance_m: float, albedo: float, exposure: int) -> Journey:
     )
 
 
-def _pair(values: np.ndarray) -> tuple[float, float]:
-    return float(values[0]), float(values[1])
-
-
-def _triple(values: np.ndarray) -> tuple[float, float, float]:
-    return float(values[0]), float(values[1]), float(values[2])
-
-
-@dataclass(frozen=True, slots=True)
-class Station:
-    """One entry of the ledger."""
-
-    title: str
-    numbers: str
-    """The result of this link, with units."""
-    sentence: str
-    """Description of this link, for a reader who cannot see the drawing."""
-    role: str
+def light_around(journey: Journey) -> Floats:
+    """Light (CELLS, CELLS) in the cells around the point's own, relative to a white wall that faces
+    the lamp: the disc of paint on its wall, averaged over each cell."""
+    offsets = np.arange(CELLS) - CELLS // 2
+    columns, rows = (round(place) + offsets - place for place in journey.pixel)
+    away = np.hypot(columns[None, :], rows[:, None])
+    radius = FOCAL_PX * SPECK_RADIUS_M / journey.camera_m[2]
+    covered = np.clip(radius - away + 0.5, 0.0, 1.0)
+    wall = WALL_ALBEDO * LAMP_COS
+    return np.asarray(wall + covered * (journey.relative_light - wall))
 
 
 def stations(journey: Journey) -> tuple[Station, ...]:
-    """The ledger: the scene and the seven links, in the chapter's order and with its names."""
-    return (*_where(journey), *_how_much(journey))
-
-
-def _where(journey: Journey) -> tuple[Station, ...]:
-    """Geometry: from a place in the scene to a cell of the sensor."""
+    """The ledger, in the chapter's order and with its names: the scene, the geometry from there to
+    a cell of the sensor, then light and electronics from the paint to the number in the file."""
     column, row = journey.pixel
+    light = format_number(journey.relative_light, 3)
+    sign = "−" if journey.read_e < 0 else "+"
+    electrons = f"({journey.counted_e:.0f} {sign} {abs(journey.read_e):.2f}) e⁻"
     return (
         Station(
             "Scene",
-            f"{_numbers(journey.world_m, 2)} m in the room",
+            f"{in_brackets(journey.world_m, 2)} m in the room",
             "The point waits in the scene, in world coordinates",
             "world",
         ),
         Station(
             "Pose",
-            f"{_numbers(journey.camera_m, 2)} m from the camera",
+            f"{in_brackets(journey.camera_m, 2)} m from the camera",
             "The camera’s pose turns world coordinates into camera coordinates",
             "camera",
         ),
         Station(
             "Projection",
-            f"divided by depth: {_numbers(journey.ideal, 5)}",
+            f"divided by depth: {in_brackets(journey.ideal, 5)}",
             "Division by the depth leaves two numbers",
             "camera",
         ),
         Station(
             "Lens",
-            f"times 1 − 0.2 r²: {_numbers(journey.distorted, 5)}",
+            f"times 1 − 0.2 r²: {in_brackets(journey.distorted, 5)}",
             "The lens bends the ray, and moves the point of the image",
             "ray",
         ),
         Station(
             "Pixel grid",
-            f"{_numbers(journey.pixel, 2)} px, in cell ({round(column)}, {round(row)})",
+            f"{in_brackets(journey.pixel, 2)} px, in cell ({round(column)}, {round(row)})",
             "Focal length and centre in pixels turn them into a place on the grid of cells",
             "image",
         ),
-    )
-
-
-def _how_much(journey: Journey) -> tuple[Station, ...]:
-    """Light and electronics: from the paint to the number in the file."""
-    light = format_number(journey.relative_light, 3)
-    sign = "−" if journey.read_e < 0 else "+"
-    electrons = f"({journey.counted_e:.0f} {sign} {abs(journey.read_e):.2f}) e⁻"
-    return (
         Station(
             "Light",
             f"ρ cos 60° = {light} of white: {journey.mean_e:.0f} e⁻ expected",
@@ -183,5 +164,5 @@ def _how_much(journey: Journey) -> tuple[Station, ...]:
     )
 
 
-def _numbers(values: tuple[float, ...], digits: int) -> str:
+def in_brackets(values: tuple[float, ...], digits: int) -> str:
     return f"({', '.join(format_number(value, digits) for value in values)})"
