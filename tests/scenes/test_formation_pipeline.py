@@ -8,10 +8,8 @@ import numpy as np
 import pytest
 
 from simulations.models.color.srgb import encode_srgb
-from simulations.scenes.formation_pipeline.drawing import place, route
-from simulations.scenes.formation_pipeline.scene import SCENE
-from simulations.scenes.formation_pipeline.stations import stations, travel
-from simulations.scenes.formation_pipeline.tiles import CELLS, picture
+from simulations.scenes.formation_pipeline.scene import route, travelled
+from simulations.scenes.formation_pipeline.stations import CELLS, light_around, stations, travel
 
 
 def parts(pattern: str, line: str) -> tuple[str, ...]:
@@ -21,23 +19,11 @@ def parts(pattern: str, line: str) -> tuple[str, ...]:
     return tuple(found.groups())
 
 
-def test_default_journey_is_the_worked_example_of_the_first_chapter() -> None:
-    journey = travel(4.0, 0.6, exposure=0)
-    assert journey.camera_m == pytest.approx((0.4, -0.3, 4.0))
-    assert journey.ideal == pytest.approx((0.1, -0.075))
-    assert journey.distorted == pytest.approx((0.09969, -0.07477), abs=5e-6)
-    assert journey.pixel == pytest.approx((399.75, 180.1875))
-    assert journey.mean_e == pytest.approx(3000)
-
-
-def test_electrons_scatter_around_their_mean_as_photons_do() -> None:
-    counted = np.array([travel(4.0, 0.6, exposure).counted_e for exposure in range(400)])
+def test_electrons_scatter_as_photons_do_and_reading_adds_five() -> None:
+    journeys = [travel(4.0, 0.6, exposure) for exposure in range(400)]
+    counted, read = np.array([(each.counted_e, each.read_e) for each in journeys]).T
     assert counted.mean() == pytest.approx(3000, abs=4 * math.sqrt(3000 / 400))
     assert counted.var() == pytest.approx(3000, rel=0.3)
-
-
-def test_reading_adds_an_error_of_five_electrons() -> None:
-    read = np.array([travel(4.0, 0.6, exposure).read_e for exposure in range(400)])
     assert read.mean() == pytest.approx(0, abs=4 * 5 / math.sqrt(400))
     assert read.std() == pytest.approx(5, rel=0.15)
 
@@ -76,23 +62,14 @@ def test_the_places_in_the_ledger_follow_from_one_another(distance: float) -> No
     assert lines[4].endswith(f"in cell ({round(pixel[0])}, {round(pixel[1])})")
 
 
-def test_the_camera_moves_and_what_it_looks_at_stays() -> None:
-    near, far = route(2.0), route(8.0)
+def test_the_marker_stands_on_each_station_at_whole_numbers_and_never_jumps() -> None:
+    near, legs, far = route(2.0), route(4.0), route(8.0)
     assert near[0][0] == far[0][0], "the point on its wall"
     assert near[2][0][0] < far[2][0][0], "the lens"
-    assert SCENE.pull(SCENE.check({}), "camera", (46 + 24 * 5.5, 134)) == {"distance": 5.5}
-
-
-def test_marker_stands_on_each_station_at_whole_numbers() -> None:
-    legs = route(4.0)
     for index, leg in enumerate(legs):
-        assert place(legs, index)[0] == pytest.approx(leg[0])
-    assert place(legs, len(legs))[0] == pytest.approx(legs[-1][-1])
-
-
-def test_marker_never_jumps() -> None:
-    legs = route(4.0)
-    way = [place(legs, step / 50)[0] for step in range(50 * len(legs) + 1)]
+        assert travelled(legs, index)[-1] == pytest.approx(leg[0])
+        assert travelled(legs, index + 1)[-1] == pytest.approx(leg[-1])
+    way = [travelled(legs, step / 50)[-1] for step in range(50 * len(legs) + 1)]
     assert max(math.dist(a, b) for a, b in itertools.pairwise(way)) < 6
 
 
@@ -102,15 +79,9 @@ def test_the_tile_of_the_sensor_shows_the_paint_as_bright_and_smaller_from_farth
 ) -> None:
     """The cell in the middle holds paint only; the disc covers its true number of cells."""
     journey = travel(distance, 0.6, 0)
-    light = picture(journey)
+    light = light_around(journey)
     assert light[CELLS // 2, CELLS // 2] == pytest.approx(journey.relative_light)
     wall = 0.08 / 2
     covered = float(((light - wall) / (journey.relative_light - wall)).sum())
     area = math.pi * (800 * 0.02 / distance) ** 2
     assert covered == pytest.approx(min(area, CELLS**2), rel=0.1)
-
-
-def test_a_short_pull_of_the_light_already_reaches_the_pose() -> None:
-    (x, y), _ = place(route(4.0), 0.0)
-    (pulled,) = SCENE.pull(SCENE.check({}), "marker", (x + 24, y + 10)).values()
-    assert float(pulled) >= 1.0

@@ -1,0 +1,163 @@
+"""The depth-of-field figure: limits, refusals, and the blur in the picture."""
+
+import math
+from functools import cache
+from itertools import islice
+from typing import Any
+
+import numpy as np
+import pytest
+from support.frames import estimates_of, frame_of, pixels_of
+
+from simulations.engine.settings import values_of
+from simulations.engine.stages import StageCache
+from simulations.models.arrays import Floats
+from simulations.models.lens import thin_lens
+from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.depth_of_field import Layer
+from simulations.pictures.still_life.light import LitScene
+from simulations.scenes._still_life_camera.picture import through_lens
+from simulations.scenes._still_life_camera.rays import PITCH_MM
+from simulations.scenes.depth_of_field.scene import (
+    LARGEST_DRAWN_PX,
+    SCENE,
+    drawn_f_number,
+    parameters,
+)
+from simulations.scenes.depth_of_field.stages import (
+    COSTLY,
+    FAR_M,
+    HEIGHT,
+    NEAR_M,
+    QUICK,
+    SPIRALS,
+    depth_of,
+    encode,
+    sharpness,
+)
+
+
+def test_at_the_limits_of_depth_of_field_the_disc_is_one_pixel() -> None:
+    sharp = sharpness(85, 2.8, 3.0)
+    limits_mm = [1000 * sharp.near_limit_m, 1000 * sharp.far_limit_m]
+    discs = thin_lens.circle_of_confusion_mm(85, 2.8, 3000, limits_mm)
+    assert discs == pytest.approx(PITCH_MM)
+    hyperfocal_m = thin_lens.hyperfocal(24, 8, PITCH_MM) / 1000
+    assert math.isfinite(sharpness(24, 8, 0.99 * hyperfocal_m).far_limit_m)
+    assert math.isinf(sharpness(24, 8, 1.01 * hyperfocal_m).far_limit_m)
+
+
+def test_a_focus_inside_the_focal_length_has_no_picture_no_stages_and_no_error() -> None:
+    shown = frame_of(SCENE, focal_length=100, focus=0.05)
+    assert {item.text for item in shown.readouts[:7]} == {"none"}
+    assert shown.stages == ()
+    (estimate,) = estimates_of(SCENE, "layered", focal_length=100, focus=0.1)
+    assert estimate.unit == ""
+
+
+@pytest.mark.parametrize("focal", [24, 49, 135])
+@pytest.mark.parametrize("focus", [0.15, 0.5, 3.2, 10])
+def test_the_drawn_blur_stops_at_its_limit_by_stopping_down(focal: float, focus: float) -> None:
+    asked = SCENE.check({"focal_length": focal, "focus": focus})
+    drawn = drawn_f_number(asked)
+    ends_mm = [1000 * NEAR_M, 1000 * FAR_M]
+    discs = thin_lens.circle_of_confusion_mm(focal, drawn, 1000 * focus, ends_mm)
+    assert discs.max() / PITCH_MM <= LARGEST_DRAWN_PX + 1e-9
+    assert drawn >= asked.aperture
+    read = parameters(asked, "") or {}
+    assert read["aperture"] == drawn
+    assert set(read) & set(values_of(asked)) == {"aperture"}
+    noted = "no disc over 48 px" in frame_of(SCENE, "pinhole", **values_of(asked)).panels[0].overlay
+    assert noted == (drawn > asked.aperture)
+    if 1000 * focus < 500:  # all is behind the focus, and the wall is blurred most
+        wall_mm = thin_lens.circle_of_confusion_mm(focal, 1.4, 1000 * focus, 1000 * FAR_M)
+        assert drawn == pytest.approx(1.4 * max(1, float(wall_mm) / PITCH_MM / LARGEST_DRAWN_PX))
+
+
+def test_the_picture_grows_with_the_sensor_s_distance_from_the_lens() -> None:
+    """Not with the focal length: 1/f = 1/s + 1/z puts the sensor at z, and x = z X / Z."""
+
+    def width_of_the_red_ball(focus: float) -> int:
+        raster = pixels_of(frame_of(SCENE, "pinhole", focus=focus)).astype(int)
+        red, green, blue = (raster[..., part] for part in range(3))
+        return int(((red > 2 * green) & (red > 2 * blue)).sum(axis=1).max())
+
+    z_near, z_far = (1 / (1 / 50 - 1 / mm) for mm in (250, 10_000))
+    wider = width_of_the_red_ball(0.25) / width_of_the_red_ball(10)
+    assert wider == pytest.approx(z_near / z_far, rel=0.03)
+
+
+def test_every_tier_and_its_reference_have_the_same_scale() -> None:
+    """The sensor stands 12 % farther off than the focal length: any mix of the two is far off."""
+    lens: dict[str, Any] = {"focal_length": 135, "aperture": 22, "focus": 1.25}
+    layered, *others = (
+        pixels_of(frame_of(SCENE, tier, **lens))[..., :3].astype(float)
+        for tier in ("layered", "discs", "fibonacci-16")
+    )
+    errors = SCENE.estimates(SCENE.check(lens), "layered", StageCache())
+    after_ten_rays = next(islice(errors, 9, None))
+    assert float(after_ten_rays.text) < 3
+    for other in others:
+        assert np.sqrt(np.mean((other - layered) ** 2)) < 3
+
+
+@pytest.mark.parametrize("tier", [tier for tier in SCENE.tiers if tier not in SPIRALS])
+def test_a_lens_that_is_nearly_a_pinhole_is_drawn_without_a_blur(tier: str) -> None:
+    shown = pixels_of(frame_of(SCENE, tier, aperture=22))
+    sharp = pixels_of(frame_of(SCENE, QUICK if tier in COSTLY else "pinhole", aperture=22))
+    repeated = len(shown) // len(sharp)
+    np.testing.assert_array_equal(shown[::repeated, ::repeated], sharp)
+
+
+@pytest.mark.deep
+def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
+    """A pinhole is off by all of the blur, filters by edges only, and rays by least."""
+    stages, settings = StageCache(), SCENE.check({})
+
+    @cache
+    def truth(tier: str) -> Floats:
+        rays = SCENE.run(settings, tier, stages).outputs["pinhole rays"]
+        through = (through_lens(rays, at, 40.0, 50.0, 1.4, 3.2) for at in aperture_grid(7))
+        return encode(np.mean(list(through), axis=0)).astype(float)
+
+    def off(tier: str) -> float:
+        true = truth(QUICK if tier in COSTLY else "pinhole")
+        seen = pixels_of(frame_of(SCENE, tier, stages))
+        repeated = len(seen) // len(true)
+        return math.sqrt(np.mean((seen[::repeated, ::repeated] - true)[..., :3] ** 2))
+
+    final = {tier: off(tier) for tier in SCENE.tiers}
+    filters = [final[tier] for tier in ("discs", "binned", "gather")]
+    assert final["pinhole"] > 2.5 * max(filters)
+    assert min(filters) > final["layered"] > 1.9 * final["fibonacci-16"]
+    *_, last = SCENE.estimates(settings, "layered", stages)
+    assert float(last.text) == pytest.approx(final["layered"], abs=0.01)
+
+
+def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing() -> None:
+    ones = np.ones((4, 3, 4), np.float32)
+    half = ones * np.float32(0.5)
+    lit = LitScene(
+        base=np.zeros((3, 6, 8), np.float32),
+        base_depth=np.full((6, 8), 9.0),
+        layers=(Layer(ones, 1, 2), Layer(ones, -1, 6), Layer(half, 0, 0), Layer(ones, 5, -2)),
+        depths=(5.0, 4.0, 3.0, 2.0),
+    )
+    expected = np.full((6, 8), 9.0)
+    expected[1:4, 2:6] = 5
+    expected[0:2, 6:8] = 4
+    expected[5, 0:2] = 2
+    np.testing.assert_array_equal(depth_of(lit), expected)
+
+
+@pytest.mark.parametrize("focus", [0.3, 2.0, 3.2, 6.0, 9.0])
+def test_line_and_handle_on_the_floor_are_where_the_floor_is_in_focus(focus: float) -> None:
+    stages = StageCache()
+    shown = frame_of(SCENE, "", stages, focus=focus)
+    rows = [place.y for place in shown.handles if place.name == "floor"]
+    assert bool(rows) == ("casing" in shown.panels[0].overlay) == (1 < focus < 8)
+    if rows:
+        outputs = SCENE.run(SCENE.check({"focus": focus}), "", stages).outputs
+        depth = outputs["light"].base_depth[:, 3]
+        row = rows[0] / HEIGHT * len(depth) - 0.5
+        assert np.interp(row, np.arange(len(depth)), depth) == pytest.approx(focus, rel=0.01)
