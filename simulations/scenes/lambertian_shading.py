@@ -276,13 +276,13 @@ def describe(angle: float, theta: float, code: int) -> str:
     return f"A matte sphere is lit {light}; the normal at the probed point {point}."
 
 
-def brightest(settings: Settings, _outputs: Outputs) -> Point | None:
+def brightest(settings: Settings, _outputs: Outputs) -> tuple[float, float] | None:
     """The point whose normal points to the lamp, if the camera sees it."""
     turn = math.radians(settings.light_angle)
     return _ball.on_equator(turn) if abs(settings.light_angle) <= 90 else None
 
 
-def on_curve(settings: Settings, _outputs: Outputs) -> Point:
+def on_curve(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
     theta = abs(math.remainder(settings.light_angle - settings.probe, 360))
     return PLOT.at(theta, settings.albedo * max(0.0, math.cos(math.radians(theta))))
 

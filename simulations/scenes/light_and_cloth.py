@@ -210,12 +210,12 @@ def describe(settings: LitSurface, seen: Seen, chosen: int) -> str:
     return f"{sentence}."
 
 
-def band_mark(settings: LitSurface, _outputs: Outputs) -> Point | None:
+def band_mark(settings: LitSurface, _outputs: Outputs) -> tuple[float, float] | None:
     """The peak of the cloth's band."""
     return _spectra.PLOT.at(settings.band, MOST) if settings.surface == "cloth" else None
 
 
-def width_mark(settings: LitSurface, _outputs: Outputs) -> Point | None:
+def width_mark(settings: LitSurface, _outputs: Outputs) -> tuple[float, float] | None:
     """Half the height of the band, on the right."""
     if settings.surface != "cloth":
         return None
@@ -223,7 +223,7 @@ def width_mark(settings: LitSurface, _outputs: Outputs) -> Point | None:
     return _spectra.PLOT.at(beside, 0.5 * (LEAST + MOST))
 
 
-def white_mark(settings: LitSurface, _outputs: Outputs) -> Point | None:
+def white_mark(settings: LitSurface, _outputs: Outputs) -> tuple[float, float] | None:
     if settings.light not in ("planck", "daylight"):
         return None
     return place_of(white_xy(_spectra.light_of(settings.light, settings.temperature)))

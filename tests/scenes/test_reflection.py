@@ -45,12 +45,14 @@ def estimate(scene: Any, tier: str, **given: object) -> float:
 @pytest.mark.parametrize("model", ["lambert", *GLOSS])
 def test_the_estimated_error_is_that_of_the_bytes(tier: str, model: str) -> None:
     """Strength and albedo add up to less than 1, so that no pixel is cut off at white."""
-    scene, albedo, shine = LAMBERTIAN, 0.8, dict[str, Any]()
+    scene: Any = LAMBERTIAN
+    given: dict[str, Any] = {"light_angle": 75}
     truth: Floats = lambert(normals_64(), light_direction(75), 0.8)
     if model in GLOSS:
-        scene, albedo, shine = PHONG, float(ALBEDO[0]), {"specular": 0.35, "shininess": 9}
-        truth = GLOSS[model](normals_64(), light_direction(75), [0, 0, 1], albedo, **shine)
-    given = {"light_angle": 75} | (shine | {"model": model} if shine else {"albedo": albedo})
+        scene, shine = PHONG, {"specular": 0.35, "shininess": 9}
+        red_paint = float(ALBEDO[0])
+        truth = GLOSS[model](normals_64(), light_direction(75), [0, 0, 1], red_paint, **shine)
+        given |= {**shine, "model": model}
     red = pixels_of(frame_of(scene, tier, **given))[BALL.square][..., 0][BALL.inner]
     seen = np.sqrt(np.mean((decode_srgb(red / 255.0) - truth[BALL.inner]) ** 2))
     assert seen == pytest.approx(estimate(scene, tier, **given), rel=0.05, abs=1.5e-3)

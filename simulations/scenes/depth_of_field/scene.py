@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.controls import Value
-from simulations.engine.drawing import Point, text
+from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
-from simulations.engine.handles import Handle
+from simulations.engine.handles import Handle, Point
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider

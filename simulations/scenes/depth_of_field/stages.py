@@ -99,7 +99,8 @@ def sharpness(focal_mm: float, f_number: float, focus_m: float) -> Sharpness:
     blur = thin_lens.circle_of_confusion_mm(focal_mm, f_number, focus_mm, ends_mm)
     near, far = thin_lens.depth_of_field(focal_mm, f_number, focus_mm, PITCH_MM)
     image_mm = float(thin_lens.thin_lens_image_distance(focal_mm, focus_mm))
-    return Sharpness(focal_mm / f_number, image_mm, *blur.tolist(), near / 1000, far / 1000)
+    blurs = float(blur[0]), float(blur[1])
+    return Sharpness(focal_mm / f_number, image_mm, *blurs, near / 1000, far / 1000)
 
 
 def widest_px(focal_length: float, aperture: float, focus: float) -> float:

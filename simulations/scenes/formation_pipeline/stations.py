@@ -82,7 +82,11 @@ def travel(distance_m: float, albedo: float, exposure: int) -> Journey:
     raw = photon_counting.quantise(signal_dn, PIXEL.bits)
     encoded = encode_srgb(photon_counting.develop(raw, PIXEL))
     return Journey(
-        *(tuple(place.tolist()) for place in (world, camera, ideal, distorted, pixel)),
+        world_m=POINT_M,
+        camera_m=tuple(camera.tolist()),
+        ideal=tuple(ideal.tolist()),
+        distorted=tuple(distorted.tolist()),
+        pixel=tuple(pixel.tolist()),
         relative_light=light,
         mean_e=mean_e,
         counted_e=float(counted[0]),

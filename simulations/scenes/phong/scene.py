@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.drawing import Point
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
@@ -182,7 +181,7 @@ def cosines_at(light_angle: float, probe: float) -> tuple[float, float, float]:
     )
 
 
-def half_place(settings: Settings) -> Point | None:
+def half_place(settings: Settings) -> tuple[float, float] | None:
     """The place in the plot at which the highlight has half its strength; None if it is wider."""
     half_deg = math.degrees(half_width_rad(settings.model, settings.shininess))
     return PLOT.at(half_deg, 0.5) if half_deg <= PLOT.x.high else None
@@ -245,7 +244,7 @@ def describe(settings: Settings, matte: float, shine: float, width_deg: float) -
     )
 
 
-def highlight_at(settings: Settings, _outputs: Outputs) -> Point | None:
+def highlight_at(settings: Settings, _outputs: Outputs) -> tuple[float, float] | None:
     opposed = abs(settings.light_angle) == 180
     return None if opposed else highlight_grip(math.radians(settings.light_angle))
 

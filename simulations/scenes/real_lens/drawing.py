@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from simulations.engine.drawing import Point, dot, line, path, polygon, polyline, text
+from simulations.engine.drawing import dot, line, path, polygon, polyline, text
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
@@ -174,9 +174,11 @@ def outline(view: Section, glass: Glass) -> list[tuple[float, float]]:
     return there + [view.at(x, h) for x, h in zip(back[::-1], heights[::-1], strict=True)]
 
 
-def ways(view: Section, glass: Glass, rays: Rays, heights: Floats) -> list[list[Point]]:
+def ways(
+    view: Section, glass: Glass, rays: Rays, heights: Floats
+) -> list[list[tuple[float, float]]]:
     """Each ray from the left to its end, or to the border of the panel."""
-    drawn: list[list[Point]] = []
+    drawn = []
     far = glass.distance_mm
     within = -far >= view.left_mm
     for front, back, slope, height in zip(rays.front, rays.back, rays.slope, heights, strict=True):
