@@ -22,7 +22,7 @@ from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic
 from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
-from simulations.scenes.jpeg.scene import SCENE as JPEG
+from simulations.scenes.jpeg import SCENE as JPEG
 
 CHAPTER = "06-digital-sensor"
 

@@ -3,12 +3,11 @@
 The setting of a wipe is the share of the panel's width that lies left of the line, from 0 to 1.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from simulations.engine.controls import Value
 from simulations.engine.drawing import line, text
 from simulations.engine.frame import Raster
 from simulations.engine.handles import Handle, Point
@@ -50,7 +49,4 @@ def wipe_handle(panel: str, setting: str, width: float, height: float) -> Handle
     def at(settings: object, _outputs: Outputs) -> Point:
         return (float(getattr(settings, setting)) * width, HEIGHT_OF_HANDLE * height)
 
-    def pull(_settings: object, place: Point) -> Mapping[str, Value]:
-        return {setting: place[0] / width}
-
-    return Handle(setting, panel, "Dividing line", (setting,), at, pull, role="image")
+    return Handle(setting, panel, "Dividing line", (setting,), at, role="image")

@@ -2,14 +2,16 @@
 
 Light is 0.5 + 0.5 sin(phase), so that at exactly Nyquist the samples have |sin φ| of the amplitude.
 Stripes have one frequency everywhere; the rings of the zone plate reach the frequency set at the
-left and right edges of the picture.
+left and right edges of the picture. The filter is the choice of method, and all are fast: no tiers.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.controls import Value
 from simulations.engine.frame import (
     Frame,
     Panel,
@@ -19,80 +21,91 @@ from simulations.engine.frame import (
     format_number,
     readout,
 )
+from simulations.engine.handles import Handle, Point
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.engine.stages import Outputs
-from simulations.models.arrays import Floats, Mask
+from simulations.engine.settings import action, choice, slider
+from simulations.engine.stages import Outputs, Stage
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.error_measures import root_mean_square
-from simulations.models.pixel_grid import centred
+from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
-from simulations.models.sampling.prefilters import Prefilter, prefilter, transfer
-from simulations.scenes.aliasing import row, spectrum
-from simulations.scenes.aliasing.handles import HANDLES
-from simulations.scenes.aliasing.own import PHOTOGRAPH_PX, Own, ideal_own
-from simulations.scenes.aliasing.pattern import STAGES, Pattern, pattern_of
-from simulations.scenes.aliasing.settings import Settings
+from simulations.scenes.aliasing import drawing, light
+from simulations.scenes.aliasing.light import NYQUIST, Own, Pattern, pattern_of
 
-NYQUIST = 0.5
-"""Cycles per sample."""
+PATTERNS = {"stripes": "Stripes", "zone_plate": "Zone plate"}
+FILTERS = {
+    "none": "None: a point of each pixel",
+    "box": "Box: the pixel's whole area",
+    "box-2": "Box, by 2 × 2 points",
+    "box-4": "Box, by 4 × 4 points",
+    "box-8": "Box, by 8 × 8 points",
+    "gaussian": "Gaussian, σ = 0.5 px",
+    "sinc": "Windowed sinc, 8 px wide",
+}
+SIZE = drawing.WIDTH, drawing.HEIGHT
+UNITS_PER_PIXEL = drawing.WIDTH / 64  # of the stripes, at every rate
 
-GUARD = 0.1
-"""Parts of the zone plate whose frequency is this close to Nyquist are left out of the error."""
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    pattern: str = choice("Pattern", PATTERNS)
+    frequency: float = slider("Frequency f", 0.3, 0, 1.2, 0.01, unit="cycles/px")
+    phase: float = slider("Phase φ", 90, 0, 360, 5, unit="°")
+    prefilter: str = choice("Filter before sampling", FILTERS)
+    rate: float = slider("Sampling rate", 1, 0.5, 2, 0.05, unit="samples/px")
+    sweep: int = action(
+        "Sweep the frequency", "Pause", drives="frequency", effect="play", seconds=16.0
+    )
+
+
+def pattern_at(settings: Settings) -> Pattern:
+    return pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
+
+
+def picture(
+    own: Own | None, pattern: str, frequency: float, phase: float, prefilter: str, rate: float
+) -> Raster:
+    """The sampled picture."""
+    if own:
+        return own.raster
+    shown = pattern_of(pattern, frequency, phase, rate).picture(prefilters.prefilter(prefilter))
+    return to_rgba8(encode_srgb(np.clip(shown, 0.0, 1.0)))
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The picture, one row of it with the wave, and the folded frequency."""
     own: Own | None = outputs["own picture"]
-    pattern = pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
-    kernel = prefilter(settings.prefilter)
-    left = float(transfer(kernel, pattern.frequency))
-    remaining = abs(left) if own else amplitude_in_samples(pattern, left)
-    wave = "light" if own else "wave"
-    over_picture, over_row = _overlays(pattern, kernel, own)
-    return Frame(
-        panels=(
-            _panel("picture", "The picture, pixel by pixel", over_picture, outputs["picture"]),
-            _panel("row", f"The framed pixels: the {wave} and its samples", over_row),
-            _panel(
-                "spectrum",
-                "The frequency, folded at Nyquist",
-                spectrum.draw(pattern, kernel, remaining, own),
-            ),
-        ),
-        readouts=_readouts(pattern, abs(left), remaining),
-        description=(
-            describe_own(settings, pattern, abs(left))
-            if own
-            else describe(settings, pattern, abs(left), remaining)
-        ),
-    )
-
-
-def _overlays(pattern: Pattern, kernel: Prefilter, own: Own | None) -> tuple[str, str]:
-    """Over the picture, and of the row."""
+    pattern, kernel = pattern_at(settings), prefilters.prefilter(settings.prefilter)
+    left = float(prefilters.transfer(kernel, pattern.frequency))
+    passed = abs(left)
     if own:
-        return row.mark_own(own, pattern.rate), row.draw_own(own, kernel.weights.size > 1)
-    ring = row.nyquist_ring(pattern) if pattern.kind == "zone_plate" else ""
-    return ring + row.mark(pattern), row.draw(pattern, kernel)
-
-
-def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) -> Panel:
-    is_picture = raster is not None
-    return Panel(name, title, row.WIDTH, row.HEIGHT, raster, overlay, is_picture, lead=is_picture)
-
-
-def _readouts(pattern: Pattern, passed: float, remaining: float) -> tuple[Readout, ...]:
+        remaining, words = passed, describe_own(settings, pattern, passed)
+        over = drawing.shown_pixels(own, pattern.rate)
+        row = drawing.row_of_own(own, kernel.weights.size > 1)
+    else:
+        remaining = amplitude_in_samples(pattern, left)
+        words = describe(settings, pattern, passed, remaining)
+        ring = drawing.nyquist_ring(pattern) if pattern.kind == "zone_plate" else ""
+        over, row = ring + drawing.shown_samples(pattern), drawing.row_of(pattern, kernel)
+    title = f"The framed pixels: the {'light' if own else 'wave'} and its samples"
+    fold, raster = drawing.spectrum(pattern, kernel, remaining, own), outputs["picture"]
     alias, nyquist = pattern.alias * pattern.rate, NYQUIST * pattern.rate
-    return (
-        readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
-        readout("nyquist", "Nyquist frequency", nyquist, "cycles/px", role="camera"),
-        readout("period", "One stripe every", _period(alias), "px", digits=1, role="error"),
-        readout("passed", "The filter passes", passed, "of the wave", digits=3, role="light"),
-        Readout("kept", "The samples keep", format_number(remaining, 3), "of the wave", "image"),
+    period = 1.0 / alias if alias > 0.005 else math.inf
+    return Frame(
+        (
+            Panel("picture", "The picture, pixel by pixel", *SIZE, raster, over, True, lead=True),
+            Panel("row", title, *SIZE, overlay=row),
+            Panel("spectrum", "The frequency, folded at Nyquist", *SIZE, overlay=fold),
+        ),
+        (
+            readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
+            readout("nyquist", "Nyquist frequency", nyquist, "cycles/px", role="camera"),
+            readout("period", "One stripe every", period, "px", digits=1, role="error"),
+            readout("passed", "The filter passes", passed, "of the wave", digits=3, role="light"),
+            readout("kept", "The samples keep", remaining, "of the wave", digits=3, role="image"),
+        ),
+        words,
     )
-
-
-def _period(frequency: float) -> float:
-    return 1.0 / frequency if frequency > 0.005 else math.inf
 
 
 def amplitude_in_samples(pattern: Pattern, left: float) -> float:
@@ -115,7 +128,7 @@ def describe(settings: Settings, pattern: Pattern, passed: float, remaining: flo
     what = "Stripes" if stripes else "Rings that at the left and right edges reach"
     true = f"{what} {'of ' if stripes else ''}{format_number(frequency)} cycles per pixel"
     if settings.rate != 1:
-        true += f" at {_rate(settings)}"
+        true += f" at {rate_in_words(settings)}"
     strength = f"{format_number(100 * remaining, 0)} % of their amplitude"
     if frequency == 0:
         return (
@@ -144,8 +157,9 @@ def describe_own(settings: Settings, pattern: Pattern, passed: float) -> str:
     """The description for a reader's picture."""
     nyquist, alias = NYQUIST * pattern.rate, pattern.alias * pattern.rate
     sampled = (
-        f"Your own picture at {_rate(settings)}: detail of more than {format_number(nyquist)} "
-        f"cycles per pixel appears as coarser detail. A wave of {format_number(settings.frequency)}"
+        f"Your own picture at {rate_in_words(settings)}: detail of more than "
+        f"{format_number(nyquist)} cycles per pixel appears as coarser detail. "
+        f"A wave of {format_number(settings.frequency)}"
     )
     strength = f"with {format_number(100 * passed, 0)} % of its amplitude"
     if pattern.frequency <= NYQUIST:
@@ -153,52 +167,114 @@ def describe_own(settings: Settings, pattern: Pattern, passed: float) -> str:
     return f"{sampled} is shown as one of {format_number(alias)}, {strength}."
 
 
-def _rate(settings: Settings) -> str:
+def rate_in_words(settings: Settings) -> str:
     rate = format_number(settings.rate)
     return f"{rate} samples a pixel" if settings.rate != 1 else "one sample a pixel"
-
-
-def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
-    """The ideal picture (height, width) of a pattern, and where it is certain.
-
-    Waves below Nyquist along both axes are unfiltered; all others are even grey. The pattern is
-    computed again here, from its definition.
-    """
-    x = pattern.first + np.arange(pattern.width)
-    y = centred(pattern.height)[:, None]
-    f = pattern.frequency
-    if pattern.kind == "stripes":
-        wave = np.sin(pattern.phase_rad + 2 * np.pi * f * (x + 0 * y))
-        resolved = np.full(wave.shape, f < NYQUIST)
-        return np.where(resolved, 0.5 + 0.5 * wave, 0.5), np.ones(wave.shape, bool)
-    highest = 2 * f / pattern.width * np.maximum(np.abs(x), np.abs(y))
-    wave = np.sin(pattern.phase_rad + 2 * np.pi * f / pattern.width * (x * x + y * y))
-    light: Floats = np.where(highest < NYQUIST, 0.5 + 0.5 * wave, 0.5)
-    return light, np.abs(highest - NYQUIST) > GUARD
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """RMS difference from the ideal picture, in one step."""
     own: Own | None = outputs["own picture"]
     if own:
-        off = own.linear - ideal_own(outputs["photograph"], settings.rate)
+        off = own.linear - light.ideal_own(outputs["photograph"], settings.rate)
     else:
-        pattern = pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
-        truth, certain = ideal(pattern)
-        off = (pattern.picture(prefilter(settings.prefilter)) - truth)[certain]
+        pattern = pattern_at(settings)
+        truth, certain = light.ideal(pattern)
+        off = (pattern.picture(prefilters.prefilter(settings.prefilter)) - truth)[certain]
     text = format_magnitude(root_mean_square(off), 1e-9)
     yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
 
 
-# The filter is the choice of method, and all are fast: no tiers, no draft.
+def crest_at(settings: Settings, outputs: Outputs) -> Point | None:
+    return None if outputs["photograph"] else drawing.crest(pattern_at(settings))
+
+
+def crest_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    pixels = drawing.ROW.values(place)[0]
+    turns = drawing.crest_turns(math.radians(settings.phase))
+    return {"frequency": turns / pixels if pixels > 0 else math.inf}
+
+
+def stripes_at(settings: Settings, outputs: Outputs) -> Point | None:
+    """A zero crossing of the wave, which moves left as the phase grows."""
+    if outputs["photograph"] or settings.pattern != "stripes" or settings.frequency == 0:
+        return None
+    return (-settings.phase / 360 / settings.frequency * UNITS_PER_PIXEL, 0.0)
+
+
+def stripes_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    phase = -360 * settings.frequency * place[0] / UNITS_PER_PIXEL
+    return {"phase": phase if -1e-6 <= phase <= 360 + 1e-6 else phase % 360}
+
+
+def ring_at(settings: Settings, outputs: Outputs) -> Point | None:
+    """The leftmost point of the ring, if it is in the picture."""
+    if outputs["photograph"] or settings.pattern != "zone_plate":
+        return None
+    return drawing.ring(pattern_at(settings))
+
+
+def ring_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    radius = drawing.WIDTH / 2 - float(place[0])
+    ratio = settings.rate * drawing.WIDTH / 4
+    return {"frequency": ratio / radius if radius > 0 else math.inf}
+
+
+# The pulls save a search that would sample a picture for each frequency.
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle(
+        "frequency",
+        "spectrum",
+        "Frequency",
+        ("frequency",),
+        lambda settings, _: drawing.SPECTRUM.at(settings.frequency, 1.0),
+        reach="press",
+        role="world",
+    ),
+    Handle(
+        "crest",
+        "row",
+        "Crest of the wave",
+        ("frequency",),
+        crest_at,
+        crest_pulled,
+        role="world",
+        reversed=("frequency",),
+    ),
+    Handle(
+        "stripes",
+        "picture",
+        "Stripes",
+        ("phase",),
+        stripes_at,
+        stripes_pulled,
+        "drag",
+        reversed=("phase",),
+    ),
+    Handle(
+        "ring", "picture", "Ring at Nyquist", ("frequency",), ring_at, ring_pulled, role="camera"
+    ),
+    Handle(
+        "nyquist",
+        "spectrum",
+        "Limit at Nyquist",
+        ("rate",),
+        lambda settings, _: drawing.SPECTRUM.at(NYQUIST * settings.rate, 0.0),
+        role="camera",
+    ),
+)
 SCENE = Scene(
-    id="aliasing",
-    title="Sampling and Aliasing",
-    settings=Settings,
-    draw=draw,
-    formula=alias_frequency,
-    stages=STAGES,
-    handles=HANDLES,
-    photograph=PHOTOGRAPH_PX,
+    "aliasing",
+    "Sampling and Aliasing",
+    Settings,
+    draw,
+    (
+        Stage("own light", light.own_light),
+        Stage("own picture", light.sample_own, ("own light",)),
+        Stage("picture", picture, ("own picture",)),
+    ),
+    HANDLES,
+    photograph=light.PHOTOGRAPH_PX,
     estimate=estimate,
+    formula=alias_frequency,
 )

@@ -15,9 +15,9 @@ from simulations.registry import SCENE_MODULES, load_scene
 
 SAMPLE = ("jpeg", "lens-distortion", "single-view")
 JPEG = SCENE_MODULES["jpeg"]
-A_STAGE = "simulations.scenes.jpeg.stages:_quality"
+A_STAGE = "simulations.scenes.jpeg:fidelity"
 A_MODEL = "simulations.models.compression.jpeg:to_planes"
-A_CONSTANT = "simulations.scenes.jpeg.stages:STAGES"
+A_CONSTANT = "simulations.scenes.jpeg:STAGES"
 
 
 def source_of(definition: str) -> str:
@@ -73,17 +73,17 @@ def test_an_edit_changes_the_copy_and_not_the_book(definition: str, old: str, ne
 
 def test_an_edit_may_bring_its_own_imports_and_helpers() -> None:
     text = "from math import tau\n\ndef half(x):\n    return x / 2\n\n"
-    text += "def _quality(decoded, original):\n    return half(tau)\n"
+    text += "def fidelity(decoded, original):\n    return half(tau)\n"
     readouts = frame_of(copy_with(JPEG, {A_STAGE: text})).readouts
     assert any(item.text.startswith("3.1") for item in readouts)
 
 
 def test_what_a_copy_spoils_in_place_is_its_own() -> None:
     book = frame_of(load_scene("jpeg"))
-    spoils = "def _original():\n    picture = balloon()\n    picture.flags.writeable = True\n"
+    spoils = "def whole_codes():\n    picture = balloon()\n    picture.flags.writeable = True\n"
     spoils += "    picture[:] = 0\n    return np.zeros_like(picture, np.float64)\n"
-    copy_with(JPEG, {"simulations.scenes.jpeg.stages:_original": spoils})
-    frame_of(copy_with(JPEG, {"simulations.scenes.jpeg.stages:_original": spoils}))
+    copy_with(JPEG, {"simulations.scenes.jpeg:whole_codes": spoils})
+    frame_of(copy_with(JPEG, {"simulations.scenes.jpeg:whole_codes": spoils}))
     assert same(frame_of(load_scene("jpeg")), book)
 
 
@@ -115,11 +115,11 @@ def test_edits_stand_in_their_module_where_they_are_said_to() -> None:
 @pytest.mark.parametrize(
     ("text", "line", "words"),
     [
-        ("def _quality(:\n    pass", 1, "SyntaxError: "),
-        ('def _quality():\n    """never closed', 2, "SyntaxError: unterminated"),
+        ("def fidelity(:\n    pass", 1, "SyntaxError: "),
+        ('def fidelity():\n    """never closed', 2, "SyntaxError: unterminated"),
         ("x = 1\nreturn x", 2, "SyntaxError: 'return' outside function"),
-        ("def quality():\n    pass", 1, r"undefined.*'_quality'"),
-        ("", 1, r"undefined.*'_quality'"),
+        ("def quality():\n    pass", 1, r"undefined.*'fidelity'"),
+        ("", 1, r"undefined.*'fidelity'"),
     ],
 )
 def test_a_text_that_cannot_stand_there_is_refused_with_its_line(

@@ -1,0 +1,179 @@
+"""Aliasing: patterns and the reader's picture, filtered and sampled, against theory."""
+
+from functools import partial
+from itertools import product
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from support.frames import estimates_of, frame_of, number_of, pixels_of
+
+from simulations.engine.photograph import Photograph
+from simulations.engine.stages import StageCache
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.sampling.aliasing import zone_plate
+from simulations.models.sampling.prefilters import prefilter
+from simulations.scenes.aliasing.drawing import alias_curve
+from simulations.scenes.aliasing.light import SHOWN, ideal, own_light, pattern_of, sample_own
+from simulations.scenes.aliasing.scene import FILTERS, SCENE
+
+frame = partial(frame_of, SCENE)
+PLATE = {"pattern": "zone_plate"}
+
+
+def row_of(**given: object) -> np.ndarray:
+    return decode_srgb(pixels_of(frame(**given))[0, :, 0] / 255)
+
+
+@pytest.mark.parametrize(
+    ("given", "same"),
+    [
+        ({"frequency": 0.8}, {"frequency": 0.2}),
+        ({"frequency": 0.8}, {"frequency": 1.2, "rate": 1.5}),
+    ],
+)
+def test_waves_with_equal_samples_differ(given: dict[str, object], same: dict[str, object]) -> None:
+    np.testing.assert_allclose(row_of(**given), row_of(**same)[:64], atol=0.01)
+
+
+def test_a_frequency_on_the_fold_is_off_it() -> None:
+    for rate in np.arange(0.5, 2.01, 0.1).round(2):
+        shown = frame(frequency=round(rate / 2, 2), rate=rate)
+        assert "exactly at Nyquist" in shown.description, rate
+
+
+def test_the_zone_plate_differs_from_its_integral_over_a_pixel() -> None:
+    pattern = pattern_of("zone_plate", 1.1, 40.0)
+    x, y = pattern.first + np.arange(pattern.width), np.arange(pattern.height) - 59.5
+    plate = zone_plate(x, y[:, None], 1 / pattern.chirp)
+    sharp = pattern_of("zone_plate", 1.1, 90.0).picture(prefilter("none"))
+    np.testing.assert_allclose(sharp, plate, atol=1e-12)
+
+    def mean(centre: float) -> complex:
+        ends = centre - 0.5, centre + 0.5
+        real = quad(lambda u: np.cos(np.pi * pattern.chirp * u * u), *ends)[0]
+        imaginary = quad(lambda u: np.sin(np.pi * pattern.chirp * u * u), *ends)[0]
+        return complex(real, imaginary)
+
+    box = 0.5 + 0.5 * (np.exp(1j * pattern.phase_rad) * mean(x[140]) * mean(y[20])).imag
+    assert pattern.picture(prefilter("box"))[20, 140] == pytest.approx(box, abs=1e-5)
+
+
+@pytest.mark.parametrize("kind", ["stripes", "zone_plate"])
+@pytest.mark.parametrize(
+    ("frequency", "rate", "filtered"),
+    [
+        *product((0.62, 1.2), (1.0,), FILTERS),
+        *((0.62 * rate, rate, "box") for rate in (0.5, 0.75, 1.5, 2.0)),
+    ],
+)
+def test_the_alias_misses_the_samples(
+    kind: str, frequency: float, rate: float, filtered: str
+) -> None:
+    """On the zone plate the curve is computed for locally pure waves."""
+    pattern, kernel = pattern_of(kind, frequency, 65.0, rate), prefilter(filtered)
+    at = pattern.first + pattern.start
+    curve = alias_curve(pattern, kernel, at)
+    assert curve is not None
+    places = np.linspace(0, SHOWN - 1, curve.size) * rate
+    on_sample = np.abs(places - np.rint(places)) < 1e-9
+    samples = pattern.wave(kernel, at + places[on_sample])
+    np.testing.assert_allclose(curve[on_sample], samples, atol=1e-9 if kind == "stripes" else 0.03)
+
+
+def test_a_wave_below_nyquist_has_an_alias() -> None:
+    assert alias_curve(pattern_of("stripes", 0.45, 0.0), prefilter("none"), 0.0) is None
+
+
+def test_the_nyquist_ring_has_another_frequency() -> None:
+    given = {**PLATE, "frequency": 0.8, "rate": 1.2}
+    (place,) = (each for each in frame(**given).handles if each.name == "ring")
+    pattern = pattern_of("zone_plate", 0.8, 0.0, 1.2)
+    sample = (place.x / 400 - 0.5) * pattern.width
+    assert abs(pattern.local_frequency(sample)) == pytest.approx(0.5, abs=1e-4)
+
+
+BOX_2 = (1 - np.cos(np.pi * 0.25 / 2)) / 2 / np.sqrt(2)
+
+
+@pytest.mark.parametrize(
+    ("given", "error"),
+    [
+        ({"frequency": 0.49}, "under 10⁻⁹"),
+        ({"frequency": 0}, "under 10⁻⁹"),
+        ({"frequency": 0.75}, f"{1 / 2 / np.sqrt(2):.2f}"),
+        ({"frequency": 0.75, "prefilter": "box"}, f"{np.sinc(0.75) / 2 / np.sqrt(2):.2f}"),
+        ({"frequency": 0.25, "prefilter": "box-2"}, f"{BOX_2:.3f}"),
+    ],
+)
+def test_the_error_of_stripes_differs_from_theory(given: dict[str, object], error: str) -> None:
+    """A wave of amplitude a has the RMS a/√2; light has half of the range."""
+    assert [each.text for each in estimates_of(SCENE, **given)] == [error]
+
+
+def test_wide_kernels_are_not_nearest_to_the_ideal_zone_plate() -> None:
+    kinds = ("none", "box-2", "box", "sinc")
+    errors = (estimates_of(SCENE, **PLATE, frequency=0.9, prefilter=kind)[0] for kind in kinds)
+    none, points, box, sinc = (number_of(each.text) for each in errors)
+    assert none > 2 * points
+    assert points > box > 3 * sinc
+
+
+def test_the_ideal_picture_differs_from_the_plate_inside_the_band_and_grey_beyond() -> None:
+    pattern = pattern_of("zone_plate", 1.0, 90.0)
+    truth, certain = ideal(pattern)
+    x = np.abs(pattern.first + np.arange(pattern.width))
+    y = np.abs(np.arange(pattern.height) - 59.5)[:, None]
+    finest = np.maximum(x, y) * pattern.chirp
+    inside, beyond = certain & (finest < 0.5), certain & (finest > 0.5)
+    plate = zone_plate(x, y, 1 / pattern.chirp)
+    np.testing.assert_allclose(truth[inside], plate[inside], atol=1e-12)
+    assert (truth[beyond] == 0.5).all()
+    assert finest[inside].max() == pytest.approx(0.4, abs=0.02)
+    assert finest[beyond].min() == pytest.approx(0.6, abs=0.02)
+
+
+@pytest.mark.parametrize("kind", FILTERS)
+@pytest.mark.parametrize("rate", [0.5, 1.7])
+def test_a_filter_changes_an_even_picture(kind: str, rate: float) -> None:
+    grey = Photograph(1, np.full((240, 320, 3), 99, np.uint8))
+    shown = sample_own(own_light(grey), kind, rate)
+    assert shown is not None
+    assert (shown.raster[..., :3] == 99).all()
+
+
+def waves(cycles_per_pixel: float) -> Photograph:
+    """Vertical stripes of amplitude 0.4, with five points of the picture to a pixel."""
+    wave = 0.5 + 0.4 * np.cos(2 * np.pi * cycles_per_pixel * (np.arange(320) + 0.5) / 5)
+    codes = np.rint(255 * encode_srgb(wave)).astype(np.uint8)
+    return Photograph(1, np.broadcast_to(codes[:, None], (240, 320, 3)).copy())
+
+
+@pytest.mark.parametrize(
+    ("cycles", "given", "least", "most"),
+    [
+        (0.8, {}, 0.85 * 0.4 / np.sqrt(2), 1.15 * 0.4 / np.sqrt(2)),
+        (0.8, {"prefilter": "sinc"}, 0, 0.028),
+        (0.8, {"rate": 2}, 0, 0.15),
+        (0.25, {}, 0, 0.03),
+    ],
+)
+def test_the_error_of_a_readers_waves_differs_from_theory(
+    cycles: float, given: dict[str, object], least: float, most: float
+) -> None:
+    (estimate,) = SCENE.estimates(SCENE.check(given), "", StageCache(), waves(cycles))
+    assert least <= number_of(estimate.text) < most
+
+
+def test_a_readers_waves_above_nyquist_show_no_alias() -> None:
+    shown = SCENE.render(SCENE.check({}), "", StageCache(), waves(0.8))
+    row = decode_srgb(pixels_of(shown)[20, :, 0] / 255.0)
+    assert np.argmax(np.abs(np.fft.rfft(row - row.mean()))) == round(0.2 * 64)
+
+
+@pytest.mark.parametrize("pattern", ["stripes", "zone_plate"])
+def test_a_readers_picture_has_handles_or_words_of_the_patterns(pattern: str) -> None:
+    given = SCENE.check({"pattern": pattern, "frequency": 0.7, "phase": 0})
+    shown = SCENE.render(given, "", StageCache(), waves(0.3))
+    assert shown.description.startswith("Your own picture at one sample a pixel")
+    assert {place.name for place in shown.handles} == {"frequency", "nyquist"}
