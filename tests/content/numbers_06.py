@@ -24,7 +24,7 @@ from simulations.models.sensor.photon_counting import (
     shot_noise,
 )
 from simulations.scenes.photon_transfer.scene import SCENE as PHOTON_TRANSFER
-from simulations.scenes.sensor_noise.stages import PATCH_PX, patch_means_e, saturation_e, sensor_of
+from simulations.scenes.sensor_noise.sensor import PATCH_PX, patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
 

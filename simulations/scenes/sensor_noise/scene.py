@@ -6,121 +6,218 @@ the slope of its middle part measures the conversion gain without opening the ca
 """
 
 import math
-from collections.abc import Iterator
-from typing import cast
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
+from simulations.engine.drawing import circle, dot, line, rectangle, text
+from simulations.engine.frame import Frame, Panel, Readout, format_number, readout, value_with_error
+from simulations.engine.handles import Handle, Point
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.labels import Label, Rectangle, place_labels
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting.ticks import log_ticks
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.sensor.photon_counting import (
-    SHOT_MODELS,
-    Sensor,
-    ShotModel,
-    shot_noise_from_normal,
-)
-from simulations.models.sensor.photon_transfer import Gain
-from simulations.scenes.sensor_noise import drawing
-from simulations.scenes.sensor_noise.drawing import format_electrons
-from simulations.scenes.sensor_noise.error import estimates
-from simulations.scenes.sensor_noise.handles import HANDLES
-from simulations.scenes.sensor_noise.settings import Settings
-from simulations.scenes.sensor_noise.stages import (
+from simulations.models.sensor.photon_counting import SHOT_MODELS, Sensor, shot_noise_from_normal
+from simulations.scenes.sensor_noise.sensor import (
+    COLUMNS,
     PHOTOGRAPH_PX,
+    ROWS,
     STAGES,
+    Settings,
     Transfer,
-    curve_of,
     enlarged,
+    estimate,
     floor_e2,
     patch_light_e,
+    patch_means_e,
     saturation_e,
     sensor_of,
 )
+
+SIZE = WIDTH, HEIGHT = 396.0, 264.0
+PATCH_WIDTH, PATCH_HEIGHT = WIDTH / COLUMNS, HEIGHT / ROWS
+DECADES = 4.5  # of the mean axis, below twice the saturation level
+LOWEST_DN2 = 0.01  # lower end of the variance axis; smaller variances are drawn at it
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """The theory of the plot."""
+
+    gain_e_per_dn: float
+    floor_dn2: float
+    """Variance without light."""
+    full_dn: float
+    """Level at which the well or the converter is full."""
+    dark_dn: float
+    """Mean dark signal, which also fills the well but is subtracted from the means."""
+
+    @property
+    def plot(self) -> Plot:
+        """The axes depend on gain and converter only, so that noise and exposure move the
+        points."""
+        high_x = 2 * self.full_dn
+        high_y = 10.0 ** math.ceil(math.log10(max(5 * self.full_dn / self.gain_e_per_dn, 1.0)))
+        return Plot(
+            Axis(high_x / 10.0**DECADES, high_x, 56.0, 379.0, log=True),
+            Axis(LOWEST_DN2, high_y, 217.0, 26.0, log=True),
+        )
+
+
+def camera_of(settings: Settings) -> Sensor:
+    return sensor_of(settings.bits, settings.iso, settings.read_noise)
+
+
+def curve_of(settings: Settings) -> Curve:
+    """The theory of the plot, in codes."""
+    camera = camera_of(settings)
+    gain, floor = camera.gain_e_per_dn, floor_e2(camera, settings.dark)
+    return Curve(gain, floor / gain**2, saturation_e(camera) / gain, settings.dark / gain)
+
+
+def over_wedge(patch: int) -> str:
+    """A frame around the chosen patch."""
+    corner = (patch % COLUMNS * PATCH_WIDTH + 2, patch // COLUMNS * PATCH_HEIGHT + 2)
+    size = PATCH_WIDTH - 4, PATCH_HEIGHT - 4
+    return "".join(rectangle(corner, *size, style) for style in ("casing", "image bold"))
+
+
+def transfer_plot(
+    curve: Curve, transfer: Transfer, patch: int, level_dn: float | None, unequal: bool
+) -> str:
+    """Measured patches over the theory's three parts.
+
+    ``level_dn`` is the mean that the light of the chosen patch would have in an unlimited well. Of
+    ``unequal`` cells, crosses show the variance that a single frame would give.
+    """
+    plot = curve.plot
+    means, variances = (log_ticks(axis.low, axis.high, 3) for axis in (plot.x, plot.y))
+    grids = ([value for value, _ in ticks] for ticks in (means, variances))
+    across = Scale("mean", "DN", means, next(grids), "", "muted small", centred=True)
+    parts = [
+        plot.frame(
+            across, Scale("variance", "DN²", variances, next(grids), "image", "muted small")
+        ),
+        *theory(plot, curve),
+    ]
+    crosses: list[Point] = []
+    if unequal:
+        pairs = zip(transfer.mean_dn.tolist(), transfer.one_frame_dn2.tolist(), strict=True)
+        crosses = [plot.clamped(mean, variance) for mean, variance in pairs]
+        for x, y in crosses:
+            parts.append(line((x - 3, y - 3), (x + 3, y + 3), "error"))
+            parts.append(line((x - 3, y + 3), (x + 3, y - 3), "error"))
+    measured = zip(transfer.mean_dn.tolist(), transfer.variance_dn.tolist(), strict=True)
+    places = [plot.clamped(mean, variance) for mean, variance in measured]
+    for place, fitted in zip(places, transfer.fitted, strict=True):
+        parts.append(dot(place, "image", 3.5) if fitted else circle(place, 3.5, "image"))
+    chosen = places[patch]
+    if level_dn is not None:
+        foot = plot.clamped(level_dn, plot.y.low)
+        parts += [line(foot, chosen, "image thin"), dot(foot, "image", 5)]
+    parts += [circle(chosen, 8, "casing"), circle(chosen, 8, "image bold")]
+    return "".join((*parts, names(plot, curve, chosen, crosses)))
+
+
+def theory(plot: Plot, curve: Curve) -> Iterator[str]:
+    """Floor, shot noise, their sum up to saturation, and the level where all pixels are full."""
+    gain, floor_dn2 = curve.gain_e_per_dn, curve.floor_dn2
+    full = curve.full_dn - curve.dark_dn
+    low, high = plot.x.low, plot.x.high
+    means = np.geomspace(low, max(full, low), 60)
+    start = max(low, LOWEST_DN2 * gain)  # where the straight line enters the plot
+    yield line(plot.clamped(start, start / gain), plot.clamped(high, high / gain), "light dashed")
+    yield line(plot.clamped(low, floor_dn2), plot.clamped(high, floor_dn2), "error dashed")
+    yield plot.curve(means, np.maximum(means / gain + floor_dn2, LOWEST_DN2), "ray bold")
+    if full > low:
+        yield plot.upright(full, "muted dashed")
+
+
+def names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) -> str:
+    """Labels of the parts of the theory, where they hide neither the lines nor the chosen patch's;
+    and of the crosses of a single frame, next to the highest."""
+    gain, floor = curve.gain_e_per_dn, curve.floor_dn2
+    low, high = plot.x.low, plot.x.high
+    full = max(curve.full_dn - curve.dark_dn, low)
+    means = np.geomspace(low, high, 40)
+    shot = np.maximum(means / gain, LOWEST_DN2)
+    begin = max(low, LOWEST_DN2 * gain)
+    middle, *lower = (
+        plot.clamped(mean, mean / gain)
+        for mean in (full * (begin / full) ** share for share in (0.5, 0.65, 0.8))
+    )
+    of_shot, style = "shot noise: mean / g", "light small ground"
+    labels = [
+        Label(plot.clamped(high, floor), "floor", "error small ground", "below left", 6.0),
+        Label(plot.clamped(low, floor), "floor + shot noise", "ray small ground", distance=8.0),
+        Label(plot.clamped(full, plot.y.high), "full", "muted small ground", "below left", 5.0),
+        Label(middle, of_shot, style, "below right", others=lower),
+    ]
+    if crosses:
+        highest = min(crosses, key=lambda place: place[1])
+        labels.append(Label(highest, "one frame", "error small ground", "left", distance=8.0))
+    seen: list[Sequence[Point]] = [
+        *plot.pieces(means, np.maximum(shot + floor, LOWEST_DN2)),
+        *plot.pieces(means, shot),
+        [plot.clamped(low, floor), plot.clamped(high, floor)],
+        [plot.clamped(full, plot.y.low), plot.clamped(full, plot.y.high)],
+        [chosen, (chosen[0], plot.y.start)],
+    ]
+    inside = Rectangle(plot.x.start + 2, plot.y.end, plot.x.end, plot.y.start - 2)
+    return place_labels(labels, inside, seen)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The wedge, a patch of it, and the variance of each patch against its mean."""
     transfer: Transfer = outputs["transfer"]
-    camera = sensor_of(settings.bits, settings.iso, settings.read_noise)
-    means_e, floor = patch_light_e(outputs["light"]), floor_e2(camera, settings.dark)
-    own, patch = outputs["photograph"] is not None, settings.patch - 1
-    title = "Your picture, in 24 patches" if own else "The photo: 24 grey patches"
-    curve = curve_of(camera, settings.dark)
-    level = None if own else float(means_e[patch]) / camera.gain_e_per_dn
-    plot = drawing.transfer_plot(
-        curve,
-        transfer.mean_dn,
-        transfer.variance_dn,
-        transfer.fitted,
-        patch,
-        level,
-        transfer.one_frame_dn2 if settings.unequal and not own else None,
-    )
-    label = f"{format_electrons(float(means_e[patch]))} e⁻, {noise_share(transfer, patch)}"
-    return Frame(
-        panels=(
-            _panel(
-                "wedge",
-                title,
-                drawing.over_wedge(patch),
-                outputs["picture"],
-            ),
-            _panel(
-                "patch",
-                "The framed patch, brought to mid-grey",
-                drawing.over_patch(label),
-                enlarged(outputs["codes"][0, patch], camera),
-            ),
-            _panel("transfer", "Noise of every patch, against its light", plot),
-        ),
-        readouts=(
-            *patch_readouts(transfer, patch, float(means_e[patch]), floor),
-            *sensor_readouts(transfer.gain, camera, floor),
-        ),
-        description=describe(settings, outputs, camera),
-    )
-
-
-def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) -> Panel:
-    width, height = drawing.WIDTH, drawing.HEIGHT
-    lead = name == "wedge"
-    return Panel(name, title, width, height, raster, overlay, raster is not None, lead=lead)
-
-
-def noise_share(transfer: Transfer, patch: int) -> str:
-    """Signal-to-noise ratio of a patch, in words."""
-    words = measured_ratio(transfer, patch)
-    mean, sigma = transfer.mean_dn[patch], math.sqrt(transfer.variance_dn[patch])
-    if words in ("one code only", "clipped"):
-        return words
-    if mean < sigma / 3:
-        return "lost in noise"
-    return f"noise {format_number(100 * sigma / mean, 0 if sigma > 0.1 * mean else 1)} %"
-
-
-def patch_readouts(
-    transfer: Transfer, patch: int, mean_e: float, floor: float
-) -> tuple[Readout, ...]:
-    """Readouts of one patch with ``mean_e`` expected electrons of light; see `floor_e2`."""
+    camera, patch = camera_of(settings), settings.patch - 1
+    gain, true_gain = transfer.gain, camera.gain_e_per_dn
+    own = outputs["photograph"] is not None
+    mean_e = float(patch_light_e(outputs["light"])[patch])
+    floor = floor_e2(camera, settings.dark)
+    mean, sigma = float(transfer.mean_dn[patch]), math.sqrt(transfer.variance_dn[patch])
+    ratio = measured_ratio(transfer, patch)
     theory = format_number(mean_e / math.sqrt(mean_e + floor), 1)
-    expected = "clipped" if transfer.clipped[patch] else theory
-    sigma = math.sqrt(transfer.variance_dn[patch])
-    return (
-        readout("mean", "Mean of the patch", transfer.mean_dn[patch], "DN", digits=1, role="image"),
-        readout("sigma", "Noise of the patch (σ)", sigma, "DN", digits=2, role="image"),
-        Readout("snr", "Signal to noise (SNR)", measured_ratio(transfer, patch), role="image"),
-        Readout("theory", "SNR by theory", expected, role="ray"),
-    )
-
-
-def sensor_readouts(gain: Gain | None, camera: Sensor, floor: float) -> tuple[Readout, ...]:
-    """Estimates of the sensor from all patches, and the true values."""
     span = math.log2(saturation_e(camera) / math.sqrt(floor))
-    return (
-        Readout("gain", "Measured gain", measured_gain(gain), "e⁻/DN", "image"),
-        readout("truth", "True gain", camera.gain_e_per_dn, "e⁻/DN", digits=3, role="light"),
-        readout("range", "Dynamic range", span, "stops", digits=1),
+    level = None if own else mean_e / true_gain
+    unequal = bool(settings.unequal) and not own
+    plot = transfer_plot(curve_of(settings), transfer, patch, level, unequal)
+    title = "Your picture, in 24 patches" if own else "The photo: 24 grey patches"
+    signal = f"{mean_e / 1000:.3g}k" if mean_e >= 1000 else f"{mean_e:.3g}"
+    share = f"noise {format_number(100 * sigma / mean, 0 if sigma > 0.1 * mean else 1)} %"
+    if ratio in ("one code only", "clipped"):
+        share = ratio
+    elif mean < sigma / 3:
+        share = "lost in noise"
+    words = text((12, HEIGHT - 14), f"{signal} e⁻, {share}", "image strong ground")
+    close = enlarged(outputs["codes"][0, patch], camera)
+    frame = over_wedge(patch)
+    found = value_with_error(gain.e_per_dn, gain.error_e_per_dn) if gain else "not measurable"
+    return Frame(
+        (
+            Panel("wedge", title, *SIZE, outputs["picture"], frame, True, lead=True),
+            Panel("patch", "The framed patch, brought to mid-grey", *SIZE, close, words, True),
+            Panel("transfer", "Noise of every patch, against its light", *SIZE, overlay=plot),
+        ),
+        (
+            readout("mean", "Mean of the patch", mean, "DN", digits=1, role="image"),
+            readout("sigma", "Noise of the patch (σ)", sigma, "DN", digits=2, role="image"),
+            Readout("snr", "Signal to noise (SNR)", ratio, role="image"),
+            Readout(
+                "theory",
+                "SNR by theory",
+                "clipped" if transfer.clipped[patch] else theory,
+                role="ray",
+            ),
+            Readout("gain", "Measured gain", found, "e⁻/DN", "image"),
+            readout("truth", "True gain", true_gain, "e⁻/DN", digits=3, role="light"),
+            readout("range", "Dynamic range", span, "stops", digits=1),
+        ),
+        describe(settings, outputs, ratio),
     )
 
 
@@ -134,20 +231,9 @@ def measured_ratio(transfer: Transfer, patch: int) -> str:
     return format_number(transfer.mean_dn[patch] / sigma, 1)
 
 
-def measured_gain(gain: Gain | None) -> str:
-    """The gain with its standard error, to two digits of the latter."""
-    if gain is None:
-        return "not measurable"
-    digits = min(max(1 - math.floor(math.log10(gain.error_e_per_dn)), 0), 5)
-    shown, error_shown = (
-        format_number(part, digits) for part in (gain.e_per_dn, gain.error_e_per_dn)
-    )
-    return f"{shown} ± {error_shown}"
-
-
-def describe(settings: Settings, outputs: Outputs, camera: Sensor) -> str:
+def describe(settings: Settings, outputs: Outputs, ratio: str) -> str:
     """The picture in one sentence."""
-    transfer: Transfer = outputs["transfer"]
+    gain, camera = outputs["transfer"].gain, camera_of(settings)
     own = outputs["photograph"] is not None
     brightest_e = outputs["light"].reshape(24, -1).max(axis=1) + settings.dark
     full = int(np.count_nonzero(brightest_e > saturation_e(camera)))
@@ -155,15 +241,14 @@ def describe(settings: Settings, outputs: Outputs, camera: Sensor) -> str:
     burnt = f"{full} of 24 patches {are} burnt out" if full else "no patch is burnt out"
     what = "Your own picture" if own else "A photo of 24 grey patches from light to dark"
     words = {"one code only": "shows one code only", "clipped": "is clipped"}
-    measured = measured_ratio(transfer, settings.patch - 1)
-    shown = words.get(measured, f"has an SNR of {measured}")
+    shown = words.get(ratio, f"has an SNR of {ratio}")
     floor_dn = math.sqrt(floor_e2(camera, settings.dark)) / camera.gain_e_per_dn
-    if transfer.gain is None:
+    if gain is None:
         fit = "too few patches with noise of their own are left to measure the conversion gain"
     elif floor_dn < 0.5:
         fit = "the dark patches vary by less than a code and fall into flat steps"
     else:
-        off = abs(transfer.gain.e_per_dn / camera.gain_e_per_dn - 1)
+        off = abs(gain.e_per_dn / camera.gain_e_per_dn - 1)
         fit = f"the variances give the conversion gain to within {math.ceil(100 * off)} %"
     return (
         f"{what} at ISO {settings.iso} and {settings.bits} bits: "
@@ -171,28 +256,51 @@ def describe(settings: Settings, outputs: Outputs, camera: Sensor) -> str:
     )
 
 
-def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
-    """Distance of the patches' electrons from Poisson's distribution."""
-    mean_e = patch_light_e(outputs["light"]) + settings.dark
-    # If the light or the cells differ within a patch, uniform patches of the same brightness are
-    # used.
-    even = not (outputs["photograph"] or settings.unequal)
-    counted = outputs["electrons"][0] if even else None
-    return estimates(counted, mean_e, settings.new_noise, cast(ShotModel, tier))
+def level_at(settings: Settings, outputs: Outputs) -> Point | None:
+    """Only for the wedge, as the light of a reader's patches is not ordered."""
+    if outputs["photograph"]:
+        return None
+    plot, gain = curve_of(settings).plot, camera_of(settings).gain_e_per_dn
+    return plot.clamped(
+        float(patch_means_e(settings.exposure)[settings.patch - 1]) / gain, plot.y.low
+    )
+
+
+def level_pulled(settings: Settings, place: Point) -> dict[str, float]:
+    """The exposure at which the chosen patch receives the light of this mean."""
+    axis, gain = curve_of(settings).plot.x, camera_of(settings).gain_e_per_dn
+    mean_dn = axis.value(min(max(place[0], axis.start), axis.end))
+    at_0_ev = float(patch_means_e(0.0)[settings.patch - 1])
+    return {"exposure": math.log2(mean_dn * gain / at_0_ev)}
+
+
+def middle(_settings: Settings, _outputs: Outputs) -> Point:
+    return WIDTH / 2, HEIGHT / 2
+
+
+def patch_pulled(_settings: Settings, place: Point) -> dict[str, int]:
+    column = min(max(math.floor(place[0] / PATCH_WIDTH), 0), COLUMNS - 1)
+    row = min(max(math.floor(place[1] / PATCH_HEIGHT), 0), ROWS - 1)
+    return {"patch": row * COLUMNS + column + 1}
 
 
 SCENE = Scene(
-    id="sensor-noise",
-    title="Sensor Noise",
-    settings=Settings,
-    draw=draw,
-    formula=shot_noise_from_normal,
-    stages=STAGES,
-    handles=HANDLES,
-    photograph=PHOTOGRAPH_PX,
+    "sensor-noise",
+    "Sensor Noise",
+    Settings,
+    draw,
+    STAGES,
+    (
+        Handle(
+            "level", "transfer", "Light", ("exposure",), level_at, level_pulled, "press", "image"
+        ),
+        Handle("patch", "wedge", "Patch to look at", ("patch",), middle, patch_pulled, "aim"),
+    ),
+    PHOTOGRAPH_PX,
     tiers=SHOT_MODELS,
     default_tier="quantile",
     drafted=("exposure", "dark", "unequal"),
     ladder="shot-noise",
     estimate=estimate,
+    formula=shot_noise_from_normal,
 )

@@ -1,75 +1,186 @@
-"""Near Trouble: rounding errors of a formula, as written and rearranged."""
+"""Near Trouble: rounding errors of a formula, as written and rearranged.
+
+The curves take some milliseconds, once per formula and format: no tiers.
+"""
 
 import math
+from collections.abc import Mapping
+from dataclasses import dataclass
 
+import numpy as np
+
+from simulations.engine.drafting import label
+from simulations.engine.drawing import dot, line, path, rectangle, text
 from simulations.engine.frame import Frame, Panel, Readout, format_number, power_of_ten
+from simulations.engine.handles import Handle, Point
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.legend import Entry, legend
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
+from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs, Stage
-from simulations.scenes.stability import digits, plot
-from simulations.scenes.stability.errors import Errors, errors_of
-from simulations.scenes.stability.handles import HANDLES
-from simulations.scenes.stability.settings import FORMULAS, Settings
+from simulations.models.arrays import Floats
+from simulations.scenes.stability.errors import DISTANCES, LOWEST, STEP, Errors, errors_of, unit_of
+
+FORMULAS = {
+    "angle": "Angle between two orientations",
+    "blur": "Blur beside the focus",
+    "origin": "Pixel, far from the origin",
+    "fold": "Ideal radius, near the fold",
+}
+ACROSS: Mapping[str, str] = {
+    "angle": "angle θ, in rad",
+    "blur": "distance from the focus, |Z − s| / s",
+    "origin": "10 m / distance from the origin",
+    "fold": "short of the largest radius, 1 − r_d / r_{d,max}",
+}
+CURVE_NAMES: Mapping[str, tuple[str, str]] = {
+    "angle": ("arccosine", "arctangent"),
+    "blur": ("1/Z − 1/s", "(s − Z) / s Z"),
+    "origin": ("R p + t", "R (p − c)"),
+    "fold": ("5 Newton steps", "60 steps"),
+}
+FORMATS = {"float64": "float64: 16 digits", "float32": "float32: 7 digits"}
+CELLS = {"float64": 16, "float32": 8}  # digits that each format can hold, rounded up
+UNITS_OF_ROUNDING = 8  # errors of at most so many u are drawn as one, as they differ by machine
+PER_DECADE = 10  # heights that a curve can have
+
+PLOT = Plot(Axis(10.0**LOWEST, 1.0, 54.0, 388.0, log=True), Axis(1e-17, 1.0, 232.0, 30.0, log=True))
+X_TICKS, Y_TICKS = (
+    [(10.0**power, power_of_ten(power) if power else "1") for power in powers]
+    for powers in ((-12, -8, -4, 0), (-16, -8, 0))
+)
+LEGEND_LEFT = 14.0
+WIDTH = 400.0
+LEFT, RIGHT, BAR = 16.0, 384.0, 46.0
+TOPS = (66.0, 178.0)  # of the two bars
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    formula: str = choice("Formula", FORMULAS)
+    digits: str = choice("Numbers", FORMATS)
+    power: float = slider("Distance, log₁₀", -4.0, LOWEST, 0.0, STEP)
+
+    @property
+    def index(self) -> int:
+        """Index into `DISTANCES` of the marked one."""
+        return round((self.power - LOWEST) / STEP)
+
+
+def shown(errors: Floats, digits: str) -> Floats:
+    """Errors (n,) as drawn: see `UNITS_OF_ROUNDING` and `PER_DECADE`."""
+    floored = np.maximum(errors, UNITS_OF_ROUNDING * unit_of(digits))
+    return np.asarray(10.0 ** (np.rint(PER_DECADE * np.log10(floored)) / PER_DECADE))
+
+
+def right_digits(error: float) -> str:
+    """Right digits to a tenth; a text if there are no inputs."""
+    return "no inputs" if math.isnan(error) else format_number(-math.log10(error), 1)
+
+
+def mark_at(settings: Settings, outputs: Outputs) -> Point:
+    """The mark on the curve as written, or where that has no value, at the top."""
+    error = float(shown(outputs["errors"].written, settings.digits)[settings.index])
+    return PLOT.at(float(DISTANCES[settings.index]), error if math.isfinite(error) else 1.0)
+
+
+def error_plot(settings: Settings, errors: Errors) -> str:
+    """Both errors and the bound by distance from the singularity."""
+    names, digits = CURVE_NAMES[settings.formula], settings.digits
+    entries = [
+        Entry(names[0], "error bold"),
+        Entry(names[1], "image bold"),
+        Entry("rounded inputs", "muted dashed"),
+    ]
+    scales = (
+        Scale(name, ticks=ticks, tick_style="muted small", style="small")
+        for name, ticks in ((ACROSS[settings.formula], X_TICKS), ("relative error", Y_TICKS))
+    )
+    marked = not math.isnan(errors.written[settings.index])
+    return "".join(
+        (
+            PLOT.region(y=(PLOT.y.low, UNITS_OF_ROUNDING * unit_of(digits))),
+            PLOT.frame(*scales),
+            PLOT.curve(DISTANCES, errors.bound, "muted dashed"),
+            PLOT.curve(DISTANCES, shown(errors.rearranged, digits), "image bold"),
+            PLOT.curve(DISTANCES, shown(errors.written, digits), "error bold"),
+            PLOT.upright(float(DISTANCES[settings.index]), "world thin"),
+            dot(mark_at(settings, {"errors": errors}), "world", 5) if marked else "",
+            label((PLOT.x.end - 6, PLOT.y.start - 6), "rounding", "muted small ground", "end"),
+            legend((LEGEND_LEFT, 304), entries, "small", PLOT.x.end - LEGEND_LEFT),
+        )
+    )
+
+
+def digit_bars(settings: Settings, both: tuple[float, float], bound: float) -> str:
+    """The digits of both computations that are right at the mark, as bars of one cell per digit; a
+    dashed line marks what the rounded inputs allow, κ u."""
+    cells, parts = CELLS[settings.digits], []
+    names = CURVE_NAMES[settings.formula]
+    for top, name, role, error in zip(TOPS, names, ("error", "image"), both, strict=True):
+        filled = 0.0 if math.isnan(error) else column(-math.log10(error), cells) - LEFT
+        edges = [LEFT + (RIGHT - LEFT) * index / cells for index in range(1, cells)]
+        parts += [
+            text((LEFT, top - 12.0), name, f"{role} strong"),
+            text((RIGHT, top - 12.0), right_digits(error), f"{role} strong", "end"),
+            rectangle((LEFT, top), RIGHT - LEFT, BAR, "muted thin"),
+            rectangle((LEFT, top), filled, BAR, f"{role} solid faint") if filled > 0 else "",
+            path([[(x, top), (x, top + BAR)] for x in edges], "muted thin faint"),
+        ]
+    if not math.isnan(bound):
+        x, foot = column(-math.log10(bound), cells), TOPS[1] + BAR + 10.0
+        side = "end" if x > WIDTH / 2 else "start"
+        parts.append(line((x, TOPS[0] - 6.0), (x, foot), "muted dashed"))
+        parts.append(text((x, foot + 16.0), "what rounded inputs allow", "muted small", side))
+    return "".join(parts)
+
+
+def column(digits: float, cells: int) -> float:
+    return LEFT + (RIGHT - LEFT) * min(max(digits / cells, 0.0), 1.0)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """Both errors and the bound, and the count of right digits at the mark."""
     errors: Errors = outputs["errors"]
-    return Frame(
-        panels=(
-            Panel(
-                "plot",
-                "Relative error of two computations",
-                plot.WIDTH,
-                plot.HEIGHT,
-                overlay=plot.draw(settings, errors),
-                lead=True,
-            ),
-            Panel(
-                "digits",
-                "Right digits at the mark",
-                digits.WIDTH,
-                digits.HEIGHT,
-                overlay=digits.draw(settings, errors),
-            ),
-        ),
-        readouts=(
-            Readout("digits", "Right digits, as written", _written(settings, errors), "", "error"),
-        ),
-        description=describe(settings, errors),
-    )
-
-
-def _written(settings: Settings, errors: Errors) -> str:
-    return digits.right_digits(
-        float(plot.shown(errors.written, settings.digits)[plot.place_of(settings)])
-    )
-
-
-def describe(settings: Settings, errors: Errors) -> str:
-    """Both computations at the mark, in one sentence."""
-    at = plot.place_of(settings)
-    where = f"{FORMULAS[settings.formula]} in {settings.digits}"
-    if math.isnan(errors.written[at]):
-        return f"{where}: the format has no two numbers that close."
     written, rearranged = (
-        digits.right_digits(float(plot.shown(each, settings.digits)[at]))
-        for each in (errors.written, errors.rearranged)
+        float(shown(curve, settings.digits)[settings.index])
+        for curve in (errors.written, errors.rearranged)
     )
-    names = plot.CURVE_NAMES[settings.formula]
+    plot = error_plot(settings, errors)
+    bars = digit_bars(settings, (written, rearranged), float(errors.bound[settings.index]))
+    return Frame(
+        (
+            Panel(
+                "plot", "Relative error of two computations", WIDTH, 316.0, None, plot, lead=True
+            ),
+            Panel("digits", "Right digits at the mark", WIDTH, 290.0, overlay=bars),
+        ),
+        (Readout("digits", "Right digits, as written", right_digits(written), "", "error"),),
+        describe(settings, written, rearranged),
+    )
+
+
+def describe(settings: Settings, written: float, rearranged: float) -> str:
+    """Both computations at the mark, in one sentence."""
+    where = f"{FORMULAS[settings.formula]} in {settings.digits}"
+    if math.isnan(written):
+        return f"{where}: the format has no two numbers that close."
+    names = CURVE_NAMES[settings.formula]
     power = format_number(settings.power, 2).rstrip("0").rstrip(".")
     distance = power_of_ten(int(settings.power)) if settings.power % 1 == 0 else f"10^{power}"
     return (
-        f"{where}, at a distance of {distance} from trouble: "
-        f"{written} right digits by {names[0]}, {rearranged} by {names[1]}."
+        f"{where}, at a distance of {distance} from trouble: {right_digits(written)} right digits "
+        f"by {names[0]}, {right_digits(rearranged)} by {names[1]}."
     )
 
 
-# The curves take some milliseconds, once per formula and format: no tiers.
 SCENE = Scene(
-    id="stability",
-    title="Near Trouble",
-    settings=Settings,
-    draw=draw,
-    stages=(Stage("errors", errors_of),),
-    handles=HANDLES,
+    "stability",
+    "Near Trouble",
+    Settings,
+    draw,
+    (Stage("errors", errors_of),),
+    (Handle("place", "plot", "Mark on the curve", ("power",), mark_at, None, "press", "world"),),
 )

@@ -113,7 +113,7 @@ def test_what_the_code_prints_is_told_up_to_a_length() -> None:
 
 @pytest.mark.parametrize("figure", ["figure-a", "figure-b"])
 def test_the_error_of_an_edited_frame_is_that_of_the_edited_code(figure: str) -> None:
-    edits = json.dumps({"simulations.scenes.sensor_noise.stages:FULL_WELL_E": "FULL_WELL_E = 50"})
+    edits = json.dumps({"simulations.scenes.sensor_noise.sensor:FULL_WELL_E": "FULL_WELL_E = 50"})
     book = browser.error(figure, "sensor-noise", "{}", "")
     edited = browser.error(figure, "sensor-noise", "{}", "", edits)
     assert json.loads(book) != json.loads(edited)
