@@ -94,7 +94,7 @@ def error_plot(settings: Settings, errors: Errors) -> str:
         Entry(names[1], "image bold"),
         Entry("rounded inputs", "muted dashed"),
     ]
-    scales = (
+    across, up = (
         Scale(name, ticks=ticks, tick_style="muted small", style="small")
         for name, ticks in ((ACROSS[settings.formula], X_TICKS), ("relative error", Y_TICKS))
     )
@@ -102,7 +102,7 @@ def error_plot(settings: Settings, errors: Errors) -> str:
     return "".join(
         (
             PLOT.region(y=(PLOT.y.low, UNITS_OF_ROUNDING * unit_of(digits))),
-            PLOT.frame(*scales),
+            PLOT.frame(across, up),
             PLOT.curve(DISTANCES, errors.bound, "muted dashed"),
             PLOT.curve(DISTANCES, shown(errors.rearranged, digits), "image bold"),
             PLOT.curve(DISTANCES, shown(errors.written, digits), "error bold"),
