@@ -45,7 +45,7 @@ ASK = """async ([edits]) => {
   const {inside} = await customElements.whenDefined('simulation-figure');
   const runtime = inside.sharedRuntime();
   const frame = {figure: 'memory', scene: 'lens-distortion', values: '{}', tier: '', edits};
-  return await runtime.call('renderEdited', frame);
+  return await runtime.call('render_edited', frame);
 }"""
 
 type Held = dict[str, float]

@@ -25,7 +25,7 @@ HARM = """async (edits) => {
   const runtime = inside.sharedRuntime();
   const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: '', edits};
   await runtime.call('forget', {figure: ''}, () => -1); // nothing else is on its way to the harm
-  return (await runtime.call('renderEdited', frame)).problem;
+  return (await runtime.call('render_edited', frame)).problem;
 }"""
 """Run edited code in the interpreter of the book: the page itself never does."""
 

@@ -104,7 +104,7 @@ export class EditedRuntime {
     edits: string,
     urgency?: () => number,
   ): Promise<FrameReply & { printed: string }> {
-    const reply = await this.#ask("renderEdited", request, edits, urgency);
+    const reply = await this.#ask("render_edited", request, edits, urgency);
     if (reply.problem) throw new EditFailure(reply.problem, reply.printed);
     return reply;
   }
@@ -146,7 +146,7 @@ export class EditedRuntime {
     const limit = await this.warm(frame);
     if (!this.#own) throw closed();
     try {
-      return await this.#own.call(name, { ...request, edits, limit }, urgency);
+      return await this.#own.call(name, { ...request, edits }, urgency, limit);
     } catch (error) {
       if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
       this.#limit = null; // the next interpreter is a new one

@@ -1,17 +1,10 @@
 /**
- * A figure in use: its controls ask for frames, the worker computes them, the page shows them.
- *
- * States, in `data-state`: `still` as built; `waiting` for the reader to ask, where the link is
- * metered; `starting` once a frame is requested; `live` after each painted frame; `failed` with a
- * message and a button. `data-frames` counts frames after their pixels are in the page; `data-tier`
- * is the accuracy of the frame that is shown.
+ * A figure in use: it requests frames for the values of its controls, and shows them. What it says
+ * of itself in `data-` attributes is in `state.ts`; retries are in `recovery.ts`.
  */
 
-import { message } from "../errors.ts";
-import { isSparing, sparingReason, startSurvived, stopSparing } from "../page/data_saver.ts";
-import { all, data, one, within } from "../page/dom.ts";
-import { offerRelease } from "../page/release.ts";
-import { words } from "../page/words.ts";
+import { isSparing, sparingReason } from "../page/data_saver.ts";
+import { data, one, within } from "../page/dom.ts";
 import type { FrameReply } from "../runtime/messages.ts";
 import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.ts";
 import { announcer } from "./announce.ts";
@@ -26,11 +19,14 @@ import { Motion } from "./motion.ts";
 import { OwnPicture } from "./own_picture.ts";
 import { Painter, takeStills } from "./painter.ts";
 import { Prerendered } from "./prerendered.ts";
+import { attemptTwice, beginAll, retryAll } from "./recovery.ts";
 import { LatestWins } from "./scheduler.ts";
 import { Accuracy, showStages, type Stage } from "./stage_report.ts";
+import { showFailure, showLive } from "./state.ts";
 import { clearFailure, say } from "./status.ts";
 import { chosenTier, isDrafted, shownTier } from "./tiers.ts";
 
+/** A frame to compute: of which control values (JSON) and tier, and the time of the reader's event. */
 type Job = { values: string; tier: string; time: number; urgency: number };
 
 /** A frame that the reader waits for goes before one that only should be ready. */
@@ -39,8 +35,6 @@ const URGENCY = { idle: -1, far: 0, near: 1, touched: 2, held: 3 };
 export type Sound = { rate: number; samples: Float32Array<ArrayBuffer> };
 
 let figures = 0;
-/** When the device last found a network again: earlier requests may have failed for lack of it. */
-let onlineSince = 0;
 
 export class LiveFigure {
   #key = `figure-${++figures}`;
@@ -247,27 +241,17 @@ export class LiveFigure {
     return { figure: this.#key, scene: this.#scene, values, tier };
   }
 
-  /**
-   * Have a frame computed and shown; once more where the worker was lost, or the network was away.
-   */
   async #run(job: Job) {
-    for (let attempt = 0; ; attempt += 1) {
-      const begun = performance.now();
-      try {
-        await this.own.handOver(this.runtime, this.#key);
-        if (!(await this.#adopt(job))) await this.#render(job);
-        return;
-      } catch (error) {
-        if (!this.figure.isConnected) return;
-        const lost = error instanceof RuntimeFailure && error.kind === "lost";
-        if (attempt > 0 || !(lost || onlineSince > begun)) {
-          this.#fail(error);
-          return;
-        }
-        this.figure.dataset.state = "starting";
-        if (this.#scheduler.stale) return;
-      }
-    }
+    const attempt = async () => {
+      await this.own.handOver(this.runtime, this.#key);
+      if (!(await this.#adopt(job))) await this.#render(job);
+    };
+    const isWanted = () => this.figure.isConnected && !this.#scheduler.stale;
+    const error = await attemptTwice(this.figure, attempt, isWanted);
+    if (error === undefined || !this.figure.isConnected) return;
+    this.motion.stop();
+    this.#asked = "";
+    showFailure(this.figure, error);
   }
 
   async #render(job: Job) {
@@ -296,7 +280,7 @@ export class LiveFigure {
       this.prerendered.end();
       takeStills(this.figure);
       clearFailure(this.figure);
-      this.#painted(job, 0);
+      showLive(this.figure, job, 0);
       this.#uncached = job;
       this.#cache();
     }
@@ -339,55 +323,10 @@ export class LiveFigure {
     this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
     this.announce(meta.description);
     clearFailure(this.figure);
-    this.#painted(job, reply.computeMs);
-  }
-
-  #painted(job: Job, computeMs: number) {
-    const { figure } = this;
-    figure.dataset.computeMs = computeMs.toFixed(1);
-    figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
-    if (figure.dataset.tier !== job.tier) figure.dataset.tier = job.tier;
-    figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
-    if (figure.dataset.state !== "live") {
-      figure.dataset.state = "live";
-      startSurvived();
-    }
-    figure.dispatchEvent(new Event("painted"));
-  }
-
-  #fail(error: unknown) {
-    this.motion.stop();
-    this.#asked = "";
-    this.figure.dataset.state = "failed";
-    const { kind, loadError = "" } = error instanceof RuntimeFailure ? error : { kind: "page" };
-    if (["status", "other"].includes(loadError)) offerRelease();
-    say(this.figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
-    this.figure.dispatchEvent(new Event("figure-rest", { bubbles: true }));
+    showLive(this.figure, job, reply.computeMs);
   }
 }
 
 function soundOf({ meta, sound }: FrameReply): Sound | null {
   return sound ? { rate: JSON.parse(meta).sound.rate, samples: new Float32Array(sound) } : null;
-}
-
-addEventListener("online", () => {
-  onlineSince = performance.now();
-  retryAll();
-});
-
-/** The reader has asked for Python in one figure: all start. */
-function beginAll() {
-  stopSparing();
-  callAll("waiting", "begin");
-}
-
-/** What kept one figure from its frame has most often kept them all. */
-function retryAll() {
-  callAll("failed", "retry");
-}
-
-function callAll(state: "waiting" | "failed", method: "begin" | "retry") {
-  for (const figure of all(document, `simulation-figure[data-state="${state}"]`, HTMLElement)) {
-    (figure as any)[method]();
-  }
 }

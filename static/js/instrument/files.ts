@@ -34,7 +34,7 @@ export async function makeFile(
 async function saveText(figure: SimulationFigure, name: string, file: string) {
   if (!figure.live) throw new Error(words("figure.does_not_run"));
   const { runtime } = figure.live;
-  const { text } = await runtime.call("exportFile", { ...figure.live.request(), name });
+  const { text } = await runtime.call("export", { ...figure.live.request(), name });
   download(file, text);
 }
 

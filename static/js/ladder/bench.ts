@@ -12,31 +12,12 @@ import { all, data, one } from "../page/dom.ts";
 import { csv } from "../page/download.ts";
 import { numeral, words } from "../page/words.ts";
 import { Runtime, sharedRuntime } from "../runtime/runtime.ts";
-import { addPoint, type Axis } from "./chart.ts";
+import { addPoint, type Ladder, type Result } from "./chart.ts";
 
 /** After figures that the reader waits for. */
 const URGENCY = () => -1;
 /** Seconds spent on the samples of one tier. */
 const BUDGET = 0.4;
-
-type Metric = { id: string; label: string; unit: string; higher: boolean };
-
-export interface Result {
-  tier: string;
-  milliseconds: number;
-  low_ms: number;
-  high_ms: number;
-  repeats: number;
-  errors: Record<string, number | null>;
-}
-
-export interface Ladder {
-  ladder: string;
-  metrics: Metric[];
-  tiers: { id: string; label: string }[];
-  time: Axis;
-  error: Axis;
-}
 
 /** Called once. */
 export function install() {

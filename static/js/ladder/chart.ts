@@ -1,12 +1,30 @@
 /**
- * The reader's own points in the chart of a ladder. The axes come from the builder, which drew
- * the rest: `position` is `ChartAxis.position` of the builder's axes.py.
+ * The reader's own points in the chart of a ladder. The builder draws the rest and gives the axes:
+ * `position` is `ChartAxis.position` of its axes.py.
  */
+
 type Scale = { low: number; high: number; start: number; end: number; log: boolean };
 
-export type Axis = { scale: Scale; none: number | null };
+type Axis = { scale: Scale; none: number | null };
 
-import type { Ladder, Result } from "./bench.ts";
+type Metric = { id: string; label: string; unit: string; higher: boolean };
+
+export interface Result {
+  tier: string;
+  milliseconds: number;
+  low_ms: number;
+  high_ms: number;
+  repeats: number;
+  errors: Record<string, number | null>;
+}
+
+export interface Ladder {
+  ladder: string;
+  metrics: Metric[];
+  tiers: { id: string; label: string }[];
+  time: Axis;
+  error: Axis;
+}
 
 const SVG = "http://www.w3.org/2000/svg";
 const HALF = 5.5;

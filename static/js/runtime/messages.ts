@@ -1,8 +1,10 @@
 /**
- * The worker's calls: each is named, typed and timed here, for the worker and for those who ask it.
+ * The calls of the worker, each a row of one table, which the page and the worker share.
  * A request is `{id, call, ...}`; its answer `{id, ok: true, ...}` or `{id, ok: false, error, fatal,
  * loadError}`. While the worker waits for a download it sends `{id, fetching: true}`, then `false`.
  */
+
+import { takeArray, takeFrame } from "./transfer.ts";
 
 /** A frame: of which figure and scene, at which control values (as JSON), by which tier. */
 export type FrameRequest = { figure: string; scene: string; values: string; tier: string };
@@ -65,87 +67,109 @@ export interface Mosaic {
 /** What is kept of a photograph: what its scene's `read` found. */
 export type Reading = { number: number; name: string; data: unknown };
 
-/** What each call takes. */
-export interface Requests {
-  /** Start the interpreter, unless it is on its way. */
-  start: StartRequest;
-  /** Import a scene; answers the hash of the sources. */
-  prepare: { figure?: string; scene: string };
-  render: FrameRequest;
-  /** As `render`, by the reader's own code. */
-  renderEdited: FrameRequest & { edits: string };
-  /** The control values that bring a handle to a place of its panel. */
-  pull: FrameRequest & { handle: string; x: number; y: number };
-  /** The next estimate of a frame's error, if any. */
-  error: FrameRequest & { edits?: string };
-  /** Index of the first condition that holds. */
-  judge: FrameRequest & { conditions: string[] };
-  /** A script that prints what a frame shows, with `notes`, JSON of paragraphs, at its top. */
-  script: { scene: string; values: string; tier: string; notes: string };
-  /** The reader's picture for a figure; null: the book's again. */
-  photograph: { figure: string; picture: Picture | null };
-  /** What was read of the reader's pictures, for a figure; none: the book's again. */
-  readings: { figure: string; readings: Reading[] };
-  /** Find in a photograph what a scene keeps of it. */
-  read: { scene: string; picture: Picture };
-  /** The text of one of a scene's files. */
-  exportFile: FrameRequest & { name: string };
-  /** A photograph made anew at the settings of a figure. */
-  develop: FrameRequest & { picture: Picture };
-  /** The lines of the data sheet. */
-  sheet: FrameRequest;
-  /** Drop what is cached for a figure. */
-  forget: { figure: string };
-  /** Time and error of a tier. */
-  measure: { ladder: string; tier: string; budget: number };
+/** A function of `simulations.browser`. */
+interface Call<Request, Reply> {
+  /** Its arguments, in this order, by their names in the request. */
+  takes: (keyof Request & string)[];
+  /** Makes the reply of its result. */
+  reply: (result: any) => Reply;
+  /** Longest wait for an answer on a slow machine, in milliseconds. */
+  limit: number;
+  /** For its type alone. */
+  request?: Request;
 }
+
+function call<Request, Reply>(
+  takes: (keyof Request & string)[],
+  reply: (result: any) => Reply,
+  limit = 60_000,
+): Call<Request, Reply> {
+  return { takes, reply, limit };
+}
+
+const FRAME: (keyof FrameRequest)[] = ["figure", "scene", "values", "tier"];
+
+export const CALLS = {
+  /** Start the interpreter, unless it is starting. Downloads count as starting. */
+  start: call<StartRequest, {}>([], () => ({}), 300_000),
+  /** Import a scene; answers the hash of the sources. */
+  prepare: call<{ figure?: string; scene: string }, { sources: string }>(["scene"], (sources) => ({
+    sources,
+  })),
+  render: call<FrameRequest, FrameReply>(FRAME, takeFrame),
+  /** The same by the reader's own code. */
+  render_edited: call<
+    FrameRequest & { edits: string },
+    FrameReply & { problem: any; printed: string }
+  >([...FRAME, "edits"], (edited) => {
+    const { problem, printed, frame } = edited;
+    edited.destroy();
+    const taken = frame ? takeFrame(frame) : { meta: "", rasters: [], computeMs: 0 };
+    return { ...taken, problem: JSON.parse(problem), printed };
+  }),
+  /** The control values that bring a handle to a place of its panel. */
+  pull: call<
+    FrameRequest & { handle: string; x: number; y: number },
+    { values: Record<string, number | string | boolean> }
+  >([...FRAME, "handle", "x", "y"], (values) => ({ values: JSON.parse(values) })),
+  /** The next estimate of a frame's error, if any. */
+  error: call<
+    FrameRequest & { edits?: string },
+    { estimate: { label: string; text: string; unit: string } | null }
+  >([...FRAME, "edits"], (estimate) => ({ estimate: JSON.parse(estimate) })),
+  /** Index of the first condition that holds. */
+  judge: call<FrameRequest & { conditions: string[] }, { met: number | null }>(
+    [...FRAME, "conditions"],
+    (met) => ({ met: met ?? null }),
+  ),
+  /** A script that prints what a frame shows, with `notes`, JSON of paragraphs, at its top. */
+  script: call<{ scene: string; values: string; tier: string; notes: string }, { script: string }>(
+    ["scene", "values", "tier", "notes"],
+    (script) => ({ script }),
+  ),
+  /** The reader's picture for a figure; null for the picture of the book. */
+  photograph: call<{ figure: string; picture: Picture | null }, {}>(
+    ["figure", "picture"],
+    () => ({}),
+  ),
+  /** What was read of the reader's pictures, for a figure; none for the pictures of the book. */
+  readings: call<{ figure: string; readings: Reading[] }, {}>(["figure", "readings"], () => ({})),
+  /** What a scene finds in a photograph, or a sentence on why it cannot be used. */
+  read: call<{ scene: string; picture: Picture }, { data?: unknown; unfit?: string }>(
+    ["scene", "picture"],
+    JSON.parse,
+  ),
+  /** The text of one of a scene's files. */
+  export: call<FrameRequest & { name: string }, { text: string }>([...FRAME, "name"], (text) => ({
+    text,
+  })),
+  /** A photograph made anew at the settings of a figure: pixels of a canvas, transferred. */
+  develop: call<FrameRequest & { picture: Picture }, { rasters: ArrayBuffer[] }>(
+    [...FRAME, "picture"],
+    (raster) => ({ rasters: [takeArray(raster)] }),
+    120_000,
+  ),
+  /** The lines of the data sheet; `measured`: numbers of the photographs they are of, null for all. */
+  sheet: call<FrameRequest, { lines: Readout[]; measured: number[] | null }>(FRAME, JSON.parse),
+  /** Drop what is cached for a figure. */
+  forget: call<{ figure: string }, {}>(["figure"], () => ({})),
+  /** JSON of the time and error of a tier. */
+  measure: call<{ ladder: string; tier: string; budget: number }, { result: string }>(
+    ["ladder", "tier", "budget"],
+    (result) => ({ result }),
+    120_000,
+  ),
+};
+
+export type CallName = keyof typeof CALLS;
+
+/** What each call takes. */
+export type Requests = {
+  [Name in CallName]: (typeof CALLS)[Name] extends Call<infer Request, any> ? Request : never;
+};
 
 /** What each call answers. */
-export interface Replies {
-  start: {};
-  prepare: { sources: string };
-  render: FrameReply;
-  renderEdited: FrameReply & { problem: any; printed: string };
-  pull: { values: Record<string, number | string | boolean> };
-  error: { estimate: { label: string; text: string; unit: string } | null };
-  judge: { met: number | null };
-  script: { script: string };
-  photograph: {};
-  readings: {};
-  /** Or, in a sentence, why the photograph cannot be used. */
-  read: { data?: unknown; unfit?: string };
-  exportFile: { text: string };
-  /** Pixels of a canvas, transferred. */
-  develop: { rasters: ArrayBuffer[] };
-  /** `measured`: numbers of the photographs that the lines are of; null: of all. */
-  sheet: { lines: Readout[]; measured: number[] | null };
-  forget: {};
-  measure: { result: string };
-}
-
-export type CallName = keyof Requests;
-
-/**
- * Longest wait for an answer, in milliseconds: on a slow machine, too. Downloads count as starting.
- */
-export const TIMEOUTS: Record<CallName, number> = {
-  start: 300_000,
-  prepare: 60_000,
-  render: 60_000,
-  renderEdited: 60_000,
-  pull: 60_000,
-  error: 60_000,
-  judge: 60_000,
-  script: 60_000,
-  photograph: 60_000,
-  readings: 60_000,
-  read: 60_000,
-  exportFile: 60_000,
-  develop: 120_000,
-  sheet: 60_000,
-  forget: 60_000,
-  measure: 120_000,
-};
+export type Replies = { [Name in CallName]: ReturnType<(typeof CALLS)[Name]["reply"]> };
 
 /** Longest that a frame by a reader's own code may take: milliseconds, or times the book's own. */
 export const EDITED = { ms: 5000, times: 10 };

@@ -1,9 +1,26 @@
 /** The pixels of the reader's pictures, written where Python wants them. */
 
 import { free } from "./free.ts";
+import type { Picture } from "./messages.ts";
 
 /** Rows that are drawn at a time: phones have no canvas as large as their photographs. */
 const BAND = 512;
+
+/** A picture that Python has drawn into an array of its own: there is no room for it twice. */
+export function drawable({ bitmap, ...about }: Picture) {
+  return {
+    ...about,
+    draw(array: any) {
+      const view = array.getBuffer("u8");
+      try {
+        draw(bitmap, view.data, about.width, about.height);
+      } finally {
+        view.release();
+        bitmap.close();
+      }
+    },
+  };
+}
 
 /**
  * Draw the middle of a picture, in the shape of `width` × `height`, scaled to that size, on white.

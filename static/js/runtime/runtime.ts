@@ -9,7 +9,7 @@
 import { all } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { findLoadError, type LoadErrorData, type LoadErrorKind } from "./load_error.ts";
-import { TIMEOUTS, type CallName, type Replies, type Requests } from "./messages.ts";
+import { CALLS, type CallName, type Replies, type Requests } from "./messages.ts";
 import { Watchdog } from "./watchdog.ts";
 
 /**
@@ -52,8 +52,9 @@ export interface Caller {
 interface Call {
   id: number;
   name: CallName;
-  /** `limit` is a time limit of its own. */
   request: Record<string, any>;
+  /** Longest wait for an answer, in milliseconds. */
+  limit: number;
   /** Asked when the worker is free: the highest goes first. */
   urgency: () => number;
   resolve: (reply: any) => void;
@@ -96,14 +97,15 @@ export class Runtime {
     return typeof WebAssembly === "object" && typeof Worker === "function";
   }
 
-  /** The worker's answer, whenever the call's turn comes. */
+  /** The worker's answer. Waiting calls are sent by `urgency`, the highest first. */
   call<Name extends CallName>(
     name: Name,
-    request: Requests[Name] & { limit?: number },
+    request: Requests[Name],
     urgency: () => number = () => 0,
+    limit: number = CALLS[name].limit,
   ): Promise<Replies[Name]> {
     return new Promise((resolve, reject) => {
-      this.#waiting.push({ id: ++this.#lastId, name, request, urgency, resolve, reject });
+      this.#waiting.push({ id: ++this.#lastId, name, request, limit, urgency, resolve, reject });
       this.#next();
     });
   }
@@ -158,6 +160,7 @@ export class Runtime {
       id: ++this.#lastId,
       name: "start",
       request,
+      limit: CALLS.start.limit,
       urgency: () => 0,
       resolve: () => (this.#failedStarts = 0),
       reject: (reason) => this.#giveUp(reason),
@@ -166,7 +169,7 @@ export class Runtime {
 
   #send(call: Call) {
     this.#active = call;
-    this.#watch(call.request.limit ?? TIMEOUTS[call.name]);
+    this.#watch(call.limit);
     const { picture } = call.request;
     const transfer: Transferable[] = picture ? [picture.bitmap] : [];
     if (picture?.mosaic) transfer.push(picture.mosaic.codes.buffer);
@@ -180,9 +183,8 @@ export class Runtime {
   #receive(reply: any) {
     const call = this.#active;
     if (!call || call.id !== reply.id) return;
-    const { limit } = call.request;
     if ("fetching" in reply) {
-      this.#watch(reply.fetching ? TIMEOUTS.start : (limit ?? TIMEOUTS[call.name]));
+      this.#watch(reply.fetching ? CALLS.start.limit : call.limit);
       return;
     }
     const message = reply.loadError ? inWords(reply.loadError) : reply.error;

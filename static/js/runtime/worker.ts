@@ -5,121 +5,62 @@ import { SOURCES, type Chunks } from "./chunks.ts";
 import { free } from "./free.ts";
 import { startInterpreter } from "./interpreter.ts";
 import { LoadError } from "./load_error.ts";
-import type { CallName, FrameReply, Picture, Replies, Requests } from "./messages.ts";
-import { draw } from "./pixels.ts";
+import { CALLS, type CallName, type FrameReply, type StartRequest } from "./messages.ts";
+import { drawable } from "./pixels.ts";
 
-/** Functions of `simulations.browser`. */
-let python: any = null;
+/** The functions of `simulations.browser`, one proxy of each for good. */
+let python: Record<string, any> | null = null;
 let chunks: Chunks | null = null;
 let starting: ReturnType<typeof startInterpreter> | null = null;
 
-const CALLS: {
-  [name in CallName]: (request: Requests[name] & { id: number }) => Promise<Replies[name]>;
-} = {
-  async start(request) {
-    starting ??= startInterpreter(request);
-    const { python: module, ...started } = await starting;
-    chunks = started.chunks;
-    python ??= functionsOf(module);
-    return {};
-  },
+async function start(request: StartRequest) {
+  starting ??= startInterpreter(request);
+  const { python: module, ...started } = await starting;
+  chunks = started.chunks;
+  python ??= Object.fromEntries(Object.keys(CALLS).map((name) => [name, module[name]]));
+}
 
-  async prepare({ id, scene }) {
-    const { table } = started();
-    try {
-      python.prepare(scene);
-    } catch (error) {
-      // A snapshot has modules without their files; what the scene imports may be one of these.
-      const names = started().toRun(table.scenes[scene] ?? []);
-      if (!started().lacks(names)) throw error;
-      await provide(id, names);
-      python.prepare(scene);
-    }
-    return { sources: table.integrity[`${SOURCES}.zip`] };
-  },
+/** Import a scene. */
+async function prepare(id: number, scene: string) {
+  const { table } = started();
+  try {
+    python?.prepare(scene);
+  } catch (error) {
+    // A snapshot has modules without their files; what the scene imports may be one of these.
+    const names = started().toRun(table.scenes[scene] ?? []);
+    if (!started().lacks(names)) throw error;
+    await provide(id, names);
+    python?.prepare(scene);
+  }
+  return table.integrity[`${SOURCES}.zip`];
+}
 
-  async render({ figure, scene, values, tier }) {
-    const begun = performance.now();
-    const frame = takeFrame(python.render(figure, scene, values, tier));
-    started().prefetch(started().later.splice(0));
-    return { ...frame, computeMs: performance.now() - begun };
-  },
+/** The reply of any call. */
+async function answer(name: CallName, request: any) {
+  const { takes, reply } = CALLS[name];
+  if (name === "start") return await start(request);
+  if (name === "prepare") return reply(await prepare(request.id, request.scene));
+  started();
+  const begun = performance.now();
+  const taken = reply(python?.[name](...takes.map((argument) => given(request[argument]))));
+  if (name === "render") started().prefetch(started().later.splice(0));
+  return "meta" in taken ? { ...taken, computeMs: performance.now() - begun } : taken;
+}
 
-  async renderEdited({ figure, scene, values, tier, edits }) {
-    const begun = performance.now();
-    const answer = python.render_edited(figure, scene, values, tier, edits);
-    try {
-      const { problem, printed, frame } = answer;
-      const taken = frame ? takeFrame(frame) : { meta: "", rasters: [] };
-      const computeMs = performance.now() - begun;
-      return { ...taken, computeMs, problem: JSON.parse(problem), printed };
-    } finally {
-      answer.destroy();
-    }
-  },
-
-  async pull({ figure, scene, values, tier, handle, x, y }) {
-    return { values: JSON.parse(python.pull(figure, scene, values, tier, handle, x, y)) };
-  },
-
-  async error({ figure, scene, values, tier, edits = "" }) {
-    return { estimate: JSON.parse(python.error(figure, scene, values, tier, edits)) };
-  },
-
-  async judge({ figure, scene, values, tier, conditions }) {
-    const met = python.judge(figure, scene, values, tier, JSON.stringify(conditions));
-    return { met: met ?? null };
-  },
-
-  async script({ scene, values, tier, notes }) {
-    return { script: python.script(scene, values, tier, notes) };
-  },
-
-  async photograph({ figure, picture }) {
-    python.photograph(figure, picture ? drawable(picture) : undefined); // which is None
-    return {};
-  },
-
-  async readings({ figure, readings }) {
-    python.readings(figure, JSON.stringify(readings));
-    return {};
-  },
-
-  async read({ scene, picture }) {
-    return JSON.parse(python.read(scene, drawable(picture)));
-  },
-
-  async exportFile({ figure, scene, values, tier, name }) {
-    return { text: python.export(figure, scene, values, tier, name) };
-  },
-
-  async develop({ figure, scene, values, tier, picture }) {
-    const raster = python.develop(figure, scene, values, tier, drawable(picture));
-    return { rasters: [takeArray(raster)] };
-  },
-
-  async sheet({ figure, scene, values, tier }) {
-    return JSON.parse(python.sheet(figure, scene, values, tier));
-  },
-
-  async forget({ figure }) {
-    python.forget(figure);
-    return {};
-  },
-
-  async measure({ ladder, tier, budget }) {
-    return { result: python.measure(ladder, tier, budget) };
-  },
-};
+/** An argument as Python takes it: pictures are drawn there, objects are JSON. */
+function given(value: any) {
+  if (value === undefined) return "";
+  if (value === null) return undefined; // which is None
+  if (typeof value !== "object") return value;
+  return value.bitmap ? drawable(value) : JSON.stringify(value);
+}
 
 self.onmessage = async ({ data }) => {
   const { id } = data;
   try {
     if (chunks && data.call !== "start") await provideFor(data, chunks);
-    const call: (request: any) => Promise<{}> = CALLS[data.call as CallName];
-    const reply = await call(data);
-    const { rasters = [], sound = [] } = reply as { rasters?: ArrayBuffer[]; sound?: ArrayBuffer };
-    const transfer = rasters.concat(sound);
+    const reply: Partial<FrameReply> = (await answer(data.call, data)) ?? {};
+    const transfer = (reply.rasters ?? []).concat(reply.sound ?? []);
     self.postMessage({ id, ok: true, ...reply }, { transfer });
   } catch (error) {
     self.postMessage({ id, ok: false, ...explain(error) });
@@ -157,73 +98,6 @@ async function provide(id: number, names: string[]) {
   self.postMessage({ id, fetching: true });
   await started().provide(names);
   self.postMessage({ id, fetching: false });
-}
-
-/**
- * One proxy of each function for good, instead of a new one with each call.
- *
- * @param module `simulations.browser`.
- */
-function functionsOf(module: any) {
-  const { prepare, render, render_edited, pull, error, judge, script } = module;
-  const { photograph, readings, read, develop, sheet, forget, measure } = module;
-  return {
-    prepare,
-    render,
-    render_edited,
-    pull,
-    error,
-    judge,
-    script,
-    photograph,
-    readings,
-    read,
-    export: module.export,
-    develop,
-    sheet,
-    forget,
-    measure,
-  };
-}
-
-/** A picture that Python has drawn into an array of its own: there is no room for it twice. */
-function drawable({ bitmap, ...about }: Picture) {
-  return {
-    ...about,
-    draw(array: any) {
-      const view = array.getBuffer("u8");
-      try {
-        draw(bitmap, view.data, about.width, about.height);
-      } finally {
-        view.release();
-        bitmap.close();
-      }
-    },
-  };
-}
-
-/** A frame, copied out of the interpreter's memory and released there. */
-function takeFrame(frame: any): Omit<FrameReply, "computeMs"> {
-  const { meta, rasters, sound } = frame;
-  try {
-    const indices = Array.from({ length: rasters.length }, (_, index) => index);
-    const taken = { meta, rasters: indices.map((index) => takeArray(rasters.get(index))) };
-    return sound ? { ...taken, sound: takeArray(sound) } : taken;
-  } finally {
-    rasters.destroy();
-    frame.destroy();
-  }
-}
-
-/** The bytes of an array. */
-function takeArray(array: any): ArrayBuffer {
-  const view = array.getBuffer("u8");
-  try {
-    return view.data.slice().buffer;
-  } finally {
-    view.release();
-    array.destroy();
-  }
 }
 
 /** Of an exception whose message is a sentence for the reader. */

@@ -1,0 +1,28 @@
+/** Frames and arrays, copied out of the interpreter's memory. */
+
+import type { FrameReply } from "./messages.ts";
+
+/** A frame, copied out of the interpreter's memory and released there; its time is not known here. */
+export function takeFrame(frame: any): FrameReply {
+  const { meta, rasters, sound } = frame;
+  try {
+    const indices = Array.from({ length: rasters.length }, (_, index) => index);
+    const pixels = indices.map((index) => takeArray(rasters.get(index)));
+    const taken = { meta, rasters: pixels, computeMs: 0 };
+    return sound ? { ...taken, sound: takeArray(sound) } : taken;
+  } finally {
+    rasters.destroy();
+    frame.destroy();
+  }
+}
+
+/** The bytes of an array. */
+export function takeArray(array: any): ArrayBuffer {
+  const view = array.getBuffer("u8");
+  try {
+    return view.data.slice().buffer;
+  } finally {
+    view.release();
+    array.destroy();
+  }
+}
