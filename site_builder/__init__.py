@@ -9,7 +9,7 @@ from site_builder.files.engine import hidden_parts
 # Each core has a process of the build's own: threads of OpenBLAS beside them would wait for them.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-__version__ = "0.2.0"
+__version__ = "1.0.0"
 
 if hidden := hidden_parts(Path.cwd()):  # before anything of it is imported
     raise SystemExit("\n".join(hidden))
