@@ -4,7 +4,7 @@
  * loadError}`. While the worker waits for a download it sends `{id, fetching: true}`, then `false`.
  */
 
-import { takeArray, takeFrame } from "./transfer.ts";
+import { takeArray, takeEdited, takeFrame } from "./transfer.ts";
 
 /** A frame: of which figure and scene, at which control values (as JSON), by which tier. */
 export type FrameRequest = { figure: string; scene: string; values: string; tier: string };
@@ -101,12 +101,7 @@ export const CALLS = {
   render_edited: call<
     FrameRequest & { edits: string },
     FrameReply & { problem: any; printed: string }
-  >([...FRAME, "edits"], (edited) => {
-    const { problem, printed, frame } = edited;
-    edited.destroy();
-    const taken = frame ? takeFrame(frame) : { meta: "", rasters: [], computeMs: 0 };
-    return { ...taken, problem: JSON.parse(problem), printed };
-  }),
+  >([...FRAME, "edits"], takeEdited),
   /** The control values that bring a handle to a place of its panel. */
   pull: call<
     FrameRequest & { handle: string; x: number; y: number },

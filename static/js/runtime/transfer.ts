@@ -16,6 +16,17 @@ export function takeFrame(frame: any): FrameReply {
   }
 }
 
+/** A frame by the reader's own code, or what is wrong with that code; `printed` is what it printed. */
+export function takeEdited(edited: any): FrameReply & { problem: any; printed: string } {
+  try {
+    const { problem, printed, frame } = edited;
+    const taken = frame ? takeFrame(frame) : { meta: "", rasters: [], computeMs: 0 };
+    return { ...taken, problem: JSON.parse(problem), printed };
+  } finally {
+    edited.destroy();
+  }
+}
+
 /** The bytes of an array. */
 export function takeArray(array: any): ArrayBuffer {
   const view = array.getBuffer("u8");
