@@ -1,78 +1,66 @@
 """The projection figure from above: camera centre, image plane, ray, two similar triangles."""
 
-import math
-
 import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import clip_half_plane
-from simulations.scenes.perspective_projection.house import footprint
 from simulations.scenes.perspective_projection.view import (
+    DEPTH_M,
     HALF_WIDTH_PX,
     METRES_PER_PX,
     REFERENCE_DEPTH_M,
-    View,
-    metres,
+    WIDTH_M,
+    Projection,
 )
 
 WIDTH, HEIGHT = 400.0, 324.0
-FLOOR = 298.0
-"""Lower edge of the drawing; the equation is below it."""
+FLOOR = 298.0  # lower edge of the drawing; the equation is below it
 AXIS = np.array([58.0, 142.0])
-"""Centre of full perspective in the view box: depth to the right, X downwards."""
-DEPTH_SCALE = 16.0
-"""View box units per metre of depth."""
-SIDE_SCALE = 32.0
-"""View box units per metre of X: stretched, so that the triangles open up."""
+"""Centre of full perspective: depth to the right, X downwards."""
+DEPTH_SCALE, SIDE_SCALE = 16.0, 32.0
+"""View box units per metre of depth, and of X: stretched, so that the triangles open up."""
 LIMITS = ((1, 0, -4), (-1, 0, WIDTH - 4), (0, 1, -4), (0, -1, FLOOR))
 """Where things may be drawn, as half planes a x + b y + c ≥ 0."""
-LEFT_M = (8.0 - AXIS[0]) / DEPTH_SCALE
-"""Depth of the panel's left edge."""
-LEAST_LEG = 20.0
-"""Leg of a triangle, in view box units, from which it is named."""
+LEFT_M = (8.0 - AXIS[0]) / DEPTH_SCALE  # depth of the panel's left edge
+LEAST_LEG = 20.0  # leg of a triangle, in view box units, from which it is named
 
 
 def above(Z: float, X: float) -> Floats:
-    """Metres to view box."""
+    """Metres to the view box from above."""
     return AXIS + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
 
 
-def _beside(spot: Floats, right: float, down: float) -> Floats:
+def moved(spot: Floats, right: float, down: float) -> Floats:
     """A place next to ``spot``, in view box units."""
     return spot + np.array([right, down])
 
 
-def metres_at(place: drawing.Point) -> Floats:
-    """View box to metres: Z and X."""
-    return (np.asarray(place, float) - AXIS) / [DEPTH_SCALE, SIDE_SCALE]
-
-
-def top_view_panel(view: View) -> Panel:
-    overlay = "".join(
-        (
-            house_plan(view),
-            depth_axis(view),
-            "" if view.full else reference_plane(),
-            triangles(view) if view.full and view.visible else "",
-            image_plane(view),
-            ray(view),
-            centre(view),
-            drawing.dot(above(view.Z, view.X), "world", 5.5),
-            equation(view),
-        )
+def panel(view: Projection) -> Panel:
+    """Camera centre, image plane, ray, and two similar triangles."""
+    parts = (
+        house_plan(view),
+        depth_axis(view),
+        "" if view.full else reference_plane(),
+        triangles(view) if view.full and view.visible else "",
+        image_plane(view),
+        ray(view) if view.visible else ray_without_image(view),
+        centre(view),
+        drawing.dot(above(view.Z, view.X), "world", 5.5),
+        equation(view),
     )
-    return Panel("top", "From above (X drawn stretched)", WIDTH, HEIGHT, overlay=overlay)
+    title = "From above (X drawn stretched)"
+    return Panel("top", title, WIDTH, HEIGHT, overlay="".join(parts))
 
 
-def depth_axis(view: View) -> str:
+def depth_axis(view: Projection) -> str:
     """The optical axis, with its depths on the side away from the point."""
     row = -8.0 if view.X >= 0.0 else 17.0
     ticks = "".join(
         drawing.line(above(Z, -0.08), above(Z, 0.08), "muted thin")
-        + drawing.text(_beside(above(Z, 0.0), 0.0, row), words, "muted small ground", "middle")
-        for Z, words in ((5, "5 m"), (10, "10 m"), (20, "20 m"))
+        + drawing.text(moved(above(Z, 0.0), 0.0, row), f"{Z} m", "muted small ground", "middle")
+        for Z in (5, 10, 20)
         if view.full or Z != REFERENCE_DEPTH_M
     )
     return drawing.arrow((8.0, AXIS[1]), (396.0, AXIS[1]), "muted thin") + ticks
@@ -82,17 +70,17 @@ def reference_plane() -> str:
     """The plane whose image is the same in perspective and in orthography."""
     high, low = above(REFERENCE_DEPTH_M, -4.0), above(REFERENCE_DEPTH_M, 3.5)
     return drawing.line(high, low, "image dashed") + drawing.text(
-        _beside(high, 6.0, 8.0), f"Z₀ = {REFERENCE_DEPTH_M:.0f} m", "image small ground"
+        moved(high, 6.0, 8.0), f"Z₀ = {REFERENCE_DEPTH_M:.0f} m", "image small ground"
     )
 
 
-def image_plane(view: View) -> str:
+def image_plane(view: Projection) -> str:
     """The plane at distance f in front of the centre, as wide as the picture."""
     half = HALF_WIDTH_PX * METRES_PER_PX
     if view.camera.plane_m < LEFT_M:
         return ""
     left, right = above(view.camera.plane_m, -half), above(view.camera.plane_m, half)
-    spot = _beside(left, 8.0, 10.0) if view.X >= 0.0 else _beside(right, 18.0, 4.0)
+    spot = moved(left, 8.0, 10.0) if view.X >= 0.0 else moved(right, 18.0, 4.0)
     parts = [
         drawing.line(left, right, "image bold"),
         drawing.rectangle(right - 4.0, 8.0, 8.0, "image solid"),
@@ -108,29 +96,36 @@ def image_plane(view: View) -> str:
     return "".join(parts)
 
 
-def house_plan(view: View) -> str:
+def house_plan(view: Projection) -> str:
     """Walls and ridge of the house."""
-    outline = np.array([above(Z, X) for Z, X in footprint(view)])
-    ridge = (outline[:2] + outline[3:1:-1]) / 2.0
-    walls, ridge = _in_room(outline, closed=True), _in_room(ridge, closed=False)
+    near, far, left, right = view.Z, view.Z + DEPTH_M, view.X, view.X + WIDTH_M
+    corners = ((near, left), (far, left), (far, right), (near, right))
+    walls = np.array([above(*corner) for corner in corners])
+    walls, ridge = in_room(walls), in_room((walls[:2] + walls[3:1:-1]) / 2.0, closed=False)
     return (drawing.polygon(walls, "world thin fill") * 2 if len(walls) else "") + (
         drawing.polyline(ridge, "world thin") if len(ridge) else ""
     )
 
 
-def _in_room(points: Floats, *, closed: bool) -> Floats:
+def in_room(points: Floats, *, closed: bool = True) -> Floats:
     """A line or an area clipped to the drawing."""
     for limit in LIMITS:
         points = clip_half_plane(points, limit, closed)
     return points
 
 
-def triangles(view: View) -> str:
+def segment(start: Floats, end: Floats, style: str) -> str:
+    """A segment clipped to the drawing."""
+    drawn = in_room(np.array([start, end]), closed=False)
+    return drawing.polyline(drawn, style) if len(drawn) > 1 else ""
+
+
+def triangles(view: Projection) -> str:
     """The similar triangles: centre, axis and point; centre, principal point and image."""
     side = 1.0 if view.X >= 0.0 else -1.0
     parts = [drawing.polygon([AXIS, above(view.Z, 0.0), above(view.Z, view.X)], "ray thin fill")]
     if SIDE_SCALE * abs(view.X) >= LEAST_LEG and DEPTH_SCALE * view.Z >= LEAST_LEG:
-        middle = _beside(above(view.Z, 0.35 * view.X), -7.0, 4.0)
+        middle = moved(above(view.Z, 0.35 * view.X), -7.0, 4.0)
         parts.append(drawing.text(middle, "X", "world italic ground", "end"))
     if abs(view.x) <= HALF_WIDTH_PX:
         distance, across = view.camera.plane_m, view.x * METRES_PER_PX
@@ -138,68 +133,46 @@ def triangles(view: View) -> str:
         parts += [
             drawing.line(above(distance, 0.0), hit, "image bold"),
             drawing.dot(hit, "image", 4.0),
-            drawing.text(_beside(hit, -7.0, 4.0 + 6.0 * side), "x", "image italic ground", "end"),
+            drawing.text(moved(hit, -7.0, 4.0 + 6.0 * side), "x", "image italic ground", "end"),
         ]
     return "".join(parts)
 
 
-def ray(view: View) -> str:
-    """The ray through the point; dashed if the point has no image."""
-    camera = view.camera
-    if not view.visible:
-        return _ray_without_image(view)
-    start = max(camera.centre_m, min(LEFT_M, view.Z))
-    end = max(view.Z, camera.plane_m, REFERENCE_DEPTH_M if not view.full else view.Z)
-    drawn = _in_room(
-        np.array([above(start, _on_ray(view, start)), above(end, _on_ray(view, end))]), closed=False
-    )
-    parts = [drawing.polyline(drawn, "ray")] if len(drawn) > 1 else []
-    if not view.full:
-        parts.append(_seen_at_reference(view))
-    return "".join(parts)
+def on_ray(view: Projection, Z: float) -> Floats:
+    """The place from above, at a depth, of the ray through the point."""
+    return above(Z, view.X * view.camera.size_at(view.Z) / view.camera.size_at(Z))
 
 
-def _on_ray(view: View, Z: float) -> float:
-    """X at a depth, of the ray through the point."""
-    return view.X * view.camera.size_at(view.Z) / _size(view, Z)
-
-
-def _size(view: View, Z: float) -> float:
-    """Pixels per metre at a depth; infinite at the centre itself."""
-    return math.inf if view.camera.centre_m == Z else view.camera.size_at(Z)
-
-
-def _seen_at_reference(view: View) -> str:
-    """Where the ray meets the reference plane, and where the ray of full perspective does."""
-    parts = []
+def ray(view: Projection) -> str:
+    """The ray through the point; before orthography, also where it and the ray of full perspective
+    meet the reference plane."""
+    reference = view.Z if view.full else REFERENCE_DEPTH_M
+    start = max(view.camera.centre_m, min(LEFT_M, view.Z))
+    end = max(view.Z, view.camera.plane_m, reference)
+    parts = [segment(on_ray(view, start), on_ray(view, end), "ray")]
+    if view.full:
+        return parts[0]
     if view.Z > 0.0:
-        Z, X = REFERENCE_DEPTH_M, view.X * REFERENCE_DEPTH_M / view.Z
-        ends = np.array([AXIS, above(max(Z, view.Z), X * max(Z, view.Z) / Z)])
-        drawn = _in_room(ends, closed=False)
-        if len(drawn) > 1:
-            parts.append(drawing.polyline(drawn, "error thin dashed"))
+        Z, X = max(reference, view.Z), view.X * reference / view.Z
+        parts.append(segment(AXIS, above(Z, X * Z / reference), "error thin dashed"))
         if abs(X) < 3.5:
-            parts.append(drawing.dot(above(Z, X), "error", 3.0))
-    own = _on_ray(view, REFERENCE_DEPTH_M)
-    if abs(own) < 3.5:
-        parts.append(drawing.dot(above(REFERENCE_DEPTH_M, own), "image", 4.0))
+            parts.append(drawing.dot(above(reference, X), "error", 3.0))
+    own = on_ray(view, reference)
+    if abs(own[1] - AXIS[1]) < 3.5 * SIDE_SCALE:
+        parts.append(drawing.dot(own, "image", 4.0))
     return "".join(parts)
 
 
-def _ray_without_image(view: View) -> str:
+def ray_without_image(view: Projection) -> str:
     """From the point through the centre, or along the plane of the centre."""
-    camera = view.camera
-    away = view.Z - camera.centre_m
+    away = view.Z - view.camera.centre_m
     if away == 0.0:
-        ends = above(view.Z, 0.0), above(view.Z, view.X)
-    else:
-        mirrored = view.X * (camera.plane_m - camera.centre_m) / away
-        ends = above(view.Z, view.X), above(camera.plane_m, mirrored)
-    drawn = _in_room(np.array(ends), closed=False)
-    return drawing.polyline(drawn, "error dashed") if len(drawn) > 1 else ""
+        return segment(above(view.Z, 0.0), above(view.Z, view.X), "error dashed")
+    mirrored = view.X * (view.camera.plane_m - view.camera.centre_m) / away
+    return segment(above(view.Z, view.X), above(view.camera.plane_m, mirrored), "error dashed")
 
 
-def centre(view: View) -> str:
+def centre(view: Projection) -> str:
     """The centre, or how far to the left it is."""
     if view.camera.parallel:
         words = "parallel rays: centre at infinity"
@@ -214,11 +187,11 @@ def centre(view: View) -> str:
     return drawing.text((8.0, FLOOR - 8.0), words, "muted small ground")
 
 
-def equation(view: View) -> str:
-    """The division with its numbers."""
-    f, X = f"{view.camera.focal_px:.0f}", metres(view.X)
-    role = "image" if view.visible else "error"
-    image = f"{format_number(view.x, 1)} px" if view.visible else ""
+def equation(view: Projection) -> str:
+    """The division with its numbers; a length to the decimetre, or to the centimetre if needed."""
+    decimetres = 10.0 * view.X
+    X = format_number(view.X, 1 if abs(decimetres - round(decimetres)) < 1e-6 else 2)
+    f, image = f"{view.camera.focal_px:.0f}", f"{format_number(view.x, 1)} px"
     if view.camera.parallel:
         words = f"x = f X / Z₀ = {f} · {X} / {REFERENCE_DEPTH_M:.1f} = {image}"
     elif not view.full and view.visible:
@@ -230,6 +203,7 @@ def equation(view: View) -> str:
         words = f"x = f X / Z = {f} · {X} / 0: undefined"
     else:
         words = "behind the camera: no image"
+    role = "image" if view.visible else "error"
     return drawing.line((0.0, FLOOR), (WIDTH, FLOOR), "muted thin faint") + drawing.text(
         (WIDTH - 4.0, HEIGHT - 8.0), words, role, "end"
     )
