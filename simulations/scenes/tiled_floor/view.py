@@ -1,4 +1,4 @@
-"""The images of lines, of the horizon and of the box by the camera over the tiled floor."""
+"""The camera over the tiled floor, and the lines drawn over its photograph and image plane."""
 
 import math
 from collections.abc import Iterator
@@ -7,23 +7,30 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from simulations.engine import drawing
+from simulations.engine.frame import format_number
+from simulations.engine.handles import Point
+from simulations.engine.plotting.clipping import clipped
 from simulations.models.arrays import Floats, Mask
+from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.projection.level_ground import height_by_horizon, pose_above_ground
 from simulations.models.projection.pinhole import intrinsics, project, world_to_camera
 from simulations.models.projection.vanishing import horizon, vanishing_point
 from simulations.pictures.tiled_floor import Box
-from simulations.scenes.tiled_floor.settings import Settings
 
 WIDTH_PX, HEIGHT_PX = 400, 300
-MIDDLE = (200.0, 150.0)
-"""The principal point before its shift."""
+WIDTH, HEIGHT = float(WIDTH_PX), float(HEIGHT_PX)  # of both view boxes
+SIDES = (0.0, WIDTH), (0.0, HEIGHT)
+MIDDLE = (200.0, 150.0)  # the principal point before its shift
 AXES = np.array([(0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)])
 """Directions of the tiles' rows, of those across, and of vertical lines, with the vanishing points
-v₁, v₂, v₃.
-"""
+v₁, v₂, v₃."""
+NAMES = ("v₁", "v₂", "v₃")
 AT_INFINITY_PX = 1e5
 """Vanishing points farther off count as infinite, as rounding keeps them from being exactly so."""
-BOX_WIDTH_M = 1.0
+NEAREST_M = 0.05  # parts nearer to the plane of the camera's centre are not drawn
+ROOM = 14.0  # height of a line of text, in units
+NAME_WIDTH = 70.0  # of the horizon's label, with a margin, in units
 
 
 @dataclass(frozen=True)  # without slots, for cached properties
@@ -58,6 +65,19 @@ class Camera:
         """Pixels (..., 2) of points of the world, and which of them are in front."""
         return project(world_to_camera(points, self.pose), self.K)
 
+    def pixel(self, point: Floats) -> Floats:
+        """Pixel (2,) of a point in front of the camera, in its frame."""
+        image = self.K @ point
+        return np.asarray(image[:2] / image[2])
+
+    def end(self, point: Floats, direction: Floats) -> Floats:
+        """End of the image of a line: its vanishing point, or a pixel very far away."""
+        vanishing, start = self.K @ direction, self.pixel(point)
+        if vanishing[2] > 0.0 and np.abs(vanishing[:2] / vanishing[2]).max() < AT_INFINITY_PX:
+            return np.asarray(vanishing[:2] / vanishing[2])
+        towards = vanishing[:2] - vanishing[2] * start
+        return np.asarray(start + towards * (AT_INFINITY_PX / np.hypot(*towards)))
+
 
 @lru_cache(maxsize=4)  # handles, overlays and readouts call it several times a frame
 def camera(
@@ -77,20 +97,31 @@ def camera(
     )
 
 
-def camera_of(settings: Settings) -> Camera:
-    return camera(
-        settings.pitch,
-        settings.yaw,
-        settings.height,
-        settings.focal_length,
-        settings.roll,
-        settings.principal_x,
-        settings.principal_y,
-    )
+@dataclass(frozen=True, slots=True)
+class Window:
+    """A panel with the picture in its middle, so many widths of the picture wide."""
+
+    widths: int
+
+    def place(self, pixel: Floats) -> Point:
+        """Pixel to view box."""
+        margin = (self.widths - 1) / 2.0
+        x, y = float(pixel[0]) + 0.5, float(pixel[1]) + 0.5
+        return (x + margin * WIDTH) / self.widths, (y + margin * HEIGHT) / self.widths
+
+    def pixel(self, place: Point) -> Point:
+        """View box to pixel."""
+        margin, (x, y) = (self.widths - 1) / 2.0, place
+        return self.widths * x - margin * WIDTH - 0.5, self.widths * y - margin * HEIGHT - 0.5
 
 
-def box_of(settings: Settings) -> Box:
-    return Box(settings.box_x, settings.box_y, BOX_WIDTH_M, settings.box_height)
+PICTURE, PLANE = Window(1), Window(3)
+
+
+def inside(place: Point, margin: float = 0.0) -> bool:
+    """Whether a place lies in the panel."""
+    x, y = place
+    return margin <= x <= WIDTH - margin and margin <= y <= HEIGHT - margin
 
 
 def near_upright(box: Box) -> Floats:
@@ -118,3 +149,117 @@ def visible_edges(box: Box, height: float, axis: int) -> Iterator[Floats]:
             if abs(np.subtract(end, start) @ AXES[axis]) > 0.0 and start not in drawn:
                 drawn.add(start)
                 yield np.array([start, end])
+
+
+def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
+    """The horizon, the lines of the box that meet on it, and the measurement of the box by it."""
+    parts = (
+        _towards_vanishing(view, box, (0, 1), PICTURE) if lines else "",
+        _horizon(view, PICTURE),
+        _upright(view, box),
+        _handle_names(view, box),
+        _vanishing_points(view, PICTURE),
+    )
+    return "".join(parts)
+
+
+def plane_overlay(view: Camera, box: Box, lines: bool) -> str:
+    """The same beyond the borders of the picture, and the vanishing point of vertical lines."""
+    (x, y), width, height = PLANE.place(np.array([-0.5, -0.5])), WIDTH / 3, HEIGHT / 3
+    parts = (
+        drawing.rectangle((x, y), width, height, "image"),
+        drawing.text((x + 3.0, y + height - 5.0), "picture", "image small ground"),
+        _towards_vanishing(view, box, (0, 1, 2), PLANE) if lines else "",
+        _horizon(view, PLANE),
+        drawing.dot(PLANE.place(view.K[:2, 2]), "camera", 3.0),
+        _vanishing_points(view, PLANE),
+    )
+    return "".join(parts)
+
+
+def _towards_vanishing(view: Camera, box: Box, axes: tuple[int, ...], window: Window) -> str:
+    """The box's edges, each produced to its vanishing point."""
+    edges, produced = [], []
+    for axis in axes:
+        direction = view.directions[axis]
+        away = direction if direction[2] >= 0.0 else -direction
+        for edge in visible_edges(box, view.height, axis):
+            ends = world_to_camera(edge, view.pose)
+            if ends[:, 2].min() < NEAREST_M:
+                continue
+            near, far = ends if (ends[1] - ends[0]) @ away > 0.0 else ends[::-1]
+            pixels = view.pixel(near), view.pixel(far), view.end(far, away)
+            start, middle, end = (window.place(pixel) for pixel in pixels)
+            edges.append(clipped(start, middle, *SIDES))
+            produced.append(clipped(middle, end, *SIDES))
+    return drawing.path([line for line in produced if line], "ray thin dashed") + drawing.path(
+        [line for line in edges if line], "world"
+    )
+
+
+def _horizon(view: Camera, window: Window) -> str:
+    """The horizon's line and label; its direction if it is not in the panel.
+
+    The label is above its right end, or above the left one if a vanishing point is near the right.
+    """
+    a, b, c = view.horizon
+    corners = window.pixel((0.0, 0.0)), window.pixel((WIDTH, HEIGHT))
+    found = line_in_rectangle(view.horizon, *corners)
+    if not len(found):
+        above = b * (HEIGHT / 2.0) + a * (WIDTH / 2.0) + c > 0.0
+        words = f"the horizon is {'above' if above else 'below'} the picture"
+        place = (WIDTH / 2.0, 22.0 if above else HEIGHT - 12.0)
+        return drawing.text(place, words, "camera ground", "middle")
+    ends = window.place(found[0]), window.place(found[1])
+    points = [window.place(pixel)[0] for pixel in view.vanishing[0][:2]]
+    (x, y), anchor = max(ends), "end"
+    if any(abs(x - other) < NAME_WIDTH for other in points):
+        (x, y), anchor = min(ends), "start"
+    baseline = (min(max(x, 6.0), WIDTH - 6.0), max(y - 7.0, 13.0))
+    name = drawing.text(baseline, "horizon", "camera small ground", anchor)
+    return drawing.line(*ends, "camera bold") + (name if inside(baseline, 6.0) else "")
+
+
+def _upright(view: Camera, box: Box) -> str:
+    """The nearest edge of the box, extended to the horizon, which is as high as the camera."""
+    foot = near_upright(box)[0]
+    pixels, seen = view.image(np.array([foot, (foot[0], foot[1], view.height)]))
+    start, crossing = (PICTURE.place(pixel) for pixel in pixels)
+    line = clipped(start, crossing, *SIDES) if seen.all() else None
+    if line is None:
+        return ""
+    parts = [drawing.line(*line, "camera thin dashed")]
+    if inside(crossing):
+        parts.append(drawing.dot(crossing, "camera", 3.5))
+    # On the side away from the horizon's own mark in the middle.
+    side, anchor = (-7.0, "end") if crossing[0] < view.K[0, 2] else (7.0, "start")
+    label = (crossing[0] + side, crossing[1] + 16.0)
+    if inside(label, 3.0 * ROOM):
+        words = f"{format_number(view.height, 1)} m"
+        parts.append(drawing.text(label, words, "camera small ground", anchor))
+    return "".join(parts)
+
+
+def _handle_names(view: Camera, box: Box) -> str:
+    """What the two handles of the box change, on their right."""
+    places = np.array([(box.x, box.y, height) for height in (0.0, box.height)])
+    named = zip(("place", "height"), *view.image(places), strict=True)
+    spots = [(name, PICTURE.place(pixel)) for name, pixel, visible in named if visible]
+    return "".join(
+        drawing.text((x + 13.0, y + 4.0), name, "world small ground")
+        for name, (x, y) in spots
+        if inside((x, y), 3.0 * ROOM)
+    )
+
+
+def _vanishing_points(view: Camera, window: Window) -> str:
+    """The vanishing points in the panel, with their labels."""
+    parts = []
+    for name, pixel, finite in zip(NAMES, *view.vanishing, strict=True):
+        if not finite or not inside(window.place(pixel)):
+            continue
+        x, y = window.place(pixel)
+        parts.append(drawing.dot((x, y), "image", 4.0))
+        baseline = (min(max(x, 10.0), WIDTH - 10.0), y - 15.0 if y > 2.0 * ROOM else y + 25.0)
+        parts.append(drawing.text(baseline, name, "image strong ground", "middle"))
+    return "".join(parts)

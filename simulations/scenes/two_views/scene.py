@@ -1,77 +1,304 @@
 """Two views of a lamp: its disparity, the epipolar line, and the error of the depth."""
 
 import math
+from dataclasses import dataclass
 
-from simulations.engine.frame import Frame, Readout, format_number, matrix_readout, readout
+import numpy as np
+
+from simulations.engine import drawing
+from simulations.engine.drafting import swatch_polygon
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Raster,
+    Readout,
+    format_number,
+    matrix_readout,
+    readout,
+)
+from simulations.engine.handles import Handle, Point
+from simulations.engine.plotting.labels import Label, Rectangle, place_labels
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.engine.stages import Outputs
+from simulations.engine.settings import slider, toggle
+from simulations.engine.stages import Outputs, Stage
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.projection.level_ground import pose_above_ground
+from simulations.models.projection.pinhole import intrinsics
 from simulations.models.projection.two_views import (
     depth_error,
     depth_from_disparity,
     essential_matrix,
 )
-from simulations.scenes.two_views.handles import HANDLES
-from simulations.scenes.two_views.pictures import left_panel, right_panel
-from simulations.scenes.two_views.plan import plan_panel
-from simulations.scenes.two_views.settings import Settings
-from simulations.scenes.two_views.stages import COARSE, STAGES, parameters
-from simulations.scenes.two_views.view import View, in_picture, view_of
+from simulations.pictures.tiled_floor import Box, tiled_floor, with_box
+from simulations.scenes.two_views.view import (
+    EYE_M,
+    HALF_HEIGHT_PX,
+    HALF_WIDTH_PX,
+    LampView,
+    Pair,
+    in_picture,
+    lamp_view,
+    left_panel,
+    pixel_at,
+    place,
+    right_panel,
+)
+
+COARSE = "coarse"
+"""The draft while the focal length moves, on which both pictures depend."""
+SAMPLES, COARSE_SAMPLES = 1.6, 1.1  # drawn pixels per pixel of the pictures, each way
+RED, TEAL, OCHRE, BLUE = (
+    (0.42, 0.10, 0.055),
+    (0.075, 0.20, 0.21),
+    (0.52, 0.31, 0.12),
+    (0.10, 0.16, 0.34),
+)
+BLOCKS = (
+    Box(3.2, 18.0, 2.0, 4.6, OCHRE),
+    Box(-2.6, 14.0, 1.5, 3.4, BLUE),
+    Box(5.0, 10.0, 1.5, 3.2, RED),
+    Box(-4.2, 8.0, 1.2, 2.6, OCHRE),
+    Box(2.6, 5.5, 0.8, 1.9, TEAL),
+    Box(-1.7, 4.0, 0.7, 1.1, RED),
+)
+"""What stands on the square, farthest first: the nearer, the more it moves between the pictures."""
+NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
+
+WIDTH, HEIGHT = 400.0, 300.0  # of the view from above
+CENTRE = np.array([30.0, 144.0])
+"""The left camera, seen from above: depth to the right, X downwards."""
+DEPTH_SCALE, SIDE_SCALE = 17.5, 28.5  # view box units per metre
+AXIS_ROW = HEIGHT - 24.0  # of the axis of depths, whose ticks are named below it
+LIMIT_ROW = AXIS_ROW - 12.0
+LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, LIMIT_ROW))
+"""The drawing area, as half planes a x + b y + c ≥ 0."""
+FAR_M = 60.0  # length of drawn rays, beyond the panel
+INSIDE = Rectangle(4.0, 4.0, WIDTH - 4.0, AXIS_ROW - 4.0)  # room for labels
+AXIS_M = 4.0  # distance of the handle on the right camera's axis
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    depth: float = slider("Depth (Z)", 8.0, 1.5, 20.0, 0.1, unit="m")
+    baseline: float = slider("Baseline", 0.5, 0.1, 1.0, 0.05, unit="m")
+    toe_in: float = slider("Toe-in (right)", 0.0, 0.0, 30.0, 1.0, unit="°")
+    matching_error: float = slider("Error of the match", 1.0, 0.0, 4.0, 0.1, unit="px")
+    focal_length: float = slider("Focal length", 160.0, 80.0, 320.0, 5.0, unit="px")
+    left_x: float = slider("Left picture, right", 30.0, -95.0, 95.0, 1.0, unit="px")
+    left_up: float = slider("Left picture, up", 40.0, 0.0, 70.0, 1.0, unit="px")
+    line: bool = toggle("Epipolar line", default=True)
+
+
+def view_of(settings: Settings) -> LampView:
+    pair = Pair(settings.focal_length, settings.baseline, math.radians(settings.toe_in))
+    left = np.array([settings.left_x, -settings.left_up])
+    return lamp_view(pair, settings.depth, left, settings.matching_error)
+
+
+def left_picture(focal_length: float, samples: float) -> Raster:
+    return square(focal_length, 0.0, 0.0, samples)
+
+
+def right_picture(focal_length: float, baseline: float, toe_in: float, samples: float) -> Raster:
+    return square(focal_length, baseline, math.radians(toe_in), samples)
+
+
+def square(focal_px: float, right_m: float, turned_in_rad: float, samples: float) -> Raster:
+    """The square with its blocks, as a camera sees it."""
+    pose = pose_above_ground(EYE_M, -turned_in_rad, 0.0)
+    pose[:3, 3] -= pose[:3, :3] @ [right_m, 0.0, 0.0]
+    columns, rows = round(2 * samples * HALF_WIDTH_PX), round(2 * samples * HALF_HEIGHT_PX)
+    K = intrinsics(samples * focal_px, (0.5 * (columns - 1), 0.5 * (rows - 1)))
+    picture = tiled_floor(pose, K, columns, rows)
+    for block in BLOCKS:
+        picture = with_box(picture, pose, K, block)
+    return to_rgba8(np.asarray(encode_srgb_table(picture)))
+
+
+def above(Z: float, X: float) -> Floats:
+    """Metres to the view box from above."""
+    return CENTRE + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
+
+
+def metres_at(spot: Point) -> Floats:
+    """Z and X at a place of the view from above."""
+    return (np.asarray(spot, float) - CENTRE) / [DEPTH_SCALE, SIDE_SCALE]
+
+
+def axis_end(baseline: float, toe_in_rad: float) -> Floats:
+    """The handle on the right camera's axis, in the view box."""
+    return above(AXIS_M * math.cos(toe_in_rad), baseline - AXIS_M * math.sin(toe_in_rad))
+
+
+def within(points: Floats, *, closed: bool = True) -> Floats:
+    """A line or an area clipped to the panel."""
+    for limit in LIMITS:
+        points = clip_half_plane(points, limit, closed)
+    return points
+
+
+def segment(start: Floats, end: Floats, style: str) -> str:
+    points = within(np.array([start, end]), closed=False)
+    return drawing.line(points[0], points[1], style) if len(points) > 1 else ""
+
+
+def plan_panel(view: LampView) -> Panel:
+    """The views from above: centres, baseline, the rays that meet in the lamp, and the uncertainty
+    of the depth."""
+    origin, right, far = above(0.0, 0.0), above(0.0, view.pair.baseline), view.at(FAR_M)
+    parts = (
+        blocks(),
+        depth_axis(),
+        cameras(view),
+        doubt(view),
+        segment(origin, above(far[2], far[0]), "ray"),
+        segment(right, above(view.point[2], view.point[0]), "ray"),
+        lamp(view),
+        names(view),
+    )
+    title, overlay = "From above, widths stretched", "".join(parts)
+    return Panel("plan", title, WIDTH, HEIGHT, overlay=overlay, lead=True)
+
+
+def blocks() -> str:
+    """What stands on the square, in its colours."""
+    shapes = []
+    for block in BLOCKS:
+        (x0, x1), (y0, y1), _ = block.spans
+        corners = within(
+            np.array([above(y, x) for y, x in ((y0, x0), (y1, x0), (y1, x1), (y0, x1))])
+        )
+        if len(corners) > 2:
+            shapes.append(swatch_polygon(corners.tolist(), encode_srgb(block.paint).tolist()))
+    return "".join(shapes)
+
+
+def depth_axis() -> str:
+    columns = [(Z, above(Z, 0.0)[0]) for Z in (5, 10, 15, 20)]
+    ticks = "".join(
+        drawing.line((x, AXIS_ROW - 3), (x, AXIS_ROW + 3), "muted")
+        + drawing.text((x, AXIS_ROW + 18.0), f"{Z}", "muted small", "middle")
+        for Z, x in columns
+    )
+    start, end = (CENTRE[0], AXIS_ROW), (WIDTH - 4.0, AXIS_ROW)
+    name = drawing.text((CENTRE[0], AXIS_ROW + 18.0), "Z, m", "muted small")
+    return drawing.arrow(start, end, "muted thin") + name + ticks
+
+
+def cameras(view: LampView) -> str:
+    """Both centres, the baseline, and the fields of view."""
+    pair = view.pair
+    slope = HALF_WIDTH_PX / pair.focal_px
+    left, right = above(0.0, 0.0), above(0.0, pair.baseline)
+    parts = []
+    for X, turn in ((0.0, 0.0), (pair.baseline, pair.toe_in_rad)):
+        for side in (-slope, slope):
+            angle = math.atan(side) - turn
+            end = above(FAR_M * math.cos(angle), X + FAR_M * math.sin(angle))
+            parts.append(segment(above(0.0, X), end, "camera thin faint dashed"))
+    low = min(right[1] + 24.0, HEIGHT - 40.0)
+    parts += [
+        segment(right, axis_end(pair.baseline, pair.toe_in_rad), "camera thin"),
+        drawing.line(left, right, "camera bold"),
+        drawing.dot(left, "camera", 4.5),
+        drawing.dot(right, "camera", 4.5),
+        drawing.text((4.0, left[1] - 12.0), "left", "camera small ground"),
+        drawing.text((4.0, low), "right", "camera small ground"),
+    ]
+    return "".join(parts)
+
+
+def doubt(view: LampView) -> str:
+    """The part of the left ray that is consistent with the match and its error, with the
+    directions of the right camera that lead to it, and its depths on the axis."""
+    if view.nearest == view.farthest:
+        return ""
+    near, far = view.at(view.nearest), view.at(min(view.farthest, FAR_M))
+    ends = np.array([above(near[2], near[0]), above(far[2], far[0])])
+    wedge = within(np.array([above(0.0, view.pair.baseline), *ends]))
+    parts = [drawing.polygon(wedge, "error thin fill")] if len(wedge) > 2 else []
+    parts.append(segment(ends[0], ends[1], "error bold"))
+    for x, y in ends[ends[:, 0] <= WIDTH]:
+        start = min(max(y, 0.0), LIMIT_ROW)
+        parts.append(drawing.line((x, start), (x, AXIS_ROW), "error thin dashed"))
+    left, right = np.minimum(ends[:, 0], WIDTH)
+    if left < right:
+        parts.append(drawing.line((left, AXIS_ROW), (right, AXIS_ROW), "error bold"))
+    return "".join(parts)
+
+
+def lamp(view: LampView) -> str:
+    """The lamp, with its name on the side away from its rays."""
+    spot = above(view.depth, float(view.point[0]))
+    if not (0.0 <= spot[0] <= WIDTH and 0.0 <= spot[1] <= HEIGHT):
+        return ""
+    up = view.point[0] >= 0.0
+    at = (min(max(spot[0] + 10.0, 16.0), WIDTH - 20.0), spot[1] + (-14.0 if up else 24.0))
+    name = drawing.text(at, "lamp", "world small ground", "middle")
+    return drawing.dot(spot, "world", 5.0) + name
+
+
+def names(view: LampView) -> str:
+    """The names of the handle on the right camera's axis and of the range of depths, clear of the
+    rays and the lamp."""
+    right = above(0.0, view.pair.baseline)
+    axis = axis_end(view.pair.baseline, view.pair.toe_in_rad)
+    spot = above(view.depth, float(view.point[0]))
+    labels = [Label(axis, "turn", "camera small ground", "below", 14.0)]
+    if view.nearest < view.farthest:
+        depths = (view.nearest, view.farthest)
+        near, far = (min(float(above(depth, 0.0)[0]), WIDTH) for depth in depths)
+        bar, others = (far, AXIS_ROW - 10.0), [(near, AXIS_ROW - 10.0)]
+        labels.append(Label(bar, "depths that fit", "error small ground", "right", others=others))
+    below = spot + np.array([0.0, 30.0])
+    rays = [(above(0.0, 0.0), spot), (right, spot), (right, axis), (spot, below)]
+    curves: list[list[drawing.Point]] = [list(ends) for ends in rays]
+    return place_labels(labels, INSIDE, curves)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The lamp from above, and as both cameras see it."""
     view = view_of(settings)
+    pair, error, off = view.pair, settings.matching_error, float(view.right[1] - view.left[1])
+    first_order = float(depth_error(view.depth, pair.focal_px, pair.baseline, error))
+    parallel, valid = depth_from_disparity(view.disparity, pair.focal_px, pair.baseline)
+    near, far = (format_number(depth, 2) for depth in (view.nearest, view.farthest))
+    E = essential_matrix(pair.R, pair.t).tolist()
     return Frame(
-        panels=(
+        (
             plan_panel(view),
             right_panel(view, outputs["right"], settings.line),
             left_panel(view, outputs["left"]),
         ),
-        readouts=_readouts(settings, view),
-        description=_description(settings, view),
-    )
-
-
-def _readouts(settings: Settings, view: View) -> tuple[Readout, ...]:
-    pair = view.pair
-    first_order = depth_error(view.depth, pair.focal_px, pair.baseline, settings.matching_error)
-    return (
-        readout("d", "d, disparity", view.disparity, "px", digits=1, role="image"),
-        _parallel_depth(view),
-        Readout("interval", "Z, with the error", _interval(view), "m", "error"),
-        readout("first_order", "±Z²Δd / f b", float(first_order), "m", role="error"),
-        readout(
-            "off_row",
-            "y right − y left",
-            view.right[1] - view.left[1],
-            "px",
-            digits=1,
-            role="ray",
+        (
+            readout("d", "d, disparity", view.disparity, "px", digits=1, role="image"),
+            readout("parallel", "f b / d", float(parallel), "m", digits=1, role="image")
+            if valid
+            else Readout("parallel", "f b / d", "none: d < 0", "", "image"),
+            Readout(
+                "interval",
+                "Z, with the error",
+                near if near == far else f"{near} to {far}",
+                "m",
+                "error",
+            ),
+            readout("first_order", "±Z²Δd / f b", first_order, "m", role="error"),
+            readout("off_row", "y right − y left", off, "px", digits=1, role="ray"),
+            matrix_readout("E", "E = [t]ₓ R", E, role="camera"),
         ),
-        matrix_readout("E", "E = [t]ₓ R", essential_matrix(pair.R, pair.t).tolist(), role="camera"),
+        describe(settings, view, off),
     )
 
 
-def _parallel_depth(view: View) -> Readout:
-    """The depth by the formula for parallel cameras, if it is defined."""
-    depth, valid = depth_from_disparity(view.disparity, view.pair.focal_px, view.pair.baseline)
-    if not valid:
-        return Readout("parallel", "f b / d", "none: d < 0", "", "image")
-    return readout("parallel", "f b / d", float(depth), "m", digits=1, role="image")
-
-
-def _interval(view: View) -> str:
-    near, far = (format_number(depth, 2) for depth in (view.nearest, view.farthest))
-    return near if near == far else f"{near} to {far}"
-
-
-def _description(settings: Settings, view: View) -> str:
-    turned = settings.toe_in
+def describe(settings: Settings, view: LampView, off: float) -> str:
+    turned, error = settings.toe_in, settings.matching_error
     position = f"{format_number(settings.baseline)} m apart, " + (
         f"the right one turned in by {turned:.0f}°" if turned else "looking the same way"
     )
     seen = "" if in_picture(view.right) else ", outside the right picture"
-    off = float(view.right[1] - view.left[1])
     row = (
         "in the same row of both pictures"
         if abs(off) < 0.05
@@ -83,7 +310,6 @@ def _description(settings: Settings, view: View) -> str:
         else f"leaves its depth between {format_number(view.nearest)} and "
         f"{format_number(view.farthest)} m"
     )
-    error = settings.matching_error
     return (
         f"Two cameras {position}, before coloured blocks on a tiled square. A lamp "
         f"{format_number(view.depth, 1)} m away has a disparity of "
@@ -92,14 +318,86 @@ def _description(settings: Settings, view: View) -> str:
     )
 
 
+def lamp_at(settings: Settings, _outputs: Outputs) -> Point:
+    X = settings.left_x / settings.focal_length * settings.depth
+    return tuple(above(settings.depth, X).tolist())
+
+
+def lamp_pulled(settings: Settings, spot: Point) -> dict[str, float]:
+    """Its height in the world changes with it; its height in the left picture does not."""
+    Z, X = metres_at(spot).tolist()
+    depth = max(Z, NEAREST_M)
+    return {"depth": depth, "left_x": settings.focal_length * X / depth}
+
+
+def axis_at(settings: Settings, _outputs: Outputs) -> Point:
+    return tuple(axis_end(settings.baseline, math.radians(settings.toe_in)).tolist())
+
+
+def left_pulled(_settings: Settings, spot: Point) -> dict[str, float]:
+    x, y = pixel_at(spot).tolist()
+    return {"left_x": x, "left_up": -y}
+
+
+def right_at(settings: Settings, _outputs: Outputs) -> Point | None:
+    """None if the right camera does not see it."""
+    pixel = view_of(settings).right
+    return tuple(place(pixel).tolist()) if in_picture(pixel) else None
+
+
+def right_pulled(settings: Settings, spot: Point) -> dict[str, float]:
+    """The depth at a place along the epipolar line."""
+    view = view_of(settings)
+    return {"depth": view.pair.depth(view.left, pixel_at(spot))}
+
+
 SCENE = Scene(
-    id="two-views",
-    title="Two Views",
-    settings=Settings,
-    draw=draw,
-    formula=depth_from_disparity,
-    stages=STAGES,
-    handles=HANDLES,
-    parameters=parameters,
+    "two-views",
+    "Two Views",
+    Settings,
+    draw,
+    (Stage("left", left_picture), Stage("right", right_picture)),
+    handles=(
+        Handle(
+            "lamp",
+            "plan",
+            "Lamp",
+            ("depth", "left_x"),
+            lamp_at,
+            lamp_pulled,
+            role="world",
+            reversed=("left_x",),
+        ),
+        Handle(
+            "camera",
+            "plan",
+            "Right camera",
+            ("baseline",),
+            lambda settings, _: tuple(above(0.0, settings.baseline).tolist()),
+            role="camera",
+            reversed=("baseline",),
+        ),
+        Handle("axis", "plan", "Axis of the right camera", ("toe_in",), axis_at, role="camera"),
+        Handle(
+            "left",
+            "left",
+            "Left image of the lamp",
+            ("left_x", "left_up"),
+            lambda settings, _: tuple(place((settings.left_x, -settings.left_up)).tolist()),
+            left_pulled,
+            role="image",
+        ),
+        Handle(
+            "right",
+            "right",
+            "Right image of the lamp",
+            ("depth",),
+            right_at,
+            right_pulled,
+            role="image",
+        ),
+    ),
+    parameters=lambda _, tier: {"samples": COARSE_SAMPLES if tier == COARSE else SAMPLES},
     own_drafts={COARSE: ("focal_length",)},
+    formula=depth_from_disparity,
 )

@@ -1,23 +1,39 @@
-"""A lamp, two cameras, its two images, and the uncertainty of its depth."""
+"""A lamp and two cameras: its two images, the uncertainty of its depth, and the two pictures."""
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from simulations.engine import drawing
+from simulations.engine.frame import Panel, Raster, format_number
 from simulations.models.arrays import Floats
+from simulations.models.geometry.line_clipping import line_in_rectangle
+from simulations.models.geometry.transforms import clip_half_plane
 from simulations.models.projection.pinhole import intrinsics, project
 from simulations.models.projection.two_views import (
     depth_of_match,
     epipolar_lines,
     fundamental_matrix,
 )
-from simulations.scenes.two_views.settings import Settings
 
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
 """Half of each picture, in pixels from the principal point."""
-EYE_M = 1.5
-"""Height of both cameras above the floor."""
+EYE_M = 1.5  # height of both cameras above the floor
+
+WIDTH, HEIGHT = 400.0, 300.0
+MIDDLE, UNITS_PER_PX = np.array([200.0, 150.0]), 2.0
+MARKED_DEPTHS = (2.0, 4.0, 8.0, 16.0, math.inf)  # on the epipolar line, metres
+BORDERS = (
+    (1, 0, HALF_WIDTH_PX),
+    (-1, 0, HALF_WIDTH_PX),
+    (0, 1, HALF_HEIGHT_PX),
+    (0, -1, HALF_HEIGHT_PX),
+)
+"""A picture, as half planes a x + b y + c ≥ 0 of its pixels."""
+LABEL_WIDTH = 34.0  # of a depth's label, in units
+SHIFT_BELOW = 26.0  # from the images down to the disparity's arrow, in units
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,12 +45,22 @@ class Pair:
     baseline: float
     """Metres."""
     toe_in_rad: float
-    K: Floats
-    """Focal length of both; pixels are relative to the principal point."""
-    R: Floats
-    """From the left camera's frame to the right one's, and ..."""
-    t: Floats
-    """... the left camera's place in that frame, metres."""
+
+    @property
+    def K(self) -> Floats:  # noqa: N802
+        """Focal length of both; pixels are relative to the principal point."""
+        return intrinsics(self.focal_px, (0.0, 0.0))
+
+    @property
+    def R(self) -> Floats:  # noqa: N802
+        """From the left camera's frame to the right one's, and ..."""
+        cos, sin = math.cos(self.toe_in_rad), math.sin(self.toe_in_rad)
+        return np.array([[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]])
+
+    @property
+    def t(self) -> Floats:
+        """... the left camera's place in that frame, metres."""
+        return self.R @ np.array([-self.baseline, 0.0, 0.0])
 
     def line(self, left: Floats) -> Floats:
         """The epipolar line (3,) of a pixel of the left picture, a² + b² = 1."""
@@ -56,7 +82,7 @@ class Pair:
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class LampView:
     """The lamp in both pictures."""
 
     pair: Pair
@@ -86,34 +112,112 @@ class View:
         return np.array([*(self.left / self.pair.focal_px), 1.0]) * depth
 
 
-def pair_of(settings: Settings) -> Pair:
-    angle = math.radians(settings.toe_in)
-    cos, sin = math.cos(angle), math.sin(angle)
-    R = np.array([[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]])
-    return Pair(
-        focal_px=settings.focal_length,
-        baseline=settings.baseline,
-        toe_in_rad=angle,
-        K=intrinsics(settings.focal_length, (0.0, 0.0)),
-        R=R,
-        t=R @ np.array([-settings.baseline, 0.0, 0.0]),
-    )
-
-
-def view_of(settings: Settings) -> View:
-    """The view at these settings."""
-    pair, left = pair_of(settings), np.array([settings.left_x, -settings.left_up])
-    ray = np.array([*(left / pair.focal_px), 1.0])
-    right = pair.right(ray * settings.depth)
+def lamp_view(pair: Pair, depth: float, left: Floats, error_px: float) -> LampView:
+    """The view of a lamp at a pixel of the left picture, and with an error of its match."""
+    right = pair.right(np.array([*(left / pair.focal_px), 1.0]) * depth)
     line = pair.line(left)
     towards_near = np.array([line[1], -line[0]])
     towards_near *= math.copysign(1.0, float(towards_near @ (right - pair.vanishing(left))))
-    off = settings.matching_error * towards_near
-    matches = np.array([right + off, right - off])
+    matches = np.array([right + error_px * towards_near, right - error_px * towards_near])
     near, far = (pair.depth(left, match) for match in matches)
-    return View(pair, settings.depth, left, right, line, near, far, matches)
+    return LampView(pair, depth, left, right, line, near, far, matches)
 
 
 def in_picture(pixel: Floats) -> bool:
     """Whether a pixel lies within the edges of a picture."""
     return bool(abs(pixel[0]) <= HALF_WIDTH_PX and abs(pixel[1]) <= HALF_HEIGHT_PX)
+
+
+def place(pixel: ArrayLike) -> Floats:
+    """Pixel to view box."""
+    return MIDDLE + UNITS_PER_PX * np.asarray(pixel)
+
+
+def pixel_at(spot: drawing.Point) -> Floats:
+    """View box to pixel."""
+    return (np.asarray(spot, float) - MIDDLE) / UNITS_PER_PX
+
+
+def left_panel(view: LampView, floor: Raster) -> Panel:
+    foot = project(_foot(view), view.pair.K)[0]
+    overlay = _drawn([view.left, foot], "world bold") + _image(view.left)
+    return Panel("left", "What the left camera sees", WIDTH, HEIGHT, floor, overlay)
+
+
+def right_panel(view: LampView, floor: Raster, line: bool) -> Panel:
+    """The lamp, and the epipolar line: whole, and bold from 1 m to infinity; its row is that of the
+    match for parallel cameras."""
+    parts = [_drawn([view.right, view.pair.right(_foot(view))], "world bold")]
+    if line:
+        row, borders = float(view.left[1]), np.array([HALF_WIDTH_PX, HALF_HEIGHT_PX])
+        seen = [view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)]
+        parts += [
+            _drawn([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)], "muted thin dashed"),
+            _drawn(line_in_rectangle(view.line, -borders, borders), "ray thin faint"),
+            _drawn(seen, "ray"),
+            _depths(view),
+        ]
+    parts += [_disparity(view), _image(view.right)]
+    return Panel("right", "What the right camera sees", WIDTH, HEIGHT, floor, "".join(parts))
+
+
+def _foot(view: LampView) -> Floats:
+    """Foot of the lamp's post, on the floor, below the cameras."""
+    X, _, Z = view.point
+    return np.array([X, EYE_M, Z])
+
+
+def _drawn(ends: ArrayLike, style: str) -> str:
+    """A polyline, in pixels, clipped to the picture."""
+    points = np.asarray(ends, float)
+    for limit in BORDERS:
+        points = clip_half_plane(points, limit, closed=False)
+    return drawing.polyline([place(point) for point in points], style) if len(points) > 1 else ""
+
+
+def _image(pixel: Floats) -> str:
+    """The lamp, or its direction if it is outside the picture."""
+    if not in_picture(pixel):
+        text = f"outside, to the {'left' if pixel[0] < 0 else 'right'}"
+        return drawing.text((WIDTH / 2.0, 22.0), text, "image ground", "middle")
+    return drawing.dot(place(pixel), "image", 5.0)
+
+
+def _depths(view: LampView) -> str:
+    """Marks on the line, with labels above it; those near one another or the lamp are left out."""
+    parts, taken = [], [float(place(view.right)[0])]
+    for depth in MARKED_DEPTHS:
+        endless = math.isinf(depth)
+        pixel = view.pair.vanishing(view.left) if endless else view.pair.right(view.at(depth))
+        if not in_picture(pixel):
+            continue
+        x, y = place(pixel)
+        if all(abs(x - other) >= LABEL_WIDTH for other in taken) and 20.0 < x < WIDTH - 20.0:
+            taken.append(float(x))
+            words = "∞" if endless else f"{depth:.0f} m"
+            parts.append(drawing.dot((x, y), "ray", 3.0))
+            above = (x, y - 12.0 if y > 30.0 else y + 20.0)
+            parts.append(drawing.text(above, words, "ray small ground", "middle"))
+    return "".join(parts)
+
+
+def _disparity(view: LampView) -> str:
+    """The shift from the lamp's place in the left picture to that in the right one, with the
+    error."""
+    parts = [_drawn(view.matches, "error bold")]
+    if in_picture(view.left) and in_picture(view.right):
+        start, end = place(view.left), place(view.right)
+        row = max(start[1], end[1]) + SHIFT_BELOW
+        ends = (start[0], row), (end[0], row)
+        words = f"d = {format_number(view.disparity, 1)} px"
+        left, right = sorted((float(start[0]), float(end[0])))
+        fits = right < WIDTH - 90.0
+        beside = (right + 10.0 if fits else left - 10.0, row + 4.0)
+        parts += [
+            drawing.line(start, ends[0], "image thin dashed"),
+            drawing.line(end, ends[1], "image thin dashed"),
+            drawing.arrow(*ends, "image"),
+            drawing.circle(start, 5.0, "image"),
+            drawing.text(beside, words, "image small ground", "start" if fits else "end"),
+        ]
+    return "".join(parts)
