@@ -29,8 +29,7 @@ from simulations.engine.frame import Raster
 from simulations.engine.stages import StageCache
 from simulations.registry import load_scene
 from simulations.scenes._ball import CENTRE, HEIGHT, PIXELS_PER_UNIT, RADIUS_PX, WIDTH
-from simulations.scenes.lens_distortion.radii import FOCAL_PX, HEIGHT_PX, WIDTH_PX
-from simulations.scenes.lens_distortion.stages import MARGIN_PX
+from simulations.scenes.lens_distortion.stages import FOCAL_PX, HEIGHT_PX, MARGIN_PX, WIDTH_PX
 
 MOST = 3.0
 """Times as long as plain JavaScript, at the median."""

@@ -8,7 +8,7 @@ from simulations.models.distortion.lens_model import (
     fold_radius,
     jacobian,
 )
-from simulations.scenes.lens_distortion.radii import inversion_error_px
+from simulations.scenes.lens_distortion.stages import inversion_error_px
 
 CHAPTER = "04-lens-distortion"
 BARREL, PINCUSHION = Distortion(k1=-0.2), Distortion(k1=0.2)

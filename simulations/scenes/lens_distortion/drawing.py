@@ -1,24 +1,19 @@
-"""Drawings of the lens-distortion figure: the bent grid, and the limits over its pictures.
+"""Drawings of the lens-distortion figure: the bent grid, the limits over its pictures, and the
+radial profile.
 
 The view box is 400 × 300 for the photograph's 320 × 240 px, so that r = 1 is 250 units.
 """
 
 import math
-from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from simulations.engine.drawing import (
-    Point,
-    arrow,
-    circle,
-    dot,
-    line,
-    path,
-    rectangle,
-    text,
-)
+from simulations.engine.drawing import Point, arrow, circle, dot, line, path, rectangle, text
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats, Mask
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -26,6 +21,7 @@ from simulations.models.distortion.lens_model import (
     fold_radius,
     largest_distorted_radius,
 )
+from simulations.models.distortion.radial_profile import evaluate
 
 VIEW_WIDTH, VIEW_HEIGHT, UNITS_PER_RADIUS = 400.0, 300.0, 250.0
 CENTRE = (200.0, 150.0)
@@ -35,10 +31,26 @@ past the fold."""
 INNER, OUTER = (0.6, 0.45), (0.72, -0.54)
 """The ideal points marked in the photograph, towards corners. While k₂ is 0, the inner one
 is always in view."""
-BORDER = 15.0
-"""Least distance of a handle from the border of the photograph, in view box units."""
+BORDER = 15.0  # least distance of a handle from the border of the photograph, in view box units
 VISIBLE_RADIUS_UNITS = 238.0
 """Radius above which too little of a circle is visible in the corners for a label."""
+LARGEST = 1.25  # radius at the ends of the axes of the profile
+PLOT = Plot(Axis(0.0, LARGEST, 44.0, 386.0), Axis(0.0, LARGEST, 250.0, 16.0))
+SCALE = Scale(ticks=(0, 0.5, 1), grid=(1,))
+
+
+def overlays(k1: float, k2: float) -> dict[str, str]:
+    """The SVG of all three panels that depends on the lens alone; ``corrected`` is that of the
+    corrected picture."""
+    lens = Distortion(k1=k1, k2=k2)
+    named = ((INNER, "k₁"), (OUTER, "k₂"))
+    moved = [_moved(*point, lens) for point in named if math.hypot(*point[0]) < fold_radius(lens)]
+    return {
+        "grid": _grid(lens),
+        "picture": "".join((_limits(lens, fold=False, image=True), *moved)),
+        "corrected": _limits(lens, fold=True, image=False),
+        "profile": _profile(lens),
+    }
 
 
 @lru_cache(maxsize=1)
@@ -50,75 +62,51 @@ def grid_lines() -> Floats:
     return np.stack(upright + level)
 
 
-def grid_overlay(lens: Distortion) -> str:
-    """The straight grid, its image, the limits, and the shift of one point."""
-    fold = fold_radius(lens)
-    lines = grid_lines()
-    straight = to_view(lines[:, [0, -1]]).tolist()
-    images = to_view(distort(lines, lens))
-    within = np.hypot(lines[..., 0], lines[..., 1]) < fold
-    in_view = np.all(np.abs(images - CENTRE) <= (220.0, 170.0), axis=-1)
-    bent, folded = [], []
-    for seen, inside, visible in zip(images, within, in_view, strict=True):
-        bent += runs(seen, inside & visible)
-        folded += runs(seen, grown(~inside) & visible)
-    parts = [
-        rectangle((0.5, 0.5), VIEW_WIDTH - 1, VIEW_HEIGHT - 1, "muted thin faint"),
-        path(straight, "world thin faint"),
-        path(folded, "error thin dashed faint") if folded else "",
-        path(bent, "image"),
-        _limits(lens, with_fold=True),
-        _cross(CENTRE),
-        _sample(lens),
-    ]
-    return "".join(parts)
+def to_view(xy: ArrayLike) -> Floats:
+    """Normalised coordinates as view box units."""
+    return np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
 
 
-def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
-    """The limit of the photograph and the shift of a point, or the limit of the correction."""
-    limits = _limits(lens, with_fold=corrected, with_image=not corrected)
-    if corrected:
-        return limits
-    named = ((INNER, "k₁"), (OUTER, "k₂"))
-    return limits + "".join(
-        _moved(ideal, lens) + _name(ideal, lens, name)
-        for ideal, name in named
-        if math.hypot(*ideal) < fold_radius(lens)
-    )
-
-
-def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float]:
+def image_of(point: tuple[float, float], lens: Distortion) -> Point:
     """View box units of the image of an ideal point."""
-    x, y = to_view(distort(np.asarray(point), lens))
-    return float(x), float(y)
+    return tuple(to_view(distort(np.asarray(point), lens)).tolist())
 
 
-def held(ideal: tuple[float, float], lens: Distortion) -> tuple[float, float]:
-    """Where the image of a point of the photograph is held: within the border."""
+def held(ideal: tuple[float, float], lens: Distortion) -> Point:
+    """The place of the handle of a point of the photograph: its image, within the border."""
     x, y = (seen - middle for seen, middle in zip(image_of(ideal, lens), CENTRE, strict=True))
     beyond = max(abs(x) / (CENTRE[0] - BORDER), abs(y) / (CENTRE[1] - BORDER), 1.0)
     return CENTRE[0] + x / beyond, CENTRE[1] + y / beyond
 
 
-def _name(ideal: tuple[float, float], lens: Distortion, name: str) -> str:
-    """The coefficient that a point moves, on the left of the point and off its radius."""
-    x, y = held(ideal, lens)
-    row = min(max(y + (14.0 if ideal[1] > 0.0 else -5.0), 16.0), VIEW_HEIGHT - 8.0)
-    return text((x - 14.0, row), name, "image small strong ground", "end")
+def _grid(lens: Distortion) -> str:
+    """The straight grid, its image, the limits, and the shift of one point."""
+    lines = grid_lines()
+    images = to_view(distort(lines, lens))
+    within = np.hypot(lines[..., 0], lines[..., 1]) < fold_radius(lens)
+    in_view = np.all(np.abs(images - CENTRE) <= (220.0, 170.0), axis=-1)
+    bent, folded = [], []
+    for seen, inside, visible in zip(images, within, in_view, strict=True):
+        bent += _runs(seen, inside & visible)
+        folded += _runs(seen, _grown(~inside) & visible)
+    (x, y), ideal = CENTRE, tuple(to_view(SAMPLE).tolist())
+    parts = [
+        rectangle((0.5, 0.5), VIEW_WIDTH - 1, VIEW_HEIGHT - 1, "muted thin faint"),
+        path(to_view(lines[:, [0, -1]]).tolist(), "world thin faint"),
+        path(folded, "error thin dashed faint") if folded else "",
+        path(bent, "image"),
+        _limits(lens, fold=True, image=True),
+        path([[(x - 6, y), (x + 6, y)], [(x, y - 6), (x, y + 6)]], "camera"),
+        line(CENTRE, ideal, "world thin dashed"),
+        dot(ideal, "world"),
+    ]
+    if math.hypot(*SAMPLE) < fold_radius(lens):
+        seen_at = image_of(SAMPLE, lens)
+        parts += [arrow(ideal, seen_at, "ray bold"), dot(seen_at, "image")]
+    return "".join(parts)
 
 
-def _moved(ideal: tuple[float, float], lens: Distortion) -> str:
-    """The shift of a marked point from its pinhole image, as far as the border."""
-    way = to_view(np.asarray(ideal)), held(ideal, lens)
-    return line(*way, "casing") + line(*way, "image bold") + dot(way[1], "image")
-
-
-def to_view(xy: Floats) -> Floats:
-    """Normalised coordinates as view box units."""
-    return np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
-
-
-def runs(points: Floats, keep: Mask) -> list[Floats]:
+def _runs(points: Floats, keep: Mask) -> list[Floats]:
     """The runs of a curve (N, 2), of two points or more, where ``keep`` (N,) is true."""
     if keep.all():
         return [points]
@@ -126,7 +114,7 @@ def runs(points: Floats, keep: Mask) -> list[Floats]:
     return [points[start:end] for start, end in edges.reshape(-1, 2) if end - start > 1]
 
 
-def grown(mask: Mask) -> Mask:
+def _grown(mask: Mask) -> Mask:
     """``mask`` extended by neighbours, so that runs of both meet."""
     result = mask.copy()
     result[:-1] |= mask[1:]
@@ -134,48 +122,71 @@ def grown(mask: Mask) -> Mask:
     return result
 
 
-def _limits(lens: Distortion, *, with_fold: bool, with_image: bool = True) -> str:
-    """Circles of the fold (on ideal points) and of its image, where they are in view."""
-    fold, limit = fold_radius(lens), largest_distorted_radius(lens)
-    parts = []
-    shown: tuple[tuple[bool, float, str, str, Callable[[float], Point]], ...] = (
-        (with_fold, fold, "error thin dashed", "fold", _above),
-        (with_image, limit, "error", "limit of the image", _below),
-    )
-    for wanted, radius, style, label, place in shown:
-        units = radius * UNITS_PER_RADIUS
-        if wanted and units < VISIBLE_RADIUS_UNITS:
-            parts.append(circle(CENTRE, units, style))
-            parts.append(text(place(units), label, "error small ground", "middle"))
+def _moved(ideal: tuple[float, float], name: str, lens: Distortion) -> str:
+    """The shift of a marked point from its pinhole image, as far as the border; the coefficient
+    that the point moves, on its left and off its radius."""
+    ends = to_view(ideal), held(ideal, lens)
+    x, y = ends[1]
+    row = min(max(y + (14.0 if ideal[1] > 0.0 else -5.0), 16.0), VIEW_HEIGHT - 8.0)
+    label = text((x - 14.0, row), name, "image small strong ground", "end")
+    return line(*ends, "casing") + line(*ends, "image bold") + dot(ends[1], "image") + label
+
+
+def _limits(lens: Distortion, *, fold: bool, image: bool) -> str:
+    """Circles of the fold (on ideal points) and of its image, where they are in view.
+
+    The fold's label is on the circle's upper left, or where the frame cuts it off; that of its
+    image is just inside the circle's lowest point, or at the frame's lower left.
+    """
+    parts, (x, y) = [], CENTRE
+    units = UNITS_PER_RADIUS * fold_radius(lens)
+    if fold and units < VISIBLE_RADIUS_UNITS:
+        row = max(y - 0.82 * units, 16.0)
+        place = (x - math.sqrt(max(units**2 - (y - row) ** 2, 0.0)), row)
+        parts.append(circle(CENTRE, units, "error thin dashed"))
+        parts.append(text(place, "fold", "error small ground", "middle"))
+    units = UNITS_PER_RADIUS * largest_distorted_radius(lens)
+    if image and units < VISIBLE_RADIUS_UNITS:
+        place = (x, y + units - 8.0)
+        if units > 140.0:
+            row = VIEW_HEIGHT - 14.0
+            place = (max(x - math.sqrt(units**2 - (row - y) ** 2) + 52.0, 56.0), row)
+        parts.append(circle(CENTRE, units, "error"))
+        parts.append(text(place, "limit of the image", "error small ground", "middle"))
     return "".join(parts)
 
 
-def _above(radius: float) -> Point:
-    """Label on the circle's upper left, or where the frame cuts it off."""
-    y = max(CENTRE[1] - 0.82 * radius, 16.0)
-    return (CENTRE[0] - math.sqrt(max(radius**2 - (CENTRE[1] - y) ** 2, 0.0)), y)
-
-
-def _below(radius: float) -> Point:
-    """Label just inside the circle's lowest point, or at the frame's lower left."""
-    if radius <= 140.0:
-        return (CENTRE[0], CENTRE[1] + radius - 8.0)
-    y = VIEW_HEIGHT - 14.0
-    x = CENTRE[0] - math.sqrt(radius**2 - (y - CENTRE[1]) ** 2)
-    return (max(x + 52.0, 56.0), y)
-
-
-def _cross(centre: Point) -> str:
-    """The principal point."""
-    x, y = centre
-    return path([[(x - 6, y), (x + 6, y)], [(x, y - 6), (x, y + 6)]], "camera")
-
-
-def _sample(lens: Distortion) -> str:
-    """The shift of a crossing along the line from the principal point."""
-    ideal = to_view(np.asarray(SAMPLE))
-    parts = [line(CENTRE, ideal, "world thin dashed"), dot(ideal, "world")]
-    if math.hypot(*SAMPLE) < fold_radius(lens):
-        seen = to_view(distort(np.asarray(SAMPLE), lens))
-        parts += [arrow(ideal, seen, "ray bold"), dot(seen, "image")]
+def _profile(lens: Distortion) -> str:
+    """Image radius against ideal radius: the curve that the coefficients describe."""
+    fold = fold_radius(lens)
+    before = np.linspace(0.0, min(fold, LARGEST), 101)
+    corner, foot = PLOT.at(1.0, 0.0)
+    middle = 0.5 * (PLOT.x.start + PLOT.x.end)
+    # Next to the dashed line, on the side away from the curve.
+    beside = (1.12, 1.19) if float(evaluate(lens.radial, 1.0)) < 0.99 else (LARGEST, 0.86)
+    parts = [
+        PLOT.frame(SCALE, SCALE),
+        text((corner - 5, foot - 14), "corner", "muted small ground", "end"),
+        text((middle, foot + 41), "ideal radius", "world", "middle"),
+        text((PLOT.x.start + 8, PLOT.y.end + 8), "radius in the image", "image ground"),
+        line(PLOT.at(0, 0), PLOT.at(LARGEST, LARGEST), "muted thin dashed"),
+        text(PLOT.at(*beside), "no distortion", "muted small ground", "end"),
+        PLOT.curve(before, evaluate(lens.radial, before), "image bold"),
+    ]
+    if fold < LARGEST:
+        after = np.linspace(fold, LARGEST, 51)
+        x, y = PLOT.at(fold, largest_distorted_radius(lens))
+        parts += [
+            PLOT.curve(after, evaluate(lens.radial, after), "error dashed"),
+            line((x, y), (x, PLOT.y.start), "error thin dashed"),
+            dot((x, y), "error"),
+            text((x, y - 10.0), "fold", "error small ground", "middle"),
+        ]
+    ideal = math.hypot(*SAMPLE)
+    here = PLOT.at(ideal, float(evaluate(lens.radial, ideal)))
+    parts += [
+        line((here[0], PLOT.y.start), here, "world thin"),
+        line((PLOT.x.start, here[1]), here, "image thin"),
+        dot(here, "image"),
+    ]
     return "".join(parts)

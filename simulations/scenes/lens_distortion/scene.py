@@ -1,12 +1,15 @@
 """Lens Distortion Simulator: a grid and a picture through a lens with k₁ and k₂."""
 
+import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
+from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
+from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
 from simulations.models.distortion.kinds import classify, line_bow
 from simulations.models.distortion.lens_model import (
@@ -16,60 +19,50 @@ from simulations.models.distortion.lens_model import (
     largest_distorted_radius,
 )
 from simulations.models.distortion.radial_profile import evaluate
-from simulations.scenes.lens_distortion.drawing import VIEW_HEIGHT, VIEW_WIDTH, grid_lines
-from simulations.scenes.lens_distortion.handles import HANDLES
-from simulations.scenes.lens_distortion.radii import (
-    FOCAL_PX,
-    HALF_DIAGONAL,
-    TIERS,
-    inversion_error_px,
+from simulations.scenes.lens_distortion.drawing import (
+    INNER,
+    OUTER,
+    SAMPLE,
+    VIEW_HEIGHT,
+    VIEW_WIDTH,
+    grid_lines,
+    held,
+    image_of,
 )
-from simulations.scenes.lens_distortion.settings import Settings
-from simulations.scenes.lens_distortion.stages import PHOTOGRAPH_PX, STAGES, Drawings, needs_margin
+from simulations.scenes.lens_distortion.stages import (
+    FOCAL_PX,
+    HEIGHT_PX,
+    PHOTOGRAPH_PX,
+    STAGES,
+    TIERS,
+    WIDTH_PX,
+    inversion_error_px,
+    needs_margin,
+)
 
-DIVERGED_PX = 1e4
-"""Largest error of a converged iteration."""
+HALF_DIAGONAL = 0.5 * np.hypot(WIDTH_PX, HEIGHT_PX) / FOCAL_PX
+"""Normalised radius of the picture's corners: 1."""
+DIVERGED_PX = 1e4  # largest error of a converged iteration
 INVISIBLE_PX = 0.1
 """Changes of the magnification that move no corner by more than this are ignored."""
+KINDS = {
+    "none": "Distortion too small to see",
+    "barrel": "Barrel distortion",
+    "pincushion": "Pincushion distortion",
+    "moustache": "Moustache distortion, inwards at some radii and outwards at others",
+}
 
 
-def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
-    """The picture is drawn with a margin only if a part of it may come into view."""
-    return {"margin": needs_margin(settings.k1, settings.k2)}
+@dataclass(frozen=True, slots=True)
+class Settings:
+    k1: float = slider("k₁", 0.0, -0.5, 0.5, 0.01)
+    k2: float = slider("k₂", 0.0, -0.3, 0.3, 0.01)
+    picture: str = choice("Picture", {"room": "Room", "chart": "Test chart"})
+    correct: bool = toggle("Correct the picture")
 
 
-def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The photograph, the grid, and the curve that the coefficients describe."""
-    lens = Distortion(k1=settings.k1, k2=settings.k2)
-    drawn: Drawings = outputs["drawings"]
-    over = drawn.corrected if settings.correct else drawn.photograph
-    bow = largest_bow_px(lens)
-    return Frame(
-        panels=(
-            Panel(
-                "picture",
-                "The photograph",
-                VIEW_WIDTH,
-                VIEW_HEIGHT,
-                outputs["encoded"],
-                over,
-                lead=True,
-            ),
-            Panel(
-                "grid", "A straight grid and its image", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.grid
-            ),
-            Panel(
-                "profile", "How far from the centre", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.profile
-            ),
-        ),
-        readouts=_readouts(lens, bow),
-        description=_description(lens, bow, settings.correct),
-    )
-
-
-def kind_of(lens: Distortion) -> str:
-    """The kind of distortion over this picture, one of `KINDS`."""
-    return classify(lens, HALF_DIAGONAL, INVISIBLE_PX / FOCAL_PX)
+def lens_of(settings: Settings) -> Distortion:
+    return Distortion(k1=settings.k1, k2=settings.k2)
 
 
 def largest_bow_px(lens: Distortion) -> float:
@@ -91,33 +84,35 @@ def corner_shift_px(lens: Distortion) -> float:
     return float(evaluate(lens.radial, HALF_DIAGONAL) - HALF_DIAGONAL) * FOCAL_PX
 
 
-def _readouts(lens: Distortion, bow: float) -> tuple[Readout, ...]:
-    shift, fold = corner_shift_px(lens), fold_radius(lens)
-    corner = (
-        Readout("corner", "Corners move", "past the fold", "", "error")
-        if np.isnan(shift)
-        else readout("corner", "Corners move", shift, "px", digits=1, role="ray")
-    )
-    return (
-        Readout("kind", "Kind", kind_of(lens)),
-        readout("bow", "Largest bow", bow, "px", digits=1, role="image"),
-        corner,
-        Readout("fold", "Fold radius", "none" if np.isinf(fold) else format_number(fold, 3)),
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """The photograph, the grid, and the curve that the coefficients describe."""
+    lens, drawn, size = lens_of(settings), outputs["drawings"], (VIEW_WIDTH, VIEW_HEIGHT)
+    over = drawn["corrected" if settings.correct else "picture"]
+    kind = classify(lens, HALF_DIAGONAL, INVISIBLE_PX / FOCAL_PX)
+    bow, shift, fold = largest_bow_px(lens), corner_shift_px(lens), fold_radius(lens)
+    return Frame(
+        (
+            Panel("picture", "The photograph", *size, outputs["encoded"], over, lead=True),
+            Panel("grid", "A straight grid and its image", *size, overlay=drawn["grid"]),
+            Panel("profile", "How far from the centre", *size, overlay=drawn["profile"]),
+        ),
+        (
+            Readout("kind", "Kind", kind),
+            readout("bow", "Largest bow", bow, "px", digits=1, role="image"),
+            Readout("corner", "Corners move", "past the fold", "", "error")
+            if np.isnan(shift)
+            else readout("corner", "Corners move", shift, "px", digits=1, role="ray"),
+            Readout("fold", "Fold radius", "none" if np.isinf(fold) else format_number(fold, 3)),
+        ),
+        describe(lens, KINDS[kind], bow, shift, corrected=settings.correct),
     )
 
 
-def _description(lens: Distortion, bow: float, corrected: bool) -> str:
-    kind, shift = kind_of(lens), corner_shift_px(lens)
+def describe(lens: Distortion, kind: str, bow: float, shift: float, *, corrected: bool) -> str:
     setting = f"k₁ = {format_number(lens.k1)}, k₂ = {format_number(lens.k2)}"
     if lens.neutral:
         return f"No distortion ({setting}): the grid is straight and the picture is a pinhole’s."
-    what = {
-        "none": "Distortion too small to see",
-        "barrel": "Barrel distortion",
-        "pincushion": "Pincushion distortion",
-        "moustache": "Moustache distortion, inwards at some radii and outwards at others",
-    }[kind]
-    sentence = f"{what} ({setting}): straight lines bow by up to {format_number(bow, 1)} px"
+    sentence = f"{kind} ({setting}): straight lines bow by up to {format_number(bow, 1)} px"
     if np.isnan(shift):
         limit = format_number(largest_distorted_radius(lens), 2)
         sentence += (
@@ -132,24 +127,47 @@ def _description(lens: Distortion, bow: float, corrected: bool) -> str:
 
 def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Readout]:
     """Error of the pixels' source points in the scene, in one step."""
-    wrong = inversion_error_px(Distortion(k1=settings.k1, k2=settings.k2), tier)
+    wrong = inversion_error_px(lens_of(settings), tier)
     diverged = wrong > DIVERGED_PX
     text = "diverges" if diverged else format_magnitude(wrong, 1e-9)
     yield Readout("error", "RMS error of the inversion", text, "" if diverged else "px", "error")
 
 
+def marked(name: str, label: str, ideal: tuple[float, float], drives: str) -> Handle[Settings]:
+    """A handle in the photograph, within its border where the point is farther out; none past the
+    fold and in a corrected photograph."""
+
+    def at(settings: Settings, _outputs: Outputs) -> Point | None:
+        lens = lens_of(settings)
+        hidden = settings.correct or math.hypot(*ideal) >= fold_radius(lens)
+        return None if hidden else held(ideal, lens)
+
+    return Handle(name, "picture", label, (drives,), at, role="image")
+
+
+def crossing_at(settings: Settings, _outputs: Outputs) -> Point | None:
+    """The image of the crossing, if it is inside the fold."""
+    lens = lens_of(settings)
+    return image_of(SAMPLE, lens) if fold_radius(lens) > math.hypot(*SAMPLE) else None
+
+
 SCENE = Scene(
-    id="lens-distortion",
-    title="Lens Distortion Simulator",
-    settings=Settings,
-    draw=draw,
-    formula=distort,
-    stages=STAGES,
-    handles=HANDLES,
+    "lens-distortion",
+    "Lens Distortion Simulator",
+    Settings,
+    draw,
+    STAGES,
+    handles=(
+        marked("point", "Inner point", INNER, "k1"),
+        marked("outer", "Outer point", OUTER, "k2"),
+        Handle("crossing", "grid", "Image of a crossing", ("k1",), crossing_at, role="image"),
+    ),
     photograph=PHOTOGRAPH_PX,
-    parameters=parameters,
+    # The picture is drawn with a margin only if a part of it may come into view.
+    parameters=lambda settings, _: {"margin": needs_margin(settings.k1, settings.k2)},
     tiers=TIERS,
     default_tier="closed-form",
     ladder="inverse-strong",
     estimate=estimate,
+    formula=distort,
 )

@@ -1,4 +1,8 @@
-"""The stages of the lens-distortion figure: picture → through the lens → corrected → bytes."""
+"""The stages of the lens-distortion figure: picture → through the lens → corrected → bytes.
+
+The photograph is 320 × 240 px with a focal length of 200 px, so that its half-diagonal is 200 px
+and its corners are at the normalised radius r = 1, 45° from the axis.
+"""
 
 from dataclasses import dataclass
 
@@ -16,6 +20,7 @@ from simulations.models.distortion.lens_model import (
     fold_radius,
     largest_distorted_radius,
 )
+from simulations.models.distortion.undistortion import INVERSES
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.resampling import (
     GatherTable,
@@ -27,36 +32,29 @@ from simulations.models.sampling.resampling import (
 )
 from simulations.pictures.checker_room import checker_room
 from simulations.pictures.resolution_chart import resolution_chart
-from simulations.scenes.lens_distortion.drawing import grid_overlay, picture_overlay
-from simulations.scenes.lens_distortion.profile import profile_overlay
-from simulations.scenes.lens_distortion.radii import (
-    FOCAL_PX,
-    HEIGHT_PX,
-    WIDTH_PX,
-    Radii,
-    centred_pixels,
-    ideal_radii,
-    pixel_radii,
-)
+from simulations.scenes.lens_distortion.drawing import overlays
 
+WIDTH_PX, HEIGHT_PX = 320, 240
+FOCAL_PX = 200.0
 MARGIN_PX = (120, 90)
 """Margin beyond the sides of the pinhole picture that a barrel can bring into view."""
 PHOTOGRAPH_PX = (WIDTH_PX + 2 * MARGIN_PX[0], HEIGHT_PX + 2 * MARGIN_PX[1])
 """Size of a reader's own picture: with the margin."""
+TIERS = tuple(name for name in INVERSES if name != "fixed-point-20")
+"""Methods to find the source of a pixel's light: rungs of the ladder `inverse-strong`, without the
+longest of those that may diverge."""
 UNSEEN = (0.33, 0.34, 0.36)
 """Linear grey where the model has no light of the scene."""
 
 
 @dataclass(frozen=True, slots=True)
-class Drawings:
-    """The SVG of all three panels that depends on the lens alone."""
+class Radii:
+    """The distinct radii among the pixel centres: a radial map is solved once for each."""
 
-    grid: str
-    photograph: str
-    """Overlay of the photograph ..."""
-    corrected: str
-    """... and of the corrected picture."""
-    profile: str
+    distinct: Floats
+    """Sorted normalised radii."""
+    of_pixel: NDArray[np.intp]
+    """(HEIGHT_PX · WIDTH_PX,) index into ``distinct``."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,14 +74,56 @@ class Photo:
     coverage: Floats
 
 
-def _drawings(k1: float, k2: float) -> Drawings:
-    lens = Distortion(k1=k1, k2=k2)
-    return Drawings(
-        grid_overlay(lens),
-        picture_overlay(lens, corrected=False),
-        picture_overlay(lens, corrected=True),
-        profile_overlay(lens),
-    )
+def centred_pixels() -> Floats:
+    """(HEIGHT_PX, WIDTH_PX, 2) pixel centres relative to the principal point, in px."""
+    return np.stack(np.meshgrid(centred(WIDTH_PX), centred(HEIGHT_PX)), axis=-1)
+
+
+def pixel_radii() -> Radii:
+    # Twice a coordinate is an odd whole number, so that equal radii are exactly equal.
+    doubled = np.rint(2.0 * centred_pixels()).astype(np.int64)
+    squares, of_pixel = np.unique((doubled**2).sum(axis=-1).ravel(), return_inverse=True)
+    return Radii(np.sqrt(squares) / (2.0 * FOCAL_PX), of_pixel.astype(np.intp))
+
+
+def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
+    """The radius without the lens of each radius in the photograph, as the tier computes it.
+
+    Only the last three detect the fold; the others continue past it, or overflow.
+    """
+    points = np.stack((seen, np.zeros_like(seen)), axis=-1)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        return INVERSES[tier](points, lens)[..., 0]
+
+
+def true_radii(seen: Floats, lens: Distortion) -> Floats:
+    """The same by bisection to the last bit, independent of all tiers; NaN past the fold.
+
+    The image radius is written out: r (1 + k₁ r² + k₂ r⁴).
+    """
+    fold = min(fold_radius(lens), 1e3)
+    low, high = np.zeros_like(seen), np.full_like(seen, fold)
+    for _ in range(64):
+        middle = 0.5 * (low + high)
+        s = middle * middle
+        beyond = middle * (1.0 + s * (lens.k1 + s * lens.k2)) > seen
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return np.where(seen < largest_distorted_radius(lens), high, np.nan)
+
+
+def inversion_error_px(lens: Distortion, tier: str) -> float:
+    """RMS error over the photograph of the scene point that each pixel is drawn from.
+
+    In pixels of the pinhole picture, without pixels that show nothing.
+    """
+    radii = pixel_radii()
+    wrong = ideal_radii(radii.distinct, lens, tier) - true_radii(radii.distinct, lens)
+    pixels = np.bincount(radii.of_pixel)
+    seen = ~np.isnan(wrong)
+    if np.isinf(wrong[seen]).any():
+        return float("inf")
+    square = np.average(np.square(wrong[seen]), weights=pixels[seen])
+    return float(np.sqrt(square)) * FOCAL_PX
 
 
 def needs_margin(k1: float, k2: float) -> bool:
@@ -94,10 +134,6 @@ def needs_margin(k1: float, k2: float) -> bool:
     return min(k1, k2) < 0.0
 
 
-def _margin_px(margin: bool) -> tuple[int, int]:
-    return MARGIN_PX if margin else (0, 0)
-
-
 def _scenery(picture: str, photograph: Photograph | None) -> Floats:
     """The picture with its margin, drawn once, so that a change of k₁ need not redraw it."""
     if photograph:
@@ -106,16 +142,17 @@ def _scenery(picture: str, photograph: Photograph | None) -> Floats:
     return draw(*PHOTOGRAPH_PX, FOCAL_PX)
 
 
-def _pinhole(scenery: Floats, margin: bool) -> Floats:
-    if margin:
-        return scenery
+def _without_margin(picture: Floats) -> Floats:
     x, y = MARGIN_PX
-    return scenery[y : y + HEIGHT_PX, x : x + WIDTH_PX]
+    return picture[y : y + HEIGHT_PX, x : x + WIDTH_PX]
 
 
-def _undistorted_frame(pinhole: Floats, margin: bool) -> Photo:
-    x, y = _margin_px(margin)
-    shown = pinhole[y : y + HEIGHT_PX, x : x + WIDTH_PX]
+def _pinhole(scenery: Floats, margin: bool) -> Floats:
+    return scenery if margin else _without_margin(scenery)
+
+
+def _undistorted(pinhole: Floats, margin: bool) -> Photo:
+    shown = _without_margin(pinhole) if margin else pinhole
     return Photo(shown, np.ones((HEIGHT_PX, WIDTH_PX), np.float32))
 
 
@@ -124,7 +161,7 @@ def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:
     lens = Distortion(k1=k1, k2=k2)
     ideal = ideal_radii(radii.distinct, lens, tier)
     ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX)
-    beyond_x, beyond_y = _margin_px(margin)
+    beyond_x, beyond_y = MARGIN_PX if margin else (0, 0)
     x = beyond_x + 0.5 * (WIDTH_PX - 1) + centred(WIDTH_PX) * ratio
     y = beyond_y + 0.5 * (HEIGHT_PX - 1) + centred(HEIGHT_PX)[:, None] * ratio
     shape = (HEIGHT_PX + 2 * beyond_y, WIDTH_PX + 2 * beyond_x)
@@ -157,17 +194,13 @@ def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
 
 
 def _encoded(photo: Photo) -> NDArray[np.uint8]:
+    """The photograph where it covers a pixel, grey where it does not."""
     if photo.coverage.min() == 1.0:
         return to_rgba8(encode_srgb_table(photo.linear))
-    return to_rgba8(encode_srgb_table(_over_unseen(photo)))
-
-
-def _over_unseen(photo: Photo) -> Floats:
-    """The photograph where it covers a pixel, grey where it does not."""
     laid = np.empty_like(photo.linear)
     for channel, grey in enumerate(np.asarray(UNSEEN, np.float32)):
         laid[..., channel] = grey + (photo.linear[..., channel] - grey) * photo.coverage
-    return laid
+    return to_rgba8(encode_srgb_table(laid))
 
 
 def _ideal_lens(k1: float, k2: float) -> str:
@@ -179,11 +212,11 @@ def _not_corrected(k1: float, k2: float, correct: bool) -> str:
 
 
 STAGES = (
-    Stage("drawings", _drawings),
+    Stage("drawings", overlays),
     Stage("radii", pixel_radii),
     Stage("scenery", _scenery),
     Stage("pinhole", _pinhole, ("scenery",)),
-    Stage("undistorted", _undistorted_frame, ("pinhole",)),
+    Stage("undistorted", _undistorted, ("pinhole",)),
     Stage("source", gather_source, ("pinhole",)),
     Stage("map", _map, ("radii",), _ideal_lens),
     Stage("through-lens", _through_lens, ("undistorted", "source", "map"), _ideal_lens),
