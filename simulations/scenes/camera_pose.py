@@ -161,7 +161,7 @@ def camera_panel(here: Standpoint) -> Panel:
     parts = (
         _furniture(place, here),
         _axes(place, "world", ("X", "Z"), here),
-        drawing.arrow(*t, "ray bold", 9) if len(t) == 2 else "",
+        drawing.arrow(t[0], t[1], "ray bold", 9) if len(t) == 2 else "",
         _name(name, "t", "ray strong") if apart else "",
         drawing.polygon(own(CAMERA_OUTLINE), "camera fill"),
         _axes(own, "camera", ("x", "z")),
@@ -186,7 +186,7 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
                 if len(floor := _cut(place(area), closed=True))
             ),
             *(
-                drawing.line(*ends, style)
+                drawing.line(ends[0], ends[1], style)
                 for points, style in lines
                 if len(ends := _cut(place(points), closed=False)) == 2
             ),

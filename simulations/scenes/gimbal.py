@@ -204,8 +204,10 @@ def _circles(C: Floats) -> str:
     turns, rises = np.linspace(0.0, 360.0, 121), np.linspace(0.0, 90.0, 31)
     curves = [towards(turns, level) for level in (15.0, 30.0, 45.0, 60.0, 75.0)]
     curves += [towards(azimuth, rises) for azimuth in np.arange(0.0, 360.0, 30.0).tolist()]
-    box = (0.0, WIDTH), (0.0, HEIGHT)
-    seen = [run for curve in curves for run in runs_inside(*pictured(C, curve).T, *box)]
+    seen = []
+    for curve in curves:
+        across, down = pictured(C, curve).T
+        seen += runs_inside(across, down, (0.0, WIDTH), (0.0, HEIGHT))
     return drawing.path(seen, "muted thin faint")
 
 

@@ -168,7 +168,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
             Readout("matrix", "H", matrix_text(entries_of(H)), "", "image"),
             readout("freedoms", "Degrees of freedom", rung.freedoms, digits=0),
             readout("area", "Area, image : original", ratio, digits=3),
-            *(Readout(name, label, verdict(*change)) for name, label, *change in changes),
+            *(Readout(name, label, verdict(change, unit)) for name, label, change, unit in changes),
             *point_readouts(H, point),
         ),
         f"The square under {rung.phrase} {size}; kept: {kept}. {plane.describe_point(H, point)}",
