@@ -18,8 +18,8 @@ from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.pictures.checker_room import checker_room
-from simulations.scenes.single_view.results import as_json
-from simulations.scenes.single_view.room import CORNER, FOCAL_PX, SIZE
+from simulations.scenes.single_view.lines import FOCAL_PX, ROOMS, SIZE
+from simulations.scenes.single_view.measuring import as_json
 from simulations.scenes.single_view.scene import SCENE
 
 pytestmark = pytest.mark.browser
@@ -79,7 +79,7 @@ def test_an_end_follows_the_hand_and_undo_brings_it_back(guest: Reader, book: An
 @pytest.fixture
 def photograph(tmp_path: Path) -> tuple[Path, Photograph]:
     """Of the book's room, as a file and as Python gets it."""
-    codes = to_rgba8(encode_srgb(checker_room(*SIZE, FOCAL_PX, CORNER.turn)))[..., :3]
+    codes = to_rgba8(encode_srgb(checker_room(*SIZE, FOCAL_PX, ROOMS["corner"].turn)))[..., :3]
     path = tmp_path / "room.png"
     Image.fromarray(codes).save(path)
     return path, Photograph(1, codes, path.name)
@@ -89,7 +89,9 @@ def test_a_photograph_is_measured_as_in_cpython(
     visitor: Reader, tmp_path: Path, photograph: tuple[Path, Photograph]
 ) -> None:
     path, same = photograph
-    noisy = [ends + np.random.default_rng(1).normal(size=ends.shape) for ends in CORNER.drawn]
+    noisy = [
+        ends + np.random.default_rng(1).normal(size=ends.shape) for ends in ROOMS["corner"].drawn
+    ]
     shares = [np.clip((ends.reshape(-1, 2) + 0.5) / SIZE, 0, 1) for ends in noisy]
     lines = PointLists("own", 0, tuple(tuple(map(tuple, each)) for each in shares)).text
     visitor.turn_to_unlinked(f"{PAGE}?{ID}.lines={lines}&{ID}.sigma=1#{ID}")

@@ -1,1 +1,0 @@
-"""The scene single-view: a camera and lengths from lines drawn over one picture."""

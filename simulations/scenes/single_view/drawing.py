@@ -1,44 +1,112 @@
 """Drawings over the picture, over the image plane around it, and in the loupe."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine import drawing
+from simulations.engine.drawing import Point
 from simulations.engine.frame import format_number
+from simulations.engine.letters import width_em
 from simulations.engine.plotting.clipping import clipped
 from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.projection.single_view import SingleView
 from simulations.models.projection.vanishing_lines import pixel_of
-from simulations.scenes.single_view.fields import (
-    HEIGHT,
-    LOUPE_COLUMNS,
-    LOUPE_ROWS,
-    WIDTH,
-    Field,
-    Point,
-    finite_point,
-    whole,
-)
-from simulations.scenes.single_view.labels import beside_lines
-from simulations.scenes.single_view.lines import FLOOR, Drawn
+from simulations.scenes.single_view.lines import FLOOR, LISTS, Lines, Settings
 from simulations.scenes.single_view.lines import HEIGHT as HEIGHTS
-from simulations.scenes.single_view.settings import LISTS, NORMALS, Settings
-from simulations.scenes.single_view.stages import UNKNOWN, Found, Lengths
+from simulations.scenes.single_view.measuring import NORMALS, Found, Lengths, with_error
 
-STYLES = ("world", "ray", "light", "image", "image")
-"""Colour role of each list."""
-NAMES = ("v₁", "v₂", "v₃")
+WIDTH, HEIGHT = 400.0, 300.0  # of every panel, in units
 PANEL = (0.0, WIDTH), (0.0, HEIGHT)
-LINE = 17.0
-"""Height of a line of text, in units."""
-LARGEST = 60.0
-"""Half the longest axis of an ellipse that is drawn, in units."""
+LOUPE_COLUMNS, LOUPE_ROWS = 40, 30  # pixels that the loupe shows
+FARTHEST = 4.0
+"""Largest distance from the picture to a vanishing point in the field, in its longer side."""
+STYLES = ("world", "ray", "light", "image", "image")  # colour role of each list
+NAMES = ("v₁", "v₂", "v₃")
+LINE = 17.0  # height of a line of text, in units
+LARGEST = 60.0  # half the longest axis of an ellipse that is drawn, in units
+LETTER, HALF_HEIGHT, HANDLE = 15.5, 12.0, 17.0
+"""Size of the letters of a label, half its height, and half the side of a handle's mark, in units,
+where the panel is as small as on a phone."""
+ALONG, BESIDE = (0.5, 0.35, 0.65, 0.2, 0.8), (0.0, 24.0, -24.0)
+"""Shares of a line at which a label may stand, and by how much it may be moved down from there."""
+
+type Box = tuple[float, float, float, float]
+"""Middle, half the width, half the height."""
 
 
-def over_picture(settings: Settings, lines: Drawn, found: Found, lengths: Lengths) -> str:
+@dataclass(frozen=True, slots=True)
+class Field:
+    """A part of the image plane that fills a panel."""
+
+    size: tuple[int, int]
+    """Of the picture, in pixels."""
+    left: float
+    top: float
+    """The corner of the panel in pixels from the corner of the picture."""
+    scale: float
+    """Units to the pixel."""
+
+    def place(self, pixel: Sequence[float] | Floats) -> tuple[float, float]:
+        """The place of a pixel in the panel."""
+        x, y = (float(number) for number in pixel)
+        return (x + 0.5 - self.left) * self.scale, (y + 0.5 - self.top) * self.scale
+
+    def pixel(self, place: Point) -> tuple[float, float]:
+        return self.pixel_x(place[0]) - 0.5, self.pixel_y(place[1]) - 0.5
+
+    def pixel_x[N: (float, Floats)](self, x: N) -> N:
+        """Pixels from the left border of the picture."""
+        return x / self.scale + self.left
+
+    def pixel_y[N: (float, Floats)](self, y: N) -> N:
+        return y / self.scale + self.top
+
+
+def whole(size: tuple[int, int]) -> Field:
+    """The picture as large as the lead panel allows, in its middle."""
+    return _holding(size, np.zeros(2), np.array(size, float))
+
+
+def field_around(lines: Lines, found: Found) -> Field:
+    """The picture and the vanishing points that are not too far from it.
+
+    The borders are at multiples of a quarter of the picture, so that they mostly keep still while
+    an end moves.
+    """
+    low, high = np.zeros(2), np.array(lines.size, float)
+    quarter, middle, reach = high / 4.0, high / 2.0, FARTHEST * max(lines.size)
+    for axis in range(3):
+        point = finite_point(found.view, axis)
+        if point is not None and np.abs(point - middle).max() < reach:
+            low, high = np.minimum(low, point), np.maximum(high, point)
+    low, high = np.floor(low / quarter - 0.4) * quarter, np.ceil(high / quarter + 0.4) * quarter
+    return _holding(lines.size, low, high)
+
+
+def finite_point(view: SingleView | None, axis: int) -> Floats | None:
+    """The pixel (2,) of a vanishing point; none for one at infinity or nearly so."""
+    if view is None:
+        return None
+    x, y, w = view.vanishing[axis]
+    limit = 1e3 * view.diagonal
+    if abs(w) * limit <= math.hypot(x, y):
+        return None
+    return np.array([x / w, y / w])
+
+
+def _holding(size: tuple[int, int], low: Floats, high: Floats) -> Field:
+    """The smallest field with the shape of the panel that holds a box of the image plane."""
+    panel = np.array([WIDTH, HEIGHT])
+    scale = float((panel / (high - low)).min())
+    left, top = ((low + high - panel / scale) / 2.0).tolist()
+    return Field(size, left, top, scale)
+
+
+def over_picture(settings: Settings, lines: Lines, found: Found, lengths: Lengths) -> str:
     """The lines, those of the chosen list bold; the horizon; what was measured."""
     field, chosen = whole(lines.size), list(LISTS).index(settings.direction)
     parts = [_horizon(field, found.view, settings.plane, "camera dashed")]
@@ -48,48 +116,53 @@ def over_picture(settings: Settings, lines: Drawn, found: Found, lengths: Length
             start, end = field.place(ends[0]), field.place(ends[1])
             style = STYLES[number] + manner if counts else "muted dashed"
             parts.append(drawing.line(start, end, "casing") + drawing.line(start, end, style))
-    parts.append(_lengths(field, lines, lengths, chosen))
-    return "".join(parts)
-
-
-def _lengths(field: Field, lines: Drawn, lengths: Lengths, chosen: int) -> str:
-    """What was measured, by its line; clear of the ends of the chosen list."""
     labels = []
     for number, metres in ((FLOOR, lengths.floor), (HEIGHTS, lengths.height)):
         for place, (ends, pair) in enumerate(zip(lines.counted(number), metres, strict=False)):
             is_known = place == 0 and lengths.known == list(LISTS)[number]
-            words = f"{format_number(pair[0])} m, known" if is_known else with_error(*pair, "m")
+            words = f"{format_number(pair[0])} m, known" if is_known else with_error(pair, "m")
             labels.append((field.place(ends[0]), field.place(ends[1]), words))
     labels.sort(key=lambda label: label[2].endswith("known"))  # it may stand farther off
     handles = [field.place(end) for end in lines.ends[chosen].reshape(-1, 2)]
-    return beside_lines(labels, handles, "image small ground")
+    return "".join(parts) + _labels(labels, handles)
 
 
-def with_error(value: float, error: float, unit: str, digits: int = 2) -> str:
-    """``2.13 ± 0.04 m``; in words for what is unknown."""
-    if not math.isfinite(value):
-        return "beyond the horizon"
-    if not error < UNKNOWN * abs(value):
-        return "cannot be told"
-    return f"{format_number(value, digits)} ± {format_number(error, digits)} {unit}".strip()
+def _labels(wanted: Sequence[tuple[Point, Point, str]], handles: Sequence[Point]) -> str:
+    """Labels by their lines (start, end, words), each at the first place that is free, or at the
+    one that is least covered by handles and other labels."""
+    taken: list[Box] = [(x, y, HANDLE, HANDLE) for x, y in handles]
+    made, room = [], HALF_HEIGHT + 3.0
+    for (x0, y0), (x1, y1), words in wanted:
+        half = 0.5 * LETTER * width_em(words, strong=False) + 5.0
+        places = [(x0 + s * (x1 - x0), y0 + s * (y1 - y0) + d) for d in BESIDE for s in ALONG]
+        boxes = [
+            (min(max(x, half), WIDTH - half), min(max(y, room), HEIGHT - room), half, HALF_HEIGHT)
+            for x, y in places
+        ]
+        best = min(boxes, key=lambda box: sum(_common(box, other) for other in taken))
+        taken.append(best)
+        place = (best[0], best[1] + 4.0)
+        made.append(drawing.text(place, words, "image small ground", "middle"))
+    return "".join(made)
 
 
-def over_field(settings: Settings, lines: Drawn, found: Found, field: Field) -> str:
+def _common(one: Box, other: Box) -> float:
+    """The area that two boxes have in common."""
+    across = one[2] + other[2] - abs(one[0] - other[0])
+    down = one[3] + other[3] - abs(one[1] - other[1])
+    return max(across, 0.0) * max(down, 0.0)
+
+
+def over_field(settings: Settings, lines: Lines, found: Found, field: Field) -> str:
     """The picture's border, the lines as far as they meet, their points, and the horizon."""
-    parts = [
-        drawing.rectangle(
-            field.place(np.array([-0.5, -0.5])),
-            lines.size[0] * field.scale,
-            lines.size[1] * field.scale,
-            "muted",
-        )
-    ]
+    width, height = (side * field.scale for side in lines.size)
+    parts = [drawing.rectangle(field.place((-0.5, -0.5)), width, height, "muted")]
     view = found.view
     for axis in range(3):
         parts += _prolonged(field, lines.counted(axis), finite_point(view, axis), STYLES[axis])
     parts.append(_horizon(field, view, settings.plane, "camera bold", "horizon"))
-    for axis in range(3):
-        parts.append(_vanishing(field, view, axis))
+    if view is not None:
+        parts += [_vanishing(field, view, axis) for axis in range(3)]
     parts.append(_remark(found))
     return "".join(parts)
 
@@ -104,18 +177,18 @@ def _prolonged(field: Field, ends: Floats, point: Floats | None, style: str) -> 
                 yield drawing.line(*part, f"{style} thin dashed")
 
 
-def _vanishing(field: Field, view: SingleView | None, axis: int) -> str:
+def _vanishing(field: Field, view: SingleView, axis: int) -> str:
     """The vanishing point with the ellipse that holds it in 95 of 100 cases, if there is room."""
-    point = finite_point(view, axis)
-    if view is None or point is None or not _inside(place := field.place(point)):
+    point, style = finite_point(view, axis), STYLES[axis]
+    x, y = field.place(point) if point is not None else (math.nan, math.nan)
+    if point is None or not (0.0 <= x <= WIDTH and 0.0 <= y <= HEIGHT):
         return ""
+    mark = drawing.dot((x, y), style, 3.5)
     _, spread, finite = pixel_of(view.vanishing[axis], view.vanishing_covariances[axis])
-    x = min(max(place[0], 14.0), WIDTH - 14.0)
-    y = place[1] - 10.0 if place[1] > 2.0 * LINE else place[1] + 20.0
-    mark = drawing.dot(place, STYLES[axis], 3.5)
     if finite:
-        mark += _ellipse(field, point, spread, STYLES[axis])
-    return mark + drawing.text((x, y), NAMES[axis], f"{STYLES[axis]} strong ground", "middle")
+        mark += _ellipse(field, point, spread, style)
+    beside = (min(max(x, 14.0), WIDTH - 14.0), y - 10.0 if y > 2.0 * LINE else y + 20.0)
+    return mark + drawing.text(beside, NAMES[axis], f"{style} strong ground", "middle")
 
 
 def _ellipse(field: Field, point: Floats, spread: Floats, style: str) -> str:
@@ -147,36 +220,30 @@ def _horizon(field: Field, view: SingleView | None, plane: str, style: str, name
 
 def _remark(found: Found) -> str:
     """Why there is no camera, or what cannot be known."""
-    if found.problem:
-        return _in_lines(_wrapped(found.problem, 40), WIDTH / 2.0, "middle")
-    if found.misfits:
-        words = "The lines miss each other: check their directions, or raise the error of an end."
-    elif not found.knows_focal:
-        words = "The focal length cannot be told: lengths in depth stay unknown."
-    else:
-        return ""
-    return _in_lines(_wrapped(words, 20), 8.0, "start")  # clear of lines that meet below
-
-
-def _in_lines(lines: tuple[str, ...], x: float, anchor: str) -> str:
-    base = HEIGHT - 10.0 - LINE * (len(lines) - 1)
-    return "".join(
-        drawing.text((x, base + LINE * row), words, "error ground", anchor)
-        for row, words in enumerate(lines)
-    )
-
-
-def _wrapped(words: str, letters: int) -> tuple[str, ...]:
-    """In lines of at most so many letters."""
+    words, letters, x, anchor = found.problem, 40, WIDTH / 2.0, "middle"
+    if not words:
+        letters, x, anchor = 20, 8.0, "start"  # clear of lines that meet below
+        if found.misfits:
+            words = (
+                "The lines miss each other: check their directions, or raise the error of an end."
+            )
+        elif not found.knows_focal:
+            words = "The focal length cannot be told: lengths in depth stay unknown."
+        else:
+            return ""
     lines = [""]
     for word in words.split():
         if len(lines[-1]) + len(word) > letters:
             lines.append("")
         lines[-1] = f"{lines[-1]} {word}".strip()
-    return tuple(lines)
+    base = HEIGHT - 10.0 - LINE * (len(lines) - 1)
+    return "".join(
+        drawing.text((x, base + LINE * row), line, "error ground", anchor)
+        for row, line in enumerate(lines)
+    )
 
 
-def in_loupe(lines: Drawn, settings: Settings) -> str:
+def in_loupe(lines: Lines, settings: Settings) -> str:
     """The end that was moved last, and its line."""
     number = list(LISTS).index(settings.direction)
     ends = lines.ends[number].reshape(-1, 2)
@@ -187,13 +254,8 @@ def in_loupe(lines: Drawn, settings: Settings) -> str:
     corner = np.rint(ends[touched]) - (LOUPE_COLUMNS // 2, LOUPE_ROWS // 2)
     unit = WIDTH / LOUPE_COLUMNS
     (x, y), (u, v) = ((ends[[touched, touched ^ 1]] - corner + 0.5) * unit).tolist()
-    at, other = (x, y), (u, v)
-    style = STYLES[number]
+    at, other, style = (x, y), (u, v), STYLES[number]
     parts = [drawing.circle(at, 12.0, "casing"), drawing.circle(at, 12.0, style)]
     if (part := clipped(at, other, *PANEL)) is not None:
         parts.append(drawing.line(*part, style))
     return "".join((*parts, drawing.dot(at, style, 2.5)))
-
-
-def _inside(place: Point) -> bool:
-    return 0.0 <= place[0] <= WIDTH and 0.0 <= place[1] <= HEIGHT

@@ -1,0 +1,267 @@
+"""The camera of a picture, and lengths in it: readouts, the data sheet, and the file."""
+
+import json
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.engine.frame import Readout, format_number, value_with_error
+from simulations.engine.photograph import Photograph
+from simulations.engine.stages import Outputs
+from simulations.models.projection.pinhole import field_of_view_rad
+from simulations.models.projection.single_view import SingleView, fit_view
+from simulations.models.projection.single_view_lengths import Measured, Stretch, measured
+from simulations.models.projection.vanishing_lines import pixel_of
+from simulations.scenes.single_view.lines import (
+    FLOOR,
+    FOCAL_PX,
+    HEIGHT,
+    LISTS,
+    ROOMS,
+    Lines,
+    Settings,
+)
+
+NORMALS = {"floor": 2, "along": 0, "across": 1}
+"""The axis at right angles to each plane."""
+UNKNOWN = 0.3  # relative standard error from which a number counts as unknown
+NONE, MISSING = "none drawn", "lines missing"
+
+type Pair = tuple[float, float]
+"""A number and its standard error, NaN where there is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The camera, or why there is none."""
+
+    view: SingleView | None
+    problem: str = ""
+
+    @property
+    def focal_error(self) -> float:
+        """Standard error of ln f, that is, of f relative to it; infinite without a camera."""
+        if self.view is None:
+            return math.inf
+        return math.sqrt(self.view.covariance[0, 0])
+
+    @property
+    def knows_focal(self) -> bool:
+        return self.focal_error < UNKNOWN
+
+    @property
+    def misfits(self) -> bool:
+        """Whether the lines miss each other by much more than their ends' errors explain."""
+        view = self.view
+        return view is not None and view.misfit > view.spare + 4.0 * math.sqrt(2 * view.spare) + 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Lengths:
+    """What was measured of the lengths and the heights that count, the known one first."""
+
+    floor: tuple[Pair, ...] = ()
+    """Metres."""
+    height: tuple[Pair, ...] = ()
+    distance: Pair = (math.nan, math.nan)
+    """Of the camera from the plane."""
+    known: str = ""
+    """Which list has the known length."""
+
+
+def camera_of(lines: Lines, sigma: float, centre: bool) -> Found:
+    ends = [lines.counted(axis) for axis in range(3)]
+    counts = [len(each) for each in ends]
+    if sum(count >= 2 for count in counts) < 2:
+        return Found(None, "Draw two lines or more along each of two directions.")
+    if centre and min(counts) < 2:
+        return Found(None, "The principal point needs lines along three directions.")
+    axes = np.repeat(np.arange(3), counts)
+    try:
+        view = fit_view(np.concatenate(ends), axes, lines.size, sigma, find_centre=centre)
+    except ValueError:
+        return Found(None, "Two directions meet in one point: check which lines are which.")
+    return Found(view)
+
+
+def lengths_of(lines: Lines, found: Found, sigma: float, known: float, plane: str) -> Lengths:
+    floor, height = (
+        [Stretch(ends, kind) for ends in lines.counted(number)]
+        for number, kind in ((FLOOR, "within"), (HEIGHT, "above"))
+    )
+    stretches = (*floor, *height)
+    if found.view is None or not stretches:
+        return Lengths()
+    first, *others = stretches
+    try:
+        made: Measured = measured(
+            found.view, first, known, tuple(others), sigma, normal=NORMALS[plane]
+        )
+    except ValueError:
+        return Lengths()
+    pairs = [(known, 0.0), *zip(made.metres.tolist(), made.errors.tolist(), strict=True)]
+    return Lengths(
+        tuple(pairs[: len(floor)]),
+        tuple(pairs[len(floor) :]),
+        (made.distance, made.distance_error),
+        list(LISTS)[FLOOR if floor else HEIGHT],
+    )
+
+
+def true_lengths(
+    lines: Lines, picture: str, plane: str, photograph: Photograph | None
+) -> tuple[tuple[float, ...], ...]:
+    """The true lengths and heights in metres, where those of the book are drawn; else none."""
+    if photograph is not None or plane != "floor":
+        return (), ()
+    true = [(number, ROOMS[picture].metres(number)) for number in (FLOOR, HEIGHT)]
+    return tuple(
+        metres if len(lines.counted(number)) == len(metres) else () for number, metres in true
+    )
+
+
+def with_error(pair: Pair, unit: str = "") -> str:
+    """``2.13 ± 0.04 m``; in words for what is unknown."""
+    value, error = pair
+    if not math.isfinite(value):
+        return "beyond the horizon"
+    if not error < UNKNOWN * abs(value):
+        return "cannot be told"
+    return f"{value_with_error(value, error)} {unit}".strip()
+
+
+def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
+    """The numbers beside the figure; those in sight first, with the truth where it is known."""
+    found: Found = outputs["view"]
+    lengths: Lengths = outputs["lengths"]
+    view, known, knows = found.view, lengths.known, found.knows_focal
+    own = outputs["photograph"] is not None
+    focal, scatter, centre, angles = (MISSING, ""), ("too few lines", ""), (MISSING, ""), ()
+    if view is not None:
+        true_focal = "" if own else f", true {FOCAL_PX:.0f} px"
+        focal = _split((view.focal_px, view.focal_px * found.focal_error), "px", true_focal)
+        x, y = (format_number(number, 0) for number in view.centre)
+        centre = f"({x}, {y})", "px"
+        values = np.degrees((view.pitch, view.roll)).tolist()
+        errors = view.spread(lambda view: np.degrees((view.pitch, view.roll))).tolist()
+        angles = tuple((value_with_error(*pair), "°") for pair in zip(values, errors, strict=True))
+        if view.spare >= 1:  # the error of an end by the lines' own misfit
+            ends = settings.sigma * math.sqrt(view.misfit / view.spare)
+            scatter = format_number(ends, 1), "px"
+    pitch, roll = angles or ((MISSING, ""), (MISSING, ""))
+    floor, height = (
+        _first_length(pairs, true, known == name)
+        for name, pairs, true in zip(
+            ("floor", "height"), (lengths.floor, lengths.height), outputs["truth"], strict=True
+        )
+    )
+    error = (format_number(100.0 * found.focal_error, 2), "%") if knows else ("unknown", "")
+    distance = _split(lengths.distance, "m") if known else (NONE, "")
+    return (
+        Readout("focal", "Focal length", *focal, "camera"),
+        Readout("length", "Length on the plane", *floor, "image"),
+        Readout("height", "Height above the plane", *height, "image"),
+        Readout("focal_error", "Standard error of f", *error, "camera"),
+        Readout("pitch", "Looks down (pitch)", *pitch, "camera"),
+        Readout("roll", "Leans right (roll)", *roll, "camera"),
+        Readout("distance", "Camera above the plane", *distance, "camera"),
+        Readout("scatter", "Scatter of the ends", *scatter, ""),
+        Readout("centre_at", "Principal point", *centre, "camera"),
+    )
+
+
+def _first_length(
+    pairs: tuple[Pair, ...], truth: tuple[float, ...], known: bool
+) -> tuple[str, str]:
+    """Text and unit of the first length that is measured."""
+    if len(pairs) <= known:
+        return NONE, ""
+    return _split(pairs[known], "m", f", true {format_number(truth[known])} m" if truth else "")
+
+
+def _split(pair: Pair, unit: str, truth: str = "") -> tuple[str, str]:
+    """The text and the unit of a value with its error."""
+    text = with_error(pair)
+    return text, unit + truth if "±" in text else ""
+
+
+def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
+    """The lines of the data sheet; none for what is not drawn."""
+    found: Found = outputs["view"]
+    lines: Lines = outputs["lines"]
+    shown = {each.name: each for each in readouts(settings, outputs)}
+    named = tuple(
+        shown[name]
+        for name in ("focal", "pitch", "roll", "distance", "length", "height")
+        if shown[name].text not in (NONE, MISSING)
+    )
+    named += _by_the_file(lines, outputs["photograph"])
+    if found.view is None or not found.knows_focal:
+        return named
+
+    def angle_deg(view: SingleView) -> float:
+        return math.degrees(field_of_view_rad(view.focal_px, lines.size[0]))
+
+    text = value_with_error(angle_deg(found.view), float(found.view.spread(angle_deg)))
+    return (*named, Readout("field_of_view", "Horizontal field of view", text, "°", "camera"))
+
+
+def _by_the_file(lines: Lines, photograph: Photograph | None) -> tuple[Readout, ...]:
+    """The focal length that EXIF states, on the film of 36 × 24 mm, which is by the diagonal."""
+    stated = photograph.facts.get("focal_35mm_mm") if photograph else None
+    if not isinstance(stated, int | float) or not stated > 0:
+        return ()
+    pixels = float(stated) / math.hypot(36.0, 24.0) * math.hypot(*lines.size)
+    label = "Focal length by the file"
+    return (Readout("focal_by_file", label, format_number(pixels, 0), "px", "camera"),)
+
+
+def as_json(settings: Settings, outputs: Outputs) -> str:
+    """Camera, vanishing points, lines and lengths with standard errors; null for the unknown."""
+    lines: Lines = outputs["lines"]
+    lengths: Lengths = outputs["lengths"]
+    photograph = outputs["photograph"]
+    return json.dumps(
+        {
+            "photograph": photograph.name if photograph else "",
+            "width_px": lines.size[0],
+            "height_px": lines.size[1],
+            "sigma_px": settings.sigma,
+            "camera": _camera(outputs["view"]),
+            "lines_px": {
+                name: np.round(lines.counted(axis), 2).tolist()
+                for axis, name in enumerate(("across", "along", "upright"))
+            },
+            "known_m": settings.known,
+            "plane": settings.plane,
+            "camera_above_plane_m": _pair(lengths.distance),
+            "lengths_m": [_pair(pair) for pair in lengths.floor],
+            "heights_m": [_pair(pair) for pair in lengths.height],
+        },
+        indent=1,
+    )
+
+
+def _camera(found: Found) -> object:
+    view = found.view
+    if view is None:
+        return None
+    errors = view.spread(lambda view: np.array([view.pitch, view.roll]))
+    points = []
+    for point, covariance in zip(view.vanishing, view.vanishing_covariances, strict=True):
+        pixel, spread, finite = pixel_of(point, covariance)
+        points.append({"pixel": pixel.tolist(), "covariance": spread.tolist()} if finite else None)
+    f = view.focal_px
+    return {
+        "focal_px": _pair((f, f * found.focal_error)) if found.knows_focal else None,
+        "principal_point_px": list(view.centre),
+        "pitch_rad": _pair((view.pitch, float(errors[0]))),
+        "roll_rad": _pair((view.roll, float(errors[1]))),
+        "vanishing_points": points,
+    }
+
+
+def _pair(pair: Pair) -> object:
+    value, error = pair
+    return {"value": value, "standard_error": error} if math.isfinite(value + error) else None
