@@ -1,5 +1,5 @@
-"""The hard cases that the book prints, and known values that it does not: each question is asked,
-and its answer judged. What the tables say of other libraries is true of them as installed."""
+"""Hard cases that the book prints, and known values that it does not: the answers of the models,
+and those of other libraries as installed."""
 
 import math
 import re
@@ -45,7 +45,7 @@ IN_LIBRARIES: dict[str, Any] = {
 
 
 @EACH
-def test_a_model_answers_as_decided_and_a_mask_is_false_where_the_values_are_nan(
+def test_a_model_answers_as_expected(
     table: HardCases,
 ) -> None:
     rows = [(case.call, case.expected) for case in table.cases]
@@ -60,7 +60,7 @@ def test_a_model_answers_as_decided_and_a_mask_is_false_where_the_values_are_nan
 
 
 @EACH
-def test_a_printed_case_has_a_formula_with_another_answer_or_that_of_a_library(
+def test_a_printed_case_has_another_answer_beside_the_models(
     table: HardCases,
 ) -> None:
     """A case with neither is no lesson: it belongs in ``known_values.toml``."""

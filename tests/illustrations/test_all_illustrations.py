@@ -1,4 +1,4 @@
-"""What holds for every illustration: nothing outside, no label on another, all told in words."""
+"""Every illustration: nothing outside, no label on another, a description in words."""
 
 import re
 from collections.abc import Iterator
@@ -62,7 +62,7 @@ def test_labels_lie_inside_the_view_box_and_none_stands_on_another(name: str) ->
 
 
 @PANELS
-def test_a_unit_is_about_a_pixel_on_a_phone_and_a_description_has_no_markup(name: str) -> None:
+def test_widths_fit_a_phone_and_descriptions_have_no_markup(name: str) -> None:
     """358 px of column there, or two drawings in it: illustrations.css."""
     (width,) = {panel.width for panel in DRAWN[name].panels}
     assert width in WIDTHS

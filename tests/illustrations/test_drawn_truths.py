@@ -1,4 +1,4 @@
-"""What the drawings show is what theory says, worked out here another way."""
+"""Illustrations show what theory says, worked out here another way."""
 
 import math
 import tomllib
@@ -86,7 +86,7 @@ def test_highlights_are_brightest_in_the_mirrors_direction() -> None:
         assert specular or np.ptp(seen) < 1e-12
 
 
-def test_the_cone_of_the_page_is_so_narrow_that_one_direction_stands_for_all() -> None:
+def test_one_direction_stands_for_the_narrow_cone_of_the_page() -> None:
     """Exactly, it takes π sin² of its half-angle, times the cosine of its axis."""
     half, slant = math.radians(12), math.radians(30)
     exactly = of("page_in_the_sun").radiance() * math.pi * math.sin(half) ** 2 * math.cos(slant)

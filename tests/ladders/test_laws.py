@@ -141,7 +141,7 @@ def test_a_straight_edge_errs_by_the_bulge_of_the_circle(which: int, exact: floa
 
 
 @pytest.mark.parametrize("radius", [0.3, 200.0])
-def test_discs_smaller_than_a_pixel_or_larger_than_the_picture_are_covered_too(
+def test_tiny_and_huge_discs_are_covered(
     radius: float,
 ) -> None:
     run = run_of("edge-coverage")
@@ -169,7 +169,7 @@ def rms_apart(one: Floats, other: Floats) -> float:
 
 
 @pytest.mark.parametrize("index", [0, 1])
-def test_least_squares_in_both_pictures_reaches_the_least_error_there_can_be(index: int) -> None:
+def test_two_sided_least_squares_reaches_the_cramer_rao_bound(index: int) -> None:
     """Cramér–Rao: the RMS error that no unbiased estimate can beat, from numeric derivatives.
 
     A pair of points tells of the map through a residual of covariance σ² (I + J Jᵀ).
@@ -236,7 +236,7 @@ def test_weighing_by_both_noises_agrees_with_moving_the_points_themselves() -> N
     assert apart < 0.1 * run.error("wall", "two-sided")
 
 
-def test_if_the_first_picture_were_exact_distances_in_the_second_would_be_the_best() -> None:
+def test_one_sided_distances_are_best_for_an_exact_first_picture() -> None:
     run = run_of("homography-estimation")
     matches, H = run.work[1], np.append(run.module.VIEWS[1].homography, 1.0).reshape(3, 3)
     errors = {}
@@ -270,7 +270,7 @@ def test_a_table_twice_as_long_errs_a_quarter_as_much() -> None:
         assert coarse / fine == pytest.approx(4.0, rel=0.1)
 
 
-def test_bins_err_at_slants_at_which_rows_repeat_each_other_and_the_spline_does_not() -> None:
+def test_bins_err_where_rows_repeat_each_other() -> None:
     module, ladder = run_of("mtf-binning").module, run_of("mtf-binning").ladder
     found = []
     for angles in ((4.0, 7.0, 11.0, 22.0), (14.04, 18.43, 26.57, 33.69)):
@@ -326,9 +326,7 @@ def nearest_off_px(angle_deg: float, turns: int) -> Floats:
     return off
 
 
-def test_displacements_of_the_nearest_pixel_add_up_like_random_steps_but_not_at_30_degrees() -> (
-    None
-):
+def test_shifts_of_the_nearest_pixel_add_up_like_random_steps() -> None:
     """Three turns of 30° take the grid onto itself: so the ladder does not use this angle."""
     for angle_deg in (20.0, 33.0, 41.0):
         once, often = (
@@ -387,7 +385,7 @@ def test_the_straight_line_errs_as_the_chord_of_the_arc() -> None:
     assert run.error("worst", "slerp-threshold") == pytest.approx(below, rel=1e-6)
 
 
-def test_blends_are_exact_at_the_corners_of_the_cells_and_between_all_pixels() -> None:
+def test_blends_are_exact_at_the_corners_of_the_cells() -> None:
     run = run_of("shading")
     every = slice(None, None, run.module.INTERVALS // 8)
     corners = run.module.phong_pixels(run.work[every, every])
@@ -403,9 +401,7 @@ def sampling_error(run: Any) -> float:
     return float(1.63 / np.sqrt(run.module.SAMPLES))
 
 
-def test_a_rounded_gaussian_is_as_far_off_as_its_own_distribution_and_exact_counts_are_not() -> (
-    None
-):
+def test_a_rounded_gaussian_errs_as_its_distribution_says() -> None:
     run = run_of("shot-noise")
     k = np.arange(run.truth.shape[1])
     measured = run.module.distances(run.result("gaussian"), run.truth)
@@ -417,7 +413,7 @@ def test_a_rounded_gaussian_is_as_far_off_as_its_own_distribution_and_exact_coun
         assert (run.module.distances(run.result(tier), run.truth) < sampling_error(run)).all()
 
 
-def test_cutting_a_gaussian_at_zero_or_leaning_it_invents_the_light_that_theory_says() -> None:
+def test_gaussians_add_the_light_that_theory_says() -> None:
     run = run_of("shot-noise")
     above = 1.0 - stats.norm.cdf(np.arange(40) + 0.5, loc=1.0, scale=1.0)
     measured = run.result("gaussian")[run.module.LEVELS_E.index(1.0)].mean(dtype=float)

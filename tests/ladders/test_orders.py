@@ -1,4 +1,4 @@
-"""What the tiers of every ladder owe to each other: whose error is smaller, and by which law."""
+"""The order of errors among the tiers of every ladder, and metrics without error."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What the benchmarks hold against budgets, name as growth of memory, and count as late."""
+"""Budgets of the benchmarks, growth of memory, and late sliders."""
 
 import json
 import subprocess
@@ -73,5 +73,5 @@ def test_a_slider_is_late_if_its_median_move_is() -> None:
 
 
 @pytest.mark.parametrize("name", ["cold ratio", "first slider_ms", "drags in_time", "heavy rate"])
-def test_the_book_can_tell_what_was_measured_on_a_slow_phone(name: str) -> None:
+def test_costs_of_a_slow_phone_are_recorded(name: str) -> None:
     assert isinstance(read_costs(ROOT).find(f"slow_phone {name}"), Cost)

@@ -71,7 +71,7 @@ def test_a_label_over_a_picture_has_a_ground_around_its_words(anchor: str, left:
     assert label.text == "horizon"
 
 
-def test_shapes_carry_their_classes_and_no_colours_but_those_that_are_computed() -> None:
+def test_shapes_carry_classes_and_only_computed_colours() -> None:
     shapes = {
         "ray dashed": drawing.polyline([(0, 0), (1, 1)], "ray dashed"),
         "world fill": drawing.polygon([(0, 0), (1, 1), (1, 0)], "world fill"),
@@ -112,7 +112,7 @@ def test_scripts_leave_the_line_and_the_rest_returns_to_it(
     assert sum(steps) == pytest.approx(0, abs=0.01)
 
 
-def test_arcs_count_upwards_from_the_right_and_a_lens_is_as_high_and_thick_as_asked() -> None:
+def test_arcs_and_lenses_have_their_sizes() -> None:
     arc = points(drafting.arc((10, 20), 5, 0, math.pi / 2))
     assert arc[[0, -1]].tolist() == [[15, 20], [10, 15]]
     assert np.hypot(*(arc - [10, 20]).T) == pytest.approx(5, abs=0.01)

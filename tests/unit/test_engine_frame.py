@@ -111,7 +111,7 @@ def test_the_frame_without_its_pixels_and_samples_is_json() -> None:
     assert "sound" not in json.loads(to_json(Frame((PANEL,), (), "Silent.")))
 
 
-def test_pixels_are_rounded_clipped_and_never_undefined_and_coverage_is_alpha() -> None:
+def test_pixels_are_rounded_clipped_and_never_undefined() -> None:
     rgba = to_rgba8(np.array([[0.0, 0.5, 1.0, -1.0, 2.0, np.nan, np.inf, -np.inf]]))
     assert rgba[0, :, 0].tolist() == [0, 128, 255, 0, 255, 0, 255, 0]
     assert (rgba[..., 3] == 255).all()

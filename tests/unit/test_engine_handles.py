@@ -155,7 +155,7 @@ def test_a_handle_lies_in_a_panel_that_there_is() -> None:
         frame_of(replace(POINT, panel="plan"))
 
 
-def test_a_pull_of_points_may_ask_for_the_readers_photograph() -> None:
+def test_a_pull_of_points_receives_the_readers_photograph() -> None:
     def moved(_: Settings, place: Point, photograph: Photograph | None) -> Mapping[str, Value]:
         shares = (((place[0] / 400, place[1] / 300),),)
         return {"lines": PointLists("own" if photograph else "book", 0, shares).text}

@@ -51,7 +51,7 @@ def ladder(run: Any = None) -> Ladder:
     )
 
 
-def test_the_time_is_the_median_the_spread_its_quartiles_and_the_error_the_metrics() -> None:
+def test_the_time_is_the_median_and_the_spread_its_quartiles() -> None:
     """Call 1 warms up and call 2 sizes the sample: the five samples are calls 3 to 7."""
     seconds = (0.010, 0.010, 0.010, 0.020, 0.030, 0.040, 0.050)
     result = WoundClock().measure(*seconds, budget_s=0.0)
@@ -80,7 +80,7 @@ def test_a_coarse_clock_measures_a_quick_tier_right() -> None:
     assert result.milliseconds == pytest.approx(0.007, rel=0.03)
 
 
-def test_the_front_leaves_out_what_is_slower_and_worse_and_equals_do_not_beat_each_other() -> None:
+def test_the_front_leaves_out_slower_and_worse_points() -> None:
     points = [(1.0, 9.0), (2.0, 3.0), (3.0, 4.0), (4.0, 1.0), (4.0, 1.0)]
     assert pareto_front(points) == (True, True, False, True, True)
 

@@ -1,4 +1,4 @@
-"""What a scene reads in the reader's photographs, as the worker asks for it."""
+"""Photographs of the reader: what a scene reads in them, and the results that follow."""
 
 import io
 import json
@@ -90,7 +90,7 @@ def picture(level: int, file: bytes = b"") -> SimpleNamespace:
     )  # fmt: skip
 
 
-def test_a_photograph_is_read_with_the_facts_of_its_file_or_refused_in_a_sentence() -> None:
+def test_a_photograph_is_read_with_the_facts_of_its_file() -> None:
     exif, file = Image.Exif(), io.BytesIO()
     exif[0x0110] = "Model"
     Image.new("RGB", (2, 1)).save(file, "JPEG", exif=exif)
@@ -122,7 +122,7 @@ def test_a_raw_file_brings_its_facts_and_its_cells(use: Callable[..., None]) -> 
     assert photograph.mosaic.black == (1, 2, 3, 4)
 
 
-def test_what_was_read_replaces_the_books_pictures_and_gives_files_sheet_and_development() -> None:
+def test_readings_replace_the_books_pictures_in_all_results() -> None:
     for means, shown in (((), "100"), ((10, 30), "20"), ((), "100"), ((10, 30), "20")):
         kept = [{"number": at, "name": "", "data": {"mean": mean}} for at, mean in enumerate(means)]
         browser.readings(FIGURE, json.dumps(kept))

@@ -1,4 +1,4 @@
-"""The contract of a scene, tables of scenes and ladders, and what the browser's worker calls."""
+"""Scenes: their contract, their registry, and the functions that the browser's worker calls."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -88,7 +88,7 @@ def test_a_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], mes
         scene_of(**changed)
 
 
-def test_a_drag_is_drawn_by_the_default_or_by_a_draft_in_place_of_all_that_is_dearer() -> None:
+def test_a_drag_is_drawn_by_the_default_or_a_draft() -> None:
     assert scene_of(tiers=("fast",), default_tier="fast", ladder="shading").draft_tier == "fast"
     tiers = ("coarse", "fine", "finest")
     words = {tier: tier for tier in tiers}
@@ -111,7 +111,7 @@ def test_a_drag_is_drawn_by_the_default_or_by_a_draft_in_place_of_all_that_is_de
         (STAGES, lambda _settings, _tier: None, "fine", "Size 2, nothing."),
     ],
 )
-def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both(
+def test_stages_read_settings_tier_and_parameters(
     stages: Any, parameters: Any, tier: str, said: str
 ) -> None:
     """Where there is nothing to compute, no stage runs and none is reported."""
@@ -121,7 +121,7 @@ def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both(
     assert [report.name for report in frame.stages] == ([] if "nothing" in said else ["told"])
 
 
-def test_estimates_of_the_error_come_one_at_a_time_and_begin_anew_with_other_settings(
+def test_estimates_of_the_error_begin_anew_with_other_settings(
     use: Callable[..., Scene[Any]],
 ) -> None:
     use(estimate=estimate)
@@ -137,7 +137,7 @@ def test_estimates_of_the_error_come_one_at_a_time_and_begin_anew_with_other_set
     assert browser.error("figure-5", "s", "{}", "") == "null"
 
 
-def test_the_worker_gets_a_clamped_frame_and_forgets_only_the_cache_of_a_figure(
+def test_a_forgotten_figure_loses_only_its_cache(
     use: Callable[..., Scene[Any]],
 ) -> None:
     use(**SHADED, stages=STAGES)
@@ -154,7 +154,7 @@ def test_the_worker_gets_a_clamped_frame_and_forgets_only_the_cache_of_a_figure(
     ("load", "modules", "known"),
     [(load_scene, SCENE_MODULES, "camera"), (load_ladder, LADDER_MODULES, "shading")],
 )
-def test_all_of_a_table_load_under_their_own_ids_and_an_unknown_one_meets_the_nearest(
+def test_scenes_and_ladders_load_under_their_ids(
     load: Callable[[str], Any], modules: dict[str, str], known: str
 ) -> None:
     assert [load(name).id for name in modules] == list(modules)

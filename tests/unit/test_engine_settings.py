@@ -95,7 +95,7 @@ def test_decimals_are_those_that_the_step_can_change(step: float, decimals: int)
     assert str(stepped(-1, 1, 0.5).clamp(-0.0)) == str(stepped(-1, 1, 0.5).check("-0")) == "0.0"
 
 
-def test_values_not_given_take_their_default_and_texts_of_a_page_are_read_by_type() -> None:
+def test_missing_values_take_defaults_and_texts_are_read_by_type() -> None:
     assert check_settings(Settings, {}) == Settings()
     assert values_of(Settings())["play"] == 0
     texts = {"depth": "2.5", "column": "7", "kind": "affine", "show": "false", "play": "1"}
@@ -127,7 +127,7 @@ def test_values_not_given_take_their_default_and_texts_of_a_page_are_read_by_typ
         ),
     ],
 )  # fmt: skip
-def test_an_author_is_told_what_was_given_and_what_is_legal(
+def test_an_authors_illegal_value_is_named_with_the_legal_ones(
     name: str, raw: object, reason: str
 ) -> None:
     with pytest.raises(ControlError) as raised:
@@ -136,7 +136,7 @@ def test_an_author_is_told_what_was_given_and_what_is_legal(
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
-def test_a_readers_gesture_is_brought_into_range_and_nonsense_refused(number: float) -> None:
+def test_a_readers_value_is_brought_into_range(number: float) -> None:
     depth = clamp_settings(Settings, {"depth": number}).depth
     assert 0.5 <= depth <= 20
     if 0.5 <= number <= 20:

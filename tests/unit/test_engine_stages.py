@@ -80,7 +80,7 @@ def test_a_neutral_stage_passes_on_the_same_object_and_says_why() -> None:
 
 
 @given(st.lists(st.tuples(st.integers(1, 4), st.integers(1, 4)), max_size=12))
-def test_the_cache_changes_nothing_but_time_and_keeps_no_more_than_its_depth(
+def test_the_cache_changes_no_output_and_keeps_its_depth(
     asked: list[tuple[int, int]],
 ) -> None:
     cache = StageCache(depth=2)
@@ -132,7 +132,7 @@ def spelt(reason: str | Sequence[Message]) -> str:
     return "; ".join(" ".join(filter(None, part)) for part in parts)
 
 
-def test_a_report_says_what_a_stage_depends_on_and_what_has_changed() -> None:
+def test_a_report_names_what_a_stage_depends_on_or_what_changed() -> None:
     """Against the most similar result that is kept, so that only the moved control is named."""
     cache = StageCache()
     rows: list[tuple[dict[str, float], str]] = [
@@ -150,7 +150,7 @@ def test_a_report_says_what_a_stage_depends_on_and_what_has_changed() -> None:
     assert spelt(reports[1].reason) == "changed factor"
 
 
-def test_a_stage_may_read_less_than_one_of_its_name_did_before_and_defaults_are_not_read() -> None:
+def test_a_stage_may_read_less_than_before_under_its_name() -> None:
     """As where a tier computes the same thing from other parameters."""
     cache = StageCache()
     run((Stage("source", lambda size, factor: size * factor),), values(), cache)
@@ -184,8 +184,6 @@ CARELESS: Any = lambda: False  # noqa: E731
         ),
     ],
 )
-def test_a_stage_that_needs_what_does_not_exist_or_contradicts_itself_is_refused(
-    stage: Any, message: str
-) -> None:
+def test_a_stage_that_contradicts_itself_is_refused(stage: Any, message: str) -> None:
     with pytest.raises((KeyError, TypeError, ValueError), match=message):
         run((FIRST, stage()), values(), StageCache())

@@ -76,7 +76,7 @@ def test_what_is_in_no_part_stays_missing(shelf: Shelf, name: str) -> None:
     assert "near-rest" not in shelf.fetched
 
 
-def test_a_part_out_of_reach_is_told_and_can_be_tried_again(shelf: Shelf) -> None:
+def test_a_part_out_of_reach_is_named_and_can_be_tried_again(shelf: Shelf) -> None:
     shelf.out_of_reach = True
     with pytest.raises(ImportError, match=r"tools-far: 404"):
         import_module("far_tools")

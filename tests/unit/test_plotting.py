@@ -96,7 +96,7 @@ def test_ticks_are_written_short(ticks: Any, ends: tuple[float, float], words: s
     assert " ".join(name for _, name in ticks(*ends)) == words
 
 
-def test_each_tick_stands_under_its_value_and_one_without_words_has_its_stroke_alone() -> None:
+def test_each_tick_stands_under_its_value() -> None:
     frame = PLOT.frame(Scale("time", "s", ticks=(2, 5, 8)), Scale("light"))
     names = {label.text: label.box for label in labels(frame, in_figures)}
     for value in (2, 5, 8):
@@ -155,7 +155,7 @@ def test_labels_stand_inside_and_not_on_each_other(
     assert all(a.shared(b) < 1e-6 for a, b in combinations(placed, 2))
 
 
-def test_a_label_makes_room_for_a_curve_and_may_stand_beside_another_of_its_points() -> None:
+def test_a_label_makes_room_for_curves_and_other_labels() -> None:
     curve = [(0.0, 138.0), (400.0, 138.0)]  # through the words right above the point
     (box,) = boxes([Label((200, 150), "peak")], curves=[curve])
     assert not box.top < 138 < box.bottom

@@ -1,4 +1,4 @@
-"""Space on a panel: the view is a camera's, what is far is hidden by what is near."""
+"""Space on a panel: the view is a camera's, and near things hide far ones."""
 
 import math
 import re
@@ -47,7 +47,7 @@ def test_the_target_lies_at_the_centre_and_a_view_is_the_same_from_its_axes() ->
     assert View(orbit_axes(10, 20), unit=3).at(1, 2, 3) == orbit(10, 20, unit=3).at(1, 2, 3)
 
 
-def test_parallels_stay_parallel_from_afar_and_sizes_fall_with_the_distance_of_the_eye() -> None:
+def test_parallels_stay_parallel_and_sizes_fall_with_distance() -> None:
     ends = orbit(40, 20, unit=80).all([[(0, 0, 0), (1, 0, 0)], [(0, 2, 1), (1, 2, 1)]])
     np.testing.assert_allclose(ends[0, 1] - ends[0, 0], ends[1, 1] - ends[1, 0])
     view = orbit(0, 0, unit=10, distance=5)  # the eye on the x axis, at 5
@@ -65,7 +65,7 @@ def test_the_nearer_of_two_faces_is_drawn_last(azimuth: float, nearer: str) -> N
     assert re.findall(r'class="(ray|image) thin', markup)[-1] == nearer
 
 
-def test_a_wire_is_hidden_behind_a_face_seen_before_it_and_whole_where_nothing_parts_it() -> None:
+def test_a_wire_is_hidden_behind_a_face() -> None:
     wire = Wire(np.linspace([-2.0, 0, 0], [2, 0, 0], 9), "ray")
     markup = drawn([wire, Face(SQUARE, "image")], orbit(30, 10, unit=10))
     assert markup.index("<path") < markup.index("<polygon") < markup.rindex("<path")

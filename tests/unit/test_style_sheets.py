@@ -80,7 +80,7 @@ def test_every_style_sheet_is_imported_or_fetched_and_every_import_exists() -> N
     assert sorted([*own, *fetched, "book.css"]) == sorted(SHEETS)
 
 
-def test_every_custom_property_is_defined_and_nothing_is_asked_of_other_origins() -> None:
+def test_every_custom_property_is_defined() -> None:
     text = "\n".join(SHEETS.values())
     used, defined = (set(re.findall(it, text)) for it in (r"var\((--[\w-]+)", r"(--[\w-]+):"))
     words = {f"--word-{key.removeprefix(STYLE)}" for key in ENGLISH.texts if key.startswith(STYLE)}
