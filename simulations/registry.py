@@ -17,6 +17,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+import simulations
 from simulations.engine.controls import suggestion
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
@@ -35,26 +36,23 @@ def found(room: str, *, inside: str = "") -> dict[str, str]:
     ``inside`` is the module to use of an entry that is a package. Empty if the book has no such
     package, and in the browser, which has all modules in one archive.
     """
+    spec = find_spec(f"simulations.{room}")
+    folders = map(Path, (spec and spec.submodule_search_locations) or ())
+    files = [file for folder in folders if folder.is_dir() for file in folder.iterdir()]
     return {
         file.stem.replace("_", "-"): f"simulations.{room}.{file.stem}"
         + (f".{inside}" if inside and file.is_dir() else "")
-        for file in _entries(room)
+        for file in sorted(files, key=lambda file: file.stem)
         if file.suffix == ".py" or (file / "__init__.py").is_file()
         if not file.stem.startswith("_")
     }
 
 
 def hard_case_tables() -> dict[str, Path]:
-    """Id to file of all tables of hard cases, sorted. Empty as in `found`."""
-    files = (file for file in _entries("hard_cases") if file.suffix == ".toml")
-    return {file.stem.replace("_", "-"): file for file in files}
-
-
-def _entries(room: str) -> list[Path]:
-    spec = find_spec(f"simulations.{room}")
-    folders = map(Path, (spec and spec.submodule_search_locations) or ())
-    files = [file for folder in folders if folder.is_dir() for file in folder.iterdir()]
-    return sorted(files, key=lambda file: file.stem)
+    """Id to file of all tables of hard cases, sorted: the book's, or those beside the engine."""
+    folders = (Path(path, "hard_cases") for path in simulations.__path__)
+    folder = next((folder for folder in folders if folder.is_dir()), Path("hard_cases"))
+    return {file.stem.replace("_", "-"): file for file in sorted(folder.glob("*.toml"))}
 
 
 SCENE_MODULES: Mapping[str, str] = found("scenes", inside="scene")
