@@ -13,8 +13,7 @@ from simulations.engine.plotting.plot import Plot
 
 WIDTH, HEIGHT = 320.0, 230.0
 PLOT = Plot(Axis(0.0, 1.0, 30, 306), Axis(0.0, 1.1, 178, 10))
-STEP = 0.08
-"""Width of a rounding step, drawn coarse."""
+STEP = 0.08  # Width of a rounding step, drawn coarse
 
 
 def angles(kind: str) -> tuple[float, float]:

@@ -13,8 +13,7 @@ from simulations.models.sensor.photon_counting import shot_noise
 
 SIDE, CELLS, PITCH = 190.0, 12, 14.0
 MEANS_E = (3, 30, 300, 3000)
-GREY = 0.3
-"""Displayed brightness of the mean, in linear light."""
+GREY = 0.3  # Displayed brightness of the mean, in linear light
 SEED = 6
 
 

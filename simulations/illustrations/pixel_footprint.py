@@ -14,8 +14,7 @@ from simulations.models.sampling.prefilters import filtered_wave, prefilter
 
 WIDTH, HEIGHT, CELLS = 400.0, 214.0, 10
 PLOT = Plot(Axis(-0.5, CELLS - 0.5, 12, 388), Axis(-1.15, 1.15, 176, 14))
-FREQUENCY = 0.8
-"""Cycles per cell."""
+FREQUENCY = 0.8  # Cycles per cell
 
 
 def cell_means() -> Floats:

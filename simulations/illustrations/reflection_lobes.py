@@ -13,8 +13,7 @@ from simulations.models.light.reflectance import phong
 
 WIDTH, HEIGHT = 300.0, 190.0
 SPOT, UNITS = (150.0, 158.0), 132.0
-LIGHT_RAD = math.radians(50)
-"""Angle of the light from the normal, on the left."""
+LIGHT_RAD = math.radians(50)  # Angle of the light from the normal, on the left
 SURFACES = (
     ("chalk", "Chalk: matte", 0.75, 0.0, 1.0),
     ("satin", "Satin paint: matte and a wide lobe", 0.45, 0.55, 10.0),

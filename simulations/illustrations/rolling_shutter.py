@@ -13,8 +13,7 @@ ROWS, READ_MS = 1080, 20.0
 EXPOSURE_MS = 8.0
 SPEED_PX_PER_S = 9600.0
 """Ten times the speed of the bus in the chapter's example, whose slant is too small to draw."""
-SHOWN = 12
-"""Rows that are drawn."""
+SHOWN = 12  # Rows that are drawn
 TIME = Axis(0.0, READ_MS + EXPOSURE_MS, 26, 300)
 DOWN = Axis(0.0, 1.0, 30, 170)
 

@@ -13,8 +13,7 @@ SOURCE, OPENING, FOCAL = 24.0, 190.0, 70.0
 """Columns of the points and of the opening, and the focal length, in view box units."""
 SHEET = OPENING + float(thin_lens_image_distance(FOCAL, OPENING - SOURCE))
 """Column of the image, where the lens focuses the light of the points."""
-POINTS = (("world", -46.0), ("light", 40.0))
-"""Heights of the two points below the axis."""
+POINTS = (("world", -46.0), ("light", 40.0))  # Heights of the two points below the axis
 HALF_LENS, HALF_SHEET = 56.0, 92.0
 
 type Ray = list[tuple[float, float]]

@@ -15,8 +15,7 @@ LENS_X, AXIS_Y, SQUARE_Y = 68.0, 46.0, 156.0
 APART_MM, CORNER = 10.0, 0.36
 """Distance from stop to lens, and the tangent of the angle to the axis of the ray and of the
 corners."""
-ENLARGED = 3.0
-"""Exaggeration of the squares' distortion."""
+ENLARGED = 3.0  # Exaggeration of the squares' distortion
 ALONE, OF_TWO = Singlet(1 / 50, -1 / 50, 6.0, 1.5), Singlet(1 / 100, -1 / 100, 6.0, 1.5)
 HALF_MM = 14.0
 SLOPES = np.linspace(0.001, 0.5, 500)
