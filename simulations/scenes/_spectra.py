@@ -16,15 +16,8 @@ from simulations.engine.plotting.scale import Scale
 from simulations.engine.raster import to_rgba8
 from simulations.engine.settings import choice, slider, toggle
 from simulations.models.arrays import Floats
+from simulations.models.color import illuminants
 from simulations.models.color.cie import xyz_to_linear_rgb
-from simulations.models.color.illuminants import (
-    D65_K,
-    DAYLIGHT_K,
-    daylight,
-    fluorescent,
-    planck,
-    white_diode,
-)
 from simulations.models.color.observer import OBSERVER
 from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.color.srgb import encode_srgb
@@ -52,7 +45,7 @@ SURFACES = {
 }
 NAMES = tuple(SURFACES)  # the cloth, then the measured patches
 COOLEST_K, HOTTEST_K, STEP_K = 2000, 12000, 50  # of the slider of temperature
-DAYLIGHT = daylight(D65_K)  # the light of the intended colours, in which the twins match
+DAYLIGHT = illuminants.daylight(illuminants.D65_K)  # in which the twins match
 MEASURED = np.stack([chart_patch(name) for name in CHART])  # (11, 81), which do not change
 
 WIDTH, HEIGHT = 400, 320
@@ -92,13 +85,13 @@ def light_of(light: str, temperature: float) -> Floats:
     """(81,) its power, with a mean of 1 over 400 to 700 nm."""
     match light:
         case "planck":
-            power = planck(temperature)
+            power = illuminants.planck(temperature)
         case "daylight":
-            power = daylight(max(temperature, DAYLIGHT_K[0]))
+            power = illuminants.daylight(max(temperature, illuminants.DAYLIGHT_K[0]))
         case "fluorescent":
-            power = fluorescent()
+            power = illuminants.fluorescent()
         case _:
-            power = white_diode()
+            power = illuminants.white_diode()
     seen = (WAVELENGTHS_NM >= 400.0) & (WAVELENGTHS_NM <= 700.0)
     return power / power[seen].mean()
 
@@ -123,7 +116,7 @@ def lit_surface(settings: LitSurface) -> str:
     kelvin, surface = settings.temperature, settings.surface
     light = {
         "planck": f"an incandescent body of {kelvin:.0f} K",
-        "daylight": f"daylight of {max(kelvin, DAYLIGHT_K[0]):.0f} K",
+        "daylight": f"daylight of {max(kelvin, illuminants.DAYLIGHT_K[0]):.0f} K",
         "fluorescent": "a fluorescent tube",
         "diode": "a white LED",
     }[settings.light]

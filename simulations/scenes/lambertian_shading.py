@@ -11,17 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.drawing import (
-    Point,
-    arrow,
-    circle,
-    dot,
-    line,
-    polygon,
-    polyline,
-    rectangle,
-    text,
-)
+from simulations.engine import drawing
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.handles import Handle
 from simulations.engine.plotting.axis import Axis
@@ -99,7 +89,7 @@ def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
     parts += picture_rays(light_rad)
     if math.cos(light_rad) > 0.05:
         brightest = _ball.on_equator(light_rad)
-        parts += [circle(brightest, 7, "casing"), circle(brightest, 7, "light")]
+        parts += [drawing.circle(brightest, 7, "casing"), drawing.circle(brightest, 7, "light")]
         parts.append(_ball.named(brightest, "brightest point", "light"))
     probed = _ball.on_equator(probe_rad)
     parts.append(_ball.outlined_dot(probed, "ray"))
@@ -132,15 +122,15 @@ def picture_normals() -> Iterator[str]:
             yield cased_arrow(foot, tip, "world thin", head=6)
 
 
-def cased_arrow(start: Point, end: Point, style: str, head: float = 8) -> str:
+def cased_arrow(start: drawing.Point, end: drawing.Point, style: str, head: float = 8) -> str:
     """An arrow with an outline in the paper's colour, visible on any picture."""
     length = math.hypot(end[0] - start[0], end[1] - start[1])
     if length < head:
         return _ball.outlined_dot(end, style, 2, 2.5)
     past = 1 + BEYOND_TIP / length
     wide_end = (start[0] + (end[0] - start[0]) * past, start[1] + (end[1] - start[1]) * past)
-    outline = arrow(start, wide_end, "casing", head + BEYOND_TIP + 1.5)
-    return outline + arrow(start, end, style, head)
+    outline = drawing.arrow(start, wide_end, "casing", head + BEYOND_TIP + 1.5)
+    return outline + drawing.arrow(start, end, style, head)
 
 
 def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normals: bool) -> str:
@@ -154,18 +144,18 @@ def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normal
     l_label = away(probed, light_rad + 0.3 * side, 0.7 * VECTOR)
     parts = [
         *plan_rays(light_rad),
-        polygon(night, "muted fill"),
-        polyline(day, "light bold"),
-        line(night[0], night[-1], "light dashed"),
+        drawing.polygon(night, "muted fill"),
+        drawing.polyline(day, "light bold"),
+        drawing.line(night[0], night[-1], "light dashed"),
         _ball.lamp(in_plan(light_rad, LAMP_DISTANCE)),
         *(plan_normals() if show_normals else ()),
         camera(),
         angle_theta(probed, probe_rad, light_rad, theta_rad),
-        arrow(probed, away(probed, light_rad, VECTOR), "light bold"),
-        arrow(probed, away(probed, probe_rad, VECTOR), "world bold"),
-        dot(probed, "ray", 5.5),
-        text((n_label[0], n_label[1] + 4), "n", "world strong ground", "middle"),
-        text((l_label[0], l_label[1] + 4), "l", "light strong ground", "middle"),
+        drawing.arrow(probed, away(probed, light_rad, VECTOR), "light bold"),
+        drawing.arrow(probed, away(probed, probe_rad, VECTOR), "world bold"),
+        drawing.dot(probed, "ray", 5.5),
+        drawing.text((n_label[0], n_label[1] + 4), "n", "world strong ground", "middle"),
+        drawing.text((l_label[0], l_label[1] + 4), "l", "light strong ground", "middle"),
     ]
     return "".join(parts)
 
@@ -176,33 +166,35 @@ def plan_rays(light_rad: float) -> Iterator[str]:
         foot = in_plan(light_rad + math.pi / 2, share * PLAN_RADIUS)
         near = PLAN_RADIUS * math.sqrt(1 - share**2) + 4
         start, end = away(foot, light_rad, RAY_START), away(foot, light_rad, near)
-        yield arrow(start, end, "light thin faint", head=7)
+        yield drawing.arrow(start, end, "light thin faint", head=7)
 
 
 def plan_normals() -> Iterator[str]:
     for degrees in range(-90, 91, 15):
         angle = math.radians(degrees)
         foot = in_plan(angle, PLAN_RADIUS)
-        yield arrow(foot, away(foot, angle, 24), "world thin", head=6)
+        yield drawing.arrow(foot, away(foot, angle, 24), "world thin", head=6)
 
 
-def angle_theta(probed: Point, probe_rad: float, light_rad: float, theta_rad: float) -> str:
+def angle_theta(probed: drawing.Point, probe_rad: float, light_rad: float, theta_rad: float) -> str:
     """The arc from n to l, the short way round."""
     turn = math.remainder(light_rad - probe_rad, 2 * math.pi)
     arc = [away(probed, probe_rad + turn * step / 24, ARC) for step in range(25)]
     # Between the arms where there is room for it, else beside n.
     towards = probe_rad + (turn / 2 if theta_rad > 0.4 else -math.copysign(0.34, turn))
     x, y = away(probed, towards, ARC + 16)
-    return polyline(arc, "ray") + text((x, y + 4), "θ", "ray strong ground", "middle")
+    return drawing.polyline(arc, "ray") + drawing.text(
+        (x, y + 4), "θ", "ray strong ground", "middle"
+    )
 
 
 def camera() -> str:
     x, y = PLAN_CENTRE[0], HEIGHT - 24.0
     lens = [(x - 5, y - 8), (x - 9, y - 15), (x + 9, y - 15), (x + 5, y - 8)]
     return (
-        rectangle((x - 14, y - 8), 28, 16, "camera fill")
-        + polygon(lens, "camera fill")
-        + text((x + 22, y + 5), "camera", "camera")
+        drawing.rectangle((x - 14, y - 8), 28, 16, "camera fill")
+        + drawing.polygon(lens, "camera fill")
+        + drawing.text((x + 22, y + 5), "camera", "camera")
     )
 
 
@@ -211,7 +203,7 @@ def in_plan(angle_rad: float, radius: float) -> tuple[float, float]:
     return away(PLAN_CENTRE, angle_rad, radius)
 
 
-def away(start: Point, angle_rad: float, length: float) -> tuple[float, float]:
+def away(start: drawing.Point, angle_rad: float, length: float) -> tuple[float, float]:
     """Go from a point of the plan in a direction; the camera's direction is down the page."""
     return start[0] + length * math.sin(angle_rad), start[1] + length * math.cos(angle_rad)
 
@@ -223,12 +215,12 @@ def brightness_plot(albedo: float, theta_rad: float, brightness: float) -> str:
     parts = [
         PLOT.frame(ANGLES, BRIGHTNESS),
         PLOT.curve(DEGREES[:46], lit[:46], "muted thin dashed"),
-        text(PLOT.at(66, 0.5), "white paint", "muted small ground"),
-        text(PLOT.at(135, 0.2), "faces away", "muted small", "middle"),
+        drawing.text(PLOT.at(66, 0.5), "white paint", "muted small ground"),
+        drawing.text(PLOT.at(135, 0.2), "faces away", "muted small", "middle"),
         PLOT.curve(DEGREES, albedo * lit, "image bold"),
         PLOT.drop(theta_deg, brightness, "ray thin dashed", to="xy"),
-        dot(PLOT.at(0, albedo), "image", 5.5),
-        dot(PLOT.at(theta_deg, brightness), "ray", 5.5),
+        drawing.dot(PLOT.at(0, albedo), "image", 5.5),
+        drawing.dot(PLOT.at(theta_deg, brightness), "ray", 5.5),
     ]
     return "".join(parts)
 

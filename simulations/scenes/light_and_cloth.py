@@ -18,14 +18,9 @@ from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
+from simulations.models.color import cie
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import lab_distance, xyz_to_xyy
-from simulations.models.color.cie import (
-    D65_XY,
-    SRGB_PRIMARIES_XY,
-    xyz_to_lab,
-    xyz_to_linear_rgb,
-)
 from simulations.models.color.illuminants import DAYLIGHT_K
 from simulations.models.color.observer import matching_functions, tristimulus
 from simulations.models.color.spectra import WAVELENGTHS_NM
@@ -70,12 +65,12 @@ def chart(twin: bool) -> Chart:
 def seen_by_eye(light: Floats, pairs: Floats) -> Seen:
     xyz = tristimulus(pairs * light, light)
     x, y = white_xy(light)
-    original, twin = xyz_to_lab(xyz, (x, y))
+    original, twin = cie.xyz_to_lab(xyz, (x, y))
     return Seen(
         xyz=xyz,
         white_xy=(x, y),
-        here=xyz_to_linear_rgb(adapt(xyz, (x, y), D65_XY)),
-        by_day=xyz_to_linear_rgb(tristimulus(pairs * DAYLIGHT, DAYLIGHT)),
+        here=cie.xyz_to_linear_rgb(adapt(xyz, (x, y), cie.D65_XY)),
+        by_day=cie.xyz_to_linear_rgb(tristimulus(pairs * DAYLIGHT, DAYLIGHT)),
         apart=lab_distance(original, twin),
     )
 
@@ -143,7 +138,7 @@ def diagram(light: str, seen: Seen, chosen: int, *, twin: bool) -> str:
         diagram_ground(),
         polyline([place_of(xy) for xy in line[::4]], "light"),
         *(dot(place_of(xy), "world", 2.5) for xy in pairs[0]),
-        circle(place_of(D65_XY), 4, "muted"),
+        circle(place_of(cie.D65_XY), 4, "muted"),
         dot(place_of(seen.white_xy), "light", 5),
     ]
     if twin:
@@ -163,7 +158,7 @@ def diagram_ground() -> str:
         text((DIAGRAM.x.end + 8, corner[1] + 19), "x", "italic"),
         text((corner[0] - 8, DIAGRAM.y.end + 2), "y", "italic", "end"),
         polygon([place_of(xy) for xy in edge], "world thin"),
-        polygon([place_of(xy) for xy in SRGB_PRIMARIES_XY], "image fill thin"),
+        polygon([place_of(xy) for xy in cie.SRGB_PRIMARIES_XY], "image fill thin"),
         text(place_of((0.33, 0.235)), "sRGB", "image small", "middle"),
     ]
     for nm, xy in zip(MARKED_NM, marked, strict=True):

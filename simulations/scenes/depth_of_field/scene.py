@@ -20,45 +20,14 @@ from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
 from simulations.pictures.still_life.depth import depth_met
+from simulations.scenes._still_life_camera import rays
 from simulations.scenes._still_life_camera.focus_plane import HANDLE_TANGENT
 from simulations.scenes._still_life_camera.picture import SCALED, drawing_of
-from simulations.scenes._still_life_camera.rays import (
-    COLUMNS,
-    PITCH_MM,
-    ROWS,
-    SENSOR_HEIGHT_MM,
-    SENSOR_WIDTH_MM,
-    principal_mm,
-)
-from simulations.scenes.depth_of_field.drawing import (
-    AXIS_Y,
-    LENS_X,
-    column,
-    half_opening,
-    lens_diagram,
-    virtual_diagram,
-)
-from simulations.scenes.depth_of_field.stages import (
-    COARSE,
-    COSTLY,
-    FINE,
-    FIXED,
-    HEIGHT,
-    QUICK,
-    REDUCTIONS,
-    STAGES,
-    TIERS,
-    WIDTH,
-    Sharpness,
-    estimates,
-    floor_row,
-    sharpness,
-    units_per_tangent,
-    widest_px,
-)
+from simulations.scenes.depth_of_field import drawing, stages
+from simulations.scenes.depth_of_field.stages import HEIGHT, WIDTH
 
 LARGEST_DRAWN_PX = 48.0  # Largest disc that is drawn: wider ones blur everything and take seconds
-UNLIT = np.full((round(ROWS / FINE), round(COLUMNS / FINE)), 0.35)
+UNLIT = np.full((round(rays.ROWS / stages.FINE), round(rays.COLUMNS / stages.FINE)), 0.35)
 """The picture if the lens forms none."""
 
 
@@ -81,7 +50,7 @@ def drawn_f_number(settings: Settings) -> float:
     The widths of all discs are proportional to the aperture, so the focus and the sizes of things
     stay the same.
     """
-    widest = widest_px(settings.focal_length, settings.aperture, settings.focus)
+    widest = stages.widest_px(settings.focal_length, settings.aperture, settings.focus)
     return settings.aperture * max(widest / LARGEST_DRAWN_PX, 1.0)
 
 
@@ -91,28 +60,28 @@ def parameters(settings: Settings, tier: str) -> dict[str, Value] | None:
         return None
     f_number = drawn_f_number(settings)
     return {
-        **FIXED,
+        **stages.FIXED,
         **drawing_of(tier == SCALED, settings.focal_length, settings.focus),
-        "reduction": REDUCTIONS.get(tier, FINE),
-        "repeated": 2 if tier in COSTLY else 1,
+        "reduction": stages.REDUCTIONS.get(tier, stages.FINE),
+        "repeated": 2 if tier in stages.COSTLY else 1,
         "aperture": f_number,
-        "largest_blur": widest_px(settings.focal_length, f_number, settings.focus),
+        "largest_blur": stages.widest_px(settings.focal_length, f_number, settings.focus),
     }
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     focal, f_number, focus = settings.focal_length, settings.aperture, settings.focus
-    hyperfocal_m = thin_lens.hyperfocal(focal, f_number, PITCH_MM) / 1000
+    hyperfocal_m = thin_lens.hyperfocal(focal, f_number, rays.PITCH_MM) / 1000
     if not settings.has_image:
         note = text((WIDTH / 2, HEIGHT / 2), "no real image", "strong ground", "middle")
-        panels = side_by_side(virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
+        panels = side_by_side(drawing.virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
         return Frame(panels, readouts(None, hyperfocal_m), describe_refusal(settings))
-    sharp, drawn, marks = sharpness(focal, f_number, focus), drawn_f_number(settings), ""
+    sharp, drawn, marks = stages.sharpness(focal, f_number, focus), drawn_f_number(settings), ""
     if drawn > f_number:
         capped = f"drawn at f/{drawn:.3g}: no disc over {LARGEST_DRAWN_PX:.0f} px"
         marks = text((WIDTH / 2, HEIGHT - 12), capped, "ground", "middle")
     marks = outputs["plane of focus"] + marks
-    panels = side_by_side(lens_diagram(sharp, focus), outputs["encoded"], marks)
+    panels = side_by_side(drawing.lens_diagram(sharp, focus), outputs["encoded"], marks)
     return Frame(panels, readouts(sharp, hyperfocal_m), describe(settings, sharp))
 
 
@@ -124,7 +93,7 @@ def side_by_side(diagram: str, picture: Raster, marks: str) -> tuple[Panel, Pane
     )
 
 
-def readouts(sharp: Sharpness | None, hyperfocal_m: float) -> tuple[Readout, ...]:
+def readouts(sharp: stages.Sharpness | None, hyperfocal_m: float) -> tuple[Readout, ...]:
     """The readouts; without an image all but the last are "none"."""
     near, far = (sharp.near_blur_mm, sharp.far_blur_mm) if sharp else (0.0, 0.0)
     image, *limits = (
@@ -132,9 +101,9 @@ def readouts(sharp: Sharpness | None, hyperfocal_m: float) -> tuple[Readout, ...
     )
     rows = (
         ("near_mm", "Blur of the red ball", near, 3, "mm", "error"),
-        ("near_px", "Blur of the red ball", near / PITCH_MM, 1, "px", "error"),
+        ("near_px", "Blur of the red ball", near / rays.PITCH_MM, 1, "px", "error"),
         ("far_mm", "Blur of the wall", far, 3, "mm", "world"),
-        ("far_px", "Blur of the wall", far / PITCH_MM, 1, "px", "world"),
+        ("far_px", "Blur of the wall", far / rays.PITCH_MM, 1, "px", "world"),
         ("sensor", "Lens to sensor", image, 2, "mm", "camera"),
         ("near_limit", "Sharp from", limits[0], 2, "m", "ray"),
         ("far_limit", "Sharp to", limits[1], 2, "m", "ray"),
@@ -158,17 +127,17 @@ def describe_refusal(settings: Settings) -> str:
     )
 
 
-def describe(settings: Settings, sharp: Sharpness) -> str:
+def describe(settings: Settings, sharp: stages.Sharpness) -> str:
     near_limit, far_limit = (
         format_number(limit, 2) for limit in (sharp.near_limit_m, sharp.far_limit_m)
     )
     onwards = math.isinf(sharp.far_limit_m)
     reach = f"from {near_limit} m onwards" if onwards else f"from {near_limit} to {far_limit} m"
     near, far = (
-        format_number(blur / PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
+        format_number(blur / rays.PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
     )
     seen = " and ".join(
-        f"the {name} {'sharp' if blur <= PITCH_MM else 'blurred'}"
+        f"the {name} {'sharp' if blur <= rays.PITCH_MM else 'blurred'}"
         for name, blur in (("red ball", sharp.near_blur_mm), ("wall", sharp.far_blur_mm))
     )
     return (
@@ -185,29 +154,29 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
         yield Readout("error", "Error", "no picture", "", "error")
         return
     setting = (settings.focal_length, drawn_f_number(settings), settings.focus)
-    yield from estimates(outputs["encoded"], outputs["pinhole rays"], *setting)
+    yield from stages.estimates(outputs["encoded"], outputs["pinhole rays"], *setting)
 
 
 def floor_mark(settings: Settings, _outputs: Outputs) -> Point | None:
     focal, focus = settings.focal_length, settings.focus
-    row = floor_row(focal, focus) if settings.has_image else None
-    across = HANDLE_TANGENT * units_per_tangent(focal, focus) if row is not None else 0.0
+    row = stages.floor_row(focal, focus) if settings.has_image else None
+    across = HANDLE_TANGENT * stages.units_per_tangent(focal, focus) if row is not None else 0.0
     return None if row is None else (min(WIDTH / 2 + across, WIDTH), row)
 
 
 def rim_mark(settings: Settings, _outputs: Outputs) -> Point | None:
     """The upper end of the opening, if the lens forms an image."""
-    half = half_opening(settings.focal_length / settings.aperture)
-    return (LENS_X, AXIS_Y - half) if settings.has_image else None
+    half = drawing.half_opening(settings.focal_length / settings.aperture)
+    return (drawing.LENS_X, drawing.AXIS_Y - half) if settings.has_image else None
 
 
 def aimed(settings: Settings, place: Point) -> dict[str, Value]:
     """Focus on the thing at a place of the picture; not available without an image."""
     if not settings.has_image:
         return {}
-    across = (place[0] / WIDTH - 0.5) * SENSOR_WIDTH_MM
-    down = (place[1] / HEIGHT - 0.5) * SENSOR_HEIGHT_MM
-    principal = principal_mm(settings.focal_length, settings.focus)
+    across = (place[0] / WIDTH - 0.5) * rays.SENSOR_WIDTH_MM
+    down = (place[1] / HEIGHT - 0.5) * rays.SENSOR_HEIGHT_MM
+    principal = rays.principal_mm(settings.focal_length, settings.focus)
     return {"focus": depth_met((across / principal, down / principal, 1.0))}
 
 
@@ -227,7 +196,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "lens",
         "Point in focus",
         ("focus",),
-        lambda settings, _: (column(settings.focus), AXIS_Y),
+        lambda settings, _: (drawing.column(settings.focus), drawing.AXIS_Y),
         role="ray",
         reversed=("focus",),
     ),
@@ -246,12 +215,12 @@ SCENE = Scene(
     "Depth of Field",
     Settings,
     draw,
-    STAGES,
+    stages.STAGES,
     HANDLES,
     parameters=parameters,
-    tiers=TIERS,
+    tiers=stages.TIERS,
     default_tier="layered",
-    own_drafts={SCALED: ("focus",), COARSE: ("focal_length",), QUICK: ("aperture",)},
+    own_drafts={SCALED: ("focus",), stages.COARSE: ("focal_length",), stages.QUICK: ("aperture",)},
     ladder="depth-of-field",
     estimate=estimate,
     formula=thin_lens.circle_of_confusion_mm,

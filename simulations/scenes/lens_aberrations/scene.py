@@ -20,22 +20,7 @@ from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import focal_length_mm, lateral_chromatic_scale
-from simulations.scenes.lens_aberrations.stages import (
-    BANDS,
-    CLOSE_LEFT,
-    CLOSE_TOP,
-    FOCAL_MM,
-    GLASSES,
-    HEIGHT_PX,
-    LINES_UM,
-    RIM_MM,
-    STAGES,
-    WIDTH_PX,
-    corner_errors,
-    discs_px,
-    light,
-    scales,
-)
+from simulations.scenes.lens_aberrations import stages
 
 type Place = tuple[float, float]
 
@@ -69,7 +54,7 @@ def at(along_mm: float, up_mm: float) -> Place:
 
 def opening_mm(f_number: float) -> float:
     """Radius of the opening."""
-    return FOCAL_MM / f_number / 2.0
+    return stages.FOCAL_MM / f_number / 2.0
 
 
 def stop_mark(settings: Settings, _outputs: Outputs) -> Place:
@@ -88,7 +73,7 @@ def rim_mark(settings: Settings, _outputs: Outputs) -> Place:
 def passing(f_number: float, rim: float) -> tuple[float, float] | None:
     """Heights in the stop between which the bundle passes the rim; None if nothing passes."""
     opening = opening_mm(f_number)
-    highest = min(opening, RIM_MM - rim)
+    highest = min(opening, stages.RIM_MM - rim)
     return (-opening, highest) if highest > -opening else None
 
 
@@ -118,8 +103,8 @@ def section(settings: Settings) -> str:
 
 def drawn_colours(glass: str) -> tuple[tuple[str, float], ...]:
     """Style of red and blue, and the drawn shift of the image per height in the lens."""
-    focal = focal_length_mm(GLASSES[glass], FOCAL_MM, np.array(LINES_UM))
-    shifts = SPREAD * (1.0 - FOCAL_MM / focal)
+    focal = focal_length_mm(stages.GLASSES[glass], stages.FOCAL_MM, np.array(stages.LINES_UM))
+    shifts = SPREAD * (1.0 - stages.FOCAL_MM / focal)
     return ("error", float(shifts[0])), ("image", float(shifts[2]))
 
 
@@ -150,13 +135,13 @@ def bundle(low: float, high: float, stop: float) -> Iterator[str]:
 def refracted(height: float, stop: float, shift: float) -> tuple[Place, Place]:
     """The light from the lens to the sensor, where light of the d line meets in one point."""
     in_lens = height_at(height, stop, 0.0)
-    return at(0.0, in_lens), at(FOCAL_MM, shift * in_lens - FOCAL_MM)
+    return at(0.0, in_lens), at(stages.FOCAL_MM, shift * in_lens - stages.FOCAL_MM)
 
 
 def lens_and_sensor() -> Iterator[str]:
     yield ellipse((LENS_X, AXIS_Y), (9, UNITS_PER_MM * LENS_MM), "camera fill")
-    yield line(at(FOCAL_MM, SENSOR_MM), at(FOCAL_MM, -SENSOR_MM), "image bold")
-    row, beside = AXIS_Y + UNITS_PER_MM * SENSOR_MM + 16, at(FOCAL_MM, 0)[0] + 8
+    yield line(at(stages.FOCAL_MM, SENSOR_MM), at(stages.FOCAL_MM, -SENSOR_MM), "image bold")
+    row, beside = AXIS_Y + UNITS_PER_MM * SENSOR_MM + 16, at(stages.FOCAL_MM, 0)[0] + 8
     yield text((LENS_X, row), "lens", "camera", "middle")
     yield text((beside, AXIS_Y - 100), "sensor", "image")
     yield text((beside, AXIS_Y + 124), "corner", "image")
@@ -180,7 +165,7 @@ def rim_drawn(settings: Settings) -> Iterator[str]:
     along = -settings.stop - settings.rim
     style = "camera bold" if along <= 0 else "camera bold dashed"
     for side in (-1, 1):
-        yield line(at(along, side * RIM_MM), at(along, side * TUBE_MM), style)
+        yield line(at(along, side * stages.RIM_MM), at(along, side * TUBE_MM), style)
     x, y = rim_mark(settings, {})
     yield dot((x, y), "camera")
     yield text((x - 14, y + 4), "rim", "camera ground", "end")
@@ -193,13 +178,16 @@ def stops(factor: float) -> float:
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     picture: Raster = outputs["encoded"]
-    lines = np.array(LINES_UM)
-    discs = discs_px(settings.glass, settings.aperture, lines)
-    shifts = CORNER_PX * (scales(settings.glass, settings.stop, lines) - 1.0)
-    cos4, open_share = light(np.ones(1), settings.aperture, settings.rim, settings.natural)
+    lines = np.array(stages.LINES_UM)
+    discs = stages.discs_px(settings.glass, settings.aperture, lines)
+    shifts = CORNER_PX * (stages.scales(settings.glass, settings.stop, lines) - 1.0)
+    cos4, open_share = stages.light(np.ones(1), settings.aperture, settings.rim, settings.natural)
     natural, cut = float(cos4[0]), float(open_share[0])
-    close = np.ascontiguousarray(picture[CLOSE_TOP:, CLOSE_LEFT:])
-    corner = CLOSE_LEFT / WIDTH_PX * WIDTH, CLOSE_TOP / HEIGHT_PX * HEIGHT
+    close = np.ascontiguousarray(picture[stages.CLOSE_TOP :, stages.CLOSE_LEFT :])
+    corner = (
+        stages.CLOSE_LEFT / stages.WIDTH_PX * WIDTH,
+        stages.CLOSE_TOP / stages.HEIGHT_PX * HEIGHT,
+    )
     size, rest = (WIDTH, HEIGHT), (WIDTH - corner[0] - 1, HEIGHT - corner[1] - 1)
     frame = "".join(rectangle(corner, *rest, style) for style in ("casing", "camera"))
     side, title = section(settings), "The corner of the picture, enlarged"
@@ -241,7 +229,7 @@ def describe(settings: Settings, shift: float, discs: Floats, share: float) -> s
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     lens = settings.glass, settings.stop, settings.aperture
     vignetting = settings.rim, settings.natural
-    return corner_errors(outputs["encoded"], outputs["chart"], *lens, *vignetting)
+    return stages.corner_errors(outputs["encoded"], outputs["chart"], *lens, *vignetting)
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
@@ -254,9 +242,9 @@ SCENE = Scene(
     "Lens Aberrations",
     Settings,
     draw,
-    STAGES,
+    stages.STAGES,
     HANDLES,
-    tiers=tuple(BANDS),
+    tiers=tuple(stages.BANDS),
     default_tier="even-16",
     draft_tier="gauss-1",
     drafted=("stop", "aperture"),

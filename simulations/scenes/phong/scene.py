@@ -21,17 +21,7 @@ from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes import _ball
 from simulations.scenes._ball import HEIGHT, WIDTH, Ball, light_direction, true_cosine
-from simulations.scenes.phong.drawing import (
-    DEGREES,
-    PLOT,
-    VECTOR,
-    highlight_grip,
-    lamp_place,
-    lobe_plot,
-    over_ball,
-    towards,
-    width_plot,
-)
+from simulations.scenes.phong import drawing
 
 ALBEDO = np.array([0.60, 0.06, 0.05], np.float32)
 """Linear RGB of the ball's paint; the plot and the readouts follow red, the first."""
@@ -184,7 +174,7 @@ def cosines_at(light_angle: float, probe: float) -> tuple[float, float, float]:
 def half_place(settings: Settings) -> tuple[float, float] | None:
     """The place in the plot at which the highlight has half its strength; None if it is wider."""
     half_deg = math.degrees(half_width_rad(settings.model, settings.shininess))
-    return PLOT.at(half_deg, 0.5) if half_deg <= PLOT.x.high else None
+    return drawing.PLOT.at(half_deg, 0.5) if half_deg <= drawing.PLOT.x.high else None
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -200,15 +190,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         lobe(light_angle - probe, chosen, shininess, settings.specular),
         lobe(light_angle - probe, other, shininess, settings.specular),
     )
-    turns = np.radians(DEGREES)
+    turns = np.radians(drawing.DEGREES)
     fadings = fading(chosen, shininess, turns), fading(other, shininess, turns)
     names = MODELS[chosen].name, MODELS[other].name
-    directions = lobe_plot(light_rad - probe_rad, -probe_rad, lobes, matte, names)
-    widths = width_plot(names, fadings, half_place(settings))
+    directions = drawing.lobe_plot(light_rad - probe_rad, -probe_rad, lobes, matte, names)
+    widths = drawing.width_plot(names, fadings, half_place(settings))
     width_deg = math.degrees(half_width_rad(model, shininess))
     return Frame(
         (
-            _ball.camera_panel(outputs["picture"], over_ball(light_rad, probe_rad)),
+            _ball.camera_panel(outputs["picture"], drawing.over_ball(light_rad, probe_rad)),
             Panel("lobe", "Brightness by direction", WIDTH, HEIGHT, overlay=directions),
             Panel("width", "Width of the highlight", WIDTH, HEIGHT, overlay=widths),
         ),
@@ -246,7 +236,7 @@ def describe(settings: Settings, matte: float, shine: float, width_deg: float) -
 
 def highlight_at(settings: Settings, _outputs: Outputs) -> tuple[float, float] | None:
     opposed = abs(settings.light_angle) == 180
-    return None if opposed else highlight_grip(math.radians(settings.light_angle))
+    return None if opposed else drawing.highlight_grip(math.radians(settings.light_angle))
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
@@ -257,7 +247,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "lobe",
         "Lamp",
         ("light_angle",),
-        lambda settings, _: lamp_place(math.radians(settings.light_angle - settings.probe)),
+        lambda settings, _: drawing.lamp_place(math.radians(settings.light_angle - settings.probe)),
         role="light",
     ),
     Handle(  # the camera is fixed; the point turns with its normal
@@ -265,7 +255,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "lobe",
         "Camera",
         ("probe",),
-        lambda settings, _: towards(math.radians(-settings.probe), VECTOR),
+        lambda settings, _: drawing.towards(math.radians(-settings.probe), drawing.VECTOR),
         role="camera",
         reversed=("probe",),
     ),

@@ -13,15 +13,7 @@ from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
-from simulations.models.lens.singlet import (
-    LEAVES_BY_RIM,
-    MISSES,
-    PASSES,
-    REFLECTED,
-    Rays,
-    Singlet,
-    sag_mm,
-)
+from simulations.models.lens import singlet
 
 WIDTH, HEIGHT = 400.0, 300.0
 AXIS_Y = HEIGHT / 2
@@ -30,9 +22,9 @@ ENTRY_MM = 20.0  # from the middle back to the marked ray's handle
 BLADE_MM = 25.0
 FAN = 5  # rays drawn above the axis, and as many below
 FATES = {
-    MISSES: "misses the glass",
-    REFLECTED: "totally reflected",
-    LEAVES_BY_RIM: "runs into the rim",
+    singlet.MISSES: "misses the glass",
+    singlet.REFLECTED: "totally reflected",
+    singlet.LEAVES_BY_RIM: "runs into the rim",
 }
 STOPPED = "stopped by the opening"
 
@@ -48,7 +40,7 @@ ALONG = Scale("mm behind the lens’s middle", ticks=4, style="small", tick_styl
 class Glass:
     """The lens, and its image in simpler models."""
 
-    lens: Singlet
+    lens: singlet.Singlet
     rim_mm: float
     distance_mm: float  # Distance of the object; inf for parallel light
     thin_mm: float
@@ -99,12 +91,14 @@ def fan_heights(opening: float) -> Floats:
     return np.concatenate((-upper[::-1], upper))
 
 
-def is_stopped(height: float, opening: float, ray: Rays) -> bool:
+def is_stopped(height: float, opening: float, ray: singlet.Rays) -> bool:
     """Whether the marked ray reaches the glass but not the opening."""
-    return height > opening and bool(ray.fate[0] != MISSES)
+    return height > opening and bool(ray.fate[0] != singlet.MISSES)
 
 
-def from_side(glass: Glass, fan: Rays, marked: Rays, height: float, opening: float) -> str:
+def from_side(
+    glass: Glass, fan: singlet.Rays, marked: singlet.Rays, height: float, opening: float
+) -> str:
     """The glass, the opening, the fan of rays, and the marked one over them."""
     view, heights = section_for(glass.distance_mm), fan_heights(opening)
     return "".join(
@@ -126,7 +120,7 @@ def from_side(glass: Glass, fan: Rays, marked: Rays, height: float, opening: flo
 
 
 def marked_ray(
-    view: Section, glass: Glass, marked: Rays, height: float, opening: float
+    view: Section, glass: Glass, marked: singlet.Rays, height: float, opening: float
 ) -> Iterator[str]:
     """The marked ray to its end, or to the opening if that stops it, and why it ends."""
     (way,) = ways(view, glass, marked, np.array([height]))
@@ -154,7 +148,7 @@ def surface_mark(
 ) -> tuple[float, float]:
     """The handle of a surface, whose curvature is in 1/m, positive outwards: of the front below
     the axis, of the back above."""
-    along = thickness / 2.0 - float(sag_mm(bulge / 1000.0, MARK_MM))
+    along = thickness / 2.0 - float(singlet.sag_mm(bulge / 1000.0, MARK_MM))
     side = -1.0 if front else 1.0
     return section_for(distance_mm).at(side * along, side * MARK_MM)
 
@@ -168,14 +162,14 @@ def object_mark(distance_mm: float) -> tuple[float, float] | None:
 def outline(view: Section, glass: Glass) -> list[tuple[float, float]]:
     lens, half = glass.lens, glass.lens.thickness_mm / 2.0
     heights = np.linspace(-glass.rim_mm, glass.rim_mm, 41)
-    front = sag_mm(lens.front_per_mm, heights) - half
-    back = sag_mm(lens.back_per_mm, heights) + half
+    front = singlet.sag_mm(lens.front_per_mm, heights) - half
+    back = singlet.sag_mm(lens.back_per_mm, heights) + half
     there = [view.at(x, h) for x, h in zip(front, heights, strict=True)]
     return there + [view.at(x, h) for x, h in zip(back[::-1], heights[::-1], strict=True)]
 
 
 def ways(
-    view: Section, glass: Glass, rays: Rays, heights: Floats
+    view: Section, glass: Glass, rays: singlet.Rays, heights: Floats
 ) -> list[list[tuple[float, float]]]:
     """Each ray from the left to its end, or to the border of the panel."""
     drawn = []
@@ -202,16 +196,16 @@ def at_border(view: Section, place: tuple[float, float], slope: float) -> tuple[
     return x + along, y + slope * along
 
 
-def failures(view: Section, rays: Rays, heights: Floats, radius: float) -> Iterator[str]:
+def failures(view: Section, rays: singlet.Rays, heights: Floats, radius: float) -> Iterator[str]:
     """A mark where a ray ends."""
     for fate, front, back, height in zip(rays.fate, rays.front, rays.back, heights, strict=True):
-        if fate != PASSES:
+        if fate != singlet.PASSES:
             places = [place for place in (back, front) if math.isfinite(place[0])]
             place = places[0] if places else (0.0, float(height))
             yield dot(view.at(*place), "error", radius)
 
 
-def normals(view: Section, glass: Glass, marked: Rays) -> Iterator[str]:
+def normals(view: Section, glass: Glass, marked: singlet.Rays) -> Iterator[str]:
     """The normals of the glass at the points where the marked ray is refracted."""
     half = glass.lens.thickness_mm / 2.0
     front = marked.front[0], glass.lens.front_per_mm, -half
@@ -235,7 +229,7 @@ def marks(view: Section, glass: Glass, height: float, opening: float) -> Iterato
         mark = surface_mark(far, bulge, lens.thickness_mm, front=side < 0)
         if glass.rim_mm < MARK_MM:  # the surface from the rim to its handle
             heights = side * np.linspace(glass.rim_mm, MARK_MM, 9)
-            along = side * lens.thickness_mm / 2.0 + sag_mm(per_mm, heights)
+            along = side * lens.thickness_mm / 2.0 + singlet.sag_mm(per_mm, heights)
             beyond = [view.at(x, h) for x, h in zip(along, heights, strict=True)]
             yield polyline(beyond, "camera thin dashed")
         yield dot(mark, "camera", 5)
@@ -269,7 +263,7 @@ def opening_mark(opening: float) -> tuple[float, float]:
     return RIGHT - 10.0, HEIGHTS.place(opening)
 
 
-def close(glass: Glass, fan: Rays, marked: Rays | None) -> str:
+def close(glass: Glass, fan: singlet.Rays, marked: singlet.Rays | None) -> str:
     """The rays around the image; heights are drawn larger than lengths. ``marked`` is None if that
     ray is stopped."""
     plot = plot_of(glass, ASIDE)
@@ -284,7 +278,9 @@ def close(glass: Glass, fan: Rays, marked: Rays | None) -> str:
     return "".join(parts)
 
 
-def aberration(glass: Glass, curve: Floats, height: float, marked: Rays, opening: float) -> str:
+def aberration(
+    glass: Glass, curve: Floats, height: float, marked: singlet.Rays, opening: float
+) -> str:
     """Places where rays cross the axis, by their height: a real lens, and the two lines of the
     models."""
     plot = plot_of(glass, HEIGHTS)
@@ -305,7 +301,7 @@ def aberration(glass: Glass, curve: Floats, height: float, marked: Rays, opening
     return "".join(parts)
 
 
-def curve_mark(glass: Glass, marked: Rays, height: float) -> tuple[float, float]:
+def curve_mark(glass: Glass, marked: singlet.Rays, height: float) -> tuple[float, float]:
     """The marked ray in the third panel, on the axis of heights if it does not cross."""
     plot = plot_of(glass, HEIGHTS)
     crosses = crosses_within(plot, marked) if glass.real else None
@@ -339,19 +335,19 @@ def model_images(glass: Glass, plot: Plot) -> Iterator[str]:
             yield text(place, name, f"{role} small ground", "end" if before else "start")
 
 
-def crosses_within(plot: Plot, marked: Rays) -> float | None:
+def crosses_within(plot: Plot, marked: singlet.Rays) -> float | None:
     """The point where the marked ray crosses the axis, if it is within the plot."""
     along = float(marked.crossing_mm[0])
     return along if plot.x.low <= along <= plot.x.high else None
 
 
-def crossing(plot: Plot, marked: Rays, height: float) -> Iterator[str]:
+def crossing(plot: Plot, marked: singlet.Rays, height: float) -> Iterator[str]:
     along = crosses_within(plot, marked)
     if along is not None:
         yield dot(plot.at(along, height), "ray", 5)
 
 
-def behind_lens(glass: Glass, plot: Plot, rays: Rays, style: str) -> str:
+def behind_lens(glass: Glass, plot: Plot, rays: singlet.Rays, style: str) -> str:
     """The part of each ray behind the lens, clipped to the second panel."""
     behind = max(plot.x.low, glass.lens.thickness_mm / 2.0)
     runs = []

@@ -22,22 +22,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.lens.singlet import (
-    PASSES,
-    REFLECTED,
-    Rays,
-    Singlet,
-    focal_mm,
-    paraxial_image_mm,
-    power_per_mm,
-    refract,
-    rim_mm,
-    thin_image_mm,
-    thin_power_per_mm,
-    through_exact,
-    through_paraxial,
-    through_thin,
-)
+from simulations.models.lens import singlet
 from simulations.scenes.real_lens import drawing
 from simulations.scenes.real_lens.drawing import FATES, HEIGHT, HEIGHTS_MM, STOPPED, WIDTH, Glass
 
@@ -69,32 +54,32 @@ def object_mm(vergence: float) -> float:
 
 def glass_of(front: float, back: float, index: float, thickness: float, vergence: float) -> Glass:
     # Curvatures of the settings are positive outwards, per metre.
-    lens = Singlet(front / 1000.0, -back / 1000.0, thickness, index)
+    lens = singlet.Singlet(front / 1000.0, -back / 1000.0, thickness, index)
     far = object_mm(vergence)
-    images = thin_image_mm(lens, far), paraxial_image_mm(lens, far)
-    return Glass(lens, rim_mm(lens, LARGEST_MM), far, *images)
+    images = singlet.thin_image_mm(lens, far), singlet.paraxial_image_mm(lens, far)
+    return Glass(lens, singlet.rim_mm(lens, LARGEST_MM), far, *images)
 
 
-def trace(tier: str, glass: Glass, heights_mm: Floats) -> Rays:
+def trace(tier: str, glass: Glass, heights_mm: Floats) -> singlet.Rays:
     """Rays (n,) by the model of one tier."""
-    simple: dict[str, Callable[[Singlet, float, Floats], Rays]] = {
-        "thin": through_thin,
-        "paraxial": through_paraxial,
+    simple: dict[str, Callable[[singlet.Singlet, float, Floats], singlet.Rays]] = {
+        "thin": singlet.through_thin,
+        "paraxial": singlet.through_paraxial,
     }
     if tier in simple:
         return simple[tier](glass.lens, glass.distance_mm, heights_mm)
-    return through_exact(glass.lens, glass.distance_mm, heights_mm, LARGEST_MM)
+    return singlet.through_exact(glass.lens, glass.distance_mm, heights_mm, LARGEST_MM)
 
 
-def fan_rays(glass: Glass, opening: float, tier: str) -> Rays:
+def fan_rays(glass: Glass, opening: float, tier: str) -> singlet.Rays:
     return trace(tier, glass, drawing.fan_heights(opening))
 
 
-def marked_ray(glass: Glass, height: float, tier: str) -> Rays:
+def marked_ray(glass: Glass, height: float, tier: str) -> singlet.Rays:
     return trace(tier, glass, np.array([height]))
 
 
-def true_ray(glass: Glass, height: float) -> Rays:
+def true_ray(glass: Glass, height: float) -> singlet.Rays:
     """The marked ray by Snell's law."""
     return trace("exact", glass, np.array([height]))
 
@@ -113,7 +98,7 @@ STAGES = (
 )
 
 
-def front_angles(glass: Glass, true: Rays) -> tuple[float, float]:
+def front_angles(glass: Glass, true: singlet.Rays) -> tuple[float, float]:
     """Angles of incidence and refraction of the marked ray with the normal of the front, by
     Snell's law, in degrees; NaN for a ray that misses."""
     place = true.front[0]
@@ -148,11 +133,11 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
 
 
-def readouts(settings: Settings, glass: Glass, true: Rays) -> Iterator[Readout]:
+def readouts(settings: Settings, glass: Glass, true: singlet.Rays) -> Iterator[Readout]:
     """The readouts, none of which depends on the tier."""
     thin, thick = (
-        focal_mm(power if abs(power) > FLATTEST else 0.0)
-        for power in (thin_power_per_mm(glass.lens), power_per_mm(glass.lens))
+        singlet.focal_mm(power if abs(power) > FLATTEST else 0.0)
+        for power in (singlet.thin_power_per_mm(glass.lens), singlet.power_per_mm(glass.lens))
     )
     yield readout("focal_thin", "f, thin lens", thin, "mm")
     yield readout("focal", "f, thick lens", thick, "mm", role="image")
@@ -192,14 +177,14 @@ def number_or(
     return readout(name, label, value, unit, digits=digits, role=role)
 
 
-def describe(settings: Settings, glass: Glass, true: Rays) -> str:
+def describe(settings: Settings, glass: Glass, true: singlet.Rays) -> str:
     ray = f"A ray at a height of {format_number(settings.height, 1)} mm"
     if drawing.is_stopped(settings.height, settings.opening, true):
         return f"{ray} is {STOPPED}, half of which is smaller."
     fate = int(true.fate[0])
-    if fate == REFLECTED:
+    if fate == singlet.REFLECTED:
         return f"{ray} is totally reflected at the back of the lens."
-    if fate != PASSES:
+    if fate != singlet.PASSES:
         return f"{ray} {FATES[fate]}."
     crossing = float(true.crossing_mm[0])
     if not glass.real or not 0.0 < crossing < math.inf:
@@ -296,5 +281,5 @@ SCENE = Scene(
     default_tier="exact",
     tier_labels=TIERS,
     estimate=estimate,
-    formula=refract,
+    formula=singlet.refract,
 )
