@@ -279,25 +279,23 @@ def on_curve(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
     return PLOT.at(theta, settings.albedo * max(0.0, math.cos(math.radians(theta))))
 
 
+def lamp_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return in_plan(math.radians(settings.light_angle), LAMP_DISTANCE)
+
+
+def probe_above_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return in_plan(math.radians(settings.probe), PLAN_RADIUS)
+
+
+def paint_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return PLOT.at(0.0, settings.albedo)
+
+
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("brightest", "camera", "Brightest point", ("light_angle",), brightest, role="light"),
     _ball.probe_on_ball("ray"),
-    Handle(
-        "lamp",
-        "above",
-        "Lamp",
-        ("light_angle",),
-        lambda settings, _: in_plan(math.radians(settings.light_angle), LAMP_DISTANCE),
-        role="light",
-    ),
-    Handle(
-        "probe-above",
-        "above",
-        "Probed point",
-        ("probe",),
-        lambda settings, _: in_plan(math.radians(settings.probe), PLAN_RADIUS),
-        role="ray",
-    ),
+    Handle("lamp", "above", "Lamp", ("light_angle",), lamp_at, role="light"),
+    Handle("probe-above", "above", "Probed point", ("probe",), probe_above_at, role="ray"),
     Handle(
         "probe-curve",
         "curve",
@@ -312,7 +310,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "curve",
         "Albedo",
         ("albedo",),
-        lambda settings, _: PLOT.at(0.0, settings.albedo),  # brightness at normal incidence
+        paint_at,  # brightness at normal incidence
         role="image",
     ),
 )

@@ -132,7 +132,7 @@ def in_chart(roughness: float, specular: float) -> tuple[float, float]:
     return LEFT + share * (RIGHT - LEFT), BOTTOM - specular * (BOTTOM - TOP)
 
 
-def material_at(place: Point) -> Mapping[str, float]:
+def material_at(_settings: object, place: Point) -> Mapping[str, float]:
     """The settings of the material at a place of the chart."""
     share = (float(place[0]) - LEFT) / (RIGHT - LEFT)
     return {

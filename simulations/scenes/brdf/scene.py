@@ -246,38 +246,44 @@ def incidence_pulled(settings: Settings, place: Point) -> dict[str, float]:
     return {"light_angle": math.copysign(angle, settings.light_angle)}
 
 
+def material_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return materials.in_chart(settings.roughness, settings.specular)
+
+
+def lamp_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return towards(settings.light_angle, LAMP)
+
+
+def eye_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return towards(settings.view_angle, CAMERA)
+
+
+def probe_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return materials.on_equator(-settings.view_angle)
+
+
+def incidence_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
+    return PLOT.clamped(abs(settings.light_angle), outputs["exchange"].sent)
+
+
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "material",
         "camera",
         "Material",
         ("roughness", "specular"),
-        lambda settings, _: materials.in_chart(settings.roughness, settings.specular),
-        lambda _, place: materials.material_at(place),
+        material_at,
+        materials.material_at,
         role="ray",
     ),
-    Handle(
-        "lamp",
-        "lobe",
-        "Lamp",
-        ("light_angle",),
-        lambda settings, _: towards(settings.light_angle, LAMP),
-        role="light",
-    ),
-    Handle(
-        "eye",
-        "lobe",
-        "Camera",
-        ("view_angle",),
-        lambda settings, _: towards(settings.view_angle, CAMERA),
-        role="camera",
-    ),
+    Handle("lamp", "lobe", "Lamp", ("light_angle",), lamp_at, role="light"),
+    Handle("eye", "lobe", "Camera", ("view_angle",), eye_at, role="camera"),
     Handle(  # the camera is fixed in front of the ball; the normal is turned away from it
         "probe",
         "camera",
         "Probed point",
         ("view_angle",),
-        lambda settings, _: materials.on_equator(-settings.view_angle),
+        probe_at,
         role="world",
         reversed=("view_angle",),
     ),
@@ -286,7 +292,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "energy",
         "Angle of the light",
         ("light_angle",),
-        lambda settings, outputs: PLOT.clamped(abs(settings.light_angle), outputs["exchange"].sent),
+        incidence_at,
         incidence_pulled,  # not searched: the height is the output of a slow stage
         role="light",
     ),

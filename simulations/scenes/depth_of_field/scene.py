@@ -180,25 +180,19 @@ def aimed(settings: Settings, place: Point) -> dict[str, Value]:
     return {"focus": depth_met((across / principal, down / principal, 1.0))}
 
 
+def middle(_settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return WIDTH / 2, HEIGHT / 2
+
+
+def focus_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return drawing.column(settings.focus), drawing.AXIS_Y
+
+
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle(
-        "aim",
-        "picture",
-        "Object to focus on",
-        ("focus",),
-        lambda *_: (WIDTH / 2, HEIGHT / 2),
-        aimed,
-        "aim",
-    ),
+    Handle("aim", "picture", "Object to focus on", ("focus",), middle, aimed, "aim"),
     Handle("floor", "picture", "Plane of focus", ("focus",), floor_mark, role="ray"),
     Handle(
-        "focus",
-        "lens",
-        "Point in focus",
-        ("focus",),
-        lambda settings, _: (drawing.column(settings.focus), drawing.AXIS_Y),
-        role="ray",
-        reversed=("focus",),
+        "focus", "lens", "Point in focus", ("focus",), focus_at, role="ray", reversed=("focus",)
     ),
     Handle(
         "rim",

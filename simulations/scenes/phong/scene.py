@@ -171,7 +171,7 @@ def cosines_at(light_angle: float, probe: float) -> tuple[float, float, float]:
     )
 
 
-def half_place(settings: Settings) -> tuple[float, float] | None:
+def half_place(settings: Settings, _outputs: Outputs) -> tuple[float, float] | None:
     """The place in the plot at which the highlight has half its strength; None if it is wider."""
     half_deg = math.degrees(half_width_rad(settings.model, settings.shininess))
     return drawing.PLOT.at(half_deg, 0.5) if half_deg <= drawing.PLOT.x.high else None
@@ -194,7 +194,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     fadings = fading(chosen, shininess, turns), fading(other, shininess, turns)
     names = MODELS[chosen].name, MODELS[other].name
     directions = drawing.lobe_plot(light_rad - probe_rad, -probe_rad, lobes, matte, names)
-    widths = drawing.width_plot(names, fadings, half_place(settings))
+    widths = drawing.width_plot(names, fadings, half_place(settings, outputs))
     width_deg = math.degrees(half_width_rad(model, shininess))
     return Frame(
         (
@@ -239,32 +239,27 @@ def highlight_at(settings: Settings, _outputs: Outputs) -> tuple[float, float] |
     return None if opposed else drawing.highlight_grip(math.radians(settings.light_angle))
 
 
+def lamp_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return drawing.lamp_place(math.radians(settings.light_angle - settings.probe))
+
+
+def camera_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return drawing.towards(math.radians(-settings.probe), drawing.VECTOR)
+
+
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("highlight", "camera", "Highlight", ("light_angle",), highlight_at, role="ray"),
     _ball.probe_on_ball("world"),
-    Handle(
-        "lamp",
-        "lobe",
-        "Lamp",
-        ("light_angle",),
-        lambda settings, _: drawing.lamp_place(math.radians(settings.light_angle - settings.probe)),
-        role="light",
-    ),
+    Handle("lamp", "lobe", "Lamp", ("light_angle",), lamp_at, role="light"),
     Handle(  # the camera is fixed; the point turns with its normal
-        "camera",
-        "lobe",
-        "Camera",
-        ("probe",),
-        lambda settings, _: drawing.towards(math.radians(-settings.probe), drawing.VECTOR),
-        role="camera",
-        reversed=("probe",),
+        "camera", "lobe", "Camera", ("probe",), camera_at, role="camera", reversed=("probe",)
     ),
     Handle(
         "width",
         "width",
         "Width of the highlight",
         ("shininess",),
-        lambda settings, _: half_place(settings),
+        half_place,
         role="ray",
         reversed=("shininess",),
     ),

@@ -208,62 +208,46 @@ def estimate(_settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Read
         yield Readout("error", label, "no crossing to compare", "", "error")
 
 
-def surface_at(settings: Settings, front: bool) -> tuple[float, float]:
-    bulge = settings.front if front else settings.back
+def ray_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return drawing.entry_mark(object_mm(settings.vergence), settings.height)
+
+
+def front_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
     far = object_mm(settings.vergence)
-    return drawing.surface_mark(far, bulge, settings.thickness, front=front)
+    return drawing.surface_mark(far, settings.front, settings.thickness, front=True)
+
+
+def back_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    far = object_mm(settings.vergence)
+    return drawing.surface_mark(far, settings.back, settings.thickness, front=False)
+
+
+def object_at(settings: Settings, _outputs: Outputs) -> tuple[float, float] | None:
+    return drawing.object_mark(object_mm(settings.vergence))
+
+
+def opening_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return drawing.opening_mark(settings.opening)
+
+
+def curve_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
+    return drawing.curve_mark(outputs["glass"], outputs["marked"], settings.height)
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("ray", "lens", "Marked ray", ("height",), ray_at, role="ray"),
+    Handle("front", "lens", "Front surface", ("front",), front_at, role="camera"),
+    Handle("back", "lens", "Back surface", ("back",), back_at, role="camera", reversed=("back",)),
     Handle(
-        "ray",
-        "lens",
-        "Marked ray",
-        ("height",),
-        lambda settings, _: drawing.entry_mark(object_mm(settings.vergence), settings.height),
-        role="ray",
+        "object", "lens", "Object", ("vergence",), object_at, role="world", reversed=("vergence",)
     ),
-    Handle(
-        "front",
-        "lens",
-        "Front surface",
-        ("front",),
-        lambda settings, _: surface_at(settings, front=True),
-        role="camera",
-    ),
-    Handle(
-        "back",
-        "lens",
-        "Back surface",
-        ("back",),
-        lambda settings, _: surface_at(settings, front=False),
-        role="camera",
-        reversed=("back",),
-    ),
-    Handle(
-        "object",
-        "lens",
-        "Object",
-        ("vergence",),
-        lambda settings, _: drawing.object_mark(object_mm(settings.vergence)),
-        role="world",
-        reversed=("vergence",),
-    ),
-    Handle(
-        "opening",
-        "aberration",
-        "Edge of the opening",
-        ("opening",),
-        lambda settings, _: drawing.opening_mark(settings.opening),
-    ),
+    Handle("opening", "aberration", "Edge of the opening", ("opening",), opening_at),
     Handle(
         "curve",
         "aberration",
         "Marked ray",
         ("height",),
-        lambda settings, outputs: drawing.curve_mark(
-            outputs["glass"], outputs["marked"], settings.height
-        ),
+        curve_at,
         # Not searched: at each height the ray would be traced anew.
         lambda _, place: {"height": drawing.HEIGHTS.value(float(place[1]))},
         "press",

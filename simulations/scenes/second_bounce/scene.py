@@ -208,46 +208,30 @@ def describe(settings: Settings, red: float, blue: float) -> str:
     )
 
 
+def lamp_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return towards(settings.light_angle, SECTION_LAMP)
+
+
+def wall_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return towards(settings.opening, LENGTH)
+
+
+def point_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    return towards(0, LENGTH * settings.place)
+
+
+def plotted_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
+    return PLOT.clamped(settings.place, outputs["planes"].at(settings.place)[1])
+
+
 LIGHT, OPENING, PLACE = ("light_angle",), ("opening",), ("place",)
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("lamp-in-room", "picture", "Lamp", LIGHT, lamp_in_room, role="light", reversed=LIGHT),
     Handle("point-in-room", "picture", "Point on the floor", PLACE, point_in_room, role="image"),
-    Handle(
-        "lamp",
-        "section",
-        "Lamp",
-        LIGHT,
-        lambda settings, _: towards(settings.light_angle, SECTION_LAMP),
-        role="light",
-        reversed=LIGHT,
-    ),
-    Handle(
-        "wall",
-        "section",
-        "Top of the wall",
-        OPENING,
-        lambda settings, _: towards(settings.opening, LENGTH),
-        role="world",
-        reversed=OPENING,
-    ),
-    Handle(
-        "point",
-        "section",
-        "Point on the floor",
-        PLACE,
-        lambda settings, _: towards(0, LENGTH * settings.place),
-        role="image",
-    ),
-    Handle(
-        "plotted",
-        "profile",
-        "Point on the floor",
-        PLACE,
-        lambda settings, outputs: PLOT.clamped(
-            settings.place, outputs["planes"].at(settings.place)[1]
-        ),
-        role="ray",
-    ),
+    Handle("lamp", "section", "Lamp", LIGHT, lamp_at, role="light", reversed=LIGHT),
+    Handle("wall", "section", "Top of the wall", OPENING, wall_at, role="world", reversed=OPENING),
+    Handle("point", "section", "Point on the floor", PLACE, point_at, role="image"),
+    Handle("plotted", "profile", "Point on the floor", PLACE, plotted_at, role="ray"),
 )
 SCENE = Scene(
     "second-bounce",
