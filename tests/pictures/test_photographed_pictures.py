@@ -1,18 +1,24 @@
-"""The picture of the tiled floor: its tiles, its horizon and its box lie where they project."""
+"""A tiled floor and a chequerboard, against projected points, samples and OpenCV."""
 
 import math
 
+import cv2
 import numpy as np
 import pytest
+from support.boards import facing_board
 
 from simulations.models.arrays import Floats
+from simulations.models.chequerboard.board import Board
+from simulations.models.color.srgb import decode_srgb
+from simulations.models.distortion.lens_model import undistort
+from simulations.models.geometry.rotations import logarithm
 from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.pinhole import intrinsics, project, world_to_camera
+from simulations.pictures.chequerboard import Look, photograph_of, true_corners
 from simulations.pictures.tiled_floor import (
     BOX_PAINT,
     CREAM,
     LIGHT,
-    SHADE,
     SLATE,
     TILE_M,
     Box,
@@ -22,9 +28,17 @@ from simulations.pictures.tiled_floor import (
 )
 
 WIDTH, HEIGHT = 400, 300
+
+
 K = intrinsics(320.0, (200.0, 150.0))
+
+
 POSE = pose_above_ground(1.6, math.radians(30), math.radians(25), math.radians(5))
+
+
 FLOOR = tiled_floor(POSE, K, WIDTH, HEIGHT)
+
+
 BOX = Box(2.2, 4.2, 1.0, 1.0)
 
 
@@ -45,12 +59,6 @@ def test_the_middle_of_each_tile_near_by_has_its_colour() -> None:
     light = (column + row).ravel()[shown] % 2 == 0
     nearer_cream = np.linalg.norm(colours - CREAM, axis=1) < np.linalg.norm(colours - SLATE, axis=1)
     np.testing.assert_array_equal(nearer_cream, light)
-
-
-def test_far_tiles_blend_to_their_mean() -> None:
-    level = tiled_floor(pose_above_ground(1.6, 0.3, 0.0), K, WIDTH, HEIGHT)
-    far = level[153, :, 0]
-    assert np.ptp(far) < 0.02, "no moiré"
 
 
 def test_the_sky_begins_at_the_horizon() -> None:
@@ -82,12 +90,6 @@ def test_each_side_has_its_light(name: str) -> None:
     np.testing.assert_allclose(picture[row, column], np.asarray(BOX_PAINT) * LIGHT[name], rtol=1e-5)
 
 
-def test_the_shadow_lies_on_the_floor_beside_the_box() -> None:
-    picture = with_box(FLOOR, POSE, K, BOX)
-    ((column, row),) = pixels(np.array([[3.0, 3.9, 0.0]]))
-    np.testing.assert_allclose(picture[row, column], FLOOR[row, column] * SHADE, rtol=1e-5)
-
-
 def test_a_box_partly_behind_the_camera_hides_what_is_behind_it() -> None:
     """It stands to the right, from behind the camera's plane to far in front of it."""
     wall = Box(3.0, 0.0, 5.0, 3.0)
@@ -99,25 +101,54 @@ def test_a_box_partly_behind_the_camera_hides_what_is_behind_it() -> None:
     assert not np.allclose(picture[150, math.floor(edge[0]) - 1], side, rtol=1e-3)
 
 
-def test_a_box_behind_the_camera_leaves_the_picture_alone() -> None:
-    np.testing.assert_array_equal(with_box(FLOOR, POSE, K, Box(-2.0, -9.0, 1.0, 1.0)), FLOOR)
+BOARD = Board(5, 4, 20.0)
 
 
-def test_sides_that_are_seen_edge_on_cover_nothing() -> None:
-    """In the planes of its top and of its left side, the eye sees the front alone."""
-    level = pose_above_ground(1.6, math.radians(10), 0.0)
-    floor, box = tiled_floor(level, K, WIDTH, HEIGHT), Box(0.5, 4.2, 1.0, 1.6)
-    picture = with_box(floor, level, K, box)
-    corners, _ = project(world_to_camera(box.side("y0"), level), K)
-    low, high = np.floor(corners.min(axis=0)), np.ceil(corners.max(axis=0))
-    np.testing.assert_array_equal(picture[:, : int(low[0])], floor[:, : int(low[0])])
-    np.testing.assert_array_equal(picture[: int(low[1])], floor[: int(low[1])])
-    below = np.s_[int(high[1]) - 2, int(high[0]) - 4]
-    np.testing.assert_allclose(picture[below], floor[below] * SHADE, rtol=1e-5)
+SLANTED = facing_board(BOARD, 96, 72, focal_px=90.0, tilt=(0.6, -0.5, 0.2), distance_mm=160.0)
 
 
-def test_a_box_has_the_colour_of_its_paint() -> None:
-    pose, centred = pose_above_ground(1.5, 0.0, 0.0), intrinsics(160.0, (99.5, 74.5))
-    floor = tiled_floor(pose, centred, 200, 150)
-    blue = with_box(floor, pose, centred, Box(0.0, 6.0, 2.0, 3.0, (0.1, 0.2, 0.4)))
-    np.testing.assert_allclose(blue[75, 100] / blue[75, 100, 2], (0.25, 0.5, 1.0), rtol=1e-3)
+def test_corners_are_where_opencv_projects_them() -> None:
+    rotation = logarithm(SLANTED.board_to_camera[:3, :3])
+    lens = np.array(SLANTED.lens.opencv)
+    oracle, _ = cv2.projectPoints(
+        BOARD.points_mm, rotation, SLANTED.board_to_camera[:3, 3], SLANTED.K, lens
+    )
+    assert np.abs(oracle[:, 0] - true_corners(BOARD, SLANTED)).max() < 1e-9
+
+
+def test_pixels_are_the_mean_of_samples_under_the_blur() -> None:
+    """Normal offsets about each pixel, and the board looked up point by point."""
+    look = Look(blur_px=0.8)
+    light = decode_srgb(photograph_of(BOARD, SLANTED, look) / 255.0)
+    x, y = np.meshgrid(np.arange(30.0, 46.0), np.arange(25.0, 41.0))
+    total, weight = np.zeros_like(x), 0.0
+    offsets = np.linspace(-3.0, 3.0, 42)
+    for dx in offsets:
+        for dy in offsets:
+            share = np.exp(-0.5 * (dx * dx + dy * dy) / 0.8**2)
+            total += share * _looked_up(x + dx, y + dy, look)
+            weight += share
+    error = light[25:41, 30:46] - total / weight
+    assert np.sqrt(np.mean(error**2)) < 0.01
+
+
+def _looked_up(x: np.ndarray, y: np.ndarray, look: Look) -> np.ndarray:
+    ideal, _ = undistort((np.stack([x, y], -1) - SLANTED.K[:2, 2]) / SLANTED.K[0, 0], SLANTED.lens)
+    pose = SLANTED.board_to_camera
+    place = (
+        np.concatenate([ideal, np.ones((*x.shape, 1))], -1)
+        @ np.linalg.inv(pose[:, [0, 1, 3]][:3]).T
+    )
+    u, v = (place[..., axis] / place[..., 2] / BOARD.side_mm + 1.0 for axis in range(2))
+    dark = (np.floor(u) + np.floor(v)) % 2 == 0
+    board = (u > 0) & (u < BOARD.across) & (v > 0) & (v < BOARD.down)
+    sheet = (u > -1) & (u < BOARD.across + 1) & (v > -1) & (v < BOARD.down + 1)
+    return np.where(board & dark, look.ink, np.where(sheet, look.paper, look.around))
+
+
+def test_noise_follows_its_seed_and_has_its_size() -> None:
+    first, again, other = (
+        photograph_of(BOARD, SLANTED, Look(noise_codes=2.0, seed=seed)) for seed in (1, 1, 2)
+    )
+    assert np.array_equal(first, again)
+    assert np.std(first.astype(float) - other) == pytest.approx(2.0 * np.sqrt(2.0), rel=0.05)

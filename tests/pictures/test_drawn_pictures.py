@@ -1,0 +1,207 @@
+"""Pictures that figures look at: patterns, balloon, room, chart and still life, against samples."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from simulations.models.arrays import Floats
+from simulations.pictures import spoked_wheel
+from simulations.pictures.balloon import HEIGHT, WIDTH, Window, balloon
+from simulations.pictures.checker_room import HIGH, LOW, TRIM_M, checker_room
+from simulations.pictures.patterns import (
+    band_about,
+    checker,
+    pixel_width,
+    siemens_star,
+    stripes,
+)
+from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
+from simulations.pictures.still_life.depth import depth_met
+from simulations.pictures.still_life.surfaces import surfaces
+from simulations.pictures.still_life.things import view
+from simulations.scenes._still_life_camera.rays import COLUMNS, ROWS, sensor_rays
+
+
+def test_it_is_drawn_once_for_all_figures_and_cannot_be_written_to() -> None:
+    assert balloon() is balloon()
+    with pytest.raises(ValueError, match="read-only"):
+        balloon()[0, 0, 0] = 1
+
+
+@pytest.mark.parametrize(
+    "window",
+    [
+        Window(0, 0, 1, 1),
+        Window(HEIGHT - 1, WIDTH - 1, 1, 1),
+        Window(13, 100, 3, 100),
+        Window(100, 0, 60, WIDTH),
+        Window(56, 130, 16, 20),
+    ],
+)
+def test_a_part_is_what_the_whole_has_there(window: Window) -> None:
+    rows = slice(window.top, window.top + window.height)
+    part = balloon()[rows, window.left : window.left + window.width]
+    np.testing.assert_allclose(balloon(window), part, rtol=1e-6)
+
+
+def test_it_is_light_that_a_display_can_show() -> None:
+    assert balloon().shape == (HEIGHT, WIDTH, 3)
+    assert balloon().min() >= 0
+    assert balloon().max() <= 1
+
+
+@pytest.mark.parametrize("footprint", [0.03, 0.3, 1.7])
+def test_stripes_agree_with_many_point_samples(footprint: float) -> None:
+    u = np.linspace(-2, 2, 37)
+    fine = u[:, None] + footprint * ((np.arange(4000) + 0.5) / 4000 - 0.5)
+    sampled = (np.abs(fine - np.round(fine / 0.7) * 0.7) <= 0.1).mean(axis=1)
+    np.testing.assert_allclose(stripes(u, 0.7, 0.2, footprint), sampled, atol=1e-3)
+
+
+def test_chequers_alternate_where_squares_are_many_pixels_wide() -> None:
+    u, v = np.meshgrid((np.arange(40) - 9.5) / 20, (np.arange(40) - 9.5) / 20)
+    squares = checker(u, v, 1.0, pixel_width(u), pixel_width(v))
+    assert squares[[10, 30], [10, 30]] == pytest.approx(1.0)
+    assert squares[[10, 30], [30, 10]] == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.2, 0.45])
+def test_a_band_has_the_same_area_wherever_it_falls_on_the_grid(shift: float) -> None:
+    distance = np.tile(np.arange(-10.0, 11.0) + shift, (3, 1))
+    assert band_about(distance, 1.3).sum(1) == pytest.approx(2.6)
+
+
+def test_siemens_star_is_grey_at_its_centre_and_sharp_far_out() -> None:
+    x, y = np.meshgrid(np.arange(-100.0, 101.0), np.arange(-100.0, 101.0))
+    star = siemens_star(x, y, 18)
+    radius = np.hypot(x, y)
+    assert np.abs(star[(radius > 0) & (radius < 3)] - 0.5).max() < 0.25
+    assert ((star < 0.01) | (star > 0.99))[radius > 90].mean() > 0.7
+    assert star[radius > 20].mean() == pytest.approx(0.5, abs=0.01)
+
+
+def test_the_back_wall_ends_where_projection_puts_its_corners() -> None:
+    room = checker_room(561, 421, 200.0)
+    # 1.2 m below the eye the wall is teal, with little red, between its pale mouldings.
+    row = room[210 + round(200.0 * 1.2 / HIGH[2]), :, 0]
+    pale = np.flatnonzero(row > 0.2)
+    left, right = pale[pale < 280].max() + 1, pale[pale > 280].min()
+    for column, wall_x in ((left, LOW[0] + TRIM_M), (right, HIGH[0] - TRIM_M)):
+        assert column == pytest.approx(280 + 200.0 * wall_x / HIGH[2], abs=1.0)
+
+
+@pytest.mark.parametrize("draw", [checker_room, resolution_chart])
+def test_pictures_are_finite_linear_light_for_any_size(
+    draw: Callable[[int, int, float], Floats],
+) -> None:
+    for width, height in ((64, 48), (1, 1), (7, 3)) if draw is checker_room else ((64, 48),):
+        picture = draw(width, height, 40.0)
+        assert picture.shape == (height, width, 3)
+        assert picture.dtype == np.float32
+        assert np.isfinite(picture).all()
+        assert picture.min() >= 0.0
+        assert picture.max() <= 1.5
+
+
+def test_the_edge_of_the_chart_is_slanted_by_five_degrees() -> None:
+    chart = resolution_chart(561, 421, 200.0)[..., 0]
+    # Dark square |x + y tan 5°| < 0.12: its right edge moves left by tan 5° px for each row.
+    rows = np.r_[190:200, 221:231]  # clear of the cross at the centre
+    darkness = (PAPER[0] - chart[rows, 280:316]) / (PAPER[0] - INK[0])
+    edge_px = darkness.sum(axis=1) - 0.5
+    slope, middle = np.polyfit(rows - 210, edge_px, 1)
+    assert slope == pytest.approx(-np.tan(np.radians(5.0)), abs=1e-3)
+    assert middle == pytest.approx(0.12 * 200.0, abs=0.05)
+
+
+@pytest.mark.parametrize("focal_mm", [24.0, 85.0])
+def test_a_ray_meets_what_the_picture_shows_there(focal_mm: float) -> None:
+    rays = sensor_rays(focal_mm, 3.0).directions
+    parts = surfaces(view(rays))
+    rng = np.random.default_rng(0)
+    sure = 0
+    for row, column in zip(rng.integers(0, ROWS, 150), rng.integers(0, COLUMNS, 150), strict=True):
+        shown = None
+        for part in parts:  # from far to near: what covers the whole pixel is what is seen
+            y, x = row - part.top, column - part.left
+            if not (0 <= y < part.coverage.shape[0] and 0 <= x < part.coverage.shape[1]):
+                continue
+            if part.coverage[y, x] == 1:
+                shown = part.depth[y, x]
+            elif part.coverage[y, x] > 0:
+                shown = None
+        if shown is not None:
+            sure += 1
+            assert depth_met(rays[row, column]) == pytest.approx(shown, rel=1e-9)
+    assert sure > 100
+
+
+def test_edges_between_the_faces_of_a_box_are_shared_by_their_pixels() -> None:
+    """Otherwise a slanted edge inside a box is a staircase."""
+    box = surfaces(view(sensor_rays(50.0, 3.2).directions))[-2]
+    inside = box.coverage == 1
+    length = np.linalg.norm(box.normals, axis=-1)[inside]
+    assert length.max() == pytest.approx(1.0)
+    assert 30 < np.count_nonzero(length < 0.99) < 0.1 * length.size
+
+
+CANVAS = spoked_wheel.build_canvas()
+
+
+def brute_force(place: float, duty: float, pixel: float, swept: float, steps: int = 400) -> float:
+    """Share of bars about whole numbers, by sampling pixel and exposure."""
+    offsets = (np.arange(steps) + 0.5) / steps - 0.5
+    u = place + pixel * offsets[:, None] + swept * offsets
+    return float(np.mean(np.abs(u - np.rint(u)) < duty / 2))
+
+
+@given(
+    st.floats(-9, 9),
+    st.floats(0.02, 0.95),
+    st.floats(0.005, 0.4),
+    st.sampled_from([0.0, 0.03, 0.5, 1.0, 2.6]),
+)
+def test_the_mean_over_pixel_and_exposure_is_exact(
+    place: float, duty: float, pixel: float, swept: float
+) -> None:
+    found = spoked_wheel.mean_coverage(np.array([place]), duty, pixel, swept)
+    assert found[0] == pytest.approx(brute_force(place, duty, pixel, swept), abs=6e-3)
+
+
+def test_the_blur_starts_at_the_frame_and_follows_the_turn() -> None:
+    """Where the spokes will be while the shutter is open, not where they were."""
+    sharp_later = spoked_wheel.render(CANVAS, 4, 0.2, 0.0)[..., 0].astype(float)
+    dark = sharp_later.min()
+    forwards = spoked_wheel.render(CANVAS, 4, 0.0, 0.4)[..., 0].astype(float)
+    backwards = spoked_wheel.render(CANVAS, 4, 0.0, -0.4)[..., 0].astype(float)
+    spoke = sharp_later > 0.9 * sharp_later.max()
+    assert forwards[spoke].min() > dark + 5
+    assert backwards[spoke].min() == dark
+
+
+@given(
+    st.floats(-9, 9),
+    st.floats(0.02, 1.4),
+    st.floats(0.005, 0.4),
+    st.sampled_from([0.0, 0.4, -2.6]),
+    st.sampled_from([0.0, 0.25, 1.0]),
+)
+def test_the_mean_over_a_pixel_at_one_moment_is_exact(
+    place: float, duty: float, pixel: float, swept: float, time: float
+) -> None:
+    row = spoked_wheel.Bars(np.array([place]), np.array([duty]), np.array([pixel]), swept)
+    found = spoked_wheel.at_moment(row, time)
+    assert found[0] == pytest.approx(brute_force(place - swept * time, duty, pixel, 0.0), abs=6e-3)
+
+
+@pytest.mark.parametrize("swept", [-2.6, -0.03, 0.0, 0.5])
+def test_the_exposure_is_the_mean_of_its_moments(swept: float) -> None:
+    rng = np.random.default_rng(8)
+    place, duty, pixel = rng.uniform(-2, 2, 200), rng.uniform(0.05, 0.9, 200), np.full(200, 0.1)
+    row = spoked_wheel.Bars(place, duty, pixel, swept)
+    times = (np.arange(2000) + 0.5) / 2000
+    mean = np.mean([spoked_wheel.at_moment(row, time) for time in times], axis=0)
+    np.testing.assert_allclose(spoked_wheel.throughout(row), mean, atol=2e-5)
