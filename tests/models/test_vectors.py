@@ -22,7 +22,7 @@ from simulations.models.geometry import (
     transforms,
     transforms_3d,
 )
-from simulations.models.geometry.cross_products import cross_polynomial
+from simulations.models.geometry.quaternions import cross_polynomial
 from simulations.models.light import edge_coverage
 from simulations.models.projection import affine_cameras, pinhole, vanishing
 from simulations.models.sampling import resampling

@@ -4,6 +4,22 @@ The sum of squared distances between predicted and found corners is minimised by
 Levenberg–Marquardt: a Gauss–Newton step on damped normal equations, taken only if it lowers the
 sum; the damping falls after a success and rises after a failure. Z. Zhang 2000, §3.2; W. H. Press
 et al., *Numerical Recipes*, 2007, §15.5.
+
+Derivatives are in closed form. A corner P of the board lies at Q = R P + t in the camera frame, at
+(x, y) = (Q₁, Q₂) / Q₃ in normalised coordinates, and at (f_x x_d + c_x, f_y y_d + c_y) in the
+picture, where (x_d, y_d) is the distorted point. Each picture's corners depend on its own pose
+alone, so that the Jacobian of P pictures is sparse: a block (2N, m) for the camera and one (2N, 6)
+for the pose of each.
+
+The normal equations are solved by blocks. The camera's m parameters affect every picture, a pose
+only its own. So JᵀJ has a block U for the camera, a block Vᵢ (6, 6) for each pose and Wᵢ (m, 6)
+between them. Eliminating the poses leaves m equations, whose matrix is a sum over the pictures (the
+Schur complement)::
+
+    S = Σ (Uᵢ − Wᵢ Vᵢ⁻¹ Wᵢᵀ)
+
+What each picture contributes is what it says about the camera once its own pose is paid for. B.
+Triggs et al., *Bundle adjustment: a modern synthesis*, 2000, §6.1.
 """
 
 from collections.abc import Iterator
@@ -14,11 +30,151 @@ import numpy as np
 
 from simulations.models.arrays import Floats
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses, predicted
-from simulations.models.calibration.jacobian import linearise
-from simulations.models.calibration.normal_equations import Blocks, blocks_of, damped, solve
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import TILT, UndeterminedError, closed_form
+from simulations.models.distortion.decentring import DecentredLens
 from simulations.models.require import require_one_of
+
+
+@dataclass(frozen=True, slots=True)
+class Linearised:
+    """Residuals and their derivatives; rows are the N corners' x, then their y."""
+
+    residual: Floats
+    """(P, 2N): predicted minus found, px; 0 where no corner was found, infinite behind the
+    camera."""
+    by_camera: Floats
+    """(P, 2N, m): by the free parameters of the camera."""
+    by_pose: Floats
+    """(P, 2N, 6): by a small turn in the camera frame (radians) and a shift (squares)."""
+
+
+def linearise(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...]) -> Linearised:
+    """Residuals and derivatives with respect to the parameters ``free`` of the camera."""
+    X, Y, Z = np.moveaxis(poses.place(views.board), -1, 0)
+    ahead = Z > 0.0
+    Z = np.where(ahead, Z, 1.0)
+    x, y = X / Z, Y / Z
+    lens = camera.lens
+    xd, yd, xx, xy, yy = DecentredLens(lens.radial, lens.p1, lens.p2).linearised(x, y)
+    fx, fy = camera.fx, camera.fy
+    off = np.stack((fx * xd + camera.cx, fy * yd + camera.cy), 1) - np.moveaxis(views.pixels, -1, 1)
+    seen = np.repeat(views.found[:, None], 2, axis=1)
+    off = np.where(np.repeat(ahead[:, None], 2, axis=1), off, np.inf)
+    residual = np.where(seen, off, 0.0)
+    by_camera = _by_camera(x, y, xd, yd, camera, free)
+    by_point = np.stack(  # (P, 2, N, 3), by Q
+        (
+            np.stack((xx / Z, xy / Z, -(xx * x + xy * y) / Z), -1) * fx,
+            np.stack((xy / Z, yy / Z, -(xy * x + yy * y) / Z), -1) * fy,
+        ),
+        1,
+    )
+    turned = np.stack((X, Y, Z), -1) - poses.t[:, None]  # R P, which the small turn moves
+    by_turn = np.cross(turned[:, None], by_point)  # d (ω × RP)·q = ω · (RP × q)
+    by_pose = np.concatenate((by_turn, by_point), axis=-1)
+    weight = seen[..., None]
+    pictures, _, corners, _ = by_pose.shape
+    rows = (pictures, 2 * corners)
+    return Linearised(
+        residual.reshape(rows),
+        (by_camera * weight).reshape(*rows, len(free)),
+        (by_pose * weight).reshape(*rows, 6),
+    )
+
+
+def _by_camera(
+    x: Floats, y: Floats, xd: Floats, yd: Floats, camera: Camera, free: tuple[str, ...]
+) -> Floats:
+    """(P, 2, N, m) derivatives by the free parameters of the camera."""
+    r2 = x * x + y * y
+    none, one = np.zeros_like(x), np.ones_like(x)
+    across, twice = 2.0 * x * y, r2 * r2
+    moved = {  # of the distorted point
+        "k1": (x * r2, y * r2),
+        "k2": (x * twice, y * twice),
+        "p1": (across, r2 + 2.0 * y * y),
+        "p2": (r2 + 2.0 * x * x, across),
+        "k3": (x * twice * r2, y * twice * r2),
+    }
+    columns = {
+        "fx": (xd, none),
+        "fy": (none, yd),
+        "cx": (one, none),
+        "cy": (none, one),
+        **{name: (camera.fx * u, camera.fy * v) for name, (u, v) in moved.items()},
+    }
+    derivatives = np.empty((len(x), 2, x.shape[1], len(free)))
+    for index, name in enumerate(free):
+        derivatives[:, 0, :, index], derivatives[:, 1, :, index] = columns[name]
+    return derivatives
+
+
+@dataclass(frozen=True, slots=True)
+class Blocks:
+    """JᵀJ by blocks and Jᵀr, for P pictures and m parameters of the camera."""
+
+    U: Floats
+    """(P, m, m)"""
+    W: Floats
+    """(P, m, 6)"""
+    V: Floats
+    """(P, 6, 6)"""
+    a: Floats
+    """(P, m), each picture's part of Jᵀr for the camera"""
+    b: Floats
+    """(P, 6), Jᵀr for the poses"""
+
+
+def blocks_of(at: Linearised) -> Blocks:
+    """The blocks at a point."""
+    A, B = at.by_camera, at.by_pose
+    A_turned, B_turned = np.swapaxes(A, -1, -2), np.swapaxes(B, -1, -2)
+    r = at.residual[..., None]
+    return Blocks(
+        A_turned @ A, A_turned @ B, B_turned @ B, (A_turned @ r)[..., 0], (B_turned @ r)[..., 0]
+    )
+
+
+def damped(blocks: Blocks, damping: float) -> Blocks:
+    """Marquardt's: the diagonal of JᵀJ times 1 + ``damping``."""
+    return Blocks(
+        _raised(blocks.U, damping), blocks.W, _raised(blocks.V, damping), blocks.a, blocks.b
+    )
+
+
+def _raised(matrices: Floats, damping: float) -> Floats:
+    raised = matrices.copy()
+    diagonal = np.arange(matrices.shape[-1])
+    raised[..., diagonal, diagonal] *= 1.0 + damping
+    return raised
+
+
+def reduced(blocks: Blocks) -> tuple[Floats, Floats]:
+    """Each picture's part of the camera's equations: (P, m, m) and (P, m).
+
+    Raises `LinAlgError` where the corners of a picture do not determine its pose.
+    """
+    WV = np.swapaxes(np.linalg.solve(blocks.V, np.swapaxes(blocks.W, -1, -2)), -1, -2)
+    S = blocks.U - WV @ np.swapaxes(blocks.W, -1, -2)
+    return S, blocks.a - (WV @ blocks.b[..., None])[..., 0]
+
+
+def solve(blocks: Blocks) -> tuple[Floats, Floats]:
+    """The steps (m) of the camera and (P, 6) of the poses; raises `LinAlgError`."""
+    S, g = reduced(blocks)
+    camera = -solve_scaled(S.sum(axis=0), g.sum(axis=0)) if S.shape[-1] else np.zeros(0)
+    left = blocks.b + (np.swapaxes(blocks.W, -1, -2) @ camera)
+    return camera, -np.linalg.solve(blocks.V, left[..., None])[..., 0]
+
+
+def solve_scaled(S: Floats, g: Floats) -> Floats:
+    """S⁻¹ g of a symmetric S (..., m, m) whose parameters have different units: its diagonal is
+    made 1 first."""
+    scale = 1.0 / np.sqrt(np.diagonal(S, axis1=-2, axis2=-1))
+    even = S * scale[..., :, None] * scale[..., None, :]
+    return scale * np.linalg.solve(even, (scale * g)[..., None])[..., 0]
+
 
 FIRST_DAMPING, EASED, RAISED = 1e-6, 0.1, 10.0
 LEAST_DAMPING, MOST_DAMPING = 1e-12, 1e12

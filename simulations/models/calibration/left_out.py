@@ -12,9 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.calibration.bundle_adjustment import Adjusted
-from simulations.models.calibration.jacobian import linearise
-from simulations.models.calibration.normal_equations import blocks_of, reduced, solve_scaled
+from simulations.models.calibration.bundle_adjustment import (
+    Adjusted,
+    blocks_of,
+    linearise,
+    reduced,
+    solve_scaled,
+)
 from simulations.models.calibration.views import Views
 
 

@@ -12,10 +12,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.calibration.bundle_adjustment import Adjusted, residuals
+from simulations.models.calibration.bundle_adjustment import (
+    Adjusted,
+    blocks_of,
+    linearise,
+    reduced,
+    residuals,
+)
 from simulations.models.calibration.camera import PINHOLE
-from simulations.models.calibration.jacobian import linearise
-from simulations.models.calibration.normal_equations import blocks_of, reduced
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import TILT, UndeterminedError
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_array, as_matrices, as_vectors
 from simulations.models.geometry import quaternions
-from simulations.models.geometry.cross_products import cross_polynomial
+from simulations.models.geometry.quaternions import cross_polynomial
 from simulations.models.require import require
 
 ORTHOGONAL = 1e-6

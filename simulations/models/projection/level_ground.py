@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_array, as_vectors
-from simulations.models.geometry.cross_products import cross
+from simulations.models.geometry.quaternions import cross
 from simulations.models.projection.pinhole import camera_matrix, look_at, rigid_pose
 from simulations.models.require import require, require_positive
 

@@ -8,12 +8,13 @@ import pytest
 from support.sittings import SIZE, TRUTH, photographs
 
 from simulations.models.calibration.bundle_adjustment import (
+    Linearised,
     calibrate,
     cost_of,
     descend,
+    linearise,
 )
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
-from simulations.models.calibration.jacobian import Linearised, linearise
 from simulations.models.calibration.simulated import Sitting
 from simulations.models.calibration.standard_errors import rms_of_each, rms_px, uncertainty
 from simulations.models.calibration.views import Views

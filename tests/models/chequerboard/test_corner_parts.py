@@ -10,11 +10,10 @@ from scipy.stats import multivariate_normal, norm
 from simulations.models.chequerboard import corner_fit
 from simulations.models.chequerboard.blurred_corner import blurred_corner
 from simulations.models.chequerboard.board import Board, board_svg
-from simulations.models.chequerboard.find_board import numbered
-from simulations.models.chequerboard.flatness import flat_residuals
+from simulations.models.chequerboard.board_search import reduced
+from simulations.models.chequerboard.find_board import flat_residuals, numbered
 from simulations.models.chequerboard.local_lattice import Lattice, lattice_of, predict
 from simulations.models.chequerboard.quadratic_saddle import quadratic_saddle
-from simulations.models.chequerboard.reduction import reduced
 from simulations.models.chequerboard.saddle_points import find_saddles, smoothed
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.error_measures import root_mean_square

@@ -8,15 +8,18 @@ from numpy.typing import ArrayLike
 from support.decentred_lenses import least_determinant
 
 from simulations.models.arrays import Mask
-from simulations.models.distortion.decentred_sheet import on_sheet_of_axis
-from simulations.models.distortion.decentring import DecentredLens, undo_decentred
+from simulations.models.distortion.decentring import (
+    DecentredLens,
+    on_sheet_of_axis,
+    solve_in_plane,
+    stay_positive,
+    undo_decentred,
+)
 from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
     undistort,
 )
-from simulations.models.distortion.plane_newton import solve_in_plane
-from simulations.models.distortion.positive_polynomials import stay_positive
 from simulations.models.distortion.radial_profile import RadialProfile
 
 

@@ -15,7 +15,6 @@ from simulations.models.distortion.lens_model import (
     Distortion,
     undistort,
 )
-from simulations.models.distortion.radial_grid import Grid, cell_of, grid_for, image_squared_at
 from simulations.models.distortion.radial_inverse import invert_bracketed
 from simulations.models.distortion.radial_profile import (
     RadialProfile,
@@ -28,6 +27,10 @@ from simulations.models.distortion.radial_profile import (
     slope,
 )
 from simulations.models.distortion.radial_table import (
+    Grid,
+    cell_of,
+    grid_for,
+    image_squared_at,
     invert,
     shrinkage,
 )

@@ -12,12 +12,12 @@ from support.quaternions import same_up_to_sign, wxyz
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import euler, quaternions, rotation_paths, rotations
-from simulations.models.geometry.cross_products import cross_polynomial
 from simulations.models.geometry.quaternion_blends import (
     BLENDS,
     bisected_arc,
     turn_between_rad,
 )
+from simulations.models.geometry.quaternions import cross_polynomial
 
 RNG = np.random.default_rng(1)
 
