@@ -280,21 +280,9 @@ def to_json(frame: Frame) -> str:
                 }
                 for panel in frame.panels
             ],
-            "readouts": [
-                {
-                    "name": item.name,
-                    "label": item.label,
-                    "text": item.text,
-                    "unit": item.unit,
-                    "role": item.role,
-                }
-                for item in frame.readouts
-            ],
+            "readouts": [asdict(item) for item in frame.readouts],
             "description": frame.description,
-            "stages": [
-                {"name": stage.name, "status": stage.status, "reason": _reason(stage)}
-                for stage in frame.stages
-            ],
+            "stages": [asdict(stage) for stage in frame.stages],
             "handles": [
                 {"name": place.name, "x": round(place.x, 2), "y": round(place.y, 2)}
                 | ({"step": round(place.step, 5)} if place.step else {})
@@ -304,10 +292,4 @@ def to_json(frame: Frame) -> str:
         },
         ensure_ascii=False,
         allow_nan=False,
-    )
-
-
-def _reason(stage: StageReport) -> object:
-    return (
-        stage.reason if isinstance(stage.reason, str) else [asdict(part) for part in stage.reason]
     )
