@@ -12,35 +12,14 @@ from typing import Any
 
 from simulations.engine.frame import Frame, Raster, Readout, Samples, to_json
 from simulations.engine.ladder import measure_tier
-from simulations.engine.page_pictures import photograph_from_page
-from simulations.engine.photograph import Photograph
+from simulations.engine.photograph import Photograph, photograph_from_page
 from simulations.engine.raster import opaque
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
-from simulations.late_imports import fetch_missing
+from simulations.late_imports import fetch_missing as fetch_missing
 from simulations.registry import load_ladder, load_scene, scene_module
-from simulations.script import script
-
-__all__ = [
-    "Reply",
-    "develop",
-    "error",
-    "export",
-    "fetch_missing",
-    "forget",
-    "judge",
-    "measure",
-    "photograph",
-    "prepare",
-    "pull",
-    "read",
-    "readings",
-    "render",
-    "render_edited",
-    "script",
-    "sheet",
-]
+from simulations.script import script as script
 
 _caches: dict[str, StageCache] = {}
 _photographs: dict[str, Photograph] = {}

@@ -1,10 +1,13 @@
 """The reader's own pictures, shown in place of the book's; never sent anywhere."""
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from simulations.engine.exif import exif_facts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -71,3 +74,35 @@ class Photograph:
         codes = self.codes
         if codes.ndim != 3 or codes.shape[2] != 3 or codes.dtype != np.uint8 or not codes.size:
             raise ValueError(f"photograph {codes.shape} {codes.dtype}; legal: (H, W, 3) uint8")
+
+
+def photograph_from_page(picture: Any) -> Photograph:
+    """A picture as the page hands it over: an object of JavaScript.
+
+    Its fields are ``number``, ``name``, ``width`` and ``height``, the ``full_width`` and
+    ``full_height`` before it was scaled down, ``draw``, which fills an array with its codes, and
+    ``head``, the first bytes of the file; those of a raw file also ``facts``, JSON in place of the
+    head's, and where wanted ``mosaic``.
+    """
+    codes = np.empty((picture.height, picture.width, 3), np.uint8)
+    picture.draw(codes)
+    full = {"full_width": picture.full_width, "full_height": picture.full_height}
+    told = getattr(picture, "facts", None)
+    return Photograph(
+        picture.number,
+        codes,
+        picture.name,
+        {**(json.loads(told) if told else exif_facts(picture.head.to_bytes())), **full},
+        _mosaic(getattr(picture, "mosaic", None)),
+    )
+
+
+def _mosaic(given: Any) -> Mosaic | None:
+    """Its fields are ``codes`` (two bytes each), their ``width`` and ``height``, and ``about``."""
+    if given is None:
+        return None
+    codes = np.frombuffer(given.codes.to_bytes(), "<u2").reshape(given.height, given.width)
+    about = json.loads(given.about)
+    first, second, third, fourth = map(float, about["black"])
+    black = (first, second, third, fourth)
+    return Mosaic(codes, about["colours"], black, int(about["white"]))
