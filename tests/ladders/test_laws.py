@@ -14,12 +14,10 @@ from scipy.optimize import least_squares
 from support.ladder_run import run_of
 
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.models.distortion.undistortion import undistort_table
 from simulations.models.error_measures import psnr_db
 from simulations.models.geometry.homography_estimation import estimate_homography
 from simulations.models.geometry.quaternion_blends import STRAIGHT
-from simulations.models.lens.aperture import fibonacci_disc, random_disc
-from simulations.models.projection.pinhole import relative_to_camera, rigid_pose, world_to_camera
+from simulations.models.lens.aperture import random_disc
 from simulations.models.sampling.fine_detail import without_fine_detail
 from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.pictures import cards, moving_ball
@@ -92,13 +90,6 @@ def test_four_times_the_independent_rays_are_worth_six_decibels() -> None:
     assert gained == pytest.approx(10 * np.log10(4), abs=0.5)
 
 
-def test_a_spiral_of_many_rays_leads_to_the_reference() -> None:
-    run = run_of("depth-of-field")
-    nodes = run.work.lens_radius * fibonacci_disc(400)
-    mean = sum((cards.radiance(run.work.seen, *node) for node in nodes), 0.0 * run.truth) / 400
-    assert run.metrics["psnr"](mean, run.truth, run.work) > run.error("psnr", "fibonacci-64")
-
-
 def test_turning_the_spiral_makes_grain_of_ghosts() -> None:
     """Grain is an error that does not go on in the next pixel; a ghost's edge does."""
     run = run_of("depth-of-field")
@@ -109,12 +100,6 @@ def test_turning_the_spiral_makes_grain_of_ghosts() -> None:
 
     assert continued("fibonacci-16") > continued("turned-16") + 0.15
     assert abs(continued("random-16")) < 0.05
-
-
-def test_layers_of_narrow_discs_are_the_same_however_they_are_drawn() -> None:
-    narrow, wide = run_of("depth-of-field"), run_of("wide-discs")
-    taps = wide.ladder.tier("layered-taps").run(narrow.work)
-    np.testing.assert_allclose(taps, narrow.result("layered"), atol=1e-6)
 
 
 def test_counting_on_the_edge_or_in_bytes_counts_as_the_definition_does() -> None:
@@ -138,17 +123,6 @@ def test_a_straight_edge_errs_by_the_bulge_of_the_circle(which: int, exact: floa
     bulge = (run.result("straight")[which] - truth)[row, edge]
     assert bulge == pytest.approx(1 / (24 * disc.radius), rel=exact)
     assert abs((run.result("curved")[which] - truth)[row, edge]) < bulge / 10
-
-
-@pytest.mark.parametrize("radius", [0.3, 200.0])
-def test_tiny_and_huge_discs_are_covered(
-    radius: float,
-) -> None:
-    run = run_of("edge-coverage")
-    work = tuple(run.module.disc_on(8, radius, (middle, middle)) for middle in (3.5, 3.0))
-    for tier in run.ladder.tiers:
-        for covered in tier.run(work):
-            assert ((covered >= 0) & (covered <= 1)).all()
 
 
 def test_a_smear_stays_within_the_outline_that_the_ball_has_at_half_time() -> None:
@@ -260,16 +234,6 @@ def test_without_its_checks_the_normalised_transform_is_the_models(tier: str) ->
             np.testing.assert_allclose(points[0], points[1], atol=1e-6)
 
 
-def test_a_table_twice_as_long_errs_a_quarter_as_much() -> None:
-    run = run_of("inverse-distortion")
-    errors = [
-        run.metrics["rms"](undistort_table(run.work.seen, run.work.lens, n), run.truth, run.work)
-        for n in (257, 513, 1025)
-    ]
-    for coarse, fine in pairwise(errors):
-        assert coarse / fine == pytest.approx(4.0, rel=0.1)
-
-
 def test_bins_err_where_rows_repeat_each_other() -> None:
     module, ladder = run_of("mtf-binning").module, run_of("mtf-binning").ladder
     found = []
@@ -295,17 +259,6 @@ def test_a_camera_at_the_origin_feels_no_distance() -> None:
     result = run.ladder.tier("float64").run(other)
     growth = run.metrics["far"](result, run.truth, other) / run.error("far", "float64")
     assert 8.0 < growth < 32.0
-
-
-def test_the_float64_tiers_do_as_the_projection_model_does() -> None:
-    run = run_of("precision")
-    results = zip(run.result("float64"), run.result("relative-64"), strict=True)
-    for place, (plain, relative) in zip((run.work.near, run.work.far), results, strict=True):
-        pose = rigid_pose(run.work.rotation, -run.work.rotation @ place.centre)
-        moved = world_to_camera(place.points, pose)
-        np.testing.assert_allclose(plain, 1000 * moved[:, :2] / moved[:, 2:], atol=1e-5)
-        near = relative_to_camera(place.points, run.work.rotation, place.centre)
-        np.testing.assert_allclose(relative, 1000 * near[:, :2] / near[:, 2:], atol=1e-11)
 
 
 def nearest_off_px(angle_deg: float, turns: int) -> Floats:
