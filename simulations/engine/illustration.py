@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from simulations.engine.frame import Panel
+from simulations.engine.frame import Panel as Panel
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,8 +6,7 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, dot, line, polyline
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.space.view import View, axes_towards
 from simulations.models.arrays import Floats
 from simulations.models.geometry.rotations import from_axis_angle

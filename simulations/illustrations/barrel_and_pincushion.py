@@ -4,8 +4,7 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import path, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.distortion.lens_model import Distortion, distort
 

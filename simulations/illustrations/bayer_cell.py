@@ -5,8 +5,7 @@ from numpy.typing import NDArray
 
 from simulations.engine.drafting import label, swatch
 from simulations.engine.drawing import arrow, rectangle
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.sensor.bayer import filter_colours
 
 WIDTH, HEIGHT = 300.0, 250.0
@@ -14,7 +13,7 @@ CELLS, PITCH, EDGE = 6, 40.0, 30.0
 LETTERS = "RGB"
 FILTERS = ((0.86, 0.36, 0.30), (0.42, 0.70, 0.36), (0.34, 0.48, 0.84))
 """Colours of the filters in the drawing."""
-RED_CELL = (2, 2)  # Row and column of the cell whose green is interpolated
+RED_CELL = (2, 2)  # row and column of the cell whose green is interpolated
 NEIGHBOURS = ((-1, 0), (1, 0), (0, -1), (0, 1))
 
 

@@ -6,8 +6,7 @@ import numpy as np
 
 from simulations.engine.drafting import arc, dimension, label
 from simulations.engine.drawing import arrow, dot, line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.geometry.lines_and_planes import plane_through, signed_distance
 

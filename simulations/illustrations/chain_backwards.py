@@ -6,15 +6,13 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 
 WIDTH, HEIGHT, ROW, TOP = 400.0, 346.0, 46.0, 24.0
-FIELD = (222.0, 388.0)  # Left and right edge of the column of what is left open
+FIELD = (222.0, 388.0)  # left and right edge of the column of what is left open
 LINKS = ("pose", "projection", "lens", "pixel grid", "light", "sensor", "file")
 LEFT_OPEN = (
     "one point", "a ray", "one point", "waves that agree there", "paint or light", "a probability",
@@ -22,29 +20,19 @@ LEFT_OPEN = (
 )  # fmt: skip
 
 
-def _plot(index: int, low: float, high: float) -> Plot:
-    y = TOP + ROW * index
-    return Plot(Axis(0, 1, *FIELD), Axis(low, high, y + 15, y - 15))
-
-
 def _point(plot: Plot) -> list[str]:
     return [dot(plot.at(0.5, 0.0), "world", 5)]
 
 
 def _ray(plot: Plot) -> list[str]:
-    return [
-        line(plot.at(0.0, 0.0), plot.at(1.0, 0.0), "world bold"),
-        dot(plot.at(0, 0), "camera", 4),
-    ]
+    return [line(plot.at(0, 0), plot.at(1, 0), "world bold"), dot(plot.at(0, 0), "camera", 4)]
 
 
 def _waves(plot: Plot) -> list[str]:
     x, samples = np.linspace(0, 1, 200), np.arange(6) / 5
-    cycles = (1, 4)
-    marks = [plot.curve(x, 0.9 * np.cos(2 * np.pi * n * x), "world thin") for n in cycles]
-    return marks + [
-        dot(plot.at(float(s), 0.9 * math.cos(2 * math.pi * s)), "image", 3) for s in samples
-    ]
+    marks = [plot.curve(x, 0.9 * np.cos(2 * np.pi * n * x), "world thin") for n in (1, 4)]
+    places = [plot.at(float(s), 0.9 * math.cos(2 * math.pi * s)) for s in samples]
+    return marks + [dot(place, "image", 3) for place in places]
 
 
 def _pairs(plot: Plot) -> list[str]:
@@ -71,8 +59,8 @@ SHOWN = (_point, _ray, _point, _waves, _pairs, _bell, _interval)
 def draw() -> Illustration:
     marks = []
     for index, (name, open_, show) in enumerate(zip(LINKS, LEFT_OPEN, SHOWN, strict=True)):
-        plot = _plot(index, -1.0, 1.0)
         y = TOP + ROW * index
+        plot = Plot(Axis(0, 1, *FIELD), Axis(-1.0, 1.0, y + 15, y - 15))
         if index:
             marks.append(line((8, y - ROW / 2), (392, y - ROW / 2), "muted thin faint"))
         marks += show(plot)

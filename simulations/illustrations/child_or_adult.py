@@ -4,15 +4,14 @@ import numpy as np
 
 from simulations.engine.drafting import dimension, label
 from simulations.engine.drawing import circle, dot, line, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.projection.pinhole import project
 
 WIDTH, HEIGHT = 400.0, 214.0
 CENTRE = (24.0, 150.0)
 UNITS_PER_M = 60.0
-FOCAL_M = 1.2  # Focal length of a camera drawn many times too large
-PEOPLE = ((1.2, 3.2, "child"), (1.8, 4.8, "adult"))  # Height and distance in metres
+FOCAL_M = 1.2  # focal length of a camera drawn many times too large
+PEOPLE = ((1.2, 3.2, "child"), (1.8, 4.8, "adult"))  # height and distance in metres
 
 
 def at(height: float, distance: float) -> tuple[float, float]:

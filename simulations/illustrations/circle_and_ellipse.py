@@ -4,15 +4,14 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line, path, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import apply_homography
 
 WIDTH, HEIGHT = 320.0, 236.0
 H = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.0, 1.0]])
 """The road of the chapter's example."""
-UNIT = 52.0  # Units of the drawing per unit of the plane
+UNIT = 52.0  # units of the drawing per unit of the plane
 COLUMNS, ROWS = np.linspace(-1.0, 3.0, 9), np.linspace(-1.0, 1.0, 5)
 TURN = np.linspace(0.0, 2 * np.pi, 97)[:-1]
 CIRCLE = np.stack([np.cos(TURN), np.sin(TURN)], axis=-1)

@@ -2,8 +2,7 @@
 
 from simulations.engine.drafting import dimension, glass, label
 from simulations.engine.drawing import dot, line, polygon, polyline
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     principal_distance_mm,
@@ -32,6 +31,7 @@ def disc() -> float:
 def draw() -> Illustration:
     half, c = FOCAL / F_NUMBER / 2, disc()
     place = LENS + sensor()
+    corners = ((-2.5, -c / 2), (2.5, -c / 2), (2.5, c / 2), (-2.5, c / 2))
     marks = [line((6, AXIS), (394, AXIS), "muted thin dashed")]
     for sign in (-1, 1):
         rim = (LENS, AXIS + sign * half)
@@ -45,15 +45,7 @@ def draw() -> Illustration:
     marks += [
         glass((LENS, AXIS), half, 8),
         line((place, AXIS - 76), (place, AXIS + 76), "image bold"),
-        polygon(
-            [
-                (place - 2.5, AXIS - c / 2),
-                (place + 2.5, AXIS - c / 2),
-                (place + 2.5, AXIS + c / 2),
-                (place - 2.5, AXIS + c / 2),
-            ],
-            "error solid",
-        ),
+        polygon([(place + x, AXIS + y) for x, y in corners], "error solid"),
         dot((LENS - FOCUS, AXIS), "ray", 5),
         dot((LENS - NEAR, AXIS), "world", 5),
         dot((LENS + tip(), AXIS), "world", 3.5),

@@ -6,8 +6,7 @@ import numpy as np
 
 from simulations.engine.drafting import arc, dimension, label
 from simulations.engine.drawing import dot, line, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.lens.vignetting import vignetting_cos4
 
 WIDTH, HEIGHT = 400.0, 258.0
@@ -22,40 +21,22 @@ def draw() -> Illustration:
     rise = run * math.tan(ANGLE_RAD)
     spot, middle = (SENSOR, AXIS - rise), (OPENING, AXIS)
     share = float(vignetting_cos4(math.tan(ANGLE_RAD)))
-    across = (math.sin(ANGLE_RAD), math.cos(ANGLE_RAD))
     narrow = HALF * math.cos(ANGLE_RAD)
+    slanted = (narrow * math.sin(ANGLE_RAD), narrow * math.cos(ANGLE_RAD))
+    opening = (OPENING, AXIS - HALF), (OPENING, AXIS + HALF)
+    upper, lower = (SENSOR, spot[1] - PIXEL), (SENSOR, spot[1] + PIXEL)
     marks = [
         line((20, AXIS), (SENSOR + 14, AXIS), "muted thin dashed"),
-        polygon(
-            [
-                (OPENING, AXIS - HALF),
-                (OPENING, AXIS + HALF),
-                (SENSOR, spot[1] + PIXEL),
-                (SENSOR, spot[1] - PIXEL),
-            ],
-            "ray fill thin",
-        ),
+        polygon([*opening, lower, upper], "ray fill thin"),
         line(middle, spot, "ray"),
         *(
             line((OPENING, AXIS + s * HALF), (OPENING, AXIS + s * (HALF + 26)), "camera bold")
             for s in (-1, 1)
         ),
         line((SENSOR, 24), (SENSOR, AXIS + 30), "image bold"),
-        line((SENSOR, spot[1] - PIXEL), (SENSOR, spot[1] + PIXEL), "image bold"),
-        polygon(
-            [
-                (SENSOR, spot[1] - PIXEL),
-                (SENSOR + 8, spot[1] - PIXEL),
-                (SENSOR + 8, spot[1] + PIXEL),
-                (SENSOR, spot[1] + PIXEL),
-            ],
-            "image solid",
-        ),
-        line(
-            np.subtract(middle, (narrow * across[0], narrow * across[1])),
-            np.add(middle, (narrow * across[0], narrow * across[1])),
-            "camera",
-        ),
+        line(upper, lower, "image bold"),
+        polygon([upper, (SENSOR + 8, upper[1]), (SENSOR + 8, lower[1]), lower], "image solid"),
+        line(np.subtract(middle, slanted), np.add(middle, slanted), "camera"),
         arc(middle, 58, 0, ANGLE_RAD, "ray"),
         dot(middle, "camera", 3.5),
         dimension((OPENING, AXIS + 34), (SENSOR, AXIS + 34), "muted"),

@@ -6,10 +6,8 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot
 from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import BLOCK, DCT
 

@@ -2,8 +2,7 @@
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import circle
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 
 WIDTH, HEIGHT = 400.0, 132.0
 FOCAL_MM = 50.0

@@ -5,15 +5,13 @@ import math
 import numpy as np
 
 from simulations.engine.drafting import dimension, label
-from simulations.engine.drawing import line, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
+from simulations.engine.drawing import line
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot
 
 WIDTH, HEIGHT = 320.0, 230.0
 PLOT = Plot(Axis(0.0, 1.0, 30, 306), Axis(0.0, 1.1, 178, 10))
-STEP = 0.08  # Width of a rounding step, drawn coarse
+STEP = 0.08  # width of a rounding step, drawn coarse
 
 
 def angles(kind: str) -> tuple[float, float]:
@@ -26,19 +24,14 @@ def angles(kind: str) -> tuple[float, float]:
 def _panel(kind: str, values: np.ndarray, band: tuple[float, float], title: str) -> Panel:
     theta = np.linspace(0.0, 1.0, 201)
     low, high = angles(kind)
-    foot = PLOT.y.start
-    corners = [PLOT.at(0, band[0]), PLOT.at(1, band[0]), PLOT.at(1, band[1]), PLOT.at(0, band[1])]
+    foot, end = PLOT.y.start, PLOT.at(high, 0)[0]
     marks = [
-        polygon(corners, "error fill thin"),
+        PLOT.region(y=band, style="error fill thin"),
         PLOT.axes(),
         PLOT.curve(theta, values, "image bold"),
-        line(
-            (PLOT.at(high, 0)[0], foot),
-            PLOT.at(high, band[0] if kind == "cosine" else band[1]),
-            "error dashed",
-        ),
-        dimension((PLOT.at(low, 0)[0], foot + 12), (PLOT.at(high, 0)[0], foot + 12), "error"),
-        label((PLOT.at(high, 0)[0] + 10, foot + 17), f"θ from 0 to {high:.2f}", "error"),
+        line((end, foot), PLOT.at(high, band[0] if kind == "cosine" else band[1]), "error dashed"),
+        dimension((PLOT.at(low, 0)[0], foot + 12), (end, foot + 12), "error"),
+        label((end + 10, foot + 17), f"θ from 0 to {high:.2f}", "error"),
         label((PLOT.x.end, foot + 17), "θ", "muted italic", "end"),
         label((PLOT.x.end, foot + 44), f"one step of {STEP:g}, read back", "muted small", "end"),
     ]

@@ -2,9 +2,8 @@
 
 from simulations.engine.drafting import dimension, label
 from simulations.engine.drawing import line, path
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis
 
 WIDTH, HEIGHT, FOOT = 400.0, 128.0, 66.0
 AXIS = Axis(0.0, 8.0, 14, 386)
@@ -39,16 +38,10 @@ def draw() -> Illustration:
         ends = [(float(AXIS.position(value)), FOOT - 34) for value in (low, 2 * low)]
         marks.append(dimension(ends[0], ends[1], "muted"))
         gap = f"gap {2.0**-BITS * low:g}" if low > 1 else f"{2.0**-BITS * low:g}"
-        marks.append(
-            label(((ends[0][0] + ends[1][0]) / 2, FOOT - 44), gap, "muted small", "middle")
-        )
-    marks.append(
-        label(
-            (AXIS.start, HEIGHT - 4),
-            "64-bit numbers: 2^{52} steps from each power of two to the next",
-            "small",
-        )
-    )
+        middle = ((ends[0][0] + ends[1][0]) / 2, FOOT - 44)
+        marks.append(label(middle, gap, "muted small", "middle"))
+    said = "64-bit numbers: 2^{52} steps from each power of two to the next"
+    marks.append(label((AXIS.start, HEIGHT - 4), said, "small"))
     words = (
         f"A number line from 0 to {2**HIGHEST} with every number of a format that has {BITS} bits "
         f"behind the leading one. From each power of two to the next there are {2**BITS} steps, so "

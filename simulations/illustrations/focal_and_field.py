@@ -4,8 +4,7 @@ import math
 
 from simulations.engine.drafting import arc, label
 from simulations.engine.drawing import dot, line, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.projection.pinhole import field_of_view_rad
 
 WIDTH, HEIGHT = 400.0, 196.0
@@ -34,14 +33,9 @@ def draw() -> Illustration:
             arc(CENTRE, 52.0 + 26 * index, -angle, angle, role),
             label((up[0] + 6, up[1] + 3), f"{focal:g} mm: {math.degrees(2 * angle):.1f}°", role),
         ]
-    marks += [
-        dot(CENTRE, "camera", 5),
-        label(
-            (CENTRE[0] - 135 * UNITS_PER_MM - 4, CENTRE[1] - half - 12),
-            f"sensor, {SENSOR_MM:g} mm wide",
-            "muted small",
-        ),
-    ]
+    above = (CENTRE[0] - 135 * UNITS_PER_MM - 4, CENTRE[1] - half - 12)
+    name = f"sensor, {SENSOR_MM:g} mm wide"
+    marks += [dot(CENTRE, "camera", 5), label(above, name, "muted small")]
     fields = ", ".join(
         f"{math.degrees(field_of_view_rad(focal, SENSOR_MM)):.1f}° at {focal:g} mm"
         for focal, _ in LENSES

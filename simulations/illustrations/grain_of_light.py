@@ -5,15 +5,14 @@ import math
 import numpy as np
 
 from simulations.engine.drafting import label, swatch
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_counting import shot_noise
 
 SIDE, CELLS, PITCH = 190.0, 12, 14.0
 MEANS_E = (3, 30, 300, 3000)
-GREY = 0.3  # Displayed brightness of the mean, in linear light
+GREY = 0.3  # displayed brightness of the mean, in linear light
 SEED = 6
 
 

@@ -4,15 +4,14 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, dot, line, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.space.view import View, axes_towards
 
 WIDTH, HEIGHT = 400.0, 256.0
 SPACE = View(axes_towards((1.1, -3.0, 1.35)), (64.0, 206.0), 59.0)
-POINT = (2.0, 1.0)  # A point on the plane w = 1
-ALONG = (0.5, 2.0)  # Other values of w on its ray
-FAR = (2.6, -0.9)  # A direction in the plane w = 0: a point at infinity
+POINT = (2.0, 1.0)  # a point on the plane w = 1
+ALONG = (0.5, 2.0)  # other values of w on its ray
+FAR = (2.6, -0.9)  # a direction in the plane w = 0: a point at infinity
 
 
 def on_ray(w: float) -> tuple[float, float, float]:

@@ -4,15 +4,14 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, path, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.space.view import View, axes_towards
 from simulations.models.light.reflectance import PointLight, irradiance
 
 WIDTH, HEIGHT = 400.0, 286.0
 SPACE = View(axes_towards((-1.35, -2.6, 1.0)), (60.0, 148.0), 88.0)
 DISTANCES = (1, 2, 3)
-HALF = 0.32  # Half the side of the first screen
+HALF = 0.32  # half the side of the first screen
 LAMP = PointLight((0.0, 0.0, 0.0))
 
 

@@ -4,10 +4,8 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line, path
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot
 from simulations.models.distortion.radial_profile import RadialProfile, evaluate, slope
 
 WIDTH, HEIGHT = 400.0, 282.0

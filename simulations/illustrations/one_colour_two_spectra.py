@@ -3,11 +3,8 @@
 import numpy as np
 
 from simulations.engine.drafting import label, swatch
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.arrays import Floats
 from simulations.models.color.cie import xyz_to_linear_rgb
 from simulations.models.color.illuminants import daylight

@@ -2,14 +2,13 @@
 
 from simulations.engine.drafting import box, label
 from simulations.engine.drawing import arrow, line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 
 WIDTH, HEIGHT = 400.0, 300.0
 COLUMNS = (104.0, 296.0)
 BOX_WIDTH, BOX_HEIGHT = 168.0, 42.0
 ROWS = (92.0, 166.0, 240.0)
-SOURCE = ("scenes and models", "camera")  # The modules that both run
+SOURCE = ("scenes and models", "camera")  # the modules that both run
 ROWS_OF_WORDS = (
     (("CPython", "world"), ("CPython in WebAssembly", "world")),
     (("frame at the first settings", "image"), ("frame at your settings", "image")),

@@ -6,8 +6,7 @@ import numpy as np
 
 from simulations.engine.drafting import box, label
 from simulations.engine.drawing import line, path
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.geometry.rotations import from_axis_angle
 from simulations.models.projection.pinhole import project

@@ -6,8 +6,7 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, dot, line, polygon, polyline
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.space.view import View, axes_towards
 from simulations.models.arrays import Floats
 from simulations.models.light.brdf import Material, reflected
@@ -19,7 +18,7 @@ SUN, ALBEDO = 1000.0, 0.8
 """Irradiance in W/m² of a surface that faces the sun, and the page's albedo."""
 SUN_DEG, VIEW_DEG, CONE_DEG = -60.0, 30.0, 12.0
 """Directions from the normal, positive to the right, and half the opening of the cone."""
-REACH = 1.45  # Length of the cone, in sides of the square
+REACH = 1.45  # length of the cone, in sides of the square
 
 
 def towards(angle_deg: float) -> tuple[float, float, float]:

@@ -4,11 +4,8 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.color.srgb import decode_srgb
 
 WIDTH, HEIGHT = 400.0, 268.0

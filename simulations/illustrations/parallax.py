@@ -4,15 +4,14 @@ import numpy as np
 
 from simulations.engine.drafting import dimension, label
 from simulations.engine.drawing import arrow, dot, line, rectangle
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis
 from simulations.models.arrays import Floats
 from simulations.models.projection.pinhole import intrinsics, project
 
 WIDTH, HEIGHT = 320.0, 200.0
 FOCAL_PX, STEP_M = 800.0, 0.1
-PIXEL = 30.0  # Column of the points in the first picture, from its middle to the right
+PIXEL = 30.0  # column of the points in the first picture, from its middle to the right
 DEPTHS_M = (2.0, 4.0, 8.0)
 K = intrinsics(FOCAL_PX, (0.0, 0.0))
 COLUMNS = Axis(-15.0, 35.0, 20, 300)

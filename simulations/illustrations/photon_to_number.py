@@ -4,8 +4,7 @@ import math
 
 from simulations.engine.drafting import box, label
 from simulations.engine.drawing import arrow
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.sensor.photon_counting import Sensor, expose, quantise
 
 WIDTH, HEIGHT = 400.0, 296.0

@@ -4,10 +4,8 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot
 from simulations.models.sampling.resampling import KERNELS
 
 WIDTH, HEIGHT = 190.0, 170.0
@@ -27,17 +25,13 @@ def draw() -> Illustration:
     whole = np.arange(-3, 4, dtype=float)
     for name, title in TITLES.items():
         kernel = KERNELS[name]
+        taps = f"{kernel.taps}×{kernel.taps} samples"
         weights, samples = kernel.weigh(x), kernel.weigh(whole)
         marks = [
             line(PLOT.at(-3.3, 0), PLOT.at(3.3, 0), "muted thin"),
             PLOT.curve(x, weights, "ray bold"),
-            *(
-                dot(PLOT.at(float(n), float(w)), "image", 3.2)
-                for n, w in zip(whole, samples, strict=True)
-            ),
-            label(
-                (WIDTH / 2, HEIGHT - 6), f"{kernel.taps}×{kernel.taps} samples", "muted", "middle"
-            ),
+            *(dot(PLOT.at(*place), "image", 3.2) for place in zip(whole, samples, strict=True)),
+            label((WIDTH / 2, HEIGHT - 6), taps, "muted", "middle"),
         ]
         panels.append(Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks)))
     words = "The weight of a sample over its distance in pixels, for five kernels: " + ", ".join(

@@ -6,14 +6,13 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, line, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import phong
 
 WIDTH, HEIGHT = 300.0, 190.0
 SPOT, UNITS = (150.0, 158.0), 132.0
-LIGHT_RAD = math.radians(50)  # Angle of the light from the normal, on the left
+LIGHT_RAD = math.radians(50)  # angle of the light from the normal, on the left
 SURFACES = (
     ("chalk", "Chalk: matte", 0.75, 0.0, 1.0),
     ("satin", "Satin paint: matte and a wide lobe", 0.45, 0.55, 10.0),
@@ -45,6 +44,7 @@ def draw() -> Illustration:
     for name, title, albedo, specular, shininess in SURFACES:
         seen = brightness(angles, albedo, specular, shininess)
         lobe = [_place(float(a), UNITS * float(v)) for a, v in zip(angles, seen, strict=True)]
+        shown = f"α = {shininess:g}" if specular else "no highlight"
         marks = [
             line((12, SPOT[1]), (288, SPOT[1]), "world bold"),
             line(SPOT, _place(0.0, 148), "muted thin dashed"),
@@ -54,12 +54,7 @@ def draw() -> Illustration:
             label(np.add(_place(0.0, 148), (6, 8)), "n", "muted italic"),
             label(np.add(_place(LIGHT_RAD, 150), (4, 4)), "r", "muted italic"),
             label(np.add(_place(-LIGHT_RAD, 150), (-4, 4)), "l", "light italic", "end"),
-            label(
-                (150, SPOT[1] + 22),
-                f"α = {shininess:g}" if specular else "no highlight",
-                "muted small",
-                "middle",
-            ),
+            label((150, SPOT[1] + 22), shown, "muted small", "middle"),
         ]
         panels.append(Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks)))
     words = (

@@ -4,16 +4,15 @@ import math
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, line, polygon, polyline, rectangle
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis
 
 WIDTH, HEIGHT = 320.0, 212.0
 ROWS, READ_MS = 1080, 20.0
 EXPOSURE_MS = 8.0
 SPEED_PX_PER_S = 9600.0
 """Ten times the speed of the bus in the chapter's example, whose slant is too small to draw."""
-SHOWN = 12  # Rows that are drawn
+SHOWN = 12  # rows that are drawn
 TIME = Axis(0.0, READ_MS + EXPOSURE_MS, 26, 300)
 DOWN = Axis(0.0, 1.0, 30, 170)
 
@@ -36,20 +35,16 @@ def _rows() -> str:
     marks = []
     height = (DOWN.end - DOWN.start) / SHOWN
     for number in range(SHOWN):
-        start = float(TIME.position(delay_ms(ROWS * number / SHOWN)))
-        end = float(TIME.position(delay_ms(ROWS * number / SHOWN) + EXPOSURE_MS))
+        delay = delay_ms(ROWS * number / SHOWN)
+        start, end = TIME.place(delay), TIME.place(delay + EXPOSURE_MS)
         top = DOWN.start + number * height
         marks.append(rectangle((start, top + 2), end - start, height - 4, "light fill thin"))
     foot = DOWN.end + 14
     marks += [
         arrow((TIME.start, foot), (TIME.end, foot), "muted"),
         label((TIME.end, foot + 18), "time", "muted", "end"),
-        label(
-            (float(TIME.position(EXPOSURE_MS)) + 10, DOWN.start + 9), "first row is open", "light"
-        ),
-        label(
-            (float(TIME.position(READ_MS)) - 34, DOWN.end - 3), "last row is open", "light", "end"
-        ),
+        label((TIME.place(EXPOSURE_MS) + 10, DOWN.start + 9), "first row is open", "light"),
+        label((TIME.place(READ_MS) - 34, DOWN.end - 3), "last row is open", "light", "end"),
     ]
     return "".join(marks)
 
@@ -62,8 +57,7 @@ def _bus() -> str:
         return x + unit * shift_px(row), DOWN.start + unit * row
 
     def outline(x: float, end: float, first: float, last: float, style: str) -> str:
-        corners = [at(x, first), at(end, first), at(end, last), at(x, last)]
-        return polygon(corners, style)
+        return polygon([at(x, first), at(end, first), at(end, last), at(x, last)], style)
 
     windows = (left + 14 + 36 * place for place in range(4))
     straight = [(left, top), (right, top), (right, foot), (left, foot), (left, top)]

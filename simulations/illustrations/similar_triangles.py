@@ -4,8 +4,7 @@ import numpy as np
 
 from simulations.engine.drafting import dimension, label
 from simulations.engine.drawing import dot, line, polygon
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.projection.pinhole import project
 
 WIDTH, HEIGHT = 400.0, 262.0

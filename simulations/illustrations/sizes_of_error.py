@@ -4,9 +4,8 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis
 
 WIDTH, HEIGHT, FOOT = 400.0, 286.0, 250.0
 AXIS = Axis(1e-17, 1.0, 16, 388, log=True)

@@ -4,11 +4,8 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.arrays import Floats
 from simulations.models.sampling.aliasing import alias_frequency
 
@@ -38,11 +35,9 @@ def _panel(name: str, title: str, highest: float) -> Panel:
     if foreign.max() > 0:
         for half in (base <= 0, base >= 0):
             marks.append(PLOT.area(base[half], foreign[half], "error fill"))
-        at = PLOT.at(abs(float(alias_frequency(highest))) - 0.02, 0)
-        marks.append(label((at[0], at[1] + 36), "aliases", "error", "middle"))
-        marks.append(
-            label((2 * PLOT.at(0, 0)[0] - at[0], at[1] + 36), "aliases", "error", "middle")
-        )
+        x, y = PLOT.at(abs(float(alias_frequency(highest))) - 0.02, 0)
+        for place in (x, 2 * PLOT.at(0, 0)[0] - x):
+            marks.append(label((place, y + 36), "aliases", "error", "middle"))
     for nyquist in (-0.5, 0.5):
         marks.append(line(PLOT.at(nyquist, 0), PLOT.at(nyquist, 1.2), "camera dashed"))
     marks += [

@@ -4,11 +4,8 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import circle, dot, polyline
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.distortion.undistortion import undistort_fixed_point, undistort_newton
 
@@ -36,13 +33,9 @@ def points() -> list[tuple[int, float, str]]:
 
 def front() -> list[tuple[int, float, str]]:
     """The Pareto front of cost and error."""
-    all_points = points()
-    front = [
-        p
-        for p in all_points
-        if not any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in all_points)
-    ]
-    return sorted(front)
+    every = points()
+    beaten = [p for p in every for q in every if q != p and q[0] <= p[0] and q[1] <= p[1]]
+    return sorted(p for p in every if p not in beaten)
 
 
 def draw() -> Illustration:
@@ -55,9 +48,8 @@ def draw() -> Illustration:
     for cost, error, name in points():
         style = "image" if (cost, error, name) in best else "muted"
         place = PLOT.at(cost, error)
-        marks.append(
-            dot(place, style, 4.5) if name == "Newton" else circle(place, 4.5, f"{style} hollow")
-        )
+        newton = name == "Newton"
+        marks.append(dot(place, style, 4.5) if newton else circle(place, 4.5, f"{style} hollow"))
     marks += [
         label((PLOT.x.end, PLOT.y.start + 36), "polynomials worked out", "muted small", "end"),
         label((PLOT.x.end, 24), "largest error", "muted small", "end"),

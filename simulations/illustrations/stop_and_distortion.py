@@ -4,8 +4,7 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line, path, polygon, polyline
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.lens.singlet import Singlet, sag_mm
 from simulations.models.lens.stop_position import ChiefRays, chief_rays, chief_rays_of_pair
@@ -15,27 +14,16 @@ LENS_X, AXIS_Y, SQUARE_Y = 68.0, 46.0, 156.0
 APART_MM, CORNER = 10.0, 0.36
 """Distance from stop to lens, and the tangent of the angle to the axis of the ray and of the
 corners."""
-ENLARGED = 3.0  # Exaggeration of the squares' distortion
+ENLARGED = 3.0  # exaggeration of the squares' distortion
 ALONE, OF_TWO = Singlet(1 / 50, -1 / 50, 6.0, 1.5), Singlet(1 / 100, -1 / 100, 6.0, 1.5)
 HALF_MM = 14.0
 SLOPES = np.linspace(0.001, 0.5, 500)
+BEFORE, BEHIND = (chief_rays(ALONE, stop, SLOPES) for stop in (-APART_MM, APART_MM))
+BETWEEN = chief_rays_of_pair(OF_TWO, APART_MM, SLOPES)
 CASES: tuple[tuple[str, str, ChiefRays, Singlet, tuple[float, ...], float], ...] = (
-    (
-        "front",
-        "Aperture stop in front",
-        chief_rays(ALONE, -APART_MM, SLOPES),
-        ALONE,
-        (0.0,),
-        -APART_MM,
-    ),
-    ("behind", "Behind the lens", chief_rays(ALONE, APART_MM, SLOPES), ALONE, (0.0,), APART_MM),
-    (
-        *("between", "Between two lenses"),
-        chief_rays_of_pair(OF_TWO, APART_MM, SLOPES),
-        OF_TWO,
-        (-APART_MM, APART_MM),
-        0.0,
-    ),
+    ("front", "Aperture stop in front", BEFORE, ALONE, (0.0,), -APART_MM),
+    ("behind", "Behind the lens", BEHIND, ALONE, (0.0,), APART_MM),
+    ("between", "Between two lenses", BETWEEN, OF_TWO, (-APART_MM, APART_MM), 0.0),
 )
 """Name, title, rays, the glass, and the places of its pieces and of the stop."""
 

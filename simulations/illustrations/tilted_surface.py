@@ -4,8 +4,7 @@ import math
 
 from simulations.engine.drafting import arc, dimension, label
 from simulations.engine.drawing import arrow, line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.light.reflectance import lambert
 
 WIDTH, HEIGHT = 320.0, 254.0
@@ -29,7 +28,7 @@ def _panel(tilt_deg: float) -> Panel:
         """A place on the table, from the middle of the beam downhill."""
         return MIDDLE + s * along[0], TABLE + s * along[1]
 
-    normal = (math.sin(tilt), -math.cos(tilt))
+    nx, ny = math.sin(tilt), -math.cos(tilt)
     marks = []
     for index in range(RAYS):
         s = -half + 2 * half * index / (RAYS - 1)
@@ -37,33 +36,22 @@ def _panel(tilt_deg: float) -> Panel:
     marks += [
         line(on(-half - 14), on(half + 14), "world bold"),
         dimension((MIDDLE - BEAM / 2, 12), (MIDDLE + BEAM / 2, 12), "light"),
-        dimension(
-            (on(-half)[0] - 16 * normal[0], on(-half)[1] - 16 * normal[1]),
-            (on(half)[0] - 16 * normal[0], on(half)[1] - 16 * normal[1]),
-            "world",
-        ),
+        dimension(*((on(s)[0] - 16 * nx, on(s)[1] - 16 * ny) for s in (-half, half)), "world"),
         label((MIDDLE + BEAM / 2 + 10, 17), "w", "light italic"),
     ]
     name = "w" if tilt_deg == 0 else "w / cos θ = 2 w"
-    below = (MIDDLE - 34 * normal[0], TABLE - 34 * normal[1])
-    anchor = "middle" if tilt_deg == 0 else "end"
-    marks.append(label((below[0], below[1] + 4), name, "world italic", anchor))
+    below, anchor = (MIDDLE - 34 * nx, TABLE - 34 * ny + 4), "end" if tilt_deg else "middle"
+    marks.append(label(below, name, "world italic", anchor))
     if tilt_deg:
-        tip = (MIDDLE + 84 * normal[0], TABLE + 84 * normal[1])
+        tip = (MIDDLE + 84 * nx, TABLE + 84 * ny)
         marks += [
             arrow((MIDDLE, TABLE), tip, "camera bold"),
             arc((MIDDLE, TABLE), 44, math.pi / 2 - tilt, math.pi / 2, "ray"),
             label((tip[0] + 6, tip[1] + 4), "n", "camera italic"),
             label((MIDDLE + 25, TABLE - 47), "θ", "ray italic ground"),
         ]
-    marks.append(
-        label(
-            (WIDTH / 2, HEIGHT - 4),
-            f"light on each metre: {share(tilt_deg):.2g}",
-            "muted small",
-            "middle",
-        )
-    )
+    shared = f"light on each metre: {share(tilt_deg):.2g}"
+    marks.append(label((WIDTH / 2, HEIGHT - 4), shared, "muted small", "middle"))
     title = "Straight down" if tilt_deg == 0 else f"Tilted by {tilt_deg:.0f}°"
     return Panel(f"tilt-{tilt_deg:.0f}", title, WIDTH, HEIGHT, overlay="".join(marks))
 

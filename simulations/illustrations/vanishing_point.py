@@ -6,14 +6,13 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, circle, dot, line
-from simulations.engine.frame import Panel
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, Panel
 from simulations.models.projection.pinhole import project
 from simulations.models.projection.vanishing import vanishing_point
 
 WIDTH, HEIGHT = 400.0, 286.0
 CENTRE, UNITS_PER_M = (128.0, 262.0), 36.0
-FOCAL = 2.0  # Distance of the image plane, in the metres of the drawing
+FOCAL = 2.0  # distance of the image plane, in the metres of the drawing
 START, ANGLE_RAD = (-2.0, 2.9), math.radians(32)
 """Start of the rail, X and Z, and its angle with the optical axis, to the right."""
 STEPS_M = (0.0, 1.0, 2.2, 3.8, 7.0, 15.0)

@@ -44,7 +44,7 @@ class Ball:
     rim_coverage: Picture  # (rim pixels, 1) share of the pixel that it covers
     behind_rim: Picture  # (rim pixels, 3) linear light of the wall there
     backdrop: NDArray[np.uint8]  # (H, W, 4) the wall alone
-    square: tuple[slice, slice]  # Place of the square in the picture
+    square: tuple[slice, slice]  # place of the square in the picture
 
 
 def build_ball() -> Ball:

@@ -10,9 +10,7 @@ import numpy as np
 from simulations.engine.drawing import dot, line, rectangle, text
 from simulations.engine.frame import Raster
 from simulations.engine.handles import Handle
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.engine.raster import to_rgba8
 from simulations.engine.settings import choice, slider, toggle
 from simulations.models.arrays import Floats
@@ -174,9 +172,9 @@ def rainbow() -> Raster:
 class Chart:
     """The layout of a chart of patches."""
 
-    rows: tuple[tuple[str, str], ...]  # Names of the rows and their colour roles, from the top
-    row: int  # Height of a patch in view box units, a multiple of 8
-    gap: int = 12  # Space between the rows, a multiple of 4
+    rows: tuple[tuple[str, str], ...]  # names of the rows and their colour roles, from the top
+    row: int  # height of a patch in view box units, a multiple of 8
+    gap: int = 12  # space between the rows, a multiple of 4
 
     def paint(self, steps: tuple[Floats, ...], *, twin: bool) -> Raster:
         """Bytes (H, W, 4) from linear sRGB (2, 12, 3) for each row; twins in the lower halves."""

@@ -14,9 +14,7 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.handles import Handle
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider, toggle
 from simulations.engine.stages import Outputs, Stage

@@ -12,9 +12,7 @@ import numpy as np
 from simulations.engine.drawing import Point, circle, dot, polygon, polyline, text
 from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
 from simulations.engine.handles import Handle
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
@@ -31,7 +29,7 @@ from simulations.scenes._spectra import DAYLIGHT, HEIGHT, NAMES, WIDTH, Chart, L
 ROWS = (("in this light", "world"), ("by day", "world"))
 CHART = Chart(ROWS, 128, gap=0)
 """The rows touch, so that the edge between two patches is their difference."""
-TWINS_CHART = Chart(ROWS, 120)  # With a twin below each surface, whose difference is then that edge
+TWINS_CHART = Chart(ROWS, 120)  # with a twin below each surface, whose difference is then that edge
 VISIBLE = 2.0  # just noticeable ΔE
 
 HALF_HEIGHT = math.sqrt(2.0 * math.log(2.0))
@@ -52,9 +50,9 @@ class Seen:
     """Twelve surfaces to the eye, and their twins in a second row: (2, 12, 3) each."""
 
     xyz: Floats  # XYZ in this light; white has Y = 1
-    white_xy: tuple[float, float]  # Chromaticity of the light itself
-    here: Floats  # Linear sRGB seen by an eye that is adapted to this light
-    by_day: Floats  # Linear sRGB seen in daylight
+    white_xy: tuple[float, float]  # chromaticity of the light itself
+    here: Floats  # linear sRGB seen by an eye that is adapted to this light
+    by_day: Floats  # linear sRGB seen in daylight
     apart: Floats  # (12,) ΔE of the twins in this light
 
 

@@ -49,11 +49,11 @@ class Settings(LitSurface):
 class Colours:
     """The colours of twelve surfaces, and of their twins in a second row: (2, 12, 3) each."""
 
-    raw: Floats  # The sensor's values; white has a green of 1
+    raw: Floats  # the sensor's values; white has a green of 1
     gains: Floats  # (3,) gains that make white grey
     balanced: Floats
-    srgb: Floats  # Linear sRGB by the matrix; some outside of [0, 1]
-    meant: Floats  # Linear sRGB seen in daylight
+    srgb: Floats  # linear sRGB by the matrix; some outside of [0, 1]
+    meant: Floats  # linear sRGB seen in daylight
     error: Floats  # (2, 12) ΔE of ``srgb`` from ``meant``
 
 

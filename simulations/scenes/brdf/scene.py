@@ -16,9 +16,7 @@ import numpy as np
 from simulations.engine.drawing import Point, arrow, dot, line, polygon, polyline, text
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.handles import Handle
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs, Stage
@@ -65,7 +63,7 @@ class Exchange:
 
     there: float  # BRDF from the light to the camera, 1/sr
     back: float  # BRDF from the camera to the light, 1/sr
-    sent: float  # Share of the light that is reflected in all directions together
+    sent: float  # share of the light that is reflected in all directions together
 
     @property
     def is_reciprocal(self) -> bool:

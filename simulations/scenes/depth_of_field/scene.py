@@ -26,7 +26,7 @@ from simulations.scenes._still_life_camera.picture import SCALED, drawing_of
 from simulations.scenes.depth_of_field import drawing, stages
 from simulations.scenes.depth_of_field.stages import HEIGHT, WIDTH
 
-LARGEST_DRAWN_PX = 48.0  # Largest disc that is drawn: wider ones blur everything and take seconds
+LARGEST_DRAWN_PX = 48.0  # largest disc that is drawn: wider ones blur everything and take seconds
 UNLIT = np.full((round(rays.ROWS / stages.FINE), round(rays.COLUMNS / stages.FINE)), 0.35)
 """The picture if the lens forms none."""
 

@@ -68,7 +68,7 @@ SPIRALS: Mapping[str, Floats] = {"fibonacci-16": fibonacci_disc(16)}
 COSTLY = ("gather", *SPIRALS)  # tiers that are drawn with a ray for each pixel, too
 REDUCTIONS = {COARSE: 2.0, **dict.fromkeys((QUICK, SCALED, *COSTLY), 1.0)}
 """Pixels per ray each way, by tier and draft."""
-FINE = 0.5  # The same of all others: the picture is shown wider than the sensor has pixels
+FINE = 0.5  # the same of all others: the picture is shown wider than the sensor has pixels
 LIGHT_ANGLE_DEG = 40.0
 FIXED: Mapping[str, Value] = {
     "light_angle": LIGHT_ANGLE_DEG,
@@ -85,12 +85,12 @@ FEWEST_ACROSS, MOST_ACROSS = 7, 15
 class Sharpness:
     """Sharpness and blur of the still life at one setting; lengths in millimetres."""
 
-    aperture_mm: float  # Diameter of the opening
-    image_mm: float  # Distance from the lens to the sensor
-    near_blur_mm: float  # Disc of the red ball on the sensor
-    far_blur_mm: float  # Disc of the wall
-    near_limit_m: float  # Nearest distance whose disc is at most a pixel
-    far_limit_m: float  # Farthest; ∞ from the hyperfocal distance on
+    aperture_mm: float  # diameter of the opening
+    image_mm: float  # distance from the lens to the sensor
+    near_blur_mm: float  # disc of the red ball on the sensor
+    far_blur_mm: float  # disc of the wall
+    near_limit_m: float  # nearest distance whose disc is at most a pixel
+    far_limit_m: float  # farthest; ∞ from the hyperfocal distance on
 
 
 def sharpness(focal_mm: float, f_number: float, focus_m: float) -> Sharpness:

@@ -43,12 +43,12 @@ class Journey:
     world_m: tuple[float, ...]
     camera_m: tuple[float, ...]
     ideal: tuple[float, ...]  # x, y of its pinhole image, in units of the focal length
-    distorted: tuple[float, ...]  # The same, through the lens
-    pixel: tuple[float, ...]  # Column and row, in pixels
-    relative_light: float  # Light, relative to a white wall that faces the lamp
-    mean_e: float  # Expected electrons
-    counted_e: float  # Electrons in this exposure
-    read_e: float  # Read noise, in electrons
+    distorted: tuple[float, ...]  # the same, through the lens
+    pixel: tuple[float, ...]  # column and row, in pixels
+    relative_light: float  # light, relative to a white wall that faces the lamp
+    mean_e: float  # expected electrons
+    counted_e: float  # electrons in this exposure
+    read_e: float  # read noise, in electrons
     raw_dn: int  # 12-bit code for the sum of both
     code: int  # 8-bit sRGB
 
@@ -58,8 +58,8 @@ class Station:
     """One entry of the ledger."""
 
     title: str
-    numbers: str  # The result of this link, with units
-    sentence: str  # Description of this link, for a reader who cannot see the drawing
+    numbers: str  # the result of this link, with units
+    sentence: str  # description of this link, for a reader who cannot see the drawing
     role: str
 
 

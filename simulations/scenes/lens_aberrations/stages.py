@@ -38,7 +38,7 @@ WIDTH_PX, HEIGHT_PX = 320, 240
 CLOSE_TOP, CLOSE_LEFT = HEIGHT_PX - 48, WIDTH_PX - 64  # the close-up: the last 64 × 48 px
 FOCAL_MM, FOCAL_PX = 24.0, 200.0
 PITCH_MM = FOCAL_MM / FOCAL_PX
-RIM_MM = 9.0  # Radius of the lens barrel's front rim: just wider than the widest opening
+RIM_MM = 9.0  # radius of the lens barrel's front rim: just wider than the widest opening
 GLASSES = {
     "ideal": Glass(abbe_number=math.inf),
     "crown": Glass(),
@@ -51,7 +51,7 @@ SMALLEST_SHARE = 1e-4
 LINES_UM = (LINE_C_UM, LINE_D_UM, LINE_F_UM)  # peaks of the red, green and blue channel
 WIDTH_UM = 0.03  # the standard deviation of each
 SUBDIVISIONS = 5  # reference wavelengths per standard deviation
-FIRST_ROUND = 9  # Least count of reference wavelengths: with fewer a channel would have no light
+FIRST_ROUND = 9  # least count of reference wavelengths: with fewer a channel would have no light
 
 
 def own_wavelengths(count: int) -> tuple[Band, ...]:

@@ -22,10 +22,8 @@ from simulations.engine.drawing import (
     polyline,
     text,
 )
-from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.engine.plotting.legend import Entry, legend
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.scenes import _ball
 from simulations.scenes._ball import HEIGHT, WIDTH, outlined_dot

@@ -34,9 +34,9 @@ class Model:
     """A model of a highlight as a power of a cosine."""
 
     name: str
-    cosine: str  # The cosine, in the letters of the plot
+    cosine: str  # the cosine, in the letters of the plot
     light: Callable[..., Floats]
-    turn: float  # Turn of the camera per increase of the cosine's angle
+    turn: float  # turn of the camera per increase of the cosine's angle
     true_cosine: Callable[[Ball, float], Floats]
     """Computes the cosine (h, w) in float64, for the angle of a light."""
 

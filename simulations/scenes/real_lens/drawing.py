@@ -9,9 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from simulations.engine.drawing import dot, line, path, polygon, polyline, text
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.arrays import Floats
 from simulations.models.lens import singlet
 
@@ -42,7 +40,7 @@ class Glass:
 
     lens: singlet.Singlet
     rim_mm: float
-    distance_mm: float  # Distance of the object; inf for parallel light
+    distance_mm: float  # distance of the object; inf for parallel light
     thin_mm: float
     paraxial_mm: float
     """Place of the image on the axis behind the lens's middle; negative or infinite if there is
@@ -59,7 +57,7 @@ class Section:
     """The part of the axis in the first panel."""
 
     per_mm: float
-    lens_x: float  # Column of the lens's middle
+    lens_x: float  # column of the lens's middle
 
     @property
     def left_mm(self) -> float:

@@ -60,7 +60,7 @@ class Brightness:
 class PlanesView:
     """What the picture shows of floor and wall, and what these see of the ball."""
 
-    fine: float  # Pixels per unit of the view box
+    fine: float  # pixels per unit of the view box
     pixels: NDArray[np.intp]  # (N,) indices of the pixels that show the planes
     cover: Floats  # (N,) share of the pixel that they cover
     shown: Surface  # (N,) the places shown

@@ -13,10 +13,8 @@ import numpy as np
 from simulations.engine.drawing import arrow, circle, dot, line, polygon, text
 from simulations.engine.frame import Frame, Panel, format_number, readout
 from simulations.engine.handles import Handle
-from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.engine.plotting.legend import Entry, legend
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
