@@ -33,9 +33,8 @@ def _cell(row: int, column: int, colour: int) -> str:
 
 def _mosaic() -> Panel:
     marks = [
-        _cell(row, column, int(colour)) + _letter(row, column, LETTERS[int(colour)])
-        for row, line in enumerate(colours())
-        for column, colour in enumerate(line)
+        _cell(*place, int(colour)) + _letter(*place, LETTERS[int(colour)])
+        for place, colour in np.ndenumerate(colours())
     ]
     marks.append(rectangle(_corner(0, 0), 2 * PITCH, 2 * PITCH, "bold"))
     return Panel("mosaic", "One filter over each cell", WIDTH, HEIGHT, overlay="".join(marks))
@@ -48,14 +47,9 @@ def _letter(row: int, column: int, letter: str) -> str:
 
 def _greens() -> Panel:
     row, column = RED_CELL
-    marks = [
-        rectangle(_corner(r, c), PITCH, PITCH, "muted thin faint")
-        for r in range(CELLS)
-        for c in range(CELLS)
-    ]
-    marks += [
-        _cell(r, c, 1) for r, line in enumerate(colours()) for c, k in enumerate(line) if k == 1
-    ]
+    places = [*np.ndindex(CELLS, CELLS)]
+    marks = [rectangle(_corner(*place), PITCH, PITCH, "muted thin faint") for place in places]
+    marks += [_cell(*place, 1) for place in places if colours()[place] == 1]
     x, y = (value + PITCH / 2 for value in _corner(row, column))
     for down, across in NEIGHBOURS:
         start = (x + across * 0.8 * PITCH, y + down * 0.8 * PITCH)
@@ -63,9 +57,8 @@ def _greens() -> Panel:
         marks.append(_letter(row + down, column + across, "¼"))
     marks.append(rectangle(_corner(row, column), PITCH, PITCH, "error bold"))
     marks.append(label((x, y + 5), "?", "error strong", "middle"))
-    return Panel(
-        "green", "Green, and the red cell that lacks it", WIDTH, HEIGHT, overlay="".join(marks)
-    )
+    title = "Green, and the red cell that lacks it"
+    return Panel("green", title, WIDTH, HEIGHT, overlay="".join(marks))
 
 
 def draw() -> Illustration:

@@ -29,12 +29,8 @@ def person(height: float, distance: float) -> str:
     x, top = at(height, distance)
     unit = UNITS_PER_M * height
     foot, shoulder, head = CENTRE[1], top + 0.24 * unit, 0.095 * unit
-    body = [
-        (x - 0.13 * unit, shoulder),
-        (x + 0.13 * unit, shoulder),
-        (x + 0.09 * unit, foot),
-        (x - 0.09 * unit, foot),
-    ]
+    sides = ((-0.13, shoulder), (0.13, shoulder), (0.09, foot), (-0.09, foot))
+    body = [(x + across * unit, y) for across, y in sides]
     return circle((x, top + head), head, "world fill") + polygon(body, "world fill")
 
 

@@ -50,12 +50,9 @@ def _plane() -> Panel:
 
 def _named(name: str, at: Floats, away: tuple[float, float], role: str, anchor: str) -> list[str]:
     """A label at the end of a line from the place that it names."""
-    end = (at[0] + away[0], at[1] + away[1])
-    aside = 4.0 if away[0] > 0 else -4.0
-    return [
-        line((at[0], at[1]), end, f"{role} thin"),
-        label((end[0] + aside, end[1] + 4.0), name, role, anchor),
-    ]
+    x, y = at[0] + away[0], at[1] + away[1]
+    place = (x + (4.0 if away[0] > 0 else -4.0), y + 4.0)
+    return [line((at[0], at[1]), (x, y), f"{role} thin"), label(place, name, role, anchor)]
 
 
 def _picture() -> Panel:

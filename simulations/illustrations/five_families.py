@@ -20,6 +20,7 @@ FAMILIES = (
 )
 """Name, degrees of freedom, a member of the family."""
 LINES = np.linspace(0, 1, 5)
+CARD = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)
 LETTER = np.array([(1, 0.8), (1, 3.2), (3, 3.2), (3, 2.7), (1.6, 2.7), (1.6, 2.2), (2.6, 2.2),
                    (2.6, 1.7), (1.6, 1.7), (1.6, 0.8)]) / 4  # fmt: skip
 """An F, which has no symmetry."""
@@ -40,12 +41,11 @@ def grid(H: Floats) -> list[Floats]:
 
 def draw() -> Illustration:
     panels = []
-    card = [mapped(np.eye(3), np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float))]
     for name, freedoms, H in FAMILIES:
         marks = [
-            polygon(card[0], "muted thin dashed"),
+            polygon(mapped(np.eye(3), CARD), "muted thin dashed"),
             path(grid(H), "image thin"),
-            polygon(mapped(H, np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)), "image"),
+            polygon(mapped(H, CARD), "image"),
             polygon(mapped(H, LETTER), "image solid"),
             label((WIDTH / 2, HEIGHT - 8), f"{freedoms} degrees of freedom", "muted", "middle"),
         ]

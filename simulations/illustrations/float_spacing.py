@@ -24,18 +24,18 @@ def numbers() -> list[float]:
 
 
 def draw() -> Illustration:
-    places = [float(AXIS.position(number)) for number in numbers()]
+    places = [AXIS.place(number) for number in numbers()]
     marks = [
         path([[(x, FOOT - 16), (x, FOOT)] for x in places], "image thin"),
         line((AXIS.start, FOOT), (AXIS.end, FOOT), "muted"),
     ]
     for exponent in range(HIGHEST + 1):
-        x = float(AXIS.position(2.0**exponent))
+        x = AXIS.place(2.0**exponent)
         marks.append(line((x, FOOT - 24), (x, FOOT + 4), "camera bold"))
         marks.append(label((x, FOOT + 20), f"{2**exponent}", "camera", "middle"))
     marks.append(label((AXIS.start, FOOT + 20), "0", "camera", "middle"))
     for low in (1, 2, 4):
-        ends = [(float(AXIS.position(value)), FOOT - 34) for value in (low, 2 * low)]
+        ends = [(AXIS.place(value), FOOT - 34) for value in (low, 2 * low)]
         marks.append(dimension(ends[0], ends[1], "muted"))
         gap = f"gap {2.0**-BITS * low:g}" if low > 1 else f"{2.0**-BITS * low:g}"
         middle = ((ends[0][0] + ends[1][0]) / 2, FOOT - 44)

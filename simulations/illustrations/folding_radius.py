@@ -6,39 +6,34 @@ from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line
 from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.plotting import Axis, Plot, Scale
-from simulations.models.distortion.radial_profile import (
-    RadialProfile,
-    evaluate,
-    fold_radius,
-    largest_image_radius,
-)
+from simulations.models.distortion import radial_profile
+from simulations.models.distortion.radial_profile import RadialProfile, evaluate
 
 WIDTH, HEIGHT = 400.0, 268.0
 PLOT = Plot(Axis(0.0, 1.9, 46, 390), Axis(0.0, 0.84, 226, 12))
 LENS = RadialProfile((-0.3,))
 SEEN, NOWHERE = 0.6, 0.75
+ACROSS = Scale(ticks=(0, 0.5, 1, 1.5), tick_style="muted small")
+UP = Scale(ticks=(SEEN, NOWHERE), tick_style="muted small")
 
 
 def ideal_radii(seen: float) -> list[float]:
     """All radii up to the end of the axis that the polynomial maps to ``seen``."""
     k1 = LENS.numerator[0]
     roots = np.roots([k1, 0.0, 1.0, -seen])
-    return sorted(
-        float(r.real) for r in roots if abs(r.imag) < 1e-12 and 0 <= r.real <= PLOT.x.high
-    )
+    real = (float(root.real) for root in roots if abs(root.imag) < 1e-12)
+    return sorted(root for root in real if 0 <= root <= PLOT.x.high)
 
 
 def draw() -> Illustration:
-    fold, highest = float(fold_radius(LENS)), float(largest_image_radius(LENS))
+    fold = float(radial_profile.fold_radius(LENS))
+    highest = float(radial_profile.largest_image_radius(LENS))
     radii = np.linspace(0.0, PLOT.x.high, 400)
     before, after = radii[radii <= fold], radii[radii >= fold]
     marks = [
-        PLOT.frame(
-            Scale(ticks=(0, 0.5, 1, 1.5), tick_style="muted small"),
-            Scale(ticks=(SEEN, NOWHERE), tick_style="muted small"),
-        ),
-        line(PLOT.at(0, NOWHERE), PLOT.at(1.9, NOWHERE), "error dashed"),
-        line(PLOT.at(0, SEEN), PLOT.at(1.9, SEEN), "image dashed"),
+        PLOT.frame(ACROSS, UP),
+        PLOT.level(NOWHERE, "error dashed"),
+        PLOT.level(SEEN, "image dashed"),
         line(PLOT.at(fold, 0), PLOT.at(fold, highest), "muted thin dashed"),
         PLOT.curve(before, evaluate(LENS, before), "camera bold"),
         PLOT.curve(after, evaluate(LENS, after), "camera dashed"),

@@ -44,13 +44,12 @@ def lines(direction: tuple[float, float]) -> list[Floats]:
     return rows if direction == (1.0, 0.0) else [ends[:, ::-1] for ends in rows]
 
 
-def _above(points: Floats) -> Floats:
-    return np.array([60.0, 222.0]) + np.asarray(points) * np.array([40.0, -40.0])
-
-
 def _plane() -> Panel:
-    marks = [polygon(_above(TILE), "muted fill thin")]
-    marks += [path(map(_above, lines(direction)), role) for role, direction in WAYS]
+    def above(points: Floats) -> Floats:
+        return np.array([60.0, 222.0]) + points * np.array([40.0, -40.0])
+
+    marks = [polygon(above(TILE), "muted fill thin")]
+    marks += [path(map(above, lines(direction)), role) for role, direction in WAYS]
     return Panel("plane", "Tiles, from above", WIDTH, HEIGHT, overlay="".join(marks))
 
 

@@ -16,8 +16,10 @@ WIDTH, HEIGHT, FOCAL_PX = 320.0, 250.0, 250.0
 K = np.array([[FOCAL_PX, 0.0, WIDTH / 2], [0.0, FOCAL_PX, HEIGHT / 2], [0.0, 0.0, 1.0]])
 PAN = from_axis_angle((0.0, 1.0, 0.0), math.radians(30))
 TILT = from_axis_angle((1.0, 0.0, 0.0), math.radians(20))
-ORDERS = (("hinge", "Pan below the hinge that tilts", PAN @ TILT),
-          ("mast", "Tilt first, pan on the slanted mast", TILT @ PAN))  # fmt: skip
+ORDERS = (
+    ("hinge", "Pan below the hinge that tilts", PAN @ TILT),
+    ("mast", "Tilt first, pan on the slanted mast", TILT @ PAN),
+)
 """The camera's axes as columns. The last turn written is the first about the camera's own axes."""
 DOWN = np.array([0.0, 1.0, 0.0])
 POSTS_RAD = np.radians(np.arange(-20, 81, 10))
@@ -48,7 +50,7 @@ def _picture(axes: Floats) -> list[str]:
 
 
 def draw() -> Illustration:
-    panels = []
+    panels, said = [], []
     for name, title, axes in ORDERS:
         up, slant = elevation_deg(axes), abs(slant_deg(axes))
         marks = [
@@ -59,11 +61,8 @@ def draw() -> Illustration:
             label((12, 24), f"looks up by {up:.1f}°, horizon slants by {slant:.1f}°", "small"),
         ]
         panels.append(Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks)))
-    words = "; ".join(
-        f"{title}: the camera looks up by {elevation_deg(axes):.1f}° and its horizon slants by "
-        f"{abs(slant_deg(axes)):.1f}°"
-        for _, title, axes in ORDERS
-    )
-    return Illustration(
-        tuple(panels), f"Two viewfinders after 30° of pan and 20° of tilt. {words}."
-    )
+        said.append(
+            f"{title}: the camera looks up by {up:.1f}° and its horizon slants by {slant:.1f}°"
+        )
+    words = f"Two viewfinders after 30° of pan and 20° of tilt. {'; '.join(said)}."
+    return Illustration(tuple(panels), words)

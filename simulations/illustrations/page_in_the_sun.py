@@ -64,14 +64,12 @@ def _cone() -> list[str]:
     return [polygon(rim.tolist(), "ray fill"), *(line(foot, side, "ray") for side in sides)]
 
 
-def _square() -> str:
+def _page() -> list[str]:
+    """A square metre, and its normal."""
     corners = [(-0.5, -0.5, 0), (0.5, -0.5, 0), (0.5, 0.5, 0), (-0.5, 0.5, 0)]
-    return polygon([SPACE.at(*corner) for corner in corners], "world fill")
-
-
-def _normal() -> list[str]:
     tip = SPACE.at(0, 0, 1)
     return [
+        polygon([SPACE.at(*corner) for corner in corners], "world fill"),
         arrow(SPACE.at(0, 0, 0), tip, "world"),
         label((tip[0] + 6, tip[1] + 6), "n", "world italic ground"),
     ]
@@ -88,9 +86,8 @@ def _solid_angle() -> Panel:
     half = np.radians(np.linspace(-90, 90, 61))
     rows = [np.stack([np.sin(half), 0 * half, np.cos(half)], axis=-1)]
     rows.append(rows[0][:, [1, 0, 2]])
-    marks = [polyline(SPACE.all(row).tolist(), "muted thin") for row in rows]
-    marks += [polyline(base.tolist(), "muted thin"), *_cone()]
-    marks.append(polygon(SPACE.all(_rim(1.0)).tolist(), "ray fill bold"))
+    marks = [polyline(each.tolist(), "muted thin") for each in (*map(SPACE.all, rows), base)]
+    marks += [*_cone(), polygon(SPACE.all(_rim(1.0)).tolist(), "ray fill bold")]
     marks.append(dot(SPACE.at(0, 0, 0), "world", 4))
     below = f"cap on a sphere of radius 1: ω = {solid_angle():.2f} sr"
     return _panel("solid-angle", "Solid angle: how wide", marks, below)
@@ -98,7 +95,7 @@ def _solid_angle() -> Panel:
 
 def _irradiance() -> Panel:
     back = np.array(towards(SUN_DEG))
-    marks = [_square(), *_normal()]
+    marks = _page()
     for x in (-0.36, -0.12, 0.12, 0.36):
         end = np.array([x, 0.0, 0.0])
         marks.append(arrow(SPACE.at(*(end + 0.9 * back)), SPACE.at(*end), "light"))
@@ -107,10 +104,9 @@ def _irradiance() -> Panel:
 
 
 def _radiance() -> Panel:
-    marks = [_square(), *_normal(), *_cone()]
     tip = SPACE.at(*(np.array(towards(VIEW_DEG)) * REACH))
-    marks.append(arrow(SPACE.at(0, 0, 0), tip, "camera"))
-    marks.append(label((tip[0] + 6, tip[1] + 14), "v", "camera italic ground"))
+    v = label((tip[0] + 6, tip[1] + 14), "v", "camera italic ground")
+    marks = [*_page(), *_cone(), arrow(SPACE.at(0, 0, 0), tip, "camera"), v]
     below = f"L = {radiance():.0f} W/(m² sr): {power():.0f} W into this cone"
     return _panel("radiance", "Radiance: one direction", marks, below)
 

@@ -11,6 +11,8 @@ from simulations.models.color.srgb import decode_srgb
 WIDTH, HEIGHT = 400.0, 268.0
 PLOT = Plot(Axis(0, 4, 48, 392), Axis(0, 1, 222, 14))
 """Irradiance, in units of the lamp's on a wall that faces it, and albedo."""
+ACROSS = Scale(ticks=range(5), tick_style="muted small")
+UP = Scale(ticks=(0, 0.5, 1), tick_style="muted small")
 VALUE = 149
 OTHERS = ((75, 1.8), (220, 2.6))
 """Other pixel values, and the places of their labels along the axis."""
@@ -39,10 +41,7 @@ def _above(light: float, value: float, name: str, style: str) -> str:
 
 def draw() -> Illustration:
     marks = [
-        PLOT.frame(
-            Scale(ticks=range(5), tick_style="muted small"),
-            Scale(ticks=(0, 0.5, 1), tick_style="muted small"),
-        ),
+        PLOT.frame(ACROSS, UP),
         *(_curve(value, "muted thin dashed") for value, _ in OTHERS),
         *(_above(light, value, f"{value}", "muted") for value, light in OTHERS),
         _curve(VALUE, "image bold"),

@@ -55,18 +55,16 @@ def _plan() -> str:
 
 
 def _picture() -> str:
-    places = {f"{depth:g} m": float(COLUMNS.position(column(depth))) for depth in DEPTHS_M}
-    stars = float(COLUMNS.position(PIXEL))
+    places = {f"{depth:g} m": COLUMNS.place(column(depth)) for depth in DEPTHS_M}
+    stars = COLUMNS.place(PIXEL)
     marks = [rectangle((8, 40), 304, 112, "image thin")]
     marks += [arrow((stars, ROW), (min(places.values()), ROW), "ray thin")]
     for name, place in {**places, "∞": stars}.items():
-        marks += [
-            dot((place, ROW), "world" if name != "∞" else "muted", 5),
-            label((place, ROW - 14), name, "world" if name != "∞" else "muted", "middle"),
-        ]
+        role = "world" if name != "∞" else "muted"
+        marks += [dot((place, ROW), role, 5), label((place, ROW - 14), name, role, "middle")]
     for depth, place in zip(DEPTHS_M, places.values(), strict=True):
         slide = f"−{PIXEL - column(depth):g} px"
-        marks += [label((place, ROW + 24), slide, "ray small", "middle")]
+        marks.append(label((place, ROW + 24), slide, "ray small", "middle"))
     return "".join(marks)
 
 

@@ -20,28 +20,17 @@ def mean_electrons() -> float:
 def stations() -> tuple[tuple[str, str, str, str], ...]:
     """The quantity after each step, its unit, and the noise of the step."""
     mean = mean_electrons()
-    code = int(quantise(mean / SENSOR.gain_e_per_dn + SENSOR.black_level_dn, SENSOR.bits))
+    gain, black = SENSOR.gain_e_per_dn, SENSOR.black_level_dn
+    code = int(quantise(mean / gain + black, SENSOR.bits))
     photons = PHOTONS_PER_S * EXPOSURE_S
+    counted = f"× {SENSOR.quantum_efficiency:g}, + {SENSOR.dark_current_e_per_s:g} dark"
+    read = f"read noise ± {SENSOR.read_noise_e:g} e^−"
+    rounded = f"rounding ± {1 / math.sqrt(12):.2f} DN"
     return (
         (f"{photons:.0f} photons", "light", "", ""),
-        (
-            f"{mean:.0f} electrons",
-            "world",
-            f"× {SENSOR.quantum_efficiency:g}, + {SENSOR.dark_current_e_per_s:g} dark",
-            f"shot noise ± {math.sqrt(mean):.0f} e^−",
-        ),
-        (
-            f"{mean / SENSOR.gain_e_per_dn:.1f} DN",
-            "camera",
-            f"÷ {SENSOR.gain_e_per_dn:g} e^− per DN",
-            f"read noise ± {SENSOR.read_noise_e:g} e^−",
-        ),
-        (
-            f"code {code}",
-            "image",
-            f"+ {SENSOR.black_level_dn:g} DN, rounded",
-            f"rounding ± {1 / math.sqrt(12):.2f} DN",
-        ),
+        (f"{mean:.0f} electrons", "world", counted, f"shot noise ± {math.sqrt(mean):.0f} e^−"),
+        (f"{mean / gain:.1f} DN", "camera", f"÷ {gain:g} e^− per DN", read),
+        (f"code {code}", "image", f"+ {black:g} DN, rounded", rounded),
     )
 
 
@@ -52,8 +41,7 @@ def draw() -> Illustration:
         marks.append(box((LEFT, y), BOX_WIDTH, BOX_HEIGHT, 4, f"{role} fill"))
         marks.append(label((LEFT + BOX_WIDTH / 2, y + 25), name, f"{role} strong", "middle"))
         if index:
-            top = y - GAP
-            x = LEFT + BOX_WIDTH / 2
+            top, x = y - GAP, LEFT + BOX_WIDTH / 2
             marks.append(arrow((x, top), (x, y), "muted"))
             marks.append(label((x - 10, top + 26), way, "muted small", "end"))
             marks.append(arrow((x + 44, top + 21), (x + 4, top + 21), "error", 7))

@@ -23,12 +23,12 @@ SIZES = (
 def draw() -> Illustration:
     marks = [line((AXIS.start, FOOT), (AXIS.end, FOOT), "muted")]
     for power in range(-16, 1, 4):
-        x = float(AXIS.position(10.0**power))
+        x = AXIS.place(10.0**power)
         name = "1" if power == 0 else f"10^{{−{-power}}}"
         marks.append(line((x, FOOT), (x, FOOT + 5), "muted"))
         marks.append(label((x, FOOT + 22), name, "muted small", "middle"))
     for row, (size, name, role) in enumerate(SIZES):
-        x, y = float(AXIS.position(size)), 26.0 + 34 * row
+        x, y = AXIS.place(size), 26.0 + 34 * row
         marks.append(line((x, y + 4), (x, FOOT), f"{role} thin"))
         marks.append(dot((x, FOOT), role, 4.5))
         side, anchor = (-8, "end") if x > 200 else (8, "start")
