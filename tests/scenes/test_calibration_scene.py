@@ -4,68 +4,89 @@ import json
 import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 import pytest
-from support.frames import frame_of, texts_of
+from support.boards import facing_board
+from support.frames import frame_of, pixels_of, texts_of
 from support.sittings import SIZE, TRUTH, photographs
 
+from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
-from simulations.engine.stages import StageCache
+from simulations.engine.stages import Outputs, StageCache
 from simulations.models.calibration.left_out import Growth
+from simulations.models.chequerboard.board import Board
 from simulations.models.chequerboard.find_board import find_board
 from simulations.models.error_measures import root_mean_square
+from simulations.pictures.chequerboard import Look, photograph_of, true_corners
 from simulations.scenes.calibration import boards
-from simulations.scenes.calibration.boards import SIGMA_PX, rendered, simulated_sitting
-from simulations.scenes.calibration.plots import growth_plot
-from simulations.scenes.calibration.scene import SCENE
-from simulations.scenes.calibration.settings import ERRORS, LEAST, MOST, Settings
+from simulations.scenes.calibration.boards import (
+    LEAST,
+    MOST,
+    SIGMA_PX,
+    read,
+    rendered,
+    simulated_sitting,
+)
+from simulations.scenes.calibration.drawing import growth_plot
+from simulations.scenes.calibration.scene import ERRORS, SCENE, Settings, measured, sheet
 
-frame = partial(frame_of, SCENE)
+FACTS = {"focal_mm": 4.0, "focal_35mm_mm": 26.0, "make": "Acme", "model": "A1"}
 
 
 def readings(count: int, *, size: tuple[int, int] = SIZE, first: int = 0) -> Readings:
-    """Of photographs by the tests' camera, as `read` would return them."""
+    """Photographs by the tests' camera, as `read` would return them."""
     sat = photographs(count, seed=8)
-    views = sat.views(0.05)
+    data = {
+        "width": size[0],
+        "height": size[1],
+        "indices": sat.board.indices.astype(int).tolist(),
+        "facts": FACTS,
+    }
+    corners = sat.views(0.05).pixels.tolist()
     return tuple(
-        Reading(
-            first + index,
-            f"{index}.jpg",
-            {
-                "width": size[0],
-                "height": size[1],
-                "corners": views.pixels[index].tolist(),
-                "indices": sat.board.indices.astype(int).tolist(),
-                "facts": {"focal_mm": 4.0, "focal_35mm_mm": 26.0, "make": "Acme", "model": "A1"},
-            },
-        )
-        for index in range(count)
+        Reading(first + index, f"{index}.jpg", {**data, "corners": each})
+        for index, each in enumerate(corners)
     )
 
 
-def outputs_of(settings: Settings, given: Readings = ()) -> dict[str, object]:
-    return dict(SCENE.run(settings, "", StageCache(), None, given).outputs)
+def with_facts(given: Readings, *facts: dict[str, object]) -> Readings:
+    pairs = zip(given, facts, strict=False)
+    return tuple(replace(each, data={**each.data, "facts": own}) for each, own in pairs)
+
+
+def outputs_of(settings: Settings, given: Readings = ()) -> Outputs:
+    return SCENE.run(settings, "", StageCache(), None, given).outputs
+
+
+def frame_from(given: Readings, **settings: object) -> Frame:
+    return SCENE.render(SCENE.check(settings), "", StageCache(), None, given)
+
+
+def test_corners_and_facts_of_a_photograph_are_kept_as_json() -> None:
+    board = Board(8, 6, 25.0)
+    view = facing_board(board, 480, 360, focal_px=420.0, tilt=(0.2, -0.3, 0.1), distance_mm=330.0)
+    grey = photograph_of(board, view, Look(noise_codes=1.0))
+    facts: dict[str, float | str] = {"focal_mm": 4.2, "model": "Box", "full_width": 480.0}
+    photograph = Photograph(7, np.repeat(grey[..., None], 3, axis=2), "a.jpg", facts)
+    kept = json.loads(json.dumps(read(photograph)))
+    assert (kept["width"], kept["height"], kept["columns"], kept["rows"]) == (480, 360, 7, 5)
+    assert kept["facts"] == facts
+    place = {tuple(i): corner for i, corner in zip(kept["indices"], kept["corners"], strict=True)}
+    ours = np.array([place[column, row] for column, row in board.indices.astype(int).tolist()])
+    truth = true_corners(board, view)
+    assert min(np.abs(found - truth).max() for found in (ours, ours[::-1])) < 0.05  # or turned
+    with pytest.raises(UnfitError, match=r"^No chequerboard found; .*\.$"):
+        read(Photograph(1, np.full((40, 30, 3), 200, np.uint8)))
 
 
 @pytest.mark.parametrize("count", [5, 12, 20])
-def test_the_right_model_gives_the_true_focal_length_within_three_standard_errors(
-    count: int,
-) -> None:
-    shown = texts_of(frame(photographs=count, lens="p1p2"))
+def test_the_right_model_gives_the_true_focal_length(count: int) -> None:
+    """Within three standard errors."""
+    shown = texts_of(frame_of(SCENE, photographs=count, lens="p1p2"))
     off = float(shown["focal"]) - boards.TRUTH.fx
     assert abs(off) < 3.0 * float(shown["focal_error"]) + 0.05
-
-
-def test_k3_is_supported_by_no_count_of_photographs_and_p1_p2_from_six_on() -> None:
-    cache = StageCache()
-    names = [
-        texts_of(SCENE.render(SCENE.check({"photographs": count}), "", cache))["supported"]
-        for count in range(LEAST, MOST + 1)
-    ]
-    assert names == ["k₁ and k₂"] * 3 + ["k₁, k₂, p₁, p₂"] * 15
 
 
 def test_corners_of_the_rendered_photographs_are_as_noisy_as_the_simulated_ones() -> None:
@@ -78,136 +99,112 @@ def test_corners_of_the_rendered_photographs_are_as_noisy_as_the_simulated_ones(
     assert root_mean_square(np.concatenate(off)) == pytest.approx(SIGMA_PX, rel=0.25)
 
 
-def test_a_photograph_that_was_not_used_is_marked() -> None:
-    used, unused = (frame(photographs=5, shown=shown).panels[0].overlay for shown in (5, 6))
-    assert "not used" in unused
-    assert "not used" not in used
+def test_p1_p2_are_supported_from_six_photographs_on_and_k3_never() -> None:
+    cache = StageCache()
+    names = [
+        texts_of(frame_of(SCENE, "", cache, photographs=count))["supported"]
+        for count in range(LEAST, MOST + 1)
+    ]
+    assert names == ["k₁ and k₂"] * 3 + ["k₁, k₂, p₁, p₂"] * 15
 
 
-def test_the_errors_of_all_photographs_used_can_be_drawn_at_once() -> None:
-    one, every = (frame(photographs=8, arrows=arrows).panels[0].overlay for arrows in ERRORS)
-    assert one.count("<circle") == 54
-    assert every.count("M") == 2 * 8 * 54
-
-
-def test_right_of_the_dividing_line_the_board_is_straight() -> None:
-    before, after = (frame(lens="k1k2", share=share).panels[0].raster for share in (1.0, 0.0))
-    assert before is not None
-    assert after is not None
+def test_the_drawing_has_the_errors_of_one_or_all_photographs_and_the_straight_board() -> None:
+    one, every = (frame_of(SCENE, photographs=8, arrows=arrows).panels[0] for arrows in ERRORS)
+    assert one.overlay.count("<circle") == 54
+    assert every.overlay.count("M") == 2 * 8 * 54
+    used, unused = (frame_of(SCENE, shown=shown).panels[0].overlay for shown in (5, 6))
+    assert ["not used" in overlay for overlay in (used, unused)] == [False, True]
+    before, after = (pixels_of(frame_of(SCENE, lens="k1k2", share=share)) for share in (1.0, 0.0))
     assert after.shape == before.shape
     assert (after != before).any()
 
 
-def test_the_readers_corners_take_the_place_of_the_simulated_ones() -> None:
-    given = readings(8)
-    out = SCENE.render(
-        SCENE.check({"photographs": 8, "lens": "p1p2"}), "", StageCache(), None, given
-    )
+def test_corners_of_the_reader_replace_the_simulated_ones() -> None:
+    given, settings = readings(8), {"photographs": 8, "lens": "p1p2", "share": 0.5}
+    out = frame_from(given, **settings)
     shown = texts_of(out)
     assert float(shown["focal"]) == pytest.approx(TRUTH.fx, abs=4 * float(shown["focal_error"]))
     assert "true" not in out.description
     assert out.panels[0].raster is None
-
-
-def test_photographs_of_another_size_are_left_out() -> None:
-    given = readings(5) + readings(3, size=(480, 640), first=50)
-    found = boards.boards(given)
-    assert len(found.views) == 5
-    assert found.size == SIZE
-    assert "3 of another size are" in found.notes[0]
-    assert "1 of another size is" in boards.boards(given[:6]).notes[0]
-    assert SCENE.measured
-    assert SCENE.measured(outputs_of(Settings(), given)) == found.numbers
-    three = replace(Settings(), photographs=3)
-    assert SCENE.measured(outputs_of(three, given)) == found.numbers[:3]
-
-
-def test_different_focal_lengths_in_the_files_and_too_many_photographs_are_noted() -> None:
-    given = readings(3) * 8
-    zoomed = replace(given[0], data={**given[0].data, "facts": {"focal_mm": 8.0}})
-    notes = boards.boards((*given, zoomed)).notes
-    assert notes == ("The first 20 are used.",)
-    assert "4 to 8 mm" in boards.boards((zoomed, *given)).notes[1]
-
-
-def test_too_few_of_one_size_name_those_of_another() -> None:
-    given = readings(4, size=(480, 640))[2:] + readings(1)
-    out = SCENE.render(Settings(), "", StageCache(), None, given)
-    for panel in out.panels[1:]:
-        assert "At least 3" in panel.overlay
-        assert "another size" in " ".join(re.findall(r">([^<]+)<", panel.overlay))
-    assert SCENE.sheet
-    problem, note = SCENE.sheet(Settings(), outputs_of(Settings(), given))
-    assert "At least 3" in problem.text
-    assert "another size" in note.text
-
-
-def test_different_cameras_are_noted() -> None:
-    given = readings(4)
-    other = {"make": "Maker", "model": "Two"}
-    facts = [{"make": "Maker", "model": "One"}, other, other, {}]
-    mixed = tuple(
-        replace(r, data={**r.data, "facts": f}) for r, f in zip(given, facts, strict=True)
-    )
-    (note,) = boards.boards(mixed).notes
-    assert "Maker One and Maker Two" in note
-    assert boards.boards(mixed[1:]).notes == ()
-
-
-@pytest.mark.parametrize("count", [1, 2])
-def test_too_few_photographs_say_so(count: int) -> None:
-    given = readings(count)
-    out = SCENE.render(Settings(), "", StageCache(), None, given)
-    assert "At least 3" in out.description
-    assert texts_of(out)["focal"] == "not determined"
-    sheet = SCENE.sheet
-    assert sheet is not None
-    (line,) = sheet(Settings(), outputs_of(Settings(), given))
-    assert "At least 3" in line.text
-    with pytest.raises(UnfitError, match="At least 3"):
-        SCENE.exports[0].make(Settings(), outputs_of(Settings(), given))
-
-
-def test_the_chosen_photograph_of_the_reader_is_shown_smaller_with_its_own_errors() -> None:
-    given = readings(6)
-    codes = np.full((240, 320, 3), 90, np.uint8)
-    settings = Settings(photographs=6, lens="p1p2", share=0.5)
-    out = SCENE.render(settings, "", StageCache(), Photograph(4, codes), given)
-    raster = out.panels[0].raster
-    assert raster is not None
-    assert raster.shape == (240, 320, 4)
+    chosen = Photograph(4, np.full((240, 320, 3), 90, np.uint8))
+    out = SCENE.render(SCENE.check(settings), "", StageCache(), chosen, given)
+    assert pixels_of(out).shape == (240, 320, 4)
     assert float(texts_of(out)["rms_shown"]) < 0.2
 
 
-def test_files_and_sheet_hold_the_same_numbers() -> None:
+ONE, TWO = {"make": "Maker", "model": "One"}, {"make": "Maker", "model": "Two"}
+OTHERS = readings(3, size=(480, 640), first=50)
+
+
+@pytest.mark.parametrize(
+    ("given", "notes"),
+    [
+        (readings(5) + OTHERS, ["3 of another size are left out"]),
+        (readings(5) + OTHERS[:1], ["1 of another size is left out"]),
+        (readings(3) * 8, ["The first 20 are used"]),
+        (readings(3) * 8 + with_facts(readings(1), {"focal_mm": 8.0}), ["The first 20 are used"]),
+        (
+            with_facts(readings(1), {"focal_mm": 8.0}) + readings(3) * 8,
+            ["The first 20 are used", "They were taken at 4 to 8 mm"],
+        ),
+        (
+            with_facts(readings(4), ONE, TWO, TWO, {}),
+            ["They were taken by Maker One and Maker Two"],
+        ),
+        (with_facts(readings(3), TWO, TWO, {}), []),
+    ],
+)
+def test_unlike_photographs_are_noted(given: Readings, notes: list[str]) -> None:
+    found = boards.boards(given)
+    assert found.size == SIZE
+    assert [note[: len(ours)] for note, ours in zip(found.notes, notes, strict=True)] == notes
+    for count in (3, 5):
+        settings = SCENE.check({"photographs": count})
+        assert measured(outputs_of(settings, given)) == found.numbers[:count]
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (readings(1), ("At least 3",)),
+        (readings(2), ("At least 3",)),
+        (readings(1) + readings(2, size=(480, 640)), ("At least 3", "another size")),
+    ],
+)
+def test_too_few_photographs_are_refused_everywhere(
+    given: Readings, words: tuple[str, ...]
+) -> None:
+    out, outputs = frame_from(given), outputs_of(Settings(), given)
+    assert texts_of(out)["focal"] == "not determined"
+    lines = " ".join(line.text for line in sheet(Settings(), outputs))
+    plots = [" ".join(re.findall(r">([^<]+)<", panel.overlay)) for panel in out.panels[1:]]
+    for word in words:
+        assert all(word in text for text in (out.description, lines, *plots))
+    with pytest.raises(UnfitError, match="At least 3"):
+        SCENE.exports[0].make(Settings(), outputs)
+
+
+def test_files_sheet_and_developed_photograph_are_of_the_same_camera() -> None:
     settings, given = Settings(photographs=8, lens="p1p2"), readings(8)
     outputs = outputs_of(settings, given)
     yaml, text, xml = (export.make(settings, outputs) for export in SCENE.exports)
-    read = json.loads(text)
-    assert f"{read['camera']['fx']:.17g}" in yaml
-    assert [p["name"] for p in read["photographs"]] == [f"{index}.jpg" for index in range(8)]
+    saved = json.loads(text)
+    assert f"{saved['camera']['fx']:.17g}" in yaml
+    assert [p["name"] for p in saved["photographs"]] == [f"{index}.jpg" for index in range(8)]
     lens = ET.fromstring(xml).find("lens")
     assert lens is not None
     assert lens.findtext("maker") == "Acme"
     assert float(lens.findtext("cropfactor") or "") == 6.5
-    sheet = SCENE.sheet
-    assert sheet is not None
     lines = {line.name: line.text for line in sheet(settings, outputs)}
-    assert lines["fx"].startswith(f"{read['camera']['fx']:.2f} ± ")
+    focal, error = map(float, lines["fx"].split(" ± "))
+    assert focal == pytest.approx(saved["camera"]["fx"], abs=error / 10)
     assert lines["photographs"] == "8"
-    worst = max(read["photographs"], key=lambda photograph: photograph["rms_px"])
+    worst = max(saved["photographs"], key=lambda photograph: photograph["rms_px"])
     assert lines["worst"] == f"{worst['rms_px']:.3f} px, {worst['name']}"
     assert float(lines["stated"]) == pytest.approx(26 * 800 / 43.27, abs=1)
-
-
-def test_a_whole_photograph_is_developed_at_its_own_size() -> None:
-    develop = SCENE.develop
-    assert develop is not None
-    settings, given = Settings(photographs=6, lens="p1p2"), readings(6)
-    outputs = outputs_of(settings, given)
     codes = np.random.default_rng(0).integers(0, 255, (960, 1280, 3)).astype(np.uint8)
-    made = develop(Photograph(0, codes), settings, outputs)
-    assert made.shape == codes.shape
+    assert SCENE.develop
+    assert SCENE.develop(Photograph(0, codes), settings, outputs).shape == codes.shape
 
 
 def test_the_focal_length_of_a_few_photographs_fits_into_its_plot() -> None:

@@ -3,6 +3,9 @@
 The camera of the simulation is known, so that the figure can be judged. Only the photograph that is
 shown is rendered and its corners found; the others' corners are the true ones with the noise that
 the finder has on such pictures.
+
+All photographs of the reader's may show different boards or parts of one, as the pose of each is
+found with the side of its own squares as the unit of length.
 """
 
 import math
@@ -15,15 +18,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.reading import Readings
+from simulations.engine.photograph import Photograph
+from simulations.engine.reading import Readings, UnfitError
 from simulations.models.calibration.camera import Camera
 from simulations.models.calibration.simulated import Sitting, sitting
 from simulations.models.calibration.views import Views
 from simulations.models.chequerboard.board import Board
+from simulations.models.chequerboard.board_search import NoBoardError
+from simulations.models.chequerboard.find_board import find_board
 from simulations.models.distortion.lens_model import Distortion
 from simulations.pictures.chequerboard import Look, View, photograph_of
-from simulations.scenes.calibration.settings import MOST
 
+LEAST, MOST = 3, 20  # photographs of a calibration
 SIZE = (640, 480)
 TRUTH = Camera(520.0, 520.0, 322.0, 238.0, Distortion(k1=-0.25, k2=0.08, p1=2e-4, p2=-1.5e-4))
 """The simulated camera. Its lens elements are a little off centre."""
@@ -34,6 +40,7 @@ SEED = 14
 FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 LOOK = Look(shading=0.25, blur_px=1.2, noise_codes=6.0)
 """Hand-held, by the light of a lamp."""
+DIGITS = 4  # decimals of the corners in px that are kept of a photograph
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,10 +60,36 @@ class Boards:
     focal_px: float | None = None
     """Focal length that the files state, as an equivalent on full frame."""
 
-    @property
-    def true_focal(self) -> float | None:
-        """f_x of the simulated camera."""
-        return self.truth.fx if self.truth else None
+
+def read(photograph: Photograph) -> Mapping[str, Any]:
+    """The size of the photograph in px, its corners in px with columns and rows, and its facts.
+
+    Returns
+    -------
+    ``width`` and ``height``; ``corners``, pairs of x and y; ``indices``, pairs of column and row;
+    ``columns`` and ``rows``, how many there are; ``blur_px``; ``facts``.
+
+    Raises
+    ------
+    UnfitError
+        With the sentence of `NoBoardError`.
+    """
+    try:
+        board = find_board(photograph.codes)
+    except NoBoardError as reason:
+        raise UnfitError(str(reason)) from None
+    height, width = photograph.codes.shape[:2]
+    columns, rows = board.size
+    return {
+        "width": width,
+        "height": height,
+        "corners": board.places.round(DIGITS).tolist(),
+        "indices": board.indices.tolist(),
+        "columns": columns,
+        "rows": rows,
+        "blur_px": round(board.blur_px, 2),
+        "facts": dict(photograph.facts),
+    }
 
 
 @lru_cache(maxsize=1)
@@ -66,27 +99,26 @@ def simulated_sitting() -> Sitting:
 
 
 def boards(readings: Readings) -> Boards:
-    """Of the reader's photographs, or of the simulated ones if there are none."""
-    if readings:
-        return _own(readings)
-    names = tuple(f"Photograph {index + 1}" for index in range(MOST))
-    return Boards(simulated_sitting().views(SIGMA_PX), SIZE, names, (), TRUTH)
+    """The boards of the reader's photographs, or of the simulated ones if there are none.
 
-
-def _own(readings: Readings) -> Boards:
-    """Those of the most frequent size, `MOST` of them."""
+    Of the reader's those of the most frequent size are used, at most `MOST`.
+    """
+    if not readings:
+        names = tuple(f"Photograph {index + 1}" for index in range(MOST))
+        return Boards(simulated_sitting().views(SIGMA_PX), SIZE, names, (), TRUTH)
     sizes = [(int(r.data["width"]), int(r.data["height"])) for r in readings]
     size, count = Counter(sizes).most_common(1)[0]
     kept = [r for r, own in zip(readings, sizes, strict=True) if own == size][:MOST]
-    views = Views.stack([(np.array(r.data["indices"]), np.array(r.data["corners"])) for r in kept])
     facts = [r.data.get("facts", {}) for r in kept]
+    stated = facts[0].get("focal_35mm_mm")
     return Boards(
-        views,
+        Views.stack([(np.array(r.data["indices"]), np.array(r.data["corners"])) for r in kept]),
         size,
         tuple(r.name for r in kept),
         tuple(r.number for r in kept),
         notes=tuple(_notes(len(readings) - count, count - len(kept), facts)),
-        focal_px=_stated_focal_px(facts[0], size),
+        # by the diagonals of picture and full frame
+        focal_px=float(stated) * math.hypot(*size) / FULL_FRAME_DIAGONAL_MM if stated else None,
     )
 
 
@@ -106,12 +138,6 @@ def _notes(others: int, spare: int, facts: Sequence[Mapping[str, Any]]) -> Itera
         yield f"They were taken by {' and '.join(cameras)}; calibrate each camera by itself."
 
 
-def _stated_focal_px(facts: Mapping[str, Any], size: tuple[int, int]) -> float | None:
-    """By the diagonals of picture and full frame."""
-    stated = facts.get("focal_35mm_mm")
-    return float(stated) * math.hypot(*size) / FULL_FRAME_DIAGONAL_MM if stated else None
-
-
 def rendered(index: int, scale: float = 1.0) -> NDArray[np.uint8]:
     """(H, W, 1) codes of a simulated photograph, also smaller than `SIZE`."""
     simulated = simulated_sitting()
@@ -121,6 +147,5 @@ def rendered(index: int, scale: float = 1.0) -> NDArray[np.uint8]:
     camera = simulated.camera.scaled(scale)
     width, height = (round(scale * side) for side in simulated.size)
     look = replace(LOOK, blur_px=scale * LOOK.blur_px, seed=index)
-    return photograph_of(BOARD, View(width, height, camera.matrix, camera.lens, pose), look)[
-        ..., None
-    ]
+    view = View(width, height, camera.matrix, camera.lens, pose)
+    return photograph_of(BOARD, view, look)[..., None]

@@ -1,16 +1,26 @@
-"""The photograph with its corners and their errors."""
+"""The photograph with its corners and their errors, and the plots: the error of each model of the
+lens, and the focal length by the photographs."""
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.drawing import circle, line, path, rectangle, text
+from simulations.engine.drafting import label
+from simulations.engine.drawing import circle, line, path, text
 from simulations.engine.frame import format_number
 from simulations.engine.letters import width_of
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.legend import Entry, legend
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
+from simulations.models.calibration.camera import LENSES
+from simulations.models.calibration.left_out import Growth
+from simulations.models.calibration.model_choice import Trial
+from simulations.scenes.calibration.boards import LEAST, MOST
 
-WIDTH = 400.0
-"""View box units of the width of a photograph."""
+WIDTH, HEIGHT = 400.0, 300.0  # of the plots; a photograph is as wide
 ARROW, STROKE = 13.0, 7.0
 """Lengths that the RMS error is enlarged to, about: of one photograph, and of many."""
 HEAD = 4.0
@@ -19,15 +29,24 @@ MARGIN = 10.0
 LINE_AT = 0.9
 """Place of the handle on the dividing line, as a share of the height from the top."""
 
+LEFT, RIGHT, TOP, FOOT, FOOT_GROWN = 46.0, 388.0, 40.0, 190.0, 214.0
+ACROSS = Axis(0.0, float(len(LENSES)), LEFT, RIGHT)
+COUNTS = Axis(LEAST, MOST, 58.0, RIGHT)  # of photographs
+TICKS = ("none", "k₁", "+ k₂", "+ p₁p₂", "+ k₃")
+"""Each model has the coefficients of those before it."""
+SETTLED_FROM = 5
+"""Count from which errors must fit into the plot; with fewer they may be huge."""
+LEAST_REACH = 0.01
+"""Pixels on both sides of the last focal length that the plot always shows."""
+ROUND = tuple(step * 10.0**power for power in range(-7, 8) for step in (1.0, 2.0, 5.0))
+"""Values at which an axis of errors may end."""
+LINE, WORDS_PER_LINE = 18.0, 46
+"""Distance between lines of text, and letters of a line across a panel."""
+
 
 def view_box(size: tuple[int, int]) -> tuple[float, float]:
     """Width and height of the panel of a photograph of this size."""
     return WIDTH, size[1] * WIDTH / size[0]
-
-
-def to_view(pixels: Floats, size: tuple[int, int]) -> Floats:
-    """Places (..., 2) in the panel of places in the photograph."""
-    return (pixels + 0.5) * (WIDTH / size[0])
 
 
 def enlargement(rms_px: float, size: tuple[int, int], length: float = ARROW) -> float:
@@ -37,34 +56,27 @@ def enlargement(rms_px: float, size: tuple[int, int], length: float = ARROW) -> 
     return max(step * power for step in (1.0, 2.0, 5.0) if step * power <= wanted)
 
 
-def corners(found: Floats, off: Floats, size: tuple[int, int], times: float) -> str:
-    """The found corners (N, 2), each with its error, ``times`` enlarged, as an arrow."""
-    start = to_view(found, size)
-    end = start + off * (times * WIDTH / size[0])
-    marks = [circle(place, 2.2, "image thin") for place in start]
-    return "".join(("".join(marks), _arrows(start, end)))
+def error_arrows(
+    found: Floats, off: Floats, size: tuple[int, int], times: float, *, many: bool
+) -> str:
+    """The found corners (N, 2) of one photograph, each with its error, ``times`` enlarged, as an
+    arrow; of many photographs, strokes that start at their corners."""
+    scale = WIDTH / size[0]
+    start = (found + 0.5) * scale
+    shaft = off * (times * scale)
+    end = start + shaft
+    strokes = [*np.stack((start, end), axis=1)]
+    marks = ""
+    if not many:
+        length = np.maximum(np.hypot(*shaft.T), 1e-9)[:, None]
+        along = (end - start) / length * np.minimum(HEAD, 0.6 * length)
+        across = along[:, ::-1] * (0.45, -0.45)
+        strokes += [*np.stack((end - along + across, end, end - along - across), axis=1)]
+        marks = "".join(circle(place, 2.2, "image thin") for place in start)
+    return marks + path(strokes, "casing") + path(strokes, "error")
 
 
-def strokes(found: Floats, off: Floats, size: tuple[int, int], times: float) -> str:
-    """The errors of many photographs' corners (N, 2), each a stroke that starts at its corner."""
-    start = to_view(found, size)
-    end = start + off * (times * WIDTH / size[0])
-    lines = np.stack((start, end), axis=1)
-    return path(lines, "casing") + path(lines, "error")
-
-
-def _arrows(start: Floats, end: Floats) -> str:
-    """Arrows (N, 2) in two elements."""
-    shaft = end - start
-    length = np.maximum(np.hypot(*shaft.T), 1e-9)[:, None]
-    along = shaft / length * np.minimum(HEAD, 0.6 * length)
-    across = along[:, ::-1] * (0.45, -0.45)
-    heads = np.stack((end - along + across, end, end - along - across), axis=1)
-    strokes = [*np.stack((start, end), axis=1), *heads]
-    return path(strokes, "casing") + path(strokes, "error")
-
-
-def legend(times: float, used: bool) -> str:
+def enlarged(times: float, used: bool) -> str:
     """What the arrows show."""
     words = f"errors × {format_number(times, 0 if times >= 1 else 1)}"
     if not used:
@@ -87,7 +99,123 @@ def dividing_line(share: float, size: tuple[int, int]) -> str:
     return "".join(parts)
 
 
-def empty(size: tuple[int, int]) -> str:
-    """The border of a photograph that is not at hand."""
-    width, height = view_box(size)
-    return rectangle((0.5, 0.5), width - 1.0, height - 1.0, "muted thin")
+def place_of(lens: str) -> float:
+    """The middle of a model's column."""
+    return list(LENSES).index(lens) + 0.5
+
+
+def error_plot(trials: tuple[Trial, ...]) -> Plot:
+    """Errors on a logarithmic axis between round values."""
+    values = [t.rms_px for t in trials] + [t.left_out_px for t in trials]
+    usable = [value for value in values if 1e-6 < value < 1e6] or [1.0]
+    low = max(value for value in ROUND if value <= 0.9 * min(usable))
+    high = min(value for value in ROUND if value >= 1.1 * max(usable))
+    return Plot(ACROSS, Axis(low, high, FOOT, TOP, log=True))
+
+
+def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
+    """For each model, its error on the photographs used and left out, and its AIC."""
+    plot, middle = error_plot(trials), place_of(chosen.lens)
+    x = [place_of(trial.lens) for trial in trials]
+    used, left_out = [t.rms_px for t in trials], [t.left_out_px for t in trials]
+    round_errors = _ticks(plot.y)
+    entries = (Entry("photographs used", "image", "dot"), Entry("left out", "error", "dot"))
+    parts = [
+        plot.region(x=(middle - 0.5, middle + 0.5)),
+        plot.frame(
+            Scale(ticks=[(index + 0.5, name) for index, name in enumerate(TICKS)], style="small"),
+            Scale("RMS error", "px", round_errors, round_errors, "small", "muted small"),
+        ),
+        plot.curve(x, used, "image"),
+        plot.curve(x, left_out, "error bold"),
+        *(plot.mark(at, error, "image", 3.0) for at, error in zip(x, used, strict=True)),
+        *(
+            plot.mark(at, min(error, plot.y.high), "error", 4.0)
+            for at, error in zip(x, left_out, strict=True)
+        ),
+        text((plot.x.place(middle), TOP - 8.0), "supported", "small", "middle"),
+        *_akaike(plot, x, [trial.aic for trial in trials]),
+        legend((LEFT, 282.0), entries, "small", RIGHT - LEFT),
+    ]
+    return "".join(parts)
+
+
+def _ticks(axis: Axis) -> list[float]:
+    """Round values between the ends; of more than five, the powers of ten and the ends."""
+    inside = [value for value in ROUND if axis.low <= value <= axis.high]
+    if len(inside) <= 5:
+        return inside
+    powers = [v for v in inside if abs(math.log10(v) - round(math.log10(v))) < 1e-9]
+    return sorted({axis.low, *powers, axis.high} & {*inside})
+
+
+def _akaike(plot: Plot, x: list[float], values: list[float]) -> Iterator[str]:
+    """How far each AIC is above the least."""
+    row = FOOT + 44.0
+    yield text((2.0, row), "ΔAIC", "muted small")
+    for at, value in zip(x, values, strict=True):
+        words = format_number(value - min(values), 0)
+        yield text((plot.x.place(at), row), words, "muted small", "middle")
+
+
+def growth_plot(grown: Growth, truth: float | None) -> Plot:
+    """The focal length with its errors, from `SETTLED_FROM` photographs on or of all, if these are
+    fewer, and the truth."""
+    known = np.isfinite(grown.value) & np.isfinite(grown.error)
+    known &= np.array(grown.counts) >= min(SETTLED_FROM, grown.counts[-1])
+    ends = [grown.value[-1] - LEAST_REACH, grown.value[-1] + LEAST_REACH]
+    ends += [*(grown.value - grown.error)[known], *(grown.value + grown.error)[known]]
+    if truth is not None:
+        ends.append(truth)
+    spare = 0.1 * (max(ends) - min(ends))
+    return Plot(COUNTS, Axis(min(ends) - spare, max(ends) + spare, FOOT_GROWN, TOP))
+
+
+def growth(grown: Growth, count: int, truth: float | None) -> str:
+    """The focal length ± its standard error from the first photographs."""
+    plot = growth_plot(grown, truth)
+    counts = np.array(grown.counts, float)
+    error = np.where(np.isfinite(grown.error), grown.error, 1e6)
+    value = np.where(np.isfinite(grown.value), grown.value, grown.value[-1])
+    here = grown_at(grown, count)
+    entries = [Entry("± one standard error", "image fill faint", "area")]
+    if truth is not None:
+        entries.append(Entry("the truth", "world dashed"))
+    parts = (
+        plot.between(counts, value + error, value - error, "image fill faint"),
+        plot.frame(
+            Scale("photographs", style="small", tick_style="muted small"),
+            Scale("f_x", "px", style="small", tick_style="muted small"),
+        ),
+        plot.curve(counts, value, "image bold"),
+        "" if truth is None else plot.level(truth, "world dashed"),
+        plot.upright(here[0], "muted thin"),
+        plot.mark(*here, "image", 4.5),
+        legend((58.0, 282.0), entries, "small"),
+    )
+    return "".join(parts)
+
+
+def grown_at(grown: Growth, count: int) -> tuple[float, float]:
+    """A count of photographs within those known, and its focal length, or the last if that is not
+    determined."""
+    index = min(max(count - grown.counts[0], 0), len(grown.counts) - 1)
+    value = float(grown.value[index])
+    determined = math.isfinite(value) and value > 0.0
+    return float(grown.counts[index]), value if determined else float(grown.value[-1])
+
+
+def in_words(sentence: str) -> str:
+    """A sentence in place of a plot."""
+    lines: list[str] = [""]
+    for word in sentence.split():
+        joined = f"{lines[-1]} {word}".strip()
+        if len(joined) > WORDS_PER_LINE:
+            lines.append(word)
+        else:
+            lines[-1] = joined
+    top = HEIGHT / 2 - LINE * (len(lines) - 1) / 2
+    return "".join(
+        label((WIDTH / 2, top + LINE * index), words, "", "middle")
+        for index, words in enumerate(lines)
+    )

@@ -1,25 +1,80 @@
-"""Calibrate a Camera: from photographs of a chequerboard to the camera and its errors."""
+"""Calibrate a Camera: from photographs of a chequerboard to the camera and its errors.
 
-from dataclasses import replace
+It also makes files for other programs, the data sheet, and the undistorted photograph.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
-from simulations.engine.photograph import Whole
+from simulations.engine.drawing import rectangle
+from simulations.engine.export import Export
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Raster,
+    Readout,
+    format_number,
+    readout,
+    value_with_error,
+)
+from simulations.engine.handles import Handle, Point
+from simulations.engine.photograph import Codes, Photograph, Whole
 from simulations.engine.raster import opaque
+from simulations.engine.reading import Readings, UnfitError
 from simulations.engine.scene import Scene
+from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
+from simulations.models.calibration import exports
 from simulations.models.calibration.bundle_adjustment import descend
+from simulations.models.calibration.exports import Maker, Report
+from simulations.models.calibration.standard_errors import rms_of_each
+from simulations.models.calibration.undistorted import undistorted
 from simulations.scenes._wipe.wipe import wiped
-from simulations.scenes.calibration import drawing, plots
-from simulations.scenes.calibration.boards import Boards
-from simulations.scenes.calibration.files import EXPORTS, OPEN, develop, measured, sheet
-from simulations.scenes.calibration.handles import HANDLES
-from simulations.scenes.calibration.reading import read
-from simulations.scenes.calibration.settings import LENSES, Settings
-from simulations.scenes.calibration.stages import DRAFT, STAGES, Errors, Looked, Result, Trials
+from simulations.scenes.calibration import drawing
+from simulations.scenes.calibration.boards import LEAST, MOST, Boards, read
+from simulations.scenes.calibration.stages import DRAFT, STAGES, Errors, Result, Shown, Trials
 
+LENSES = {
+    "none": "No distortion",
+    "k1": "k₁",
+    "k1k2": "k₁ and k₂",
+    "p1p2": "k₁, k₂, p₁, p₂",
+    "k3": "k₁, k₂, p₁, p₂, k₃",
+}
+"""The models of the lens by their names in `models.calibration.camera.LENSES`."""
+ERRORS = {"shown": "Of the photograph shown", "all": "Of all photographs used"}
+"""Whose errors are drawn."""
+LABELS = {
+    "fx": ("Focal length, across", "px"),
+    "fy": ("Focal length, down", "px"),
+    "cx": ("Principal point, across", "px"),
+    "cy": ("Principal point, down", "px"),
+    "k1": ("k₁", ""),
+    "k2": ("k₂", ""),
+    "p1": ("p₁", ""),
+    "p2": ("p₂", ""),
+    "k3": ("k₃", ""),
+}
+"""Label and unit of each parameter of the camera."""
+OPEN = "This model of the lens needs more photographs, or more tilted ones"
 UNKNOWN = "not determined"
+INSIDE = 12.0  # least distance of the handle of the dividing line from the right border
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    photographs: int = slider("Photographs", 5, LEAST, MOST, 1)
+    lens: str = choice("Model of the lens", LENSES, default="k1")
+    shown: int = slider("Photograph shown", 3, 1, MOST, 1)
+    arrows: str = choice("Arrows", ERRORS)
+    share: float = slider("Dividing line", 1, 0, 1, 0.01)
+
+
+def true_focal(given: Boards) -> float | None:
+    """f_x of the simulated camera."""
+    return given.truth.fx if given.truth else None
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -27,154 +82,283 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     given: Boards = outputs["boards"]
     trials: Trials = outputs["trials"]
     result: Result | None = outputs["result"]
-    problem = ". ".join((trials.problem or OPEN, *given.notes))
-    width, height = drawing.view_box(given.size)
+    models = grown = drawing.in_words(". ".join((trials.problem or OPEN, *given.notes)))
+    if result:
+        models = drawing.model_errors(trials.found, result.supported)
+    if result and result.grown:
+        grown = drawing.growth(result.grown, settings.photographs, true_focal(given))
+    size, picture = (drawing.WIDTH, drawing.HEIGHT), drawing.view_box(given.size)
+    raster, over, title = _raster(settings, outputs), _over(settings, outputs), "photograph"
     return Frame(
-        panels=(
-            Panel(
-                "photograph",
-                "A photograph of the board",
-                width,
-                height,
-                _raster(settings, outputs),
-                _over(settings, outputs),
-                lead=True,
-            ),
-            Panel(
-                "models",
-                "Error by the model of the lens",
-                plots.WIDTH,
-                plots.HEIGHT,
-                overlay=plots.model_errors(trials.found, result.supported)
-                if result
-                else plots.said(problem),
-            ),
-            Panel(
-                "growth",
-                "Focal length by the photographs",
-                plots.WIDTH,
-                plots.HEIGHT,
-                overlay=plots.growth(result.grown, settings.photographs, given.true_focal)
-                if result and result.grown
-                else plots.said(problem),
-            ),
+        (
+            Panel(title, "A photograph of the board", *picture, raster, over, lead=True),
+            Panel("models", "Error by the model of the lens", *size, overlay=models),
+            Panel("growth", "Focal length by the photographs", *size, overlay=grown),
         ),
-        readouts=tuple(map(_known, _readouts(result, outputs["errors"]))),
-        description=describe(settings, given, trials, result),
+        _readouts(result, outputs["errors"]),
+        describe(settings, given, trials, result),
     )
 
 
 def _raster(settings: Settings, outputs: Outputs) -> Raster | None:
-    looked: Looked = outputs["looked"]
+    looked: Shown = outputs["looked"]
     if looked.codes is None:
         return None
-    developed = outputs["developed"]
-    return np.ascontiguousarray(wiped(opaque(looked.codes), opaque(developed), settings.share))
+    developed = opaque(outputs["developed"])
+    return np.ascontiguousarray(wiped(opaque(looked.codes), developed, settings.share))
 
 
 def _over(settings: Settings, outputs: Outputs) -> str:
-    given: Boards = outputs["boards"]
-    parts = [] if outputs["looked"].codes is not None else [drawing.empty(given.size)]
-    every = settings.arrows == "all"
+    """The errors left of the dividing line; the border of a photograph that is not at hand."""
+    size, looked, every = outputs["boards"].size, outputs["looked"], settings.arrows == "all"
+    parts = []
+    if looked.codes is None:
+        width, height = drawing.view_box(size)
+        parts.append(rectangle((0.5, 0.5), width - 1.0, height - 1.0, "muted thin"))
     errors: Errors | None = outputs["map" if every else "errors"]
     if errors:
         length = drawing.STROKE if every else drawing.ARROW
-        times = drawing.enlargement(errors.rms_px, given.size, length)
-        left = errors.found[:, 0] <= settings.share * given.size[0]
-        draw_them = drawing.strokes if every else drawing.corners
-        parts.append(draw_them(errors.found[left], errors.off[left], given.size, times))
-        count = len(outputs["trials"].views)
-        parts.append(drawing.legend(times, every or outputs["looked"].index < count))
+        times = drawing.enlargement(errors.rms_px, size, length)
+        left = errors.found[:, 0] <= settings.share * size[0]
+        found, off = errors.found[left], errors.off[left]
+        used = every or looked.index < len(outputs["trials"].views)
+        parts.append(drawing.error_arrows(found, off, size, times, many=every))
+        parts.append(drawing.enlarged(times, used))
     if outputs["developed"] is not None:
-        parts.append(drawing.dividing_line(settings.share, given.size))
+        parts.append(drawing.dividing_line(settings.share, size))
     return "".join(parts)
 
 
 def _readouts(result: Result | None, errors: Errors | None) -> tuple[Readout, ...]:
-    """The measured numbers; undefined where the photographs do not determine them."""
-    nan = float("nan")
-    trial = result.trial if result else None
-    camera = trial.fit.camera if trial else None
-    sure = trial.uncertainty.errors if trial else {}
+    """The measured numbers, where the photographs determine them."""
+    numbers, words = {}, {"supported": UNKNOWN, "advice": UNKNOWN}
+    if errors:
+        numbers["rms_shown"] = errors.rms_px
+    if result:
+        trial, camera = result.trial, result.trial.fit.camera
+        words = {"supported": LENSES[result.supported.lens], "advice": result.advice}
+        numbers |= {
+            "focal": camera.fx,
+            "focal_error": trial.uncertainty.errors.get("fx", np.nan),
+            "left_out": trial.left_out_px,
+            "rms": trial.rms_px,
+            "k1": camera.lens.k1,
+            "k2": camera.lens.k2,
+            "covered": 100.0 * result.covered.share,
+        }
+
+    def number(name: str, label: str, unit: str, digits: int, role: str = "") -> Readout:
+        value = numbers.get(name, np.nan)
+        if np.isnan(value):
+            return Readout(name, label, UNKNOWN, "", role)
+        return readout(name, label, value, unit, digits=digits, role=role)
+
     return (
-        readout(
-            "focal", "Focal length fₓ", camera.fx if camera else nan, "px", digits=1, role="image"
-        ),
-        readout("focal_error", "Standard error of fₓ", sure.get("fx", nan), "px", role="image"),
-        readout(
-            "left_out",
-            "Error, left out",
-            trial.left_out_px if trial else nan,
-            "px",
-            digits=4,
-            role="error",
-        ),
-        readout(
-            "rms",
-            "Error, photographs used",
-            trial.rms_px if trial else nan,
-            "px",
-            digits=4,
-            role="image",
-        ),
-        readout(
-            "rms_shown", "Error, photograph shown", errors.rms_px if errors else nan, "px", digits=4
-        ),
-        readout("k1", "k₁", camera.lens.k1 if camera else nan, digits=4),
-        readout("k2", "k₂", camera.lens.k2 if camera else nan, digits=4),
-        readout(
-            "covered",
-            "Covered by corners",
-            100.0 * result.covered.share if result else nan,
-            "%",
-            digits=0,
-        ),
-        Readout(
-            "supported", "Model supported", LENSES[result.supported.lens] if result else UNKNOWN
-        ),
-        Readout("advice", "Next photograph", result.advice if result else UNKNOWN),
+        number("focal", "Focal length fₓ", "px", 1, "image"),
+        number("focal_error", "Standard error of fₓ", "px", 2, "image"),
+        number("left_out", "Error, left out", "px", 4, "error"),
+        number("rms", "Error, photographs used", "px", 4, "image"),
+        number("rms_shown", "Error, photograph shown", "px", 4),
+        number("k1", "k₁", "", 4),
+        number("k2", "k₂", "", 4),
+        number("covered", "Covered by corners", "%", 0),
+        Readout("supported", "Model supported", words["supported"]),
+        Readout("advice", "Next photograph", words["advice"]),
     )
-
-
-def _known(shown: Readout) -> Readout:
-    """Without a number that the photographs do not determine."""
-    undefined = shown.text == format_number(float("nan"))
-    return replace(shown, text=UNKNOWN, unit="") if undefined else shown
 
 
 def describe(settings: Settings, given: Boards, trials: Trials, result: Result | None) -> str:
     """What was found, or why nothing was."""
-    count = len(trials.views)
     notes = "".join(f" {note}" for note in given.notes)
     if result is None:
         return f"{trials.problem or OPEN}.{notes}"
     trial = result.trial
-    words = (
-        f"From {count} photographs of a chequerboard, fₓ = {format_number(trial.fit.camera.fx, 1)} "
-        f"± {format_number(trial.uncertainty.errors['fx'], 1)} px"
-    )
-    if given.truth:
-        words += f" (true: {format_number(given.truth.fx, 0)} px)"
+    focal = value_with_error(trial.fit.camera.fx, trial.uncertainty.errors["fx"])
+    truth = f" (true: {format_number(given.truth.fx, 0)} px)" if given.truth else ""
     return (
-        f"{words}; with the model “{LENSES[settings.lens]}”, photographs left out are predicted to "
+        f"From {len(trials.views)} photographs of a chequerboard, fₓ = {focal} px{truth}; with the "
+        f"model “{LENSES[settings.lens]}”, photographs left out are predicted to "
         f"{format_number(trial.left_out_px, 2)} px, and the model supported is "
         f"“{LENSES[result.supported.lens]}”.{notes}"
     )
 
 
+def _determined(outputs: Outputs) -> Result:
+    result: Result | None = outputs["result"]
+    if result is None:
+        trials: Trials = outputs["trials"]
+        raise UnfitError(f"{trials.problem or OPEN}.")
+    return result
+
+
+def _report(outputs: Outputs) -> Report:
+    given: Boards = outputs["boards"]
+    trial = _determined(outputs).trial
+    each = rms_of_each(outputs["trials"].views, trial.fit).tolist()
+    return Report(
+        trial.fit.camera,
+        given.size,
+        trial.uncertainty.errors,
+        trial.rms_px,
+        trial.fit.poses,
+        tuple(zip(given.names, each, strict=False)),
+    )
+
+
+def maker_of(readings: Readings) -> Maker:
+    """From EXIF of the first photograph; a full frame where the crop factor is not known."""
+    facts = readings[0].data.get("facts", {}) if readings else {}
+    focal, full_frame = facts.get("focal_mm"), facts.get("focal_35mm_mm")
+    known = Maker()
+    return Maker(
+        str(facts.get("make", known.make)),
+        str(facts.get("model", known.model)),
+        str(facts.get("lens", known.lens)),
+        float(focal) if focal else None,
+        float(full_frame) / float(focal) if focal and full_frame else 1.0,
+    )
+
+
+def _file(write: Callable[[Report], str]) -> Callable[[Settings, Outputs], str]:
+    return lambda _settings, outputs: write(_report(outputs))
+
+
+def _lensfun(_settings: Settings, outputs: Outputs) -> str:
+    return exports.lensfun_xml(_report(outputs), maker_of(outputs["readings"]))
+
+
+def develop(photograph: Photograph, _settings: Settings, outputs: Outputs) -> Codes:
+    """The whole photograph without distortion."""
+    given: Boards = outputs["boards"]
+    camera = _determined(outputs).trial.fit.camera
+    return undistorted(photograph.codes, camera.scaled(photograph.codes.shape[1] / given.size[0]))
+
+
+def measured(outputs: Outputs) -> tuple[int, ...]:
+    """Numbers of the photographs that the camera was fitted to."""
+    given: Boards = outputs["boards"]
+    return given.numbers[: len(outputs["trials"].views)]
+
+
+def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
+    """The camera's parameters with standard errors, and how well they predict corners."""
+    given: Boards = outputs["boards"]
+    notes = [Readout(f"note{n}", "Note", note) for n, note in enumerate(given.notes, 1)]
+    if outputs["result"] is None:
+        problem = outputs["trials"].problem or OPEN
+        return (Readout("problem", "Calibration", problem), *notes)
+    result: Result = outputs["result"]
+    trial, (width, height) = result.trial, given.size
+    degrees = float(np.degrees(2.0 * np.arctan(0.5 * width / trial.fit.camera.fx)))
+    each = rms_of_each(outputs["trials"].views, trial.fit)
+    worst = f"{format_number(float(each.max()), 3)} px, {given.names[int(each.argmax())]}"
+    return (
+        Readout("size", "Size of the photographs", f"{width} × {height}", "px"),
+        Readout("photographs", "Photographs used", str(len(trial.fit.poses.t))),
+        Readout("lens", "Model of the lens", LENSES[settings.lens]),
+        *_parameters(result),
+        *(
+            [readout("stated", "Focal length, by the file", given.focal_px, "px", digits=0)]
+            if given.focal_px is not None
+            else []
+        ),
+        readout("field", "Field of view across", degrees, "°", digits=1),
+        readout("rms", "Error, photographs used", trial.rms_px, "px", digits=3),
+        readout("left_out", "Error, left out", trial.left_out_px, "px", digits=3),
+        Readout("worst", "Largest error of a photograph", worst),
+        readout("covered", "Covered by corners", 100 * result.covered.share, "%", digits=0),
+        Readout("supported", "Model supported", LENSES[result.supported.lens]),
+        Readout("advice", "Next photograph", result.advice),
+        *notes,
+    )
+
+
+def _parameters(result: Result) -> Iterator[Readout]:
+    """The camera's parameters that were fitted."""
+    trial = result.trial
+    for name, value in zip(trial.free, trial.fit.camera.values(trial.free).tolist(), strict=True):
+        label, unit = LABELS[name]
+        words = value_with_error(value, trial.uncertainty.errors[name])
+        yield Readout(name, label, words, unit)
+
+
+def line_at(settings: Settings, outputs: Outputs) -> Point | None:
+    if outputs["developed"] is None:
+        return None
+    width, height = drawing.view_box(outputs["boards"].size)
+    return min(settings.share * width, width - INSIDE), drawing.LINE_AT * height
+
+
+def model_at(settings: Settings, outputs: Outputs) -> Point | None:
+    result: Result | None = outputs["result"]
+    if result is None:
+        return None
+    plot = drawing.error_plot(outputs["trials"].found)
+    return plot.clamped(drawing.place_of(settings.lens), result.trial.left_out_px)
+
+
+def model_pulled(_settings: Settings, place: Point) -> dict[str, str]:
+    """The model whose column is nearest."""
+    lenses = list(LENSES)
+    index = int(drawing.ACROSS.value(float(place[0])) // 1)
+    return {"lens": lenses[min(max(index, 0), len(lenses) - 1)]}
+
+
+def count_at(settings: Settings, outputs: Outputs) -> Point | None:
+    result: Result | None = outputs["result"]
+    if result is None or result.grown is None:
+        return None
+    plot = drawing.growth_plot(result.grown, true_focal(outputs["boards"]))
+    return plot.clamped(*drawing.grown_at(result.grown, settings.photographs))
+
+
 SCENE = Scene(
-    id="calibration",
-    title="Calibrate a Camera",
-    settings=Settings,
-    draw=draw,
-    formula=descend,
-    stages=STAGES,
-    handles=HANDLES,
+    "calibration",
+    "Calibrate a Camera",
+    Settings,
+    draw,
+    STAGES,
+    handles=(
+        Handle(
+            "line",
+            "photograph",
+            "Dividing line",
+            ("share",),
+            line_at,
+            lambda _, place: {"share": place[0] / drawing.WIDTH},
+            role="image",
+        ),
+        Handle(
+            "model",
+            "models",
+            "Model of the lens",
+            ("lens",),
+            model_at,
+            model_pulled,
+            "press",
+            "error",
+        ),
+        Handle(
+            "count",
+            "growth",
+            "Count of photographs",
+            ("photographs",),
+            count_at,
+            lambda _, place: {"photographs": drawing.COUNTS.value(float(place[0]))},
+            "press",
+            "image",
+        ),
+    ),
     photograph=Whole(1.0),
     read=read,
-    own_drafts={DRAFT: ("photographs", "shown")},
     develop=develop,
-    exports=EXPORTS,
+    exports=(
+        Export("camera", "OpenCV YAML", ".yaml", _file(exports.opencv_yaml)),
+        Export("camera-and-poses", "JSON", ".json", _file(exports.as_json)),
+        Export("lens", "Lensfun entry", ".xml", _lensfun),
+    ),
     sheet=sheet,
     measured=measured,
+    own_drafts={DRAFT: ("photographs", "shown")},
+    formula=descend,
 )

@@ -6,25 +6,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.photograph import Photograph
-from simulations.engine.reading import Readings
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
 from simulations.models.calibration.bundle_adjustment import refine, residuals
 from simulations.models.calibration.left_out import Growth, growth
-from simulations.models.calibration.model_choice import (
-    Trial,
-    compare,
-    compare_first,
-    supported,
-)
+from simulations.models.calibration.model_choice import Trial, compare, compare_first, supported
 from simulations.models.calibration.undistorted import undistorted
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import UndeterminedError, homographies, poses_of
 from simulations.models.chequerboard.board_search import NoBoardError
 from simulations.models.chequerboard.find_board import find_board
-from simulations.scenes.calibration.boards import Boards, boards, rendered
-from simulations.scenes.calibration.settings import LEAST
+from simulations.scenes.calibration.boards import LEAST, Boards, boards, rendered
 
 type Codes = NDArray[np.uint8]
 
@@ -64,8 +57,8 @@ class Result:
 
 
 @dataclass(frozen=True, slots=True)
-class Looked:
-    """The photograph that is looked at."""
+class Shown:
+    """The photograph that is shown."""
 
     index: int
     codes: Codes | None
@@ -85,10 +78,6 @@ class Errors:
     def rms_px(self) -> float:
         """Root of the mean squared distance."""
         return float(np.sqrt((self.off * self.off).sum(axis=-1).mean()))
-
-
-def _boards(readings: Readings) -> Boards:
-    return boards(readings)
 
 
 def _every(given: Boards) -> Trials:
@@ -112,41 +101,36 @@ def _trials(every: Trials, photographs: int, tier: str) -> Trials:
 
 def _result(given: Boards, every: Trials, trials: Trials, lens: str) -> Result | None:
     """None if the photographs do not determine this model."""
-    trial = trials.of(lens)
+    trial, of_all, grown = trials.of(lens), every.of(lens), None
     if trial is None:
         return None
+    if of_all is not None:
+        sigma = of_all.uncertainty.sigma_px
+        grown = growth(every.views, of_all.fit, of_all.free, sigma, "fx", LEAST)
     best = supported(trials.found)
     covered = coverage(trials.views, best.fit, given.size)
-    return Result(trial, best, _grown(every, lens), covered, next_photograph(covered))
+    return Result(trial, best, grown, covered, next_photograph(covered))
 
 
-def _grown(every: Trials, lens: str) -> Growth | None:
-    trial = every.of(lens)
-    if trial is None:
-        return None
-    sigma = trial.uncertainty.sigma_px
-    return growth(every.views, trial.fit, trial.free, sigma, "fx", LEAST)
-
-
-def _looked(given: Boards, photograph: Photograph | None, shown: int, tier: str) -> Looked:
+def _shown(given: Boards, photograph: Photograph | None, shown: int, tier: str) -> Shown:
     """The reader's photograph that is chosen in the page, or the simulated one of a number."""
     if photograph and photograph.number in given.numbers:
-        return Looked(given.numbers.index(photograph.number), photograph.codes)
+        return Shown(given.numbers.index(photograph.number), photograph.codes)
     index = min(shown, len(given.views)) - 1
     if given.truth is None:
-        return Looked(index, None)
-    return Looked(index, rendered(index, DRAFT_SCALE if tier == DRAFT else 1.0))
+        return Shown(index, None)
+    return Shown(index, rendered(index, DRAFT_SCALE if tier == DRAFT else 1.0))
 
 
-def _found(given: Boards, looked: Looked, tier: str) -> Views | None:
+def _found(given: Boards, shown: Shown, tier: str) -> Views | None:
     """The corners of that photograph; those of a simulated one are found in it, in a draft not.
 
     None if the finder refuses it.
     """
-    if given.truth is None or tier == DRAFT or looked.codes is None:
-        return given.views.take([looked.index])
+    if given.truth is None or tier == DRAFT or shown.codes is None:
+        return given.views.take([shown.index])
     try:
-        board = find_board(looked.codes[..., 0])
+        board = find_board(shown.codes[..., 0])
     except NoBoardError:
         return None
     return Views.stack([(board.indices, board.places)])
@@ -158,8 +142,7 @@ def _errors(found: Views | None, result: Result | None) -> Errors | None:
         return None
     camera = result.trial.fit.camera
     start = poses_of(homographies(found), camera.matrix)
-    poses = refine(found, camera, start, ()).poses
-    off = residuals(found, camera, poses)
+    off = residuals(found, camera, refine(found, camera, start, ()).poses)
     return Errors(found.pixels[found.found], off[found.found])
 
 
@@ -172,8 +155,8 @@ def _map(trials: Trials, result: Result | None) -> Errors | None:
     return Errors(views.pixels[views.found], off[views.found])
 
 
-def _codes(looked: Looked) -> Codes | None:
-    return looked.codes
+def _codes(shown: Shown) -> Codes | None:
+    return shown.codes
 
 
 def _developed(codes: Codes | None, given: Boards, result: Result | None) -> Codes | None:
@@ -188,11 +171,11 @@ def _not_developed(share: float) -> str:
 
 
 STAGES = (
-    Stage("boards", _boards),
+    Stage("boards", boards),
     Stage("every", _every, ("boards",)),
     Stage("trials", _trials, ("every",)),
     Stage("result", _result, ("boards", "every", "trials")),
-    Stage("looked", _looked, ("boards",)),
+    Stage("looked", _shown, ("boards",)),
     Stage("found", _found, ("boards", "looked")),
     Stage("errors", _errors, ("found", "result")),
     Stage("map", _map, ("trials", "result")),
