@@ -157,7 +157,7 @@ def camera_panel(here: Standpoint) -> Panel:
     aside = np.array([-along[1], along[0]])
     to_lamp = float(aside @ (place(LAMP) - centre))
     name = (centre + origin) / 2.0 - np.copysign(BESIDE, to_lamp) * aside
-    t = _cut(np.stack([centre, origin]), closed=False) if apart else ()
+    t = _cut(np.stack([centre, origin]), closed=False) if apart else centre[:0]
     parts = (
         _furniture(place, here),
         _axes(place, "world", ("X", "Z"), here),

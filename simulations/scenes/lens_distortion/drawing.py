@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.engine.drawing import Point, arrow, circle, dot, line, path, rectangle, text
+from simulations.engine.drawing import arrow, circle, dot, line, path, rectangle, text
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
@@ -67,12 +67,12 @@ def to_view(xy: ArrayLike) -> Floats:
     return np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
 
 
-def image_of(point: tuple[float, float], lens: Distortion) -> Point:
+def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float]:
     """View box units of the image of an ideal point."""
     return tuple(to_view(distort(np.asarray(point), lens)).tolist())
 
 
-def held(ideal: tuple[float, float], lens: Distortion) -> Point:
+def held(ideal: tuple[float, float], lens: Distortion) -> tuple[float, float]:
     """The place of the handle of a point of the photograph: its image, within the border."""
     x, y = (seen - middle for seen, middle in zip(image_of(ideal, lens), CENTRE, strict=True))
     beyond = max(abs(x) / (CENTRE[0] - BORDER), abs(y) / (CENTRE[1] - BORDER), 1.0)

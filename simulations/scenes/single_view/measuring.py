@@ -137,7 +137,8 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     lengths: Lengths = outputs["lengths"]
     view, known, knows = found.view, lengths.known, found.knows_focal
     own = outputs["photograph"] is not None
-    focal, scatter, centre, angles = (MISSING, ""), ("too few lines", ""), (MISSING, ""), ()
+    focal = centre = pitch = roll = (MISSING, "")
+    scatter = ("too few lines", "")
     if view is not None:
         true_focal = "" if own else f", true {FOCAL_PX:.0f} px"
         focal = _split((view.focal_px, view.focal_px * found.focal_error), "px", true_focal)
@@ -145,11 +146,11 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         centre = f"({x}, {y})", "px"
         values = np.degrees((view.pitch, view.roll)).tolist()
         errors = view.spread(lambda view: np.degrees((view.pitch, view.roll))).tolist()
-        angles = tuple((value_with_error(*pair), "°") for pair in zip(values, errors, strict=True))
+        angles = [value_with_error(*pair) for pair in zip(values, errors, strict=True)]
+        pitch, roll = ((text, "°") for text in angles)
         if view.spare >= 1:  # the error of an end by the lines' own misfit
             ends = settings.sigma * math.sqrt(view.misfit / view.spare)
             scatter = format_number(ends, 1), "px"
-    pitch, roll = angles or ((MISSING, ""), (MISSING, ""))
     floor, height = (
         _first_length(pairs, true, known == name)
         for name, pairs, true in zip(
