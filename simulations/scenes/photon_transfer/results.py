@@ -1,19 +1,18 @@
-"""What the photon transfer says: readouts, the lines of the data sheet, and files."""
+"""The numbers of the photon transfer: readouts, the lines of the data sheet, and files."""
 
 import json
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from simulations.engine.export import Export
-from simulations.engine.frame import Readout, format_number, readout
+from simulations.engine.frame import Readout, format_number, readout, value_with_error
 from simulations.engine.stages import Outputs
 from simulations.models.sensor.photon_transfer_fit import Estimate, SensorEstimate
-from simulations.scenes.photon_transfer.settings import Settings
-from simulations.scenes.photon_transfer.stages import GAIN_E_PER_DN, Frames, Measured
+from simulations.scenes.photon_transfer.frames import GAIN_E_PER_DN, Frames, Measured, Settings
 
-UNTOLD = "cannot be told"
+UNKNOWN = "cannot be told"
 QUANTITIES = (
     ("gain", "Conversion gain", "e⁻/DN", 1.0),
     ("read", "Read noise, measured", "e⁻", 1.0),
@@ -22,6 +21,10 @@ QUANTITIES = (
     ("dsnu", "DSNU", "e⁻", 1.0),
 )
 """Name, label, unit and units per unit of the model."""
+HEAD = (
+    "plane,first,second,mean_dn,noise_dn2,noise_error_dn2,pattern_dn2,pattern_error_dn2,"
+    "correlation,clipped_share,fitted"
+)
 
 
 def estimates_of(sensor: SensorEstimate) -> Mapping[str, Estimate]:
@@ -35,46 +38,41 @@ def estimates_of(sensor: SensorEstimate) -> Mapping[str, Estimate]:
     }
 
 
-def readouts(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
-    """The gain, its error and truth; the other numbers with their errors; and the pairs used."""
-    frames: Frames = outputs["frames"]
-    sensor: SensorEstimate = outputs["sensor"][frames.main]
-    gain = sensor.gain
-    error = format_number(gain.error, 3) if not gain.reason else UNTOLD
-    found = estimates_of(sensor)
-    used = int(np.count_nonzero(sensor.fitted))
-    return (
-        Readout("gain", "Conversion gain, measured", _value(gain, 3), _unit(gain, "e⁻/DN"), "ray"),
-        Readout("gain_error", "Standard error of the gain", error, _unit(gain, "e⁻/DN"), "ray"),
-        readout("gain_true", "Conversion gain, true", GAIN_E_PER_DN, "e⁻/DN", digits=3)
-        if frames.is_simulated
-        else Readout("gain_true", "Conversion gain, true", "unknown"),
-        *(
-            Readout(name, label, with_error(found[name], scale), _unit(found[name], unit), "image")
-            for name, label, unit, scale in QUANTITIES[1:]
-        ),
-        Readout("used", "Pairs fitted", f"{used} of {len(sensor.fitted)}"),
-    )
+def value_of(estimate: Estimate, scale: float = 1.0) -> str:
+    """The number with its standard error, or what bounds it."""
+    value = scale * estimate.value
+    if estimate.bound:
+        digits = max(1 - math.floor(math.log10(max(value, scale * 1e-9))), 0)
+        return f"{estimate.bound} {format_number(value, digits)}"
+    return UNKNOWN if estimate.reason else value_with_error(value, scale * estimate.error)
 
 
-def _value(estimate: Estimate, digits: int) -> str:
-    return UNTOLD if estimate.reason else format_number(estimate.value, digits)
-
-
-def _unit(estimate: Estimate, unit: str) -> str:
+def unit_of(estimate: Estimate, unit: str) -> str:
     return unit if estimate.bound or not estimate.reason else ""
 
 
-def with_error(estimate: Estimate, scale: float = 1.0) -> str:
-    """The number with its standard error, to two digits of the latter; or what bounds it."""
-    if estimate.bound:
-        digits = max(1 - math.floor(math.log10(scale * max(estimate.value, 1e-9))), 0)
-        return f"{estimate.bound} {format_number(scale * estimate.value, digits)}"
-    if estimate.reason:
-        return UNTOLD
-    error = scale * estimate.error
-    digits = 5 if error == 0 else min(max(1 - math.floor(math.log10(error)), 0), 5)
-    return f"{format_number(scale * estimate.value, digits)} ± {format_number(error, digits)}"
+def readouts(outputs: Outputs) -> tuple[Readout, ...]:
+    """The gain, its error and truth; the other numbers with their errors; and the pairs used."""
+    frames: Frames = outputs["frames"]
+    sensor: SensorEstimate = outputs["sensor"][frames.main]
+    found, gain = estimates_of(sensor), sensor.gain
+    value, error = (
+        UNKNOWN if gain.reason else format_number(part, 3) for part in (gain.value, gain.error)
+    )
+    unit, true = unit_of(gain, "e⁻/DN"), "Conversion gain, true"
+    used = f"{int(np.count_nonzero(sensor.fitted))} of {len(sensor.fitted)}"
+    return (
+        Readout("gain", "Conversion gain, measured", value, unit, "ray"),
+        Readout("gain_error", "Standard error of the gain", error, unit, "ray"),
+        readout("gain_true", true, GAIN_E_PER_DN, "e⁻/DN", digits=3)
+        if frames.is_simulated
+        else Readout("gain_true", true, "unknown"),
+        *(
+            Readout(name, label, value_of(found[name], scale), unit_of(found[name], unit), "image")
+            for name, label, unit, scale in QUANTITIES[1:]
+        ),
+        Readout("used", "Pairs fitted", used),
+    )
 
 
 def measured(outputs: Outputs) -> tuple[int, ...]:
@@ -86,69 +84,45 @@ def measured(outputs: Outputs) -> tuple[int, ...]:
 def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """The lines of the data sheet: all numbers of the plane shown, and the gains of the others."""
     frames: Frames = outputs["frames"]
-    if not frames.names:
-        return ()
-    main = frames.main
-    sensor: SensorEstimate = outputs["sensor"][main]
-    return (
-        Readout("pixels", "Pixels", main),
-        *_scale(frames),
-        *_lines(sensor),
-        *_other_gains(outputs["sensor"], main),
-        *_grain(outputs["levels"][main]),
-        Readout("pairs", "Pairs", str(len(frames.names))),
-        Readout("left_over", "Pictures left out", _left_over(frames.left_over)),
-    )
+    return tuple(lines(frames, outputs)) if frames.names else ()
 
 
-def _left_over(count: int) -> str:
-    return f"{count}: without a partner, or of another camera or kind of file" if count else "0"
-
-
-def _scale(frames: Frames) -> Iterator[Readout]:
-    """What a raw file says."""
-    if frames.black:
-        black = format_number(frames.black[frames.main], 0)
+def lines(frames: Frames, outputs: Outputs) -> Iterator[Readout]:
+    main, left = frames.main, frames.left_over
+    yield Readout("pixels", "Pixels", main)
+    if frames.black:  # as a raw file says
+        black = format_number(frames.black[main], 0)
         yield Readout("scale", "Black and white", f"{black} and {frames.highest}", "DN")
-
-
-def _lines(sensor: SensorEstimate) -> Iterator[Readout]:
-    said: set[str] = set()
-    found = estimates_of(sensor)
+    found, given = estimates_of(outputs["sensor"][main]), set[str]()
     for name, label, unit, scale in QUANTITIES:
         estimate = found[name]
-        words = with_error(estimate, scale)
-        if estimate.reason and not estimate.bound and estimate.reason not in said:
-            words = f"{UNTOLD}. {estimate.reason}"
-            said.add(estimate.reason)
-        yield Readout(name, label.partition(",")[0], words, _unit(estimate, unit))
-
-
-def _other_gains(sensors: Mapping[str, SensorEstimate], main: str) -> Iterator[Readout]:
-    for number, (plane, sensor) in enumerate(sensors.items()):
+        words = value_of(estimate, scale)
+        if estimate.reason and not estimate.bound and estimate.reason not in given:
+            words = f"{UNKNOWN}. {estimate.reason}"
+            given.add(estimate.reason)
+        yield Readout(name, label.partition(",")[0], words, unit_of(estimate, unit))
+    for number, (plane, sensor) in enumerate(outputs["sensor"].items()):
         if plane != main and not sensor.gain.reason:
             label = f"Conversion gain, {plane}"
-            yield Readout(f"gain_{number}", label, with_error(sensor.gain), "e⁻/DN")
+            yield Readout(f"gain_{number}", label, value_of(sensor.gain), "e⁻/DN")
+    yield from grain(outputs["levels"][main])
+    yield Readout("pairs", "Pairs", str(len(frames.names)))
+    lost = f"{left}: without a partner, or of another camera or kind of file" if left else "0"
+    yield Readout("left_over", "Pictures left out", lost)
 
 
-def _grain(measured: Measured) -> Iterable[Readout]:
-    """Noise of one picture, which any file tells, at the pair nearest to mid-grey."""
+def grain(measured: Measured) -> Iterator[Readout]:
+    """Noise of one picture, which any file shows, at the pair nearest to mid-grey."""
     light = np.maximum(measured.mean_dn / measured.span_dn, 1e-6)
-    level = measured.levels[int(np.argmin(np.abs(np.log(light / 0.18))))]
-    share = 100 * float(light[measured.levels.index(level)])
+    nearest = int(np.argmin(np.abs(np.log(light / 0.18))))
+    level, share = measured.levels[nearest], 100 * float(light[nearest])
     noise = math.sqrt(max(level.noise_dn2, 0.0)) / max(level.mean_dn - measured.black_dn, 1e-6)
     label = f"Noise of one picture at {share:.0f}\u00a0% of white"
     yield readout("noise", label, 100 * noise, "% of the light")
     yield readout("shared", "Noise shared by neighbours", 100 * level.correlation, "%", digits=1)
 
 
-HEAD = (
-    "plane,first,second,mean_dn,noise_dn2,noise_error_dn2,pattern_dn2,pattern_error_dn2,"
-    "correlation,clipped_share,fitted"
-)
-
-
-def _levels_file(_settings: Settings, outputs: Outputs) -> str:
+def levels_file(_settings: Settings, outputs: Outputs) -> str:
     frames: Frames = outputs["frames"]
     rows = [HEAD]
     for plane, measured in outputs["levels"].items():
@@ -168,7 +142,7 @@ def _levels_file(_settings: Settings, outputs: Outputs) -> str:
     return "\n".join((*rows, ""))
 
 
-def _json_file(settings: Settings, outputs: Outputs) -> str:
+def json_file(settings: Settings, outputs: Outputs) -> str:
     frames: Frames = outputs["frames"]
     found = {
         "pairs": [list(names) for names in frames.names],
@@ -178,7 +152,7 @@ def _json_file(settings: Settings, outputs: Outputs) -> str:
             plane: {
                 "black_dn": outputs["levels"][plane].black_dn,
                 "pairs_fitted": int(np.count_nonzero(sensor.fitted)),
-                **{name: _as_json(estimate) for name, estimate in estimates_of(sensor).items()},
+                **{name: as_json(estimate) for name, estimate in estimates_of(sensor).items()},
             }
             for plane, sensor in outputs["sensor"].items()
         },
@@ -188,7 +162,7 @@ def _json_file(settings: Settings, outputs: Outputs) -> str:
     return json.dumps(found, ensure_ascii=False, indent=1, allow_nan=False)
 
 
-def _as_json(estimate: Estimate) -> dict[str, float | str]:
+def as_json(estimate: Estimate) -> dict[str, float | str]:
     if estimate.bound:
         return {estimate.bound: estimate.value, "reason": estimate.reason}
     if estimate.reason:
@@ -197,6 +171,6 @@ def _as_json(estimate: Estimate) -> dict[str, float | str]:
 
 
 EXPORTS: tuple[Export[Settings], ...] = (
-    Export("photon-transfer", "Levels, CSV", ".csv", _levels_file),
-    Export("sensor", "Results, JSON", ".json", _json_file),
+    Export("photon-transfer", "Levels, CSV", ".csv", levels_file),
+    Export("sensor", "Results, JSON", ".json", json_file),
 )

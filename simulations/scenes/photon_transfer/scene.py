@@ -1,101 +1,186 @@
 """Photon transfer: pairs of evenly lit frames, and the sensor measured from their noise."""
 
-from simulations.engine.controls import Value
-from simulations.engine.frame import Frame, Panel, format_number
+import math
+from collections.abc import Iterator
+from textwrap import wrap
+
+import numpy as np
+
+from simulations.engine.drawing import circle, path, text
+from simulations.engine.frame import Frame, Panel, Raster, format_number
 from simulations.engine.handles import Handle, Point
 from simulations.engine.photograph import Whole
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.legend import Entry, legend
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats, Mask
 from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
-from simulations.scenes.photon_transfer import drawing
-from simulations.scenes.photon_transfer.reading import read
-from simulations.scenes.photon_transfer.results import (
-    EXPORTS,
-    measured,
-    readouts,
-    sheet,
-    with_error,
+from simulations.scenes.photon_transfer.frames import (
+    DRAFT,
+    STAGES,
+    Frames,
+    Measured,
+    Pair,
+    Settings,
+    read,
 )
-from simulations.scenes.photon_transfer.settings import Settings
-from simulations.scenes.photon_transfer.stages import DRAFT, STAGES, Frames
+from simulations.scenes.photon_transfer.results import EXPORTS, measured, readouts, sheet, value_of
 
-SMALL = 0.1
-"""Megapixels of the photograph that is looked at: it only chooses the pair."""
+SMALL = 0.1  # megapixels of the photograph that is looked at: it only chooses the pair
+SIZE = WIDTH, HEIGHT = 400.0, 300.0
+LEFT, RIGHT, FOOT, TOP = 50.0, 380.0, 228.0, 34.0
+MEANS = Scale("mean above black", "DN", style="small", tick_style="muted small")
+ROWS, COLUMNS, GAP = 100, 66, 2  # of the part of a frame shown, and the space between two, in px
+CELL = 3.0  # side of a pixel in the panel
+SPREAD = 3.5  # standard deviations from mid-grey to white
+BARS = 2.0  # standard errors shown
+WORDS = 34  # letters in a line of a reason
+# Upper ends of the axes of variance and of the pattern for the simulated sensor.
+HIGHEST_DN2, HIGHEST_DN = 1100.0, 48.0
+
+
+def transfer(
+    measured: Measured, estimate: SensorEstimate, most: float, shown: int, simulated: bool
+) -> Iterator[str]:
+    """Noise of all pairs, with error bars, over the line through those that were fitted."""
+    mean, reason = measured.mean_dn, estimate.gain.reason
+    noise = np.array([level.noise_dn2 for level in measured.levels])
+    error = BARS * np.array([level.noise_error_dn2 for level in measured.levels])
+    room = 2.2 if reason else 1.1
+    plot = plot_of(measured, room * (noise + error), HIGHEST_DN2 if simulated else 0.0)
+    end, style = 0.01 * most * measured.span_dn, "error bold" if reason else "ray bold"
+    yield plot.region(x=(end, measured.span_dn))
+    yield plot.frame(MEANS, Scale("variance of the noise", "DN²", 4, (), "small", "muted small"))
+    if estimate.noise:  # solid as far as it was fitted
+        x = np.linspace(0.0, plot.x.high, 101)
+        y = estimate.noise.start + estimate.noise.slope * x
+        yield plot.curve(x[x <= end], y[x <= end], style)
+        yield plot.curve(x[x >= end], y[x >= end], f"{style} dashed")
+    yield plot.upright(end, "camera dashed")
+    yield from points(plot, mean, noise, (noise - error, noise + error), estimate.fitted, "image")
+    if shown >= 0:  # a ring around the pair of the second panel
+        place = plot.clamped(float(mean[shown]), float(noise[shown]))
+        yield circle(place, 8.0, "casing") + circle(place, 8.0, "image bold")
+    for number, words in enumerate(wrap(reason, WORDS)):
+        yield text((LEFT + 10, TOP + 16 + 19 * number), words, "error small ground")
+    entries = (
+        Entry(f"pair ± {BARS:.0f} errors", "image", "dot"),
+        Entry("fitted line", style, shown=estimate.noise is not None),
+        Entry("end of the fit", "camera dashed"),
+    )
+    yield legend((LEFT, HEIGHT - 8), entries, "small", RIGHT - LEFT)
+
+
+def pattern(measured: Measured, estimate: SensorEstimate, simulated: bool) -> Iterator[str]:
+    """Standard deviation of what both frames share, against the mean."""
+    variance = np.array([level.pattern_dn2 for level in measured.levels])
+    error = BARS * np.array([level.pattern_error_dn2 for level in measured.levels])
+    foot, root, top = (
+        np.sqrt(np.maximum(each, 0.0)) for each in (variance - error, variance, variance + error)
+    )
+    plot = plot_of(measured, 1.1 * top, HIGHEST_DN if simulated else 0.0)
+    yield plot.frame(MEANS, Scale("pattern from cell to cell", "DN", 4, (), "small", "muted small"))
+    if estimate.pattern is not None:
+        x = np.linspace(0.0, measured.span_dn, 101)
+        shared = estimate.pattern.start + estimate.pattern.slope * x**2
+        yield plot.curve(x, np.sqrt(np.maximum(shared, 0.0)), "ray bold")
+    yield from points(plot, measured.mean_dn, root, (foot, top), estimate.fitted, "error")
+    entries = (
+        Entry(f"pair ± {BARS:.0f} errors", "error", "dot"),
+        Entry("DSNU and PRNU, fitted", "ray bold"),
+    )
+    yield legend((LEFT, HEIGHT - 8), entries, "small")
+
+
+def plot_of(measured: Measured, values: Floats, highest: float) -> Plot:
+    """From 0 to the highest value, or a fixed one."""
+    if not highest:
+        highest = float(np.max(values, initial=0.0)) or 1.0
+    return Plot(Axis(0.0, measured.span_dn, LEFT, RIGHT), Axis(0.0, highest, FOOT, TOP))
+
+
+def points(
+    plot: Plot, x: Floats, y: Floats, bars: tuple[Floats, Floats], fitted: Mask, role: str
+) -> Iterator[str]:
+    """Points with error bars; open where they were left out of the fit."""
+    ends = zip(x.tolist(), *(end.tolist() for end in bars), strict=True)
+    strokes = [[plot.clamped(u, low), plot.clamped(u, high)] for u, low, high in ends]
+    if strokes:
+        yield path(strokes, role)
+    for u, v, use in zip(x.tolist(), y.tolist(), fitted.tolist(), strict=True):
+        yield plot.mark(u, v, role, 3.0) if use else circle(plot.clamped(u, v), 3.5, role)
+
+
+def pair_pixels(pair: Pair | None) -> Raster:
+    """(100, 134, 4) the middle of the first frame, and of the difference, at the same contrast.
+
+    The difference is divided by √2, so that noise looks alike in both.
+    """
+    shown = np.zeros((ROWS, 2 * COLUMNS + GAP, 4), np.uint8)
+    if pair is None:
+        return shown
+    top, left = (max(pair.shape[1] - ROWS, 0) // 2, max(pair.shape[2] - COLUMNS, 0) // 2)
+    first, second = pair[:, top : top + ROWS, left : left + COLUMNS].astype(float)
+    frame = first - first.mean()
+    apart = (first - second - (first.mean() - second.mean())) / math.sqrt(2)
+    unit = 2 * SPREAD * max(float(frame.std()), float(apart.std()), 0.1)
+    height, width = frame.shape
+    for start, part in ((0, frame), (COLUMNS + GAP, apart)):
+        grey = np.repeat(np.clip(0.5 + part / unit, 0.0, 1.0)[..., None], 3, axis=2)
+        shown[:height, start : start + width] = to_rgba8(grey)
+    return shown
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """Variance against mean, a pair of frames, and the pattern that both share."""
     frames: Frames = outputs["frames"]
     sensor: SensorEstimate = outputs["sensor"][frames.main]
-    measured, pairs = outputs["levels"][frames.main], frames.planes[frames.main]
+    levels, pairs = outputs["levels"][frames.main], frames.planes[frames.main]
     simulated, shown = frames.is_simulated, outputs["shown"]
+    noise = "".join(transfer(levels, sensor, settings.most, shown, simulated))
+    shared = "".join(pattern(levels, sensor, simulated))
+    pixels = pair_pixels(pairs[shown] if shown >= 0 else None)
+    size = CELL * pixels.shape[1], CELL * pixels.shape[0]
+    right, style = CELL * (COLUMNS + GAP), "image strong ground"
+    names = text((8, 22), "one frame", style) + text((right + 8, 22), "difference / √2", style)
+    what = f"{len(frames.names)} pairs of evenly lit frames"
+    up_to = f"a line fitted up to {format_number(settings.most, 0)} % of the scale"
     return Frame(
-        panels=(
+        (
             Panel(
-                "transfer",
-                "Noise of each pair, against its light",
-                drawing.WIDTH,
-                drawing.HEIGHT,
-                overlay=drawing.transfer(measured, sensor, settings.most, shown, simulated),
-                lead=True,
+                "transfer", "Noise of each pair, against its light", *SIZE, None, noise, lead=True
             ),
-            Panel(
-                "pair",
-                "The ringed pair",
-                drawing.PAIR_WIDTH,
-                drawing.PAIR_HEIGHT,
-                drawing.pair_pixels(pairs[shown] if shown >= 0 else None),
-                drawing.over_pair() if shown >= 0 else "",
-                pixelated=True,
-            ),
-            Panel(
-                "pattern",
-                "What both frames share",
-                drawing.WIDTH,
-                drawing.HEIGHT,
-                overlay=drawing.pattern(measured, sensor, simulated),
-            ),
+            Panel("pair", "The ringed pair", *size, pixels, names if shown >= 0 else "", True),
+            Panel("pattern", "What both frames share", *SIZE, overlay=shared),
         ),
-        readouts=readouts(settings, outputs),
-        description=describe(settings, outputs),
+        readouts(outputs),
+        f"{what}, and {up_to}, give no conversion gain. {sensor.gain.reason}"
+        if sensor.gain.reason
+        else f"{what}: {up_to} gives a conversion gain of {value_of(sensor.gain)} e⁻/DN.",
     )
 
 
-def describe(settings: Settings, outputs: Outputs) -> str:
-    """The gain from the pairs, or why there is none."""
-    frames: Frames = outputs["frames"]
-    sensor: SensorEstimate = outputs["sensor"][frames.main]
-    what = f"{len(frames.names)} pairs of evenly lit frames"
-    up_to = f"a line fitted up to {format_number(settings.most, 0)} % of the scale"
-    if sensor.gain.reason:
-        return f"{what}, and {up_to}, give no conversion gain. {sensor.gain.reason}"
-    return f"{what}: {up_to} gives a conversion gain of {with_error(sensor.gain)} e⁻/DN."
-
-
-def _end(settings: Settings, _outputs: Outputs) -> Point:
-    return drawing.end_place(settings.most)
-
-
-def _end_pulled(_settings: Settings, place: Point) -> dict[str, Value]:
-    return {"most": drawing.end_of(place[0])}
+def end_at(settings: Settings, _outputs: Outputs) -> Point:
+    """The end of the fit on the axis of the mean."""
+    return LEFT + 0.01 * settings.most * (RIGHT - LEFT), FOOT
 
 
 SCENE = Scene(
-    id="photon-transfer",
-    title="A Sensor Measured by Its Noise",
-    settings=Settings,
-    draw=draw,
-    formula=characterise,
-    stages=STAGES,
-    handles=(
-        Handle(
-            "end", "transfer", "End of the fit", ("most",), _end, _end_pulled, "press", "camera"
-        ),
-    ),
-    photograph=Whole(SMALL, mosaic=True),
-    read=read,
+    "photon-transfer",
+    "A Sensor Measured by Its Noise",
+    Settings,
+    draw,
+    STAGES,
+    (Handle("end", "transfer", "End of the fit", ("most",), end_at, None, "press", "camera"),),
+    Whole(SMALL, mosaic=True),
+    read,
     own_drafts={DRAFT: ("pairs",)},
     exports=EXPORTS,
     sheet=sheet,
     measured=measured,
+    formula=characterise,
 )

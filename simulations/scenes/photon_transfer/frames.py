@@ -1,0 +1,310 @@
+"""Pairs of evenly lit frames, simulated or from the reader's photographs, and the sensor measured
+from them.
+
+The middle of each photograph is kept, so that two of the same light can be compared.
+"""
+
+import base64
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.photograph import Facts, Mosaic, Photograph
+from simulations.engine.reading import Reading, Readings, UnfitError
+from simulations.engine.settings import slider
+from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
+from simulations.models.sensor import photon_transfer_file as files
+from simulations.models.sensor.photon_counting import Sensor
+from simulations.models.sensor.photon_transfer_file import COLOURS, HIGHEST
+from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
+from simulations.models.sensor.photon_transfer_frames import (
+    Cells,
+    counted_pair,
+    read_pair,
+    unequal_cells,
+)
+from simulations.models.sensor.photon_transfer_pair import Level, measure_pair
+
+type Codes = NDArray[np.unsignedinteger]
+type Pair = Codes
+"""(2, h, w)"""
+
+# Side of a simulated frame: its 10 000 cells give a variance to 1.4 %; those of a draft to 2.4 %.
+SIDE, DRAFT_SIDE = 100, 60
+DRAFT = "small"  # the draft while the count of pairs is dragged
+FULL_WELL_E, GAIN_E_PER_DN = 15_000.0, 4.0
+BRIGHTEST_E = 1.1 * FULL_WELL_E
+PRNU, DSNU_E = 0.01, 4.0
+SIMULATED = "simulated"  # name of the only plane of the simulated sensor, which sees no colour
+
+KEPT_SIDE = 256  # of the square in the middle, in px; a smaller photograph is kept whole
+SMALLEST = 64
+DARK = 0.01 * HIGHEST
+"""Added to the mean of a raw file's light for the test whether that is even: with black taken off,
+a dark picture has nothing but noise."""
+TOO_SMALL = f"The photograph is smaller than {SMALLEST} × {SMALLEST} pixels; take a larger one."
+SCALED = (
+    "The photograph was scaled down, which averages its noise; save the middle of it as a file of "
+    "at most 24 megapixels, without scaling."
+)
+UNEVEN = (
+    "The middle of the photograph is not evenly lit; photograph a white wall or the cloudy sky, "
+    "out of focus."
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Pairs and read noise are those of the simulated sensor."""
+
+    most: int = slider("Fit up to", 70, 5, 100, 1, unit="% of the scale")
+    pairs: int = slider("Pairs of frames", 12, 4, 24, 1)
+    read_noise: float = slider("Read noise", 10, 0, 40, 1, unit="e⁻")
+
+
+def read(photograph: Photograph) -> Mapping[str, Any]:
+    """The codes of the middle, and how the photograph was taken.
+
+    Returns
+    -------
+    ``codes``, base64 of ``shape`` (h, w, 3) codes; ``mean_code``, that of green;
+    ``camera`` by the file; ``exposure_s`` or ``None``. Of a raw file the codes are (h, w), of 16
+    bits, ``cells`` has their ``colours``, ``black`` and ``white``, and ``mean_code`` is the mean
+    above black, in 255ths of white.
+
+    Raises
+    ------
+    UnfitError
+        For a photograph that is too small, scaled down, or unevenly lit.
+    """
+    if photograph.mosaic is not None:
+        return read_cells(photograph.mosaic, photograph.facts)
+    codes, facts = photograph.codes, photograph.facts
+    if min(codes.shape[:2]) < SMALLEST:
+        raise UnfitError(TOO_SMALL)
+    if float(facts.get("full_width", 0)) > codes.shape[1]:
+        raise UnfitError(SCALED)
+    middle = middle_of(codes)
+    if max(map(files.unevenness, files.planes_of(middle).values())) > files.MOST_UNEVEN:
+        raise UnfitError(UNEVEN)
+    return facts_of(middle, float(middle[..., 1].mean()), facts)
+
+
+def read_cells(mosaic: Mosaic, facts: Facts) -> Mapping[str, Any]:
+    if min(mosaic.codes.shape) < 2 * SMALLEST:
+        raise UnfitError(TOO_SMALL)
+    middle = np.minimum(middle_of(mosaic.codes), np.uint16(mosaic.white))
+    light = [
+        HIGHEST * (cell.astype(float) - black) / (mosaic.white - black)
+        for cell, black in zip(
+            files.cells_of(middle, mosaic.colours).values(), mosaic.black, strict=True
+        )
+    ]
+    if max(files.unevenness(cell, DARK) for cell in light) > files.MOST_UNEVEN:
+        raise UnfitError(UNEVEN)
+    about = {"colours": mosaic.colours, "black": list(mosaic.black), "white": mosaic.white}
+    return {**facts_of(middle, float(np.mean(light)), facts), "cells": about}
+
+
+def middle_of[T: np.generic](codes: NDArray[T]) -> NDArray[T]:
+    """From an even row and column on, so that the cells of a mosaic keep their names."""
+    top, left = (max(side - KEPT_SIDE, 0) // 4 * 2 for side in codes.shape[:2])
+    return np.ascontiguousarray(codes[top : top + KEPT_SIDE, left : left + KEPT_SIDE])
+
+
+def facts_of(middle: Codes, mean_code: float, facts: Facts) -> dict[str, Any]:
+    return {
+        "codes": base64.b64encode(middle.tobytes()).decode(),
+        "shape": list(middle.shape),
+        "mean_code": round(mean_code, 4),
+        "camera": files.camera_of(facts),
+        "exposure_s": float(facts["exposure_s"]) if "exposure_s" in facts else None,
+    }
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """The middle of a photograph, as codes again."""
+
+    kind: Literal["colour", "grey", "raw"]
+    planes: Mapping[str, Codes]
+    """(h, w) each, by name."""
+    highest: int = HIGHEST
+    """The largest code."""
+    black: Mapping[str, float] = field(default_factory=dict)
+    """Code without light of each plane, if the file says."""
+
+
+def kept_of(reading: Reading) -> Kept:
+    data = reading.data
+    shape, kept = tuple(map(int, data["shape"])), base64.b64decode(data["codes"])
+    if "cells" not in data:
+        codes = np.frombuffer(kept, np.uint8).reshape(shape)
+        return Kept("grey" if files.is_grey(codes) else "colour", files.planes_of(codes))
+    about = data["cells"]
+    cells = files.cells_of(np.frombuffer(kept, np.uint16).reshape(shape), about["colours"])
+    black = dict(zip(cells, about["black"], strict=True))
+    return Kept("raw", cells, int(about["white"]), black)
+
+
+def taken_of(reading: Reading, kept: Kept) -> files.Taken:
+    """Kind and size of the file are of the camera as well: only what is alike makes a pair."""
+    data = reading.data
+    camera = f"{data['camera']} {data['shape']} {kept.kind} {list(kept.planes)} {kept.highest}"
+    exposure = math.nan if data["exposure_s"] is None else float(data["exposure_s"])
+    return files.Taken(float(data["mean_code"]), camera, exposure)
+
+
+@dataclass(frozen=True, slots=True)
+class Frames:
+    """Pairs of evenly lit frames (2, h, w), of each plane of the file."""
+
+    planes: Mapping[str, tuple[Pair, ...]]
+    names: tuple[tuple[str, str], ...]
+    """Of the two files of each pair."""
+    numbers: tuple[tuple[int, int], ...]
+    """Of the two photographs of each pair; none are simulated."""
+    left_over: int
+    """Photographs without a partner."""
+    highest: int
+    """The largest code."""
+    response: Floats | None
+    """(highest + 1,) light of each code in DN; ``None`` if they are in proportion."""
+    black: Mapping[str, float]
+    """Code without light of each plane, where the files say."""
+
+    @property
+    def is_simulated(self) -> bool:
+        """Whether they are the book's, whose truth is known."""
+        return SIMULATED in self.planes
+
+    @property
+    def main(self) -> str:
+        """The plane that the figure shows: green, or the second cell of a mosaic, green in most."""
+        names = list(self.planes)
+        greens = [name for name in names if name.startswith(COLOURS[1])]
+        return greens[0] if greens else names[min(1, len(names) - 1)]
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """The levels of the pairs of one plane."""
+
+    levels: tuple[Level, ...]
+    black_dn: float
+    """Code without light: 0 in an sRGB file, in a raw file what that says, and otherwise the mean
+    of the darkest pair."""
+    span_dn: float
+    """Codes above black."""
+
+    @property
+    def mean_dn(self) -> Floats:
+        """(N,) above black."""
+        return np.array([level.mean_dn for level in self.levels]) - self.black_dn
+
+
+def sensor_of(read_noise: float) -> Sensor:
+    """The simulated sensor: 12 bits, black at 64, and full before its converter is."""
+    return Sensor(
+        full_well_e=FULL_WELL_E, read_noise_e=read_noise, gain_e_per_dn=GAIN_E_PER_DN, bits=12
+    )
+
+
+def sensor_cells(tier: str) -> Cells:
+    side = DRAFT_SIDE if tier == DRAFT else SIDE
+    return unequal_cells((side, side), PRNU, DSNU_E, np.random.default_rng(0))
+
+
+def count(cells: Cells, pairs: int) -> tuple[Floats, ...]:
+    """Pairs from the lens cap to a tenth above the full well."""
+    sensor = sensor_of(0.0)
+    return tuple(
+        counted_pair(mean, cells, sensor, np.random.default_rng((1, k)))
+        for k, mean in enumerate(np.linspace(0.0, BRIGHTEST_E, pairs).tolist())
+    )
+
+
+def read_out(electrons: tuple[Floats, ...], cells: Cells, read_noise: float) -> tuple[Pair, ...]:
+    """The grain of the amplifier is the same for every read noise."""
+    sensor = sensor_of(read_noise)
+    return tuple(
+        read_pair(counted, cells, sensor, np.random.default_rng((2, k)))
+        for k, counted in enumerate(electrons)
+    )
+
+
+def pair_up(codes: tuple[Pair, ...], readings: Readings) -> Frames:
+    """Pairs of the readings, or if there are none, the simulated ones."""
+    if not readings:
+        names = tuple((f"{k}a", f"{k}b") for k in range(len(codes)))
+        return Frames({SIMULATED: codes}, names, (), 0, sensor_of(0.0).highest_dn, None, {})
+    kept = [kept_of(reading) for reading in readings]
+    pairs = files.pair_up([taken_of(*one) for one in zip(readings, kept, strict=True)])
+    chosen = [(kept[i], kept[j]) for i, j in pairs]
+    first = chosen[0][0] if chosen else kept[0]
+    return Frames(
+        planes={
+            plane: tuple(np.stack([one.planes[plane] for one in pair]) for pair in chosen)
+            for plane in (first.planes if chosen else COLOURS[1:2])
+        },
+        names=tuple((readings[i].name, readings[j].name) for i, j in pairs),
+        numbers=tuple((readings[i].number, readings[j].number) for i, j in pairs),
+        left_over=len(readings) - 2 * len(pairs),
+        highest=first.highest if chosen else HIGHEST,
+        response=files.SRGB_DN if first.kind == "colour" or not chosen else None,
+        black={
+            plane: float(np.mean([one.black[plane] for pair in chosen for one in pair]))
+            for plane in first.black
+            if chosen
+        },
+    )
+
+
+def measure_planes(frames: Frames) -> dict[str, Measured]:
+    return {plane: measure(frames, plane, pairs) for plane, pairs in frames.planes.items()}
+
+
+def measure(frames: Frames, plane: str, pairs: tuple[Pair, ...]) -> Measured:
+    levels = tuple(measure_pair(pair, frames.highest, frames.response) for pair in pairs)
+    black = frames.black.get(plane, 0.0)
+    if frames.response is None and levels and plane not in frames.black:
+        black = min(level.mean_dn for level in levels)
+    if black >= frames.highest:  # all white
+        black = 0.0
+    return Measured(levels, black, frames.highest - black)
+
+
+def fit(levels: dict[str, Measured], most: int) -> dict[str, SensorEstimate]:
+    return {
+        plane: characterise(
+            measured.levels, measured.black_dn, measured.black_dn + measured.span_dn, most / 100
+        )
+        for plane, measured in levels.items()
+    }
+
+
+def choose(frames: Frames, sensor: dict[str, SensorEstimate], photograph: Photograph | None) -> int:
+    """Index of the pair that is shown: that of the photograph looked at, or else the brightest that
+    was fitted, or the middle one; −1 if there is none."""
+    if photograph is not None:
+        for pair, numbers in enumerate(frames.numbers):
+            if photograph.number in numbers:
+                return pair
+    fitted = np.flatnonzero(sensor[frames.main].fitted)
+    return int(fitted[-1]) if fitted.size else math.ceil(len(frames.names) / 2) - 1
+
+
+STAGES = (
+    Stage("cells", sensor_cells),
+    Stage("electrons", count, ("cells",)),
+    Stage("codes", read_out, ("electrons", "cells")),
+    Stage("frames", pair_up, ("codes",)),
+    Stage("levels", measure_planes, ("frames",)),
+    Stage("sensor", fit, ("levels",)),
+    Stage("shown", choose, ("frames", "sensor")),
+)
