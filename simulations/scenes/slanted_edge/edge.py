@@ -1,0 +1,247 @@
+"""The picture of an edge, the rectangle over it, and the MTF measured in it.
+
+The picture is fitted into the panel, so that settings and handles need not know its size: they are
+shares of the panel's width.
+"""
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from simulations.engine.controls import PointLists
+from simulations.engine.handles import Point
+from simulations.engine.photograph import Codes, Photograph
+from simulations.engine.raster import to_rgba8
+from simulations.engine.settings import choice, points, slider
+from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.lens.diffraction import lens_transfer
+from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
+from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, HalfContrast, measure
+from simulations.models.sampling.slanted_edge_file import light_of_codes
+from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
+from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
+from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge
+
+WIDTH, HEIGHT = 400.0, 300.0  # of the panel
+ROWS, COLUMNS = 120, 160  # of the simulated picture
+DARK, STEP = 0.12, 0.7  # light of its dark side, and of the step: room for halos at both ends
+HALO_PX = 1.0  # σ of the blur whose difference from the picture sharpens it
+WAVELENGTH_UM = 0.55
+MOST_SHOWN = 1200  # largest side in px at which a photograph is shown; it is measured in full
+MOST_KEPT = 8  # places
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Slant, aperture, noise and sharpening are those of the simulated picture; the rectangle is in
+    shares of the panel's width."""
+
+    angle: float = slider("Slant of the edge", 5, 0, 40, 0.5, unit="°")
+    aperture: float = slider("Aperture", 8, 2.8, 22, 0.1, prefix="f/")
+    pitch: float = slider("Pixel pitch p", 4, 0.5, 10, 0.1, unit="µm")
+    noise: float = slider("Noise", 1, 0.3, 3, 0.1, unit="% of the step")
+    sharpening: float = slider("Sharpening", 0, 0, 1.5, 0.1)
+    response: str = choice(
+        "Codes of the file", {"srgb": "sRGB", "linear": "Proportional to the light"}
+    )
+    x: float = slider("Rectangle, from the left", 50, 0, 100, 0.5, unit="%")
+    y: float = slider("Rectangle, from the top", 37.5, 0, 75, 0.5, unit="%")
+    width: float = slider("Rectangle, width", 40, 1, 60, 0.5, unit="%")
+    height: float = slider("Rectangle, height", 30, 1, 60, 0.5, unit="%")
+    kept: str = points(
+        "Places kept", 1, 2 * MOST_KEPT, buttons={"keep": "Keep this place", "forget": "Forget all"}
+    )
+
+    @property
+    def centre(self) -> Point:
+        """Place of the rectangle's middle in the panel."""
+        return (0.01 * WIDTH * self.x, 0.01 * WIDTH * self.y)
+
+    @property
+    def corner(self) -> Point:
+        """Place of its lower right corner."""
+        across, down = self.centre
+        return (across + 0.005 * WIDTH * self.width, down + 0.005 * WIDTH * self.height)
+
+    @property
+    def opposite(self) -> Point:
+        """Place of its upper left corner."""
+        (across, down), (right, bottom) = self.centre, self.corner
+        return (2 * across - right, 2 * down - bottom)
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A rectangle of whole pixels in a picture that is fitted into the panel."""
+
+    left: int
+    top: int
+    right: int
+    bottom: int
+    per_unit: float
+    """Pixels of the picture per unit of the panel."""
+    corner: tuple[float, float]
+    """Where the picture's upper left corner is in the panel."""
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in pixels."""
+        return self.right - self.left, self.bottom - self.top
+
+    def at(self, column: float, row: float) -> Point:
+        """A place in the panel, given from the box's upper left corner, in pixels."""
+        (across, down), unit = self.corner, self.per_unit
+        return across + (self.left + column) / unit, down + (self.top + row) / unit
+
+
+def box_in(picture: tuple[int, int], centre: tuple[float, float], size: tuple[float, float]) -> Box:
+    """The pixels of a picture (width, height) under a rectangle in % of the panel's width.
+
+    They end where the picture does; there may be none.
+    """
+    width, height = picture
+    per_unit = max(width / WIDTH, height / HEIGHT)
+    corner = (0.5 * (WIDTH - width / per_unit), 0.5 * (HEIGHT - height / per_unit))
+    ends = [
+        min(max(round((0.01 * WIDTH * (middle + side * whole) - start) * per_unit), 0), pixels)
+        for middle, whole, start, pixels in zip(centre, size, corner, picture, strict=True)
+        for side in (-0.5, 0.5)
+    ]
+    return Box(ends[0], ends[2], ends[1], ends[3], per_unit, corner)
+
+
+@dataclass(frozen=True, slots=True)
+class Sharpness:
+    """The measurement of an edge, or why there is none."""
+
+    reading: EdgeReading | None
+    half: HalfContrast
+    contrast: Floats
+    """(51,) MTF at `FREQUENCIES`; NaN where there is none."""
+    error: Floats
+    """(51,) its standard error."""
+    refusal: str = ""
+    """What is wrong with the rectangle; empty if nothing is."""
+
+
+@dataclass(frozen=True, slots=True)
+class KeptEdge:
+    """A rectangle that was kept, and the measurement of its edge."""
+
+    box: Box
+    sharpness: Sharpness
+
+
+def lens_factor(frequency: Floats, aperture: float, pitch: float) -> Floats:
+    """Factor (...) of the lens on waves (...) in cycles per pixel."""
+    return lens_transfer(1000.0 / pitch * frequency, WAVELENGTH_UM, aperture)
+
+
+def light(angle: float, aperture: float, pitch: float) -> Floats:
+    """(120, 160) light in each pixel, without noise."""
+    slant = math.radians(angle)
+    edge = edge_picture(ROWS, COLUMNS, slant, lambda f: lens_factor(f, aperture, pitch))
+    return DARK + STEP * edge
+
+
+def simulated(light: Floats, noise: float, sharpening: float) -> Codes:
+    """(120, 160, 3) the file, with the same noise each time."""
+    taken = light + np.random.default_rng(0).normal(0.0, 0.01 * noise * STEP, light.shape)
+    soft = filter_and_sample(taken, 1, gaussian_kernel(HALO_PX))
+    taken += sharpening * (taken - soft)
+    return to_rgba8(encode_srgb(np.clip(taken, 0.0, 1.0)))[..., :3]
+
+
+def own(photograph: Photograph) -> Codes:
+    """(H, W, 3) the reader's file."""
+    return photograph.codes
+
+
+def none_given(photograph: Photograph | None) -> str:
+    return "" if photograph else "no photograph was chosen"
+
+
+def shown(codes: Codes) -> Codes:
+    """(H', W', 4) the picture in the panel, on a transparent ground: small enough to be painted."""
+    apart = math.ceil(max(codes.shape[:2]) / MOST_SHOWN)
+    small = codes if apart == 1 else reduced(codes, apart)
+    height, width = small.shape[:2]
+    wide = max(width, round(height * WIDTH / HEIGHT))
+    high = max(height, round(width * HEIGHT / WIDTH))
+    shown = np.zeros((high, wide, 4), np.uint8)
+    top, left = (high - height) // 2, (wide - width) // 2
+    shown[top : top + height, left : left + width, :3] = small
+    shown[top : top + height, left : left + width, 3] = 255
+    return shown
+
+
+def reduced(codes: Codes, apart: int) -> Codes:
+    """Means over squares of so many pixels a side."""
+    height, width = (side // apart * apart for side in codes.shape[:2])
+    total = np.zeros((height // apart, width // apart, 3), np.uint16)
+    for down in range(apart):
+        for across in range(apart):
+            total += codes[down:height:apart, across:width:apart]
+    return (total // (apart * apart)).astype(np.uint8)
+
+
+def chosen_box(codes: Codes, x: float, y: float, width: float, height: float) -> Box:
+    return box_in((codes.shape[1], codes.shape[0]), (x, y), (width, height))
+
+
+def edge_pixels(codes: Codes, box: Box, response: str) -> EdgePixels | str:
+    """The pixels of the edge in the rectangle, or what is wrong with it."""
+    cut = codes[box.top : box.bottom, box.left : box.right]
+    try:
+        return locate_edge(light_of_codes(cut, srgb=response == "srgb"))
+    except UnfitEdgeError as problem:
+        return str(problem)
+
+
+def sharpness(pixels: EdgePixels | str) -> Sharpness:
+    unknown = np.full(FREQUENCIES.shape, np.nan)
+    nothing = Sharpness(None, HalfContrast(np.nan, np.nan), unknown, unknown)
+    if isinstance(pixels, str):
+        return replace(nothing, refusal=pixels)
+    try:
+        reading = measure(pixels)
+    except UnfitEdgeError as problem:
+        return replace(nothing, refusal=str(problem))
+    return Sharpness(reading, reading.half_contrast(), *reading.transfer(FREQUENCIES))
+
+
+def kept_edges(codes: Codes, kept: str, response: str) -> tuple[KeptEdge, ...]:
+    """The rectangles that were kept: pairs of opposite corners, as shares of the panel."""
+    corners = PointLists.from_text(kept).lists[0] if kept else ()
+    tall, found = 100.0 * HEIGHT / WIDTH, []
+    for (left, top), (right, bottom) in zip(corners[::2], corners[1::2], strict=False):
+        centre = 50.0 * (left + right), 0.5 * tall * (top + bottom)
+        box = chosen_box(codes, *centre, 100.0 * (right - left), tall * (bottom - top))
+        found.append(KeptEdge(box, sharpness(edge_pixels(codes, box, response))))
+    return tuple(found)
+
+
+def true_transfer(
+    angle: float, aperture: float, pitch: float, photograph: Photograph | None
+) -> Floats:
+    """(51,) MTF by the formulae of lens and pixel; NaN for a photograph."""
+    if photograph is not None:
+        return np.full(FREQUENCIES.shape, np.nan)
+    pixel = edge_transfer(FREQUENCIES, math.radians(angle))
+    return np.abs(lens_factor(FREQUENCIES, aperture, pitch) * pixel)
+
+
+STAGES = (
+    Stage("light", light),
+    Stage("simulated", simulated, ("light",)),
+    Stage("codes", own, neutral=none_given, passes_on="simulated"),
+    Stage("shown", shown, ("codes",)),
+    Stage("box", chosen_box, ("codes",)),
+    Stage("pixels", edge_pixels, ("codes", "box")),
+    Stage("sharpness", sharpness, ("pixels",)),
+    Stage("places", kept_edges, ("codes",)),
+    Stage("true", true_transfer),
+)
