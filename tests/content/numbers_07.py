@@ -20,8 +20,8 @@ from simulations.models.sampling.slanted_edge import read_edge
 from simulations.models.sampling.slanted_edge_picture import edge_picture
 from simulations.models.sensor.resolution import pixel_transfer
 from simulations.pictures import round_windows, spoked_wheel
+from simulations.scenes.slanted_edge.edge import Sharpness
 from simulations.scenes.slanted_edge.scene import SCENE as SLANTED_EDGE
-from simulations.scenes.slanted_edge.stages import Sharpness
 from simulations.scenes.wagon_wheel import film
 
 CHAPTER = "07-sampling-and-aliasing"

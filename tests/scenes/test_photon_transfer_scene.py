@@ -1,117 +1,118 @@
-"""The photon-transfer figure: its sensor is found again, on files as well, or it says why not."""
+"""The photon-transfer figure against known sensors, simulated and on files, and its refusals."""
 
 import csv
 import io
 import json
-from functools import partial
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PIL import Image
-from support.flat_fields import FILE_GAIN, as_srgb, light_of
-from support.frames import computed_in, frame_of, texts_at
+from support.flat_fields import FILE_GAIN, SENSOR, as_srgb, light_of, pairs_of
+from support.frames import frame_of, outputs_of, texts_at
 
-from simulations.engine.frame import Frame
-from simulations.engine.photograph import Photograph
+from simulations.engine.photograph import Mosaic, Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.stages import Outputs, StageCache
 from simulations.models.arrays import Floats
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic
-from simulations.scenes.photon_transfer.reading import read
+from simulations.scenes.photon_transfer.frames import read
 from simulations.scenes.photon_transfer.results import sheet
 from simulations.scenes.photon_transfer.scene import SCENE
 
-texts = partial(texts_at, SCENE)
-
-
-@pytest.mark.parametrize("pairs", [4, 8, 12, 24])
-@pytest.mark.parametrize("most", [30, 70, 90])
-def test_the_gain_is_found_within_its_error(pairs: int, most: int) -> None:
-    shown = texts(pairs=pairs, most=most)
-    if shown["gain"] != "cannot be told":
-        assert abs(float(shown["gain"]) - 4.0) < 3 * float(shown["gain_error"])
-
-
-@pytest.mark.parametrize("read_noise", [4, 10, 25, 40])
-def test_the_read_noise_is_found_within_its_error(read_noise: int) -> None:
-    value, error = texts(read_noise=read_noise)["read"].split(" ± ")
-    assert abs(float(value) - read_noise) < 3 * float(error)
-
-
-def test_full_cells_among_the_fitted_give_no_number() -> None:
-    frame = frame_of(SCENE, most=95)
-    assert "saturated" in frame.description
-    assert "saturated" in frame.panels[0].overlay
-
-
-def test_moving_the_end_of_the_fit_measures_no_frame_again() -> None:
-    cache = StageCache()
-    frame_of(SCENE, "", cache)
-    assert computed_in(frame_of(SCENE, "", cache, most=40)) == ("sensor", "shown")
-    assert "electrons" not in computed_in(frame_of(SCENE, "", cache, read_noise=20))
-
-
-def reading_of(number: int, codes: NDArray[np.uint8], **facts: float | str) -> Reading:
-    name = f"{number}.png"
-    return Reading(number, name, read(Photograph(number, codes, name, facts)))
-
-
-def shown_of(readings: Readings, **given: object) -> tuple[Frame, Outputs]:
-    settings = SCENE.check(given)
-    outputs = SCENE.run(settings, "", StageCache(), None, readings).outputs
-    return SCENE.draw(settings, outputs), outputs
-
+type Black = tuple[float, float, float, float]
 
 LEVELS = (10.0, 30.0, 60.0, 100.0, 140.0, 200.0)
+BLACK: Black = (64.0, 64.0, 64.0, 64.0)
 
 
-def test_a_file_of_single_cells_gives_the_gain_of_each_colour() -> None:
-    readings = tuple(
-        reading_of(2 * k + i, as_srgb(light_of(level, 2 * k + i)), exposure_s=level / 1000)
-        for k, level in enumerate(LEVELS)
-        for i in (0, 1)
-    )
-    _, outputs = shown_of(readings)
+@pytest.mark.parametrize(
+    ("given", "gain_too"),
+    [({"pairs": n, "most": m}, True) for n in (8, 24) for m in (30, 70)]
+    + [({"read_noise": noise}, False) for noise in (4, 25, 40)],
+)
+def test_gain_or_read_noise_is_off_by_more_than_its_error(
+    given: dict[str, object], gain_too: bool
+) -> None:
+    shown = texts_at(SCENE, **given)
+    if gain_too:
+        assert abs(float(shown["gain"]) - 4.0) < 3 * float(shown["gain_error"])
+    else:
+        value, error = shown["read"].split(" ± ")
+        assert abs(float(value) - float(str(given["read_noise"]))) < 3 * float(error)
+
+
+def photograph(number: int, codes: NDArray[np.uint8], **facts: float | str) -> Photograph:
+    return Photograph(number, codes, f"{number}.png", facts)
+
+
+def raw(number: int, codes: NDArray[np.uint16], black: Black = BLACK) -> Photograph:
+    cells = Mosaic(codes, "RGGB", black, SENSOR.highest_dn)
+    return Photograph(number, np.zeros((8, 8, 3), np.uint8), f"{number}.dng", {}, cells)
+
+
+def readings_of(photographs: Sequence[Photograph]) -> Readings:
+    """As the page keeps them."""
+    kept = [json.loads(json.dumps(read(each))) for each in photographs]
+    pairs = zip(photographs, kept, strict=True)
+    return tuple(Reading(each.number, each.name, data) for each, data in pairs)
+
+
+def measured(photographs: Sequence[Photograph], looked_at: Photograph | None = None) -> Outputs:
+    readings = readings_of(photographs)
+    return SCENE.run(SCENE.check({}), "", StageCache(), looked_at, readings).outputs
+
+
+def levels_of(develop: Callable[[Floats], NDArray[np.uint8]]) -> list[Photograph]:
+    numbered = [(k, level) for k, level in enumerate(np.repeat(LEVELS, 2).tolist())]
+    return [photograph(k, develop(light_of(level, k))) for k, level in numbered]
+
+
+def grey(level: float, seed: tuple[int, int]) -> NDArray[np.uint8]:
+    rng = np.random.default_rng(seed)
+    light = rng.poisson(level * 5.0, (200, 200)) / 5.0 + rng.normal(16.0, 1.0, (200, 200))
+    codes = np.rint(np.clip(light, 0, 255)).astype(np.uint8)
+    return np.repeat(codes[..., None], 3, axis=2)
+
+
+GREY = [
+    photograph(2 * k + i, grey(level, (k, i)))
+    for k, level in enumerate((0.0, *LEVELS))
+    for i in (0, 1)
+]
+RAW = [raw(2 * k + i, pair[i]) for k, pair in enumerate(pairs_of(256, 7)[1:]) for i in (0, 1)]
+
+
+@pytest.mark.parametrize(
+    ("photographs", "planes", "gain", "read_noise"),
+    [
+        (levels_of(as_srgb), ["red", "green", "blue"], FILE_GAIN, None),
+        (GREY, None, 5.0, 5.0),
+        (
+            RAW,
+            ["red", "green, row 0", "green, row 1", "blue"],
+            SENSOR.gain_e_per_dn,
+            SENSOR.read_noise_e,
+        ),
+    ],
+    ids=["colour", "grey", "raw"],
+)
+def test_a_file_gives_another_gain_or_read_noise(
+    photographs: list[Photograph], planes: list[str] | None, gain: float, read_noise: float | None
+) -> None:
+    outputs = measured(photographs)
+    assert planes is None or list(outputs["sensor"]) == planes
     for name, sensor in outputs["sensor"].items():
-        assert sensor.gain.value == pytest.approx(FILE_GAIN, rel=0.02), name
-        assert sensor.gain.value == pytest.approx(FILE_GAIN, abs=3 * sensor.gain.error), name
-    lines = {line.name: line for line in sheet(SCENE.check({}), outputs)}
-    assert lines["pairs"].text == "6"
-    assert lines["pixels"].text == "green"
-
-
-def test_a_grey_file_is_measured_cell_by_cell_above_its_darkest_pair() -> None:
-    readings = []
-    for k, level in enumerate((0.0, *LEVELS)):
-        for i in (0, 1):
-            rng = np.random.default_rng((k, i))
-            light = rng.poisson(level * 5.0, (200, 200)) / 5.0 + rng.normal(16.0, 1.0, (200, 200))
-            codes = np.rint(np.clip(light, 0, 255)).astype(np.uint8)
-            readings.append(reading_of(2 * k + i, np.repeat(codes[..., None], 3, axis=2)))
-    _, outputs = shown_of(tuple(readings))
-    assert len(outputs["sensor"]) == 4
-    for sensor in outputs["sensor"].values():
-        assert sensor.gain.value == pytest.approx(5.0, abs=3 * sensor.gain.error)
-        assert sensor.read_noise.value == pytest.approx(5.0, abs=3 * sensor.read_noise.error)
-
-
-def test_interpolated_colours_and_compressed_files_are_told_by_their_neighbours() -> None:
-    for develop in (demosaiced, compressed):
-        readings = tuple(
-            reading_of(2 * k + i, develop(light_of(level, 2 * k + i)))
-            for k, level in enumerate(LEVELS)
-            for i in (0, 1)
-        )
-        frame, outputs = shown_of(readings)
-        assert "Neighbouring pixels" in frame.description
-        sensor = outputs["sensor"]["green"]
-        assert sensor.gain.reason
-        if develop is demosaiced:  # half of the pixels are means of four
-            assert 1 / sensor.noise.slope == pytest.approx(1.6 * FILE_GAIN, rel=0.03)
-        lines = {line.name: line for line in sheet(SCENE.check({}), outputs)}
-        assert float(lines["noise"].text) > 0
+        assert sensor.gain.value == pytest.approx(gain, abs=3 * sensor.gain.error), name
+        if read_noise:
+            error = sensor.read_noise.error
+            assert sensor.read_noise.value == pytest.approx(read_noise, abs=3 * error), name
+    lines = {line.name: line.text for line in sheet(SCENE.check({}), outputs)}
+    assert lines["pairs"] == str(len(photographs) // 2)
+    if photographs is RAW:
+        assert (lines["pixels"], lines["scale"]) == ("green, row 0", "64 and 4095")
 
 
 def demosaiced(light: Floats) -> NDArray[np.uint8]:
@@ -124,66 +125,116 @@ def compressed(light: Floats) -> NDArray[np.uint8]:
     return np.asarray(Image.open(file))
 
 
-def test_one_photograph_is_no_pair_and_says_so() -> None:
-    frame, outputs = shown_of((reading_of(1, as_srgb(light_of(100.0, 1))),))
-    assert "There is no pair" in frame.description
-    assert sheet(SCENE.check({}), outputs) == ()
-    for export in SCENE.exports:
-        assert export.make(SCENE.check({}), outputs)
+@pytest.mark.parametrize("develop", [demosaiced, compressed])
+def test_interpolated_or_compressed_files_give_a_gain(
+    develop: Callable[[Floats], NDArray[np.uint8]],
+) -> None:
+    outputs = measured(levels_of(develop))
+    sensor = outputs["sensor"]["green"]
+    assert "Neighbouring pixels" in sensor.gain.reason
+    assert sensor.gain.reason in SCENE.draw(SCENE.check({}), outputs).description
+    if develop is demosaiced:  # half of the pixels are means of four
+        assert 1 / sensor.noise.slope == pytest.approx(1.6 * FILE_GAIN, rel=0.03)
+    lines = {line.name: line for line in sheet(SCENE.check({}), outputs)}
+    assert float(lines["noise"].text) > 0
 
 
-def test_pictures_of_other_cameras_and_sizes_are_left_over() -> None:
-    pair = [as_srgb(light_of(level, seed)) for level, seed in ((50.0, 1), (50.0, 2))]
-    readings = (
-        reading_of(1, pair[0], iso=400.0),
-        reading_of(2, pair[1], iso=400.0),
-        reading_of(3, pair[1], iso=800.0),
-        reading_of(4, as_srgb(light_of(50.0, 4, 100)), iso=400.0),
-    )
-    _, outputs = shown_of(readings)
-    assert outputs["frames"].names == (("1.png", "2.png"),)
-    assert outputs["frames"].left_over == 2
+def test_cells_are_measured_above_the_black_of_others() -> None:
+    shifts = np.tile(np.array([[0, 6], [3, 9]], np.uint16), (64, 64))
+    frames = [frame for pair in pairs_of(128, 3) for frame in pair]
+    shifted = [np.minimum(frame + shifts, 4095).astype(np.uint16) for frame in frames]
+    black = (64.0, 70.0, 67.0, 73.0)
+    levels = measured([raw(k, codes, black) for k, codes in enumerate(shifted)])["levels"].values()
+    assert [level.black_dn for level in levels] == list(black)
+    np.testing.assert_allclose([level.mean_dn[0] for level in levels], 0.0, atol=0.3)
+
+
+def test_one_photograph_makes_a_pair() -> None:
+    settings, outputs = SCENE.check({}), measured([photograph(1, as_srgb(light_of(100.0, 1)))])
+    assert "There is no pair" in SCENE.draw(settings, outputs).description
+    assert sheet(settings, outputs) == ()
+    assert all(export.make(settings, outputs) for export in SCENE.exports)
+
+
+PAIR = [as_srgb(light_of(50.0, seed)) for seed in (1, 2)]
+CELLS = pairs_of(128, 1, count=1)[0]
+LIKE_CELLS = np.repeat(CELLS[0, ..., None] // 16, 3, axis=2).astype(np.uint8)
+
+
+@pytest.mark.parametrize(
+    ("photographs", "left_over"),
+    [
+        (
+            [
+                photograph(1, PAIR[0], iso=400.0),
+                photograph(2, PAIR[1], iso=400.0),
+                photograph(3, PAIR[1], iso=800.0),
+                photograph(4, as_srgb(light_of(50.0, 4, 100)), iso=400.0),
+            ],
+            2,
+        ),
+        ([raw(1, CELLS[0]), photograph(3, LIKE_CELLS), raw(2, CELLS[1])], 1),
+    ],
+    ids=["cameras and sizes", "kinds of file"],
+)
+def test_unlike_photographs_make_a_pair(photographs: list[Photograph], left_over: int) -> None:
+    outputs = measured(photographs)
+    assert outputs["frames"].left_over == left_over
     assert SCENE.measured
     assert SCENE.measured(outputs) == (1, 2)
 
 
-def test_the_pair_of_the_photograph_looked_at_is_ringed() -> None:
-    readings = tuple(
-        reading_of(2 * k + i, as_srgb(light_of(level, 2 * k + i)))
-        for k, level in enumerate(LEVELS[:3])
-        for i in (0, 1)
-    )
-    looked_at = Photograph(3, np.zeros((8, 8, 3), np.uint8))
-    outputs = SCENE.run(SCENE.check({}), "", StageCache(), looked_at, readings).outputs
-    assert outputs["shown"] == 1
-    assert SCENE.run(SCENE.check({}), "", StageCache(), None, readings).outputs["shown"] == 2
+def test_the_pair_of_another_photograph_is_ringed() -> None:
+    photographs = levels_of(as_srgb)[:6]
+    looked_at = photograph(3, np.zeros((8, 8, 3), np.uint8))
+    assert measured(photographs, looked_at)["shown"] == 1
+    assert measured(photographs)["shown"] == 2
 
 
-def test_unfit_photographs_say_what_to_do() -> None:
-    edge = as_srgb(light_of(100.0, 1))
-    edge[:, 90:] //= 2
-    for codes, facts, words in (
-        (np.zeros((1, 1, 3), np.uint8), {}, "smaller"),
-        (edge, {}, "not evenly lit"),
-        (as_srgb(light_of(100.0, 1)), {"full_width": 6000.0}, "scaled down"),
-    ):
-        with pytest.raises(UnfitError, match=words):
-            read(Photograph(1, codes, "it.png", facts))
+EDGE = as_srgb(light_of(100.0, 1))
+EDGE[:, 90:] //= 2
+RAW_EDGE = pairs_of(128, 1, count=2)[1][0] // 2
+RAW_EDGE[:, 50:] //= 2
 
 
-def test_a_large_photograph_is_kept_by_its_middle() -> None:
-    codes = np.zeros((3000, 4001, 3), np.uint8)
-    kept = read(Photograph(1, codes))
+@pytest.mark.parametrize(
+    ("unfit", "words"),
+    [
+        (photograph(1, np.zeros((1, 1, 3), np.uint8)), "smaller"),
+        (photograph(1, EDGE), "not evenly lit"),
+        (photograph(1, as_srgb(light_of(100.0, 1)), full_width=6000.0), "scaled down"),
+        (raw(1, RAW_EDGE), "not evenly lit"),
+        (raw(1, CELLS[0][:100]), "smaller"),
+    ],
+)
+def test_an_unfit_photograph_is_read(unfit: Photograph, words: str) -> None:
+    with pytest.raises(UnfitError, match=words):
+        read(unfit)
+
+
+def test_a_large_photograph_is_kept_whole() -> None:
+    kept = read(photograph(1, np.zeros((3000, 4001, 3), np.uint8)))
     assert kept["shape"] == [256, 256, 3]
-    assert json.dumps(kept)
 
 
-def test_the_files_have_what_the_figure_shows() -> None:
-    settings = SCENE.check({})
-    outputs = SCENE.run(settings, "", StageCache()).outputs
-    files = {export.name: export.make(settings, outputs) for export in SCENE.exports}
+@pytest.mark.parametrize(
+    ("codes", "black", "legal"),
+    [
+        (np.zeros((4, 4), np.uint8), BLACK, r"\(H, W\) uint16"),
+        (np.zeros((1, 4), np.uint16), BLACK, r"\(H, W\) uint16"),
+        (np.zeros((4, 4), np.uint16), (4095.0,) * 4, "black < white"),
+    ],
+)
+def test_another_mosaic_is_taken(codes: NDArray[np.uint16], black: Black, legal: str) -> None:
+    with pytest.raises(ValueError, match=legal):
+        raw(1, codes, black)
+
+
+def test_the_files_differ_from_the_figure() -> None:
+    outputs = outputs_of(SCENE)
+    files = {export.name: export.make(SCENE.check({}), outputs) for export in SCENE.exports}
     rows = list(csv.DictReader(io.StringIO(files["photon-transfer"])))
-    assert len(rows) == 12
-    assert sum(int(row["fitted"]) for row in rows) == 8
+    assert (len(rows), sum(int(row["fitted"]) for row in rows)) == (12, 8)
     sensor = json.loads(files["sensor"])["planes"]["simulated"]
-    assert f"{sensor['gain']['value']:.3f}" == texts()["gain"]
+    assert f"{sensor['gain']['value']:.3f}" == texts_at(SCENE)["gain"]
+    assert "saturated" in frame_of(SCENE, most=95).panels[0].overlay

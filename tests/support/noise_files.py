@@ -10,7 +10,7 @@ from support.flat_fields import as_srgb, light_of, pairs_of
 from simulations.engine.photograph import Mosaic, Photograph
 from simulations.engine.reading import Reading
 from simulations.engine.stages import StageCache
-from simulations.scenes.photon_transfer.reading import read
+from simulations.scenes.photon_transfer.frames import read
 from simulations.scenes.photon_transfer.results import sheet
 from simulations.scenes.photon_transfer.scene import SCENE
 

@@ -35,7 +35,8 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """MTF50 with its error, halos, and where the rectangle is."""
     measured: Sharpness = outputs["sharpness"]
     half, reading, scale = measured.half, measured.reading, per_mm(settings, outputs)
-    formula = scale * first_fall(FREQUENCIES, outputs["true"], 0.5)
+    true: Floats = outputs["true"]
+    formula = math.nan if np.isnan(true).any() else scale * first_fall(FREQUENCIES, true, 0.5)
     slant = math.degrees(reading.pixels.line.angle_rad) if reading else math.nan
     found = (
         ("measured", "MTF50, from the edge", scale * half.frequency, PER_MM, 1, "image"),

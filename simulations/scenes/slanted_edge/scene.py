@@ -68,8 +68,8 @@ def over_picture(
     if found:  # the row, or column, in the middle
         end = 0.5 * found.picture.shape[1]
         middle = found.rows[len(found.rows) // 2]
-        y = float(centred(found.picture.shape[0])[middle])
-        yield from cased([in_panel(found, box, x, y) for x in (-end, end)], "camera")
+        row = float(centred(found.picture.shape[0])[middle])
+        yield from cased([in_panel(found, box, x, row) for x in (-end, end)], "camera")
     yield dot(settings.centre, "image", 4)
     yield dot(settings.corner, "image", 5)
     if simulated:
