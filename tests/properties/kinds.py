@@ -55,9 +55,11 @@ class Kind:
     ends: Sequence[Any] = ()
     """Legal values that must be answered, with examples of the other arguments."""
     illegal: Sequence[Any] = ()
+    stack: bool = False
+    """Whether each entry along the first axis is answered alone."""
 
-    def shaped(self, shape: tuple[int, ...], exact: bool, given: bool) -> "Kind":
-        """Arrays of such numbers; if ``exact``, one more in the last axis is illegal."""
+    def shaped(self, shape: tuple[int, ...], mark: str, given: bool) -> "Kind":
+        """Arrays of such numbers; with a mark, one more in the last axis is illegal."""
         rng, size = np.random.default_rng(0), math.prod(shape)
         entries = [e for e in self.ends if abs(e) <= 1.0] or [0.5 * self.example, self.example]
         low, high = min(entries), max(entries)
@@ -71,12 +73,13 @@ class Kind:
             changed.flat[-1] = value
             return changed
 
-        wider = [np.concatenate([example, example[..., :1]], axis=-1)] if exact else []
+        wider = [np.concatenate([example, example[..., :1]], axis=-1)] if mark else []
         return Kind(
             example,
             lambda rng: np.reshape([self.draw(rng) for _ in range(size)], shape),
             [with_one(end) for end in self.ends],
             [with_one(value) for value in self.illegal] + wider,
+            mark == "*",
         )
 
 
@@ -493,8 +496,8 @@ KINDS: dict[str, Kind] = {
 
 def kind_of(text: str) -> Kind:
     """``[shape] kind [= example]``, as in `arguments.toml`."""
-    pattern = r"(?:([\dx]+)(!?) )?(.+?)(?: = (\S+))?"
-    shape, exact, body, example = re.fullmatch(pattern, text).groups()  # type: ignore[union-attr]
+    pattern = r"(?:([\dx]+)([!*]?) )?(.+?)(?: = (\S+))?"
+    shape, mark, body, example = re.fullmatch(pattern, text).groups()  # type: ignore[union-attr]
     how, body = re.fullmatch(r"(whole |about |moderate )?(.+)", body).groups()  # type: ignore[union-attr]
     if limits := re.fullmatch(r"([\[(])(\S+), (\S+)([\])])", body):
         make = whole if how == "whole " else interval
@@ -508,7 +511,7 @@ def kind_of(text: str) -> Kind:
     if example:
         kind = dataclasses.replace(kind, example=float(example))
     sides = tuple(map(int, shape.split("x"))) if shape else ()
-    return kind.shaped(sides, bool(exact), given=bool(example)) if shape else kind
+    return kind.shaped(sides, mark, given=bool(example)) if shape else kind
 
 
 def moderate(kind: Kind, rng: Rng) -> float:

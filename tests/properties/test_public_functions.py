@@ -116,6 +116,38 @@ def test_legal_arguments_of_any_size_give_numbers(name: str, draws: range) -> No
             raise
 
 
+STACKS = [name for name, (_, row) in ROWS.items() if "* " in row]
+
+
+@pytest.mark.parametrize("name", STACKS)
+def test_a_stack_is_answered_as_each_of_its_vectors_alone(name: str) -> None:
+    call = call_of(name)
+    stacks = {key: kind.example for key, kind in call.kinds.items() if kind.stack}
+    together = list(numbers_of(call.answer()))
+    for place in range(len(next(iter(stacks.values())))):
+        each = numbers_of(call.answer(**{key: value[place] for key, value in stacks.items()}))
+        for many, alone in zip(together, each, strict=True):
+            np.testing.assert_allclose(many[place], alone, rtol=1e-12, atol=1e-14)
+    none = numbers_of(call.answer(**{key: value[:0] for key, value in stacks.items()}))
+    assert [part.shape for part in none] == [(0, *part.shape[1:]) for part in together]
+
+
+@pytest.mark.parametrize("name", STACKS)
+@pytest.mark.parametrize("wild", [1e200, np.inf, np.nan])
+def test_one_wild_vector_does_not_change_its_neighbours(name: str, wild: float) -> None:
+    call = call_of(name)
+    for key, kind in call.kinds.items():
+        if kind.stack:
+            spoilt = kind.example.copy()
+            spoilt[0] = wild
+            try:
+                answer = call.answer(**{key: spoilt})
+            except ValueError:
+                continue
+            for part, calm in zip(numbers_of(answer), numbers_of(call.answer()), strict=True):
+                np.testing.assert_array_equal(part[1:], calm[1:])
+
+
 def numbers_of(answer: Any) -> Iterator[np.ndarray[Any, Any]]:
     """All arrays of an answer."""
     if dataclasses.is_dataclass(answer):

@@ -17,7 +17,6 @@ from simulations.models.geometry.quaternion_blends import (
     bisected_arc,
     turn_between_rad,
 )
-from simulations.models.geometry.quaternions import cross_polynomial
 
 RNG = np.random.default_rng(1)
 
@@ -28,30 +27,10 @@ RANDOM = Rotation.random(200, rng=RNG)
 TINY_TO_TURN = [0.0, 1e-300, 1e-9, 1e-4, 1.0, math.pi - 1e-9, math.pi]
 
 
-def test_polynomials_of_the_cross_product_are_what_cross_products_make_of_a_vector() -> None:
-    a, b = RNG.normal(size=(2, 50, 3))
-    linear, square = RNG.normal(size=(2, 50))
-    once = np.cross(a, b)
-    expected = b + linear[:, None] * once + square[:, None] * np.cross(a, once)
-    found = cross_polynomial(a, linear, square)
-    np.testing.assert_allclose((found @ b[..., None])[..., 0], expected, atol=1e-13)
-    np.testing.assert_array_equal(cross_polynomial(a[3], linear[3], square[3]), found[3])
-    assert cross_polynomial(a[:4, None], linear[:5], 0.5).shape == (4, 5, 3, 3)
-
-
 @pytest.mark.parametrize("angle", TINY_TO_TURN)
 def test_the_logarithm_undoes_the_exponential_from_tiny_angles_to_half_a_turn(angle: float) -> None:
     v = np.array([2.0, -1.0, 2.0]) / 3.0 * angle
     assert rotations.logarithm(rotations.exponential(v)) == pytest.approx(v, abs=1e-14, rel=1e-14)
-
-
-def test_each_axis_of_a_field_is_scaled_on_its_own_whatever_its_signs() -> None:
-    axes = np.array([[-1.0, -2, -2], [1e-200, 0, -1e-100], [0, 5e100, 0]])
-    turns = rotations.from_axis_angle(axes, 0.7)
-    for axis, turn in zip(axes, turns, strict=True):
-        exact = axis / np.abs(axis).max()
-        exact /= np.linalg.norm(exact)
-        assert turn == pytest.approx(Rotation.from_rotvec(0.7 * exact).as_matrix(), abs=1e-15)
 
 
 @pytest.mark.parametrize("size", [1e-200, 1e-3, 1.0, 1e200])
@@ -79,13 +58,6 @@ def test_the_canonical_quaternion_has_its_first_entry_that_is_not_zero_positive(
         [1, 0, 0, 0],
         [0, 1, 0, 0],
     ]
-
-
-def test_tiny_turns_keep_their_digits_through_the_quaternion() -> None:
-    v = np.array([[1e-200, -2e-200, 0], [1e-9, 0, 1e-10], [0, 0, 0]])
-    q = quaternions.from_rotation_vector(v)
-    np.testing.assert_allclose(q[:, 1:], v / 2, rtol=1e-14)
-    np.testing.assert_allclose(quaternions.to_rotation_vector(q), v, rtol=1e-14)
 
 
 PROPER = ["xyx", "xzx", "yxy", "yzy", "zxz", "zyz"]
@@ -246,12 +218,3 @@ def test_matrices_are_blended_entry_by_entry_for_each_share() -> None:
     assert found.shape == (2, 2, 3, 3)
     np.testing.assert_allclose(found[0, 1], 0.75 * start + 0.25)
     np.testing.assert_allclose(found[1, 1], 2 - start)
-
-
-@pytest.mark.parametrize("apart", [1e-9, 1e-3, 1.0])
-def test_off_a_short_arc_only_what_lies_across_counts(apart: float) -> None:
-    """From no turn to a turn about x: turns about y are off it by their whole angle."""
-    start, end = quaternions.from_rotation_vector([(0, 0, 0), (apart, 0, 0)])
-    along, across = quaternions.from_rotation_vector([(0.7, 0, 0), (0, 0.3, 0)])
-    assert rotation_paths.off_great_circle(along, start, end) == pytest.approx(0, abs=1e-6)
-    assert rotation_paths.off_great_circle(across, start, end) == pytest.approx(0.3)

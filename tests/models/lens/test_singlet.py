@@ -123,16 +123,6 @@ def test_rays_end_where_the_glass_does() -> None:
     assert np.isnan(rays.crossing_mm[1:]).all()
 
 
-def test_refraction_keeps_directions_of_length_one() -> None:
-    along, normal = np.array([[0.8, 0.6]]), np.array([[1.0, 0.0]])
-    inside, passed = refract(along, normal, 1 / 1.5)
-    assert passed.all()
-    np.testing.assert_allclose(inside, [[math.sqrt(1 - 0.16), 0.4]])
-    back, passed = refract(along, normal, 1.8)
-    assert not passed.any()
-    np.testing.assert_array_equal(back, along)
-
-
 LENS = Singlet(1 / 50, -1 / 50, 6.0, 1.5)
 
 

@@ -4,10 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import (
     LINE_C_UM,
     LINE_D_UM,
@@ -23,10 +20,8 @@ from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     depth_of_field,
     hyperfocal,
-    principal_distance_mm,
     thin_lens_image_distance,
 )
-from simulations.models.projection.pinhole import intrinsics, project
 
 
 @pytest.mark.parametrize(("focus", "depth"), [(2000.0, 5000.0), (3000.0, 700.0), (900.0, 60.0)])
@@ -87,63 +82,6 @@ def test_an_object_near_the_focal_point_is_imaged_as_far_off_as_it_should(beyond
     distance = 50.0 * (1.0 + beyond)
     exact = 50 * Fraction(distance) / (Fraction(distance) - 50)
     assert thin_lens_image_distance(50.0, distance) == pytest.approx(float(exact), rel=1e-15)
-
-
-ACROSS = np.linspace(-1.0, 1.0, 11)
-"""Where rays pass the opening, in radii; the middle one is the chief ray."""
-
-
-FOCAL_MM = st.floats(8.0, 400.0)
-
-
-F_NUMBER = st.floats(0.8, 32.0)
-
-
-FOCUS = st.floats(1.2, 2000.0)
-"""In focal lengths."""
-
-
-DEPTH = st.floats(1.1, 5000.0)
-
-
-SIDEWAYS = st.floats(-0.8, 0.8)
-"""Of the depth."""
-
-
-def behind_lens(x_mm: float, depth_mm: float, heights_mm: Floats, focal_mm: float) -> Floats:
-    """Slopes behind the lens of the rays from a point to these heights on the lens."""
-    return (heights_mm - x_mm) / depth_mm - heights_mm / focal_mm
-
-
-def crossing_mm(focal_mm: float, focus_mm: float) -> float:
-    """Distance behind the lens at which two rays of a point on the axis meet."""
-    up, down = behind_lens(0.0, focus_mm, np.array([1.0, -1.0]), focal_mm)
-    return 2.0 / (down - up)
-
-
-def seen_by_sensor(
-    focal_mm: float, f_number: float, focus_mm: float, depth_mm: float, x_mm: float
-) -> tuple[Floats, float]:
-    """Where rays of one point meet the sensor, turned about the axis so that it is upright."""
-    heights = ACROSS * focal_mm / f_number / 2
-    sensor = crossing_mm(focal_mm, focus_mm)
-    return -(heights + sensor * behind_lens(x_mm, depth_mm, heights, focal_mm)), sensor
-
-
-@settings(deadline=None, max_examples=300)
-@given(FOCAL_MM, F_NUMBER, FOCUS, DEPTH, SIDEWAYS)
-def test_a_point_is_seen_where_projection_with_the_sensor_s_distance_puts_it(
-    focal: float, f_number: float, focus: float, depth: float, aside: float
-) -> None:
-    focus, depth = focus * focal, depth * focal
-    hits, sensor = seen_by_sensor(focal, f_number, focus, depth, aside * depth)
-    z = principal_distance_mm(focal, focus)
-    assert z == pytest.approx(sensor, rel=1e-9)
-    (x, _), _ = project([aside * depth, 0.0, depth], intrinsics(z, (0.0, 0.0)))
-    blur = float(circle_of_confusion_mm(focal, f_number, focus, depth))
-    assert hits[len(hits) // 2] == pytest.approx(x, abs=1e-9 * z)
-    assert hits.mean() == pytest.approx(x, abs=1e-9 * (z + blur))
-    assert np.ptp(hits) == pytest.approx(blur, abs=1e-9 * (z + blur))
 
 
 GLASS = Glass()

@@ -1,8 +1,6 @@
 """Vignetting, the area that two discs share, and points on a lens."""
 
 from collections.abc import Callable
-from fractions import Fraction
-from math import factorial
 
 import numpy as np
 import pytest
@@ -52,26 +50,6 @@ def test_two_discs_share_all_of_the_smaller_nothing_or_a_lens(a: float, b: float
         half = [np.sqrt(np.maximum(r * r - (x - at) ** 2, 0)) for r, at in ((a, 0.0), (b, d))]
         area = 2 * np.minimum(*half).sum() * (x[1] - x[0])
         assert disc_overlap_area(d, a, b) == pytest.approx(area, rel=1e-5)
-
-
-def segment(sine_of_half: float) -> float:
-    """x − sin x cos x, the area of a unit disc beyond a chord, from sin x/2; as a series."""
-    turn = 4 * np.arcsin(sine_of_half)
-    return sum(
-        (-1) ** (k + 1) * turn ** (2 * k + 1) / (2 * factorial(2 * k + 1)) for k in range(1, 9)
-    )
-
-
-@pytest.mark.parametrize("out", [1e-3, 1e-6])
-def test_a_disc_that_hardly_sticks_out_of_another_loses_a_sliver(out: float) -> None:
-    """The crescent: what the small disc has beyond the chord, less what the large one has."""
-    d = 0.8 + out
-    exact_out = float(Fraction(d) + Fraction(0.2) - 1)
-    of_small = np.sqrt(exact_out * (d + 1.2) / (4 * d * 0.2))
-    of_large = np.sqrt(exact_out * (1.2 - d) / (4 * d))
-    crescent = 0.04 * segment(of_small) - segment(of_large)
-    lost = np.pi * 0.04 - disc_overlap_area(d, 1.0, 0.2)
-    assert lost == pytest.approx(crescent, abs=1e-15)
 
 
 def beside_an_edge(cut: float) -> float:

@@ -20,7 +20,7 @@ from simulations.models.color.illuminants import D65_K, daylight, planck
 from simulations.models.color.observer import tristimulus
 from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.color.surfaces import CHART, chart_patch
-from simulations.models.sensor.bayer import filter_colours, red_position, through_filters
+from simulations.models.sensor.bayer import filter_colours, red_position
 from simulations.models.sensor.camera_colour import camera_curves, exposed, fit_colour_matrix
 from simulations.models.sensor.demosaicing import METHODS, PATTERNS, demosaic, mosaic
 from simulations.models.sensor.resolution import (
@@ -104,22 +104,6 @@ def test_each_pixel_has_the_filter_that_the_pattern_names(pattern: str) -> None:
     assert filter_colours(5, 7, pattern).tolist() == expected
     assert filter_colours(1, 1, pattern).tolist() == [expected[0][:1]]
     assert expected[red_position(pattern)[0]][red_position(pattern)[1]] == 0
-
-
-@pytest.mark.parametrize("pattern", PATTERNS)
-def test_through_the_filters_only_the_measured_colour_is_seen(pattern: str) -> None:
-    picture = np.random.default_rng(4).uniform(0.1, 1, (5, 7, 3))
-    mask = filter_colours(5, 7, pattern)[..., None] == np.arange(3)
-    seen = through_filters(mosaic(picture, pattern), pattern)
-    np.testing.assert_array_equal(seen, np.where(mask, picture, 0))
-
-
-def test_nearest_copies_from_within_the_quad() -> None:
-    cfa = np.array([[1.0, 2, 5, 6], [3, 4, 7, 8]])
-    result = demosaic(cfa, "RGGB", "nearest")
-    np.testing.assert_array_equal(result[..., 0], [[1, 1, 5, 5], [1, 1, 5, 5]])
-    np.testing.assert_array_equal(result[..., 1], [[2, 2, 6, 6], [3, 3, 7, 7]])
-    np.testing.assert_array_equal(result[..., 2], [[4, 4, 8, 8], [4, 4, 8, 8]])
 
 
 def test_a_line_copies_the_nearest_sample_and_greys_what_it_lacks() -> None:

@@ -1,0 +1,133 @@
+"""What all models share: array types, checks, quantiles, measures of errors and least squares."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import least_squares
+
+from simulations.models.arrays import Floats, as_array, as_floats, as_matrices, as_vectors
+from simulations.models.error_measures import psnr_db, root_mean_square
+from simulations.models.least_squares import levenberg_marquardt
+from simulations.models.pixel_grid import centred
+from simulations.models.quantiles import quantile_of
+from simulations.models.require import require, require_one_of, require_positive
+from simulations.models.whole_numbers import as_whole
+
+FLAT = np.zeros((20, 30))
+
+
+@pytest.mark.parametrize(
+    ("given", "kept"), [("f2", "f4"), ("f4", "f4"), ("f8", "f8"), ("u1", "f8"), ("?", "f8")]
+)
+def test_pictures_stay_single_and_vectors_become_double(given: str, kept: str) -> None:
+    assert as_floats(np.ones(2, given)).dtype == kept
+    assert as_vectors("x", np.ones((2, 3), given), 3).dtype == np.float64
+
+
+def test_complex_numbers_and_other_shapes_are_refused_by_name() -> None:
+    for call in (
+        lambda: as_floats([1j]),
+        lambda: as_vectors("x", [1j], 1),
+        lambda: as_array("x", [1j], 1),
+        lambda: as_array("x", np.ones((1, 3)), 3),
+        lambda: as_matrices("x", np.ones((4, 4)), 3, 3),
+    ):
+        with pytest.raises(ValueError, match=r"(x of|values of).*; legal: "):
+            call()
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (np.float64(-1.5), "-1.5"),
+        (np.array([1.0, np.nan]), "[1.0, nan]"),
+        ("xyz", "'xyz'"),
+        ((3, 4), "(3, 4)"),
+        (np.zeros((40, 80)), "of shape (40, 80)"),
+    ],
+)
+def test_a_refusal_states_name_value_and_what_is_legal(value: object, shown: str) -> None:
+    require("gain", value, True, "above 0")
+    with pytest.raises(ValueError, match="legal") as refused:
+        require("gain", value, False, "above 0")
+    assert str(refused.value) == f"gain {shown}; legal: above 0"
+
+
+def test_numbers_that_are_not_positive_and_unknown_words_are_refused() -> None:
+    require_positive("scale", 1e-300)
+    require_one_of("method", "nearest", ("nearest", "bilinear"))
+    for value in (0.0, -1.0, np.inf, -np.inf, np.nan):
+        with pytest.raises(ValueError, match="scale"):
+            require_positive("scale", value)
+    with pytest.raises(ValueError, match="nearest, bilinear"):
+        require_one_of("method", "cubic", ("nearest", "bilinear"))
+
+
+@pytest.mark.parametrize("value", [3, 3.0, np.int64(3), np.float32(3)])
+def test_whole_numbers_of_any_type_become_ints(value: Any) -> None:
+    assert type(as_whole("count", value, 1)) is int
+    assert as_whole("count", value, 1, 3) == as_whole("count", value, 3) == 3
+
+
+@pytest.mark.parametrize("value", [0, 4, 2.5, -1, np.nan, np.inf, -np.inf])
+def test_other_numbers_are_refused_with_the_range(value: float) -> None:
+    with pytest.raises(ValueError, match=f"count {value}; legal: whole numbers, 1 to 3"):
+        as_whole("count", value, 1, 3)
+
+
+@pytest.mark.parametrize("share", [0.0, 0.05, 0.5, 1.0])
+def test_a_quantile_is_that_of_numpy(share: float) -> None:
+    values = np.random.default_rng(0).normal(size=(7, 9))
+    assert quantile_of(values, share) == np.percentile(values, 100 * share, method="nearest")
+
+
+def test_pixels_are_counted_from_the_middle_of_a_row() -> None:
+    assert [centred(n).tolist() for n in (1, 3, 4)] == [[0], [-1, 0, 1], [-1.5, -0.5, 0.5, 1.5]]
+
+
+@pytest.mark.parametrize(
+    ("picture", "reference", "peak", "score"),
+    [
+        (FLAT + 1, FLAT, 255.0, 20 * np.log10(255)),
+        (FLAT, FLAT, 1.0, np.inf),
+        ([0.1, 0.3, 0.0], [0.0, 0.2, 0.1], 1.0, 20.0),
+        (np.eye(20), np.zeros((20, 20)), 1.0, 10 * np.log10(20)),
+        (FLAT + 1e200, FLAT, 1.0, -np.inf),
+    ],
+)
+def test_psnr_is_the_mean_square_of_the_difference_in_units_of_the_peak(
+    picture: Floats, reference: Floats, peak: float, score: float
+) -> None:
+    assert psnr_db(picture, reference, peak) == pytest.approx(score)
+
+
+def test_psnr_leaves_out_just_the_border() -> None:
+    spoilt = np.ones((20, 30))
+    spoilt[3:-3, 3:-3] = 0
+    assert psnr_db(spoilt, FLAT, crop=3) == np.inf
+    spoilt[3, -4] = 1
+    assert psnr_db(spoilt, FLAT, crop=3) == pytest.approx(10 * np.log10(14 * 24))
+    assert root_mean_square([[3.0, -4.0]]) == pytest.approx(5 / np.sqrt(2))
+
+
+def test_a_curve_is_fitted_as_by_scipy() -> None:
+    rng = np.random.default_rng(3)
+    t = np.linspace(0, 4, 40)
+    y = 2.0 * np.exp(-0.7 * t) + rng.normal(0, 0.05, 40)
+
+    def residuals(at: Floats) -> tuple[Floats, Floats]:
+        decay = np.exp(-at[1] * t)
+        return at[0] * decay - y, np.column_stack([decay, -at[0] * t * decay])
+
+    found = levenberg_marquardt(residuals, np.add, np.array([1.0, 0.1]))
+    expected = least_squares(lambda at: residuals(at)[0], (1.0, 0.1), xtol=1e-14, ftol=1e-14)
+    np.testing.assert_allclose(found, expected.x, rtol=1e-6)
+
+
+def test_a_start_from_which_full_steps_diverge_still_leads_to_the_minimum() -> None:
+    def residuals(at: Floats) -> tuple[Floats, Floats]:
+        return np.arctan(at), np.diag([1.0, 0.0]) / (1.0 + at * at)
+
+    found = levenberg_marquardt(residuals, np.add, np.array([5.0, 0.0]))
+    np.testing.assert_allclose(found, 0.0, atol=1e-5)
