@@ -1,4 +1,4 @@
-"""The book on waves, built once for all workers."""
+"""The German book, built once for all workers."""
 
 import json
 from pathlib import Path
@@ -8,19 +8,19 @@ from typing import Any
 import pytest
 from support.built import built_once
 from support.engine import Engine
-from support.places import WAVES
+from support.places import GERMAN_BOOK
 
 
 @pytest.fixture(scope="session")
-def waves_site(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+def site(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
     def build(out: Path) -> CompletedProcess[str]:
-        done = engine.run(WAVES, "-m", "site_builder", "build", "--out", str(out))
+        done = engine.run(GERMAN_BOOK, "-m", "site_builder", "build", "--out", str(out))
         assert "warning" not in done.stderr
         return done
 
-    return built_once(tmp_path_factory, worker_id, "waves", build)
+    return built_once(tmp_path_factory, worker_id, "german", build)
 
 
 @pytest.fixture(scope="session")
-def waves_book(waves_site: Path) -> Any:
-    return json.loads((waves_site / "book.json").read_text(encoding="utf-8"))
+def german_book(site: Path) -> Any:
+    return json.loads((site / "book.json").read_text(encoding="utf-8"))

@@ -1,76 +1,116 @@
-"""A book in German: no word of its interface is English, and its figures, questions and search
-speak as its pages do."""
+"""A book on another subject and in German: built whole by the installed engine, of its own parts
+alone; no word of its interface is English, and its figures, questions and search are its own."""
 
 import json
 import re
 import zipfile
 from pathlib import Path
-from subprocess import CompletedProcess
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 from playwright.sync_api import Browser, expect
-from support.built import built_once
 from support.engine import Engine
+from support.found import ILLUSTRATIONS, TABLES
 from support.interface_words import engine_sentences, phrases, said
-from support.places import GERMAN_BOOK
+from support.places import GERMAN_BOOK, LADDERS, SCENES
 from support.reader import Reader, visit
 from support.static_server import serving
 
+from simulations.registry import LADDER_MODULES, SCENE_MODULES
+from site_builder.files.engine import is_engine
 from site_builder.languages.words import ENGLISH, load_words
 
 WORDS = load_words("de")
 XML = "{http://www.w3.org/XML/1998/namespace}"
+STYLES = re.compile(r"<style>.*?</style>", re.DOTALL)
+"""The engine's; their colours have names that a book's figures may have, too."""
+GERMAN = "\n".join(phrase for _, phrase in phrases(WORDS))
 
 
-@pytest.fixture(scope="session")
-def german_site(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
-    def build(out: Path) -> CompletedProcess[str]:
-        return engine.run(GERMAN_BOOK, "-m", "site_builder", "build", "--out", str(out))
-
-    return built_once(tmp_path_factory, worker_id, "german", build)
+def pages(site: Path) -> list[Path]:
+    return [file for file in site.rglob("*.html") if "assets" not in file.parts]
 
 
-@pytest.fixture(scope="session")
-def german_book(german_site: Path) -> Any:
-    return json.loads((german_site / "book.json").read_text(encoding="utf-8"))
-
-
-def page(site: Path, address: str) -> str:
-    return (site / address / "index.html").read_text(encoding="utf-8")
-
-
-def test_it_shows_every_kind_of_question_and_of_prediction(german_book: Any) -> None:
+def test_it_has_its_own_chapters_figures_and_every_kind_of_question(german_book: Any) -> None:
+    chapters = [(chapter["number"], chapter["id"]) for chapter in german_book["chapters"]]
+    assert chapters == [(1, "das-pendel"), (2, "die-saite"), (3, "zahlen")]
+    assert sorted(scene["id"] for scene in german_book["simulations"]) == sorted(SCENES)
     kinds = {quiz["kind"] for quiz in german_book["quizzes"]}
     assert kinds == {"single", "multiple", "number", "order", "figure"}
     kinds = {prediction["kind"] for prediction in german_book["predictions"]}
     assert kinds == {"choice", "number", "sketch"}
 
 
-def test_no_english_word_of_the_interface_is_left(german_site: Path) -> None:
-    german = "\n".join(phrase for _, phrase in phrases(WORDS))
-    files = [file for file in german_site.rglob("*") if file.suffix in (".html", ".js", ".css")]
+def test_its_readers_get_its_modules_and_the_engine_s_and_no_others(site: Path) -> None:
+    (archive,) = site.glob("runtime/*/simulations.zip")
+    with zipfile.ZipFile(archive) as opened:
+        modules = {module(Path(name)) for name in opened.namelist()}
+    files = (GERMAN_BOOK / "simulations").rglob("*.py")
+    own = {module(file.relative_to(GERMAN_BOOK)) for file in files}
+    of_the_engine = set(filter(is_engine, modules))
+    assert modules == of_the_engine | own
+    assert {name for name in of_the_engine if ".models." in name} <= own
+    (file,) = site.glob("runtime/*/runtime.json")
+    table = json.loads(file.read_text(encoding="utf-8"))
+    assert (sorted(table["scenes"]), sorted(table["ladders"])) == (sorted(SCENES), sorted(LADDERS))
+
+
+def module(file: Path) -> str:
+    return ".".join(file.with_suffix("").parts).removesuffix(".__init__")
+
+
+def test_nothing_that_readers_get_is_of_this_book(site: Path) -> None:
+    ours = [*SCENE_MODULES, *LADDER_MODULES, *ILLUSTRATIONS, *(table.id for table in TABLES)]
+    ids = re.compile(rf"""["'#/](?:figure-|ladder-|extremes-)?({"|".join(ours)})["'/]""")
+    told = [
+        f"{file.relative_to(site)}: {found[1]}"
+        for file in site.rglob("*")
+        if file.suffix in (".html", ".json") and not {*file.parts} & {"licences", "runtime.json"}
+        for found in ids.finditer(STYLES.sub("", file.read_text(encoding="utf-8")))
+    ]
+    assert told == []
+
+
+def test_it_has_pages_of_all_that_it_has_and_licences_of_all_that_it_ships(site: Path) -> None:
+    assert (site / "glossary" / "index.html").is_file()
+    assert not (site / "lecture-plan").exists()
+    quoted = site / "source" / "simulations" / "scenes" / "fadenpendel" / "scene" / "index.html"
+    assert "arithmetic-geometric mean" in quoted.read_text(encoding="utf-8")
+    page = (site / "licences" / "index.html").read_text(encoding="utf-8")
+    assert "textbook-builder" in page
+    assert "The Image Formation authors" in page
+
+
+def test_no_english_word_of_the_interface_or_sentence_of_the_engine_is_left(site: Path) -> None:
+    files = [file for file in site.rglob("*") if file.suffix in (".html", ".js", ".css")]
     left = [
-        f"{file.relative_to(german_site)}: {phrase!r} ({key})"
+        f"{file.relative_to(site)}: {phrase!r} ({key})"
         for file in files
         for text in (said(file),)
         for key, phrase in phrases(ENGLISH)
-        if phrase in text and phrase not in german
+        if phrase in text and phrase not in GERMAN
     ]
     assert left == []
-
-
-def test_the_engine_of_its_figures_says_no_english_sentence(german_site: Path) -> None:
-    shown = [file for file in german_site.rglob("*.html") if "assets" not in file.parts]
-    texts = {file: re.sub(r"<[^>]*>", "\n", said(file)) for file in shown}
+    texts = {file: re.sub(r"<[^>]*>", "\n", said(file)) for file in pages(site)}
     left = [
-        f"{file.relative_to(german_site)}: {sentence!r}"
+        f"{file.relative_to(site)}: {sentence!r}"
         for file, text in texts.items()
         for sentence in engine_sentences()
         if sentence in text
     ]
     assert left == []
+    tags = {tag for file in pages(site) for tag in re.findall(r'<html lang="([^"]*)"', said(file))}
+    assert tags == {"de"}
+
+
+def test_quotes_numbers_labels_and_licence_are_german(site: Path) -> None:
+    text = said(site / "das-pendel" / "index.html")
+    for phrase in (
+        *("Ein „Pendel“ ist", "zeigt die Abbildung 2,48\u00a0s.", "Galilei und Elsevier 1638"),
+        *("1. Auflage", ">Abbildung 1.1</a>", ">Rechenbeispiel 1.1</a>", "unter CC BY-SA 4.0"),
+    ):
+        assert phrase in text, phrase
 
 
 def test_its_e_book_is_in_german(engine: Engine, tmp_path: Path) -> None:
@@ -78,51 +118,47 @@ def test_its_e_book_is_in_german(engine: Engine, tmp_path: Path) -> None:
     made = engine.run(GERMAN_BOOK, "-m", "site_builder", "epub", "--out", str(file))
     assert made.returncode == 0, made.stderr
     with zipfile.ZipFile(file) as book:
-        texts = {name: book.read(name).decode() for name in book.namelist() if is_text(name)}
-    roots = {name: ElementTree.fromstring(text) for name, text in texts.items()}
-    pages = [root for name, root in roots.items() if name.endswith(".xhtml")]
-    assert {page.get(f"{XML}lang") or page.get("lang") for page in pages} == {"de"}
-    german = "\n".join(phrase for _, phrase in phrases(WORDS))
+        texts = (name for name in book.namelist() if name.endswith((".xhtml", ".opf")))
+        roots = {name: ElementTree.fromstring(book.read(name)) for name in texts}
+    chapters = [root for name, root in roots.items() if name.endswith(".xhtml")]
+    assert {page.get(f"{XML}lang") or page.get("lang") for page in chapters} == {"de"}
     shown = "\n".join("\n".join(root.itertext()) for root in roots.values())
-    assert [said for _, said in phrases(ENGLISH) if said in shown and said not in german] == []
+    assert [text for _, text in phrases(ENGLISH) if text in shown and text not in GERMAN] == []
     for key in ("edition.answers", "edition.contents", "glossary.title"):
         assert WORDS(key) in shown
 
 
-def is_text(name: str) -> bool:
-    return name.endswith((".xhtml", ".opf"))
+def test_its_own_tests_pass(engine: Engine) -> None:
+    folder = str(GERMAN_BOOK / "tests")
+    how = ("-q", "-p", "no:cacheprovider", "-c", "/dev/null", "--rootdir", folder)
+    done = engine.run(GERMAN_BOOK, "-m", "pytest", *how, folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    done = engine.run(GERMAN_BOOK, "-c", "import simulations.scenes.camera")
+    assert done.stderr.rstrip().endswith("No module named 'simulations.scenes.camera'")
 
 
-def test_every_page_says_its_language(german_site: Path) -> None:
-    pages = [file for file in german_site.rglob("*.html") if "assets" not in file.parts]
-    tags = {tag for file in pages for tag in re.findall(r'<html lang="([^"]*)"', said(file))}
-    assert tags == {"de"}
-
-
-def test_quotes_numbers_and_names_are_german(german_site: Path) -> None:
-    text = said(german_site / "das-pendel" / "index.html")
-    assert "Ein „Pendel“ ist" in text
-    assert "zeigt die Abbildung 2,48\u00a0s." in text
-    assert "Galilei und Elsevier 1638" in text
-    assert "1. Auflage" in text
-
-
-def test_numbering_begins_where_the_outline_says_and_labels_are_its_own(
-    german_site: Path, german_book: Any
+@pytest.mark.parametrize(
+    ("path", "says"),
+    [
+        ("thesis.tex", "is no book; legal: a folder that holds content/"),
+        ("simulations/__init__.py", "hides the engine's part of simulations; legal: "),
+        ("simulations/engine/frame.py", "hides the engine's part of simulations; legal: "),
+        ("simulations/models/color.py", "hides the engine's part of simulations; legal: "),
+    ],
+)
+def test_a_folder_that_is_no_book_or_hides_a_part_of_the_engine_is_refused(
+    path: str, says: str, engine: Engine, tmp_path: Path
 ) -> None:
-    assert [chapter["number"] for chapter in german_book["chapters"]] == [1, 2, 3]
-    text = page(german_site, "das-pendel")
-    assert ">Abbildung 1.1</a>" in text
-    assert ">Rechenbeispiel 1.1</a>" in text
-
-
-def test_its_licence_is_its_own(german_site: Path) -> None:
-    assert "unter CC BY-SA 4.0" in page(german_site, "das-pendel")
+    (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+    (tmp_path / path).touch()
+    done = engine.run(tmp_path, "-m", "site_builder", "check")
+    assert done.returncode == 1
+    assert says in done.stderr
 
 
 @pytest.mark.browser
-def test_a_visit_in_german(german_site: Path, german_book: Any, brisk_chromium: Browser) -> None:
-    with serving(german_site) as server, visit(brisk_chromium, server, bypass_csp=True) as reader:
+def test_a_visit_in_german(site: Path, german_book: Any, brisk_chromium: Browser) -> None:
+    with serving(site) as server, visit(brisk_chromium, server, bypass_csp=True) as reader:
         figure = reader.open_figure(german_book, "fadenpendel")
         figure.locator("input[name=length]").fill("1.5")
         reader.settle(figure)  # a figure whose cost is not known yet drafts
@@ -134,16 +170,16 @@ def test_a_visit_in_german(german_site: Path, german_book: Any, brisk_chromium: 
         report = figure.locator("details.stage-report")
         report.locator("summary").click()
         expect(report).to_contain_text(WORDS("script.stage_report.changed", names="length"))
-        assert not [said for said in engine_sentences() if said in figure.inner_text()]
-        _answer(reader)
-        _search(reader)
+        assert not [text for text in engine_sentences() if text in figure.inner_text()]
+        answer(reader)
+        search(reader)
         kept = reader.page.evaluate("Object.keys(localStorage)")
         assert kept
         assert all(name.startswith("schwingungen:") for name in kept)
         reader.assert_no_complaints()
 
 
-def _answer(reader: Reader) -> None:
+def answer(reader: Reader) -> None:
     form = reader.page.locator("#quiz-vier-meter")
     form.locator("input[name=answer]").fill("4.01")
     form.locator("button[type=submit]").click()
@@ -155,13 +191,56 @@ def _answer(reader: Reader) -> None:
     expect(reader.page.locator(".progress-count")).to_contain_text(counted)
 
 
-def _search(reader: Reader) -> None:
+def search(reader: Reader) -> None:
     """By another form of the word than the page has."""
     reader.page.keyboard.press("/")
     dialog = reader.page.locator("dialog.search")
-    dialog.locator("input[type=search]").fill("kleiner Winkeln")
-    expect(dialog.locator("a[data-result]").first).to_have_attribute(
-        "href", re.compile("die-kleinen-winkel")
-    )
+    dialog.locator("input[type=search]").fill("hoher Tönen")
+    found = dialog.locator("a[data-result]").first
+    expect(found).to_have_attribute("href", re.compile("die-saite"))
     expect(dialog.get_by_role("status")).to_contain_text("Abschnitt")
     reader.page.keyboard.press("Escape")
+
+
+LISTEN = """
+const {start} = AudioBufferSourceNode.prototype;
+window.heard = [];
+AudioBufferSourceNode.prototype.start = function (when, offset) {
+  const samples = this.buffer.getChannelData(0);
+  const peak = samples.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  window.heard.push({length: samples.length, rate: this.buffer.sampleRate, peak, offset});
+  this.loop = true; // or the sound may end before a busy machine has drawn the next frame
+  return start.call(this, when, offset);
+};
+"""
+
+
+@pytest.mark.browser
+def test_a_press_plays_its_samples_and_a_moved_control_changes_them(
+    site: Path, german_book: Any, brisk_chromium: Browser
+) -> None:
+    with serving(site) as server, visit(brisk_chromium, server, LISTEN, bypass_csp=True) as reader:
+        figure = reader.open_figure(german_book, "saite")
+        button = figure.locator("[data-play-sound]")
+        assert reader.page.evaluate("heard") == []
+        play = button.text_content() or ""
+        button.click()
+        reader.page.wait_for_function("heard.length === 1")
+        expect(button).not_to_have_text(play)
+        before = reader.frames(figure)
+        figure.locator("input[name=number]").fill("5")
+        reader.page.wait_for_function("heard.length === 2")
+        reader.wait_frame(figure, before)
+        assert figure.locator("output[name=ruhe]").text_content() == "6"
+        first, second = reader.page.evaluate("heard")
+        assert (first["length"], first["rate"], first["offset"]) == (44_100, 22_050, 0)
+        assert 0.4 < first["peak"] <= 0.5
+        assert second["offset"] > 0, "goes on where the first was"
+        reader.uncover(figure)
+        before = reader.frames(figure)
+        figure.locator("input[name=phase]").fill("0.5")
+        reader.wait_frame(figure, before)
+        button.click()
+        expect(button).to_have_text(play)
+        reader.turn_to_figure(german_book, "fadenpendel")
+        reader.assert_no_complaints()

@@ -9,13 +9,11 @@ import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import CancelledError, ThreadPoolExecutor
 from functools import partial
-from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from site_builder.diagnostics.diagnostic import cause
 from site_builder.sandbox.pool import LimitError, Limits, limited, run_limited, side_by_side
 
 QUICK = Limits(seconds=0.3, wall_seconds=60.0, bytes=300_000_000)
@@ -131,20 +129,6 @@ def test_a_job_that_failed_is_not_tried_again() -> None:
             run_limited(fail_at_this_moment)
         moments.append(str(raised.value))
     assert moments[0] == moments[1]
-
-
-def test_the_place_and_the_words_of_an_error_come_back_with_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    package = tmp_path / "simulations" / "sandboxed"
-    package.mkdir(parents=True)
-    (package / "__init__.py").write_text("")
-    (package / "optics.py").write_text("height = 3\ndef focus():\n    return heigth\n")
-    monkeypatch.syspath_prepend(tmp_path)
-    with limited(Limits()), pytest.raises(NameError) as raised:
-        run_limited(import_module("simulations.sandboxed.optics").focus)
-    said = "NameError: name 'heigth' is not defined. Did you mean: 'height'?"
-    assert cause(raised.value) == f"{said}, at simulations/sandboxed/optics.py:3"
 
 
 def test_jobs_side_by_side_give_their_results_in_order() -> None:

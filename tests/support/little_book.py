@@ -1,7 +1,7 @@
 """A little book, checked and rendered, and its one scene."""
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.etree import ElementTree
@@ -67,7 +67,7 @@ type MakeBook = Callable[..., Options]
 
 
 @pytest.fixture
-def bundled(monkeypatch: pytest.MonkeyPatch) -> None:
+def bundled() -> Iterator[pytest.MonkeyPatch]:
     """Scripts are bundled as they are, which takes no time; this module has an illustration and a
     table of hard cases."""
 
@@ -75,13 +75,15 @@ def bundled(monkeypatch: pytest.MonkeyPatch) -> None:
         scripts = {name: content_bytes(sources[name]) for name in entries}
         return Bundle({f"{name[:-3]}.js": text for name, text in scripts.items()}, (), frozenset())
 
-    monkeypatch.setattr(site_assets, "bundle_scripts", as_written)
-    monkeypatch.setitem(illustration.MODULES, "similar-triangles", __name__)
-    monkeypatch.setitem(extremes.FILES, "halves", FIXTURES / "hard_cases" / "halves.toml")
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(site_assets, "bundle_scripts", as_written)
+        monkeypatch.setitem(illustration.MODULES, "similar-triangles", __name__)
+        monkeypatch.setitem(extremes.FILES, "halves", FIXTURES / "hard_cases" / "halves.toml")
+        yield monkeypatch
 
 
 @pytest.fixture
-def make_book(tmp_path: Path, bundled: None) -> MakeBook:  # noqa: ARG001
+def make_book(tmp_path: Path, bundled: pytest.MonkeyPatch) -> MakeBook:  # noqa: ARG001
     """Writes a book whose first chapter is ``body``; other files by path override the defaults."""
 
     def make(body: str = "Text.\n", files: Mapping[str, str | None] | None = None) -> Options:
@@ -104,13 +106,6 @@ def make_book(tmp_path: Path, bundled: None) -> MakeBook:  # noqa: ARG001
         return Options(tmp_path, runtime=False, search=False, load_scene=load_demo)
 
     return make
-
-
-def files_of(name: str) -> dict[str, str]:
-    """The files of a book in ``fixtures/little_books``, by path."""
-    root = FIXTURES / "little_books" / name
-    files = (file for file in root.rglob("*") if file.is_file())
-    return {file.relative_to(root).as_posix(): file.read_text("utf-8") for file in files}
 
 
 def diagnostics(options: Options) -> list[Diagnostic]:

@@ -1,0 +1,105 @@
+"""Editions as readers have them: notebooks, started in their folder, show what the site shows; an
+e-book passes the checker of its standard."""
+
+import re
+import shutil
+import sys
+from base64 import b64decode
+from pathlib import Path
+from xml.etree import ElementTree
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+from nbformat import NotebookNode, v4
+from support.engine import Engine, run
+from support.places import GERMAN_BOOK, ROOT
+
+from simulations.engine.frame import Raster
+from site_builder.figures.frames import pixels
+
+STATES = "application/vnd.jupyter.widget-state+json"
+OVERLAY = re.compile(r'<(?:svg|g) class="overlay"[^>]*>(.*?)(?:</g>)?</svg>', re.DOTALL)
+MOVE = """
+shown = figure("saite")
+shown.widgets["number"].value = 4
+print(shown.frame.description)
+"""
+PACKED = b"PK"
+"""How an archive of Java begins: Debian's command is one."""
+MISSING = "epubcheck is not installed; `apt-get install epubcheck` installs it, with Java"
+
+
+def executed(file: Path, *more: str) -> NotebookNode:
+    """The notebook with ``more`` cells at its end, run by a kernel in its folder."""
+    notebook: NotebookNode = nbformat.read(file, as_version=4)
+    nbformat.validate(notebook)
+    notebook.cells += [v4.new_code_cell(source) for source in more]
+    resources = {"metadata": {"path": str(file.parent)}}
+    NotebookClient(notebook, timeout=300, resources=resources).execute()
+    return notebook
+
+
+def drawings(notebook: NotebookNode) -> list[str]:
+    """The SVG of all panels, in any order."""
+    widgets = notebook.metadata.get("widgets", {STATES: {"state": {}}})[STATES]["state"].values()
+    shown = (each for each in widgets if each["model_name"] == "ImageModel")
+    return [b64decode(each["buffers"][0]["data"]).decode() for each in shown]
+
+
+def overlays(markup: str) -> list[str]:
+    return [" ".join(drawn.split()) for drawn in OVERLAY.findall(markup)]
+
+
+def rasters(svg: str) -> list[Raster]:
+    images = ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}image")
+    return [pixels(b64decode(image.get("href", "").partition(",")[2])) for image in images]
+
+
+def identity(raster: Raster) -> tuple[tuple[int, ...], bytes]:
+    return raster.shape, raster.tobytes()
+
+
+def test_figures_of_another_book_run_from_its_folder_of_notebooks_alone(
+    engine: Engine, site: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    done = engine.run(GERMAN_BOOK, "-m", "site_builder", "notebooks", "--out", str(out))
+    assert done.returncode == 0, done.stderr
+    notebook = executed(out / "die-saite.ipynb", MOVE)
+    page = (site / "die-saite" / "index.html").read_text(encoding="utf-8")
+    shown = {overlay for svg in drawings(notebook) for overlay in overlays(svg)}
+    still = set(overlays(page)[:1])
+    assert still < shown
+    assert len(shown - still) == 1, "the panel of the figure that was moved"
+    assert notebook.cells[-1].outputs[0].text == "Eine Saite in 4 gleichen Teilen.\n"
+
+
+@pytest.mark.deep
+def test_every_notebook_of_this_book_runs_and_has_the_pictures_of_the_site(
+    built_site: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    done = run(ROOT, sys.executable, "-m", "site_builder", "notebooks", "--out", str(out))
+    assert done.returncode == 0, done.stderr
+    for file in sorted(out.glob("*.ipynb")):
+        shown = {identity(each) for svg in drawings(executed(file)) for each in rasters(svg)}
+        stills = built_site.glob(f"assets/*/stills/{file.stem}--*.webp")
+        assert shown == {identity(pixels(still.read_bytes())) for still in stills}, file.stem
+
+
+@pytest.mark.deep
+@pytest.mark.parametrize("book", [ROOT, GERMAN_BOOK], ids=lambda book: book.name)
+def test_epubcheck_finds_no_errors_and_no_warnings_in_an_e_book(
+    engine: Engine, tmp_path: Path, book: Path
+) -> None:
+    """EPUBCheck is of the W3C."""
+    checker = shutil.which("epubcheck")
+    assert checker, MISSING
+    out = tmp_path / "book.epub"
+    python = sys.executable if book == ROOT else engine.python
+    made = run(book, python, "-m", "site_builder", "epub", "--out", str(out))
+    assert made.returncode == 0, made.stderr
+    java = ("java", "-jar") if Path(checker).read_bytes().startswith(PACKED) else ()
+    done = run(tmp_path, *java, checker, "--failonwarnings", str(out))
+    assert done.returncode == 0, done.stdout + done.stderr

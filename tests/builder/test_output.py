@@ -1,0 +1,253 @@
+"""The site is written whole or not at all; its sheets are joined, its scripts bundled."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import pytest
+from support.little_book import MakeBook
+from support.places import ROOT
+
+from site_builder.build import render_site
+from site_builder.diagnostics.diagnostic import BuildError
+from site_builder.output import scripts
+from site_builder.output.assets import hashed_folder
+from site_builder.output.scripts import Bundle, bundle_scripts
+from site_builder.output.style_sheets import join_style_sheets
+from site_builder.output.writer import advice, write_site
+from site_builder.programs.node import NodeError
+
+NOBODY = 65534
+"""The user without rights."""
+BOOK = {"book.json": b"{}"}
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_the_site_is_replaced_as_a_whole_and_the_changed_files_are_named(tmp_path: Path) -> None:
+    out = tmp_path / "site"
+    assert set(write_site({**BOOK, "old/page.html": b"old"}, out)) == {"book.json", "old/page.html"}
+    changed = write_site({**BOOK, "new/page.html": b"new"}, out)
+    assert set(changed) == {"old/page.html", "new/page.html"}
+    written = sorted(path.relative_to(out).as_posix() for path in out.rglob("*.*"))
+    assert written == ["book.json", "new/page.html"]
+    assert names(tmp_path) == ["site"]
+    assert write_site({**BOOK, "new/page.html": b"new"}, out) == ()
+
+
+def test_a_write_or_a_swap_that_fails_leaves_the_last_site(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "site"
+    write_site(BOOK, out)
+    with pytest.raises(FileNotFoundError):
+        write_site({"book.json": b"new", "gone.png": tmp_path / "gone.png"}, out)
+    assert ((out / "book.json").read_bytes(), names(tmp_path)) == (b"{}", ["site"])
+    rename = Path.rename
+
+    def refuse_the_new(self: Path, target: Path) -> Path:
+        if self.name.endswith("-new"):
+            raise PermissionError("in use")
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "rename", refuse_the_new)
+    with pytest.raises(PermissionError):
+        write_site({"book.json": b"new", "more": b""}, out)
+    assert ((out / "book.json").read_bytes(), names(tmp_path)) == (b"{}", ["site"])
+
+
+def test_unchanged_files_keep_their_time_and_damaged_ones_are_put_right(tmp_path: Path) -> None:
+    out, files = tmp_path / "site", {**BOOK, "a": b"a"}
+    write_site(files, out)
+    for name in files:
+        os.utime(out / name, (1000, 1000))
+    (out / "a").write_bytes(b"damaged")
+    (out / "stray").touch()
+    assert set(write_site(files, out)) == {"a", "stray"}
+    assert {file.name: file.read_bytes() for file in out.iterdir()} == files
+    assert (out / "book.json").stat().st_mtime == 1000
+    assert (out / "a").stat().st_mtime > 1000
+
+
+@pytest.mark.parametrize("out", [".", "thesis.tex"])
+def test_a_folder_or_file_that_is_no_site_is_never_replaced(tmp_path: Path, out: str) -> None:
+    (tmp_path / "thesis.tex").write_text("years of work")
+    with pytest.raises(ValueError, match="holds no site"):
+        write_site(BOOK, tmp_path / out)
+    assert (tmp_path / "thesis.tex").read_text() == "years of work"
+
+
+def test_the_next_build_clears_up_after_a_killed_one(tmp_path: Path) -> None:
+    (tmp_path / ".site-new" / "a").mkdir(parents=True)
+    (tmp_path / ".other-new").mkdir()
+    write_site({**BOOK, "kept": b"good"}, tmp_path / "site")
+    assert names(tmp_path) == [".other-new", "site"]
+    (tmp_path / "site").rename(tmp_path / ".site-old")
+    with pytest.raises(FileNotFoundError):
+        write_site({"book.json": b"new", "gone": tmp_path / "gone"}, tmp_path / "site")
+    assert (tmp_path / "site" / "kept").read_bytes() == b"good"
+
+
+def test_two_builds_at_once_leave_one_whole_site(tmp_path: Path) -> None:
+    """Each in a process of its own, as they would be."""
+    program = (
+        "import sys; from pathlib import Path; from site_builder.output.writer import write_site\n"
+        "files = {f'{n}.html': sys.argv[2].encode() for n in range(99)} | {'book.json': b'{}'}\n"
+        "for _ in range(9): write_site(files, Path(sys.argv[1]))"
+    )
+    command = [sys.executable, "-c", program, str(tmp_path / "site")]
+    both = [subprocess.Popen([*command, name], cwd=ROOT) for name in ("one", "two")]
+    assert [build.wait() for build in both] == [0, 0]
+    found = {file.read_bytes() for file in (tmp_path / "site").glob("*.html")}
+    assert found in ({b"one"}, {b"two"})
+    assert names(tmp_path) == ["site"]
+
+
+@pytest.fixture
+def sealed() -> Iterator[Path]:
+    """A site in a folder where nobody may write: neither root, who may everything."""
+    folder = Path(tempfile.mkdtemp())
+    write_site({**BOOK, "a": b"a"}, folder / "site")
+    for each in (folder / "site", folder):
+        each.chmod(0o555)
+    before = os.geteuid()
+    if not before:
+        os.seteuid(NOBODY)
+    yield folder / "site"
+    if not before:
+        os.seteuid(before)
+    for each in (folder, folder / "site"):
+        each.chmod(0o755)
+    shutil.rmtree(folder)
+
+
+@pytest.mark.parametrize("more", [{}, {"b": b"b"}], ids=["one file", "several"])
+def test_where_nobody_may_write_the_last_site_stays_and_the_message_has_a_way_out(
+    sealed: Path, more: dict[str, bytes]
+) -> None:
+    with pytest.raises(PermissionError) as raised:
+        write_site({**BOOK, "a": b"new", **more}, sealed)
+    assert "choose a folder that can be written, by --out" in advice(raised.value)
+    assert {file.name: file.read_bytes() for file in sealed.iterdir()} == {**BOOK, "a": b"a"}
+    assert names(sealed.parent) == ["site"]
+
+
+def test_the_folder_of_assets_is_named_by_names_and_contents_and_holds_nothing_hidden(
+    make_book: MakeBook,
+) -> None:
+    given = ({"a": b"1"}, {"a": b"2"}, {"b": b"1"}, {"a": b"1", "b": b""}, {"ab": b"1"})
+    assert len({hashed_folder("assets", files)[0] for files in given}) == len(given)
+    folder, files = hashed_folder("assets", {"a": b"1"})
+    assert files.keys() == {folder + "a"}
+    hidden = {"static/css/.book.css.swp": "x", "static/.git/hooks/x.js": "x", "static/a.js": "x"}
+    published = [path for path in render_site(make_book(files=hidden)) if path.startswith("assets")]
+    assert any(path.endswith("/a.js") for path in published)
+    assert not any("swp" in path or ".git" in path for path in published)
+
+
+ENTRY = "css/book.css"
+
+
+def test_imported_sheets_stand_in_the_place_of_their_imports_and_are_left_out() -> None:
+    files = {
+        ENTRY: b'/* All. */\n@import "a.css";\n@import "b.css";\nlast {}\n',
+        "css/a.css": b"a { background: url(../x.png) }\n",
+        "css/b.css": b"b {}\n",
+        "js/main.js": b"",
+    }
+    joined = join_style_sheets(files, ENTRY)
+    assert sorted(joined) == [ENTRY, "js/main.js"]
+    assert joined[ENTRY] == b"/* All. */\na { background: url(../x.png) }\nb {}\nlast {}\n"
+
+
+@pytest.mark.parametrize("name", ["missing.css", "deep/a.css", "../a.css"])
+def test_an_import_that_cannot_be_joined_is_named_with_its_line(name: str) -> None:
+    sheet = f'@import "a.css";\n@import "{name}";\n'.encode()
+    files = {ENTRY: sheet, "css/a.css": b"", "css/deep/a.css": b"", "a.css": b""}
+    with pytest.raises(BuildError, match=f"^static/css/book.css:2: cannot import {name!r}"):
+        join_style_sheets(files, ENTRY)
+
+
+SOURCES: Mapping[str, bytes] = {
+    "js/main.ts": b'import { shown } from "./page/shown.js";\n'
+    b'import "./figure/feature.js";\nshown("page");\n',
+    "js/page/shown.ts": b"export const shown = (what: string) => console.log(what);\n",
+    "js/figure/feature.ts": b'import { start } from "../runtime/runtime.js";\n'
+    b'start();\nexport const open = () => import("../editor/load.js");\n'
+    b"document.body.onclick = open;\n",
+    "js/runtime/runtime.ts": b'import { shown } from "../page/shown.js";\n'
+    b'export const start = () => {\n  shown("runtime");\n'
+    b'  return new Worker(new URL("./worker.js", import.meta.url));\n};\n',
+    "js/runtime/worker.ts": b'import { reply } from "./reply.js";\nreply();\n',
+    "js/runtime/reply.ts": b"export const reply = () => console.log('replied');\n",
+    "js/editor/load.ts": b'import { shown } from "../page/shown.js";\nshown("editor");\n'
+    b'export const sheet = new URL("../../css/editor.css", import.meta.url);\n'
+    b"export const source = (scene: string) =>\n"
+    b"  new URL(`../../python/${scene}.json`, import.meta.url);\n",
+    "js/page/unused.ts": b"console.log('unused');\n",
+}
+
+
+@pytest.fixture(scope="module")
+def bundle() -> Bundle:
+    return bundle_scripts(SOURCES, "js/main.ts")
+
+
+def later(bundle: Bundle) -> str:
+    """The name of the only file with the editor."""
+    (name,) = (name for name, script in bundle.files.items() if b'"editor"' in script)
+    return name
+
+
+def test_scripts_that_run_at_once_are_in_the_entry_and_its_chunks_and_others_apart(
+    bundle: Bundle,
+) -> None:
+    main = bundle.files["js/main.js"]
+    at_once = b"".join(bundle.files[name] for name in ("js/main.js", *bundle.at_once))
+    assert [word in at_once for word in (b'"page"', b'"runtime"', b'"editor"')] == [
+        True,
+        True,
+        False,
+    ]
+    imported = [f"js/{name.decode()}" for name in re.findall(rb'from"\./([\w-]+\.js)"', main)]
+    assert imported == list(bundle.at_once)
+    assert f'import("./{later(bundle).removeprefix("js/")}")'.encode() in main
+
+
+def test_workers_and_files_beside_a_module_keep_their_addresses(bundle: Bundle) -> None:
+    assert b'new URL("./runtime/worker.js",import.meta.url)' in bundle.files["js/main.js"]
+    assert b"import" not in bundle.files["js/runtime/worker.js"]
+    assert b"replied" in bundle.files["js/runtime/worker.js"]
+    script = bundle.files[later(bundle)]
+    assert b'new URL("./../css/editor.css",import.meta.url)' in script
+    assert b"new URL(`./../python/${" in script
+    assert {"css/editor.css", "js/runtime/worker.js"} <= bundle.beside
+
+
+@pytest.mark.parametrize(
+    ("module", "message"),
+    [
+        (b"export const hidden = 1;\n", 'static/js/figure/.*"shown"|static/js/.*shown'),
+        (b"export const = 1;\n", r"static/js/page/shown\.ts:1: Expected identifier"),
+    ],
+    ids=["a name that is not exported", "no TypeScript"],
+)
+def test_a_mistake_in_a_script_is_reported_with_file_and_line(module: bytes, message: str) -> None:
+    with pytest.raises(BuildError, match=message):
+        bundle_scripts({**SOURCES, "js/page/shown.ts": module}, "js/main.ts")
+
+
+def test_without_esbuild_the_build_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_folder: object) -> None:
+        raise NodeError("no network")
+
+    monkeypatch.setattr(scripts, "installed_packages", refuse)
+    with pytest.raises(BuildError, match="cannot bundle the scripts of pages: no network"):
+        bundle_scripts(SOURCES, "js/main.ts")

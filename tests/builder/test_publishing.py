@@ -1,0 +1,278 @@
+"""A site that knows where it will be, and the files for its host and for use offline."""
+
+import gzip
+import io
+import json
+import re
+import subprocess
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from xml.etree import ElementTree
+
+import brotli
+import pytest
+from fontTools.ttLib import TTFont
+from PIL import Image
+from support.host import read_rules
+from support.html_outline import Page, read_html
+from support.little_book import OUTLINE, MakeBook, rendered
+from support.places import ROOT
+
+from site_builder.diagnostics.diagnostic import BuildError
+from site_builder.offline.release import LIST, WORKER, no_release, release_files
+from site_builder.publishing.icons import FILE, SIZES, make_icons
+from site_builder.publishing.title_lines import MOST_LINES, set_title
+from site_builder.publishing.vector import whole_fonts
+from site_builder.settings.addresses import site_address, source_address
+
+ADDRESS = "https://host.example/books/small/"
+SOURCE = "https://host.example/sources/{path}"
+NEWS = """\
+[[entry]]
+date = 2026-11-22
+title = "A <second> chapter"
+says = "There is more & more."
+chapter = "second"
+
+[[entry]]
+date = 2026-11-20
+title = "The book"
+says = "It begins."
+"""
+HOSTED = f"""\
+{OUTLINE}address = "{ADDRESS}"
+[publishing]
+hosts = ["apache", "netlify", "nginx"]
+compressed = true
+[imprint]
+authors = ["Ada", "B 0000-0002-1825-0097"]
+date = 2026-11-26
+"""
+BODY = ":::{simulation} demo\n:::\n\n:::{source} simulations.models.thing:double\n:::\n"
+ATOM = "{http://www.w3.org/2005/Atom}"
+LOCATION = "{http://www.sitemaps.org/schemas/sitemap/0.9}loc"
+HASH = re.compile(r"'sha256-[^']+'")
+
+
+@pytest.fixture
+def site(make_book: MakeBook) -> Mapping[str, bytes]:
+    body = BODY + "Words. " * 200 + "\n"
+    options = make_book(body, {"content/news.toml": NEWS, "content/book.toml": HOSTED})
+    return rendered(replace(options, source=SOURCE))
+
+
+@pytest.fixture
+def pages(site: Mapping[str, bytes]) -> Mapping[str, Page]:
+    return {path: read_html(site[path]) for path in site if path.endswith(".html")}
+
+
+def links(page: Page, rel: str) -> list[str]:
+    return [link["href"] for link in page.all("link") if link["rel"] == rel]
+
+
+def test_every_page_names_its_own_address_and_the_sitemap_lists_all_but_those_for_frames(
+    site: Mapping[str, bytes], pages: Mapping[str, Page]
+) -> None:
+    addresses = {path: ADDRESS + path.removesuffix("index.html") for path in pages}
+    for path in pages.keys() - {"404.html"}:
+        assert links(pages[path], "canonical") == [addresses[path]]
+    assert links(pages["404.html"], "canonical") == []
+    listed = [each.text for each in ElementTree.fromstring(site["sitemap.xml"]).iter(LOCATION)]
+    shown = [path for path in pages if not path.startswith(("embed/", "404"))]
+    assert sorted(map(str, listed)) == sorted(addresses[path] for path in shown)
+
+
+def test_the_feed_has_the_news_newest_first_and_the_authors(
+    site: Mapping[str, bytes], pages: Mapping[str, Page]
+) -> None:
+    feed = ElementTree.fromstring(site["feed.xml"])
+    entries = feed.findall(f"{ATOM}entry")
+    titles = [entry.findtext(f"{ATOM}title") for entry in entries]
+    assert titles == ["A <second> chapter", "The book"]
+    assert feed.findtext(f"{ATOM}updated") == "2026-11-22T00:00:00Z"
+    alternates = [entry.find(f"{ATOM}link") for entry in entries]
+    led_to = [link.get("href") for link in alternates if link is not None]
+    assert led_to == [f"{ADDRESS}second/", ADDRESS]
+    assert links(pages["first/index.html"], "alternate") == ["../feed.xml"]
+    authors = [[part.text for part in author] for author in feed.findall(f"{ATOM}author")]
+    assert authors == [["Ada"], ["B", "https://orcid.org/0000-0002-1825-0097"]]
+
+
+def test_every_card_that_a_page_names_is_there_in_the_size_it_says(
+    site: Mapping[str, bytes], pages: Mapping[str, Page]
+) -> None:
+    for page in (page for path, page in pages.items() if path.endswith("index.html")):
+        told = {tag["property"]: tag["content"] for tag in page.all("meta")}
+        card = site[told["og:image"].removeprefix(ADDRESS)]
+        size = Image.open(io.BytesIO(card)).size
+        assert (told["og:image:width"], told["og:image:height"]) == tuple(map(str, size))
+    chapter = Image.open(io.BytesIO(site["cards/first.png"])).convert("RGB")
+    assert chapter.getpixel((850, 315)) == (255, 255, 255), "the scene's picture"
+
+
+def test_every_page_leads_to_the_file_it_is_made_from(pages: Mapping[str, Page]) -> None:
+    expected = {
+        "index.html": "content/book.toml",
+        "first/index.html": "content/00-first.md",
+        "source/simulations/models/thing/index.html": "simulations/models/thing.py",
+        "licences/index.html": "LICENSE",
+    }
+    for path, file in expected.items():
+        assert SOURCE.replace("{path}", file) in pages[path].addresses()
+
+
+def test_pages_say_how_they_are_cited(pages: Mapping[str, Page]) -> None:
+    found = [(item["name"], item["content"]) for item in pages["second/index.html"].all("meta")]
+    assert [(name, text) for name, text in found if name.startswith("citation_")] == [
+        ("citation_title", "Second"),
+        ("citation_inbook_title", "T"),
+        ("citation_author", "Ada"),
+        ("citation_author", "B"),
+        ("citation_author_orcid", "https://orcid.org/0000-0002-1825-0097"),
+        ("citation_publication_date", "2026/11/26"),
+    ]
+
+
+def test_robots_are_told_only_at_the_root_of_a_host(
+    make_book: MakeBook, site: Mapping[str, bytes]
+) -> None:
+    at_root = rendered(replace(make_book(), address="https://host.example/"))
+    told = at_root["robots.txt"].decode().splitlines()
+    assert told[-1] == "Sitemap: https://host.example/sitemap.xml"
+    assert "robots.txt" not in site
+
+
+def test_without_an_address_nothing_is_told_outside(make_book: MakeBook) -> None:
+    site = rendered(make_book("Text.\n", {"content/news.toml": NEWS}))
+    outside = {"sitemap.xml", "feed.xml", "robots.txt", "card.png", "cards/first.png"}
+    assert not outside & set(site)
+    for path in (path for path in site if path.endswith(".html")):
+        assert b"canonical" not in site[path]
+        assert b"og:" not in site[path]
+    assert b"://" not in site["first/index.html"]
+
+
+def test_packed_copies_hold_the_same_and_are_no_part_of_the_release(
+    site: Mapping[str, bytes],
+) -> None:
+    for ending, unpacked in ((".br", brotli.decompress), (".gz", gzip.decompress)):
+        copies = {name for name in site if name.endswith(ending)}
+        assert {"first/index.html" + ending, "offline.json" + ending} <= copies
+        for name in copies:
+            assert unpacked(site[name]) == site[name.removesuffix(ending)]
+            assert len(site[name]) < len(site[name.removesuffix(ending)])
+        assert not copies & json.loads(site["offline.json"]).keys()
+
+
+@pytest.mark.parametrize("name", [".htaccess", "_headers", "nginx.conf"])
+def test_the_policy_that_a_host_sends_allows_what_each_page_does(
+    site: Mapping[str, bytes], name: str
+) -> None:
+    told = site[name].decode()
+    heads = [site[path].decode().partition("<script")[0] for path in site if path.endswith(".html")]
+    wanted = {found for head in heads for found in HASH.findall(head)}
+    assert len(wanted) > 3  # those of `404.html`, and of styles at each depth
+    assert wanted <= set(HASH.findall(told))
+    assert "/books/small/" in told
+
+
+@pytest.mark.parametrize(
+    ("frames", "rule"),
+    [
+        ("", "frame-ancestors 'self' *"),
+        ("frames = []", "frame-ancestors 'self'"),
+        ('frames = ["https://c.example:80"]', "frame-ancestors 'self' https://c.example:80"),
+    ],
+)
+def test_all_sites_may_frame_the_book_unless_it_says_which(
+    make_book: MakeBook, frames: str, rule: str
+) -> None:
+    outline = f'{OUTLINE}address = "{ADDRESS}"\n[publishing]\nhosts = ["netlify"]\n{frames}\n'
+    told = rendered(make_book("Words.", {"content/book.toml": outline}))["_headers"].decode()
+    assert f"; {rule}\n" in told
+
+
+def test_only_files_that_are_named_by_their_content_are_kept_for_ever(
+    site: Mapping[str, bytes], tmp_path: Path
+) -> None:
+    file = tmp_path / "_headers"
+    file.write_bytes(site["_headers"])
+    kept = {pattern for pattern, told in read_rules(file).items() if "Cache-Control" in told}
+    assert kept == {"/books/small/assets/*", "/books/small/runtime/*"}
+
+
+def test_an_address_ends_in_a_slash_and_none_is_none() -> None:
+    for given in ("https://host.example/book", "https://host.example/book/"):
+        assert site_address(given) == "https://host.example/book/"
+    assert (site_address(""), source_address("")) == ("", "")
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        *("host.example", "ftp://host.example/", "https:///book", "https://host/?a=1", 3, None),
+        *('https://host/"><script>', "https://host/a b", "https://host/\n", ["https://h/"]),
+        "javascript://host/%0aalert(1)",
+    ],
+)
+def test_a_value_that_is_no_address_is_refused(given: object) -> None:
+    with pytest.raises(ValueError, match="legal: 'https://host/'"):
+        site_address(given)
+
+
+@pytest.mark.parametrize(
+    "given", ["https://host/", "{path}", "https://host/{path}/{path}", "javascript:{path}", 1]
+)
+def test_an_address_of_sources_has_one_place_for_a_path(given: object) -> None:
+    with pytest.raises(ValueError, match=r"with \{path\} once"):
+        source_address(given)
+
+
+def test_each_icon_has_its_size_and_one_that_is_no_drawing_is_reported(tmp_path: Path) -> None:
+    for name, data in make_icons(ROOT).items():
+        assert Image.open(io.BytesIO(data)).size == (SIZES[name], SIZES[name])
+    file = tmp_path / FILE
+    file.parent.mkdir(parents=True)
+    file.write_text("<p>", encoding="utf-8")
+    with pytest.raises(BuildError, match=f"{FILE}:1: "):
+        make_icons(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "title", ["Connections", "2D Transformations", "Why Study Image Formation?", "Öl & <Licht>"]
+)
+def test_a_title_on_a_card_is_whole_and_inside_its_place(title: str) -> None:
+    face = whole_fonts().title
+    size, lines = set_title(title, 440, face)
+    assert " ".join(lines) == title
+    font = TTFont(face)
+    names, widths = font.getBestCmap(), font["hmtx"]
+    for line in lines:
+        units = sum(widths[names[ord(letter)]][0] for letter in line)
+        assert units * size / font["head"].unitsPerEm <= 1.05 * 440, "without kerning"
+
+
+def test_a_title_without_end_is_cut() -> None:
+    lines = set_title("words " * 200, 440, whole_fonts().title)[1]
+    assert len(lines) == MOST_LINES
+    assert lines[-1].endswith("…")
+
+
+RELEASED = {"index.html": b"cover", "lens/index.html": b"lens", "assets/1/js/main.js": b"1"}
+
+
+def test_the_release_lists_pages_by_address_with_the_hash_of_openssl() -> None:
+    few_need = {"assets/1/raw/libraw.wasm": b"decoder", "embed/lens/f/index.html": b"for a frame"}
+    listed = json.loads(release_files(RELEASED | few_need, "assets/1/")[LIST])
+    assert set(listed) == {"", "lens/", "assets/1/js/main.js"}
+    command = "openssl dgst -sha256 -binary | openssl base64"
+    digest = subprocess.run(command, shell=True, input=b"lens", capture_output=True, check=True)
+    assert listed["lens/"] == f"sha256-{digest.stdout.decode().strip()}"
+
+
+def test_every_change_makes_another_release_and_a_site_that_is_not_kept_has_none() -> None:
+    changed = [RELEASED | {name: b"other"} for name in [*RELEASED, "new"]]
+    workers = {release_files(files, "assets/1/")[WORKER] for files in [RELEASED, *changed]}
+    assert len(workers) == len(changed) + 1
+    assert b'RELEASE = "";' in no_release("assets/1/")[WORKER]

@@ -1,0 +1,261 @@
+"""Questions in the page, in Moodle XML and in QTI: nothing is lost, platforms judge as the book
+does, and a question that draws its numbers is computed for each combination."""
+
+import io
+import json
+import re
+import zipfile
+from dataclasses import replace
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
+
+import moodle_xml_parser.parser as moodle_reader
+import onyx2moodle.parser as qti_reader
+import pytest
+from onyx2moodle.classifier import classify
+from support.little_book import FIXTURES, OUTLINE, MakeBook, diagnostics, rendered
+from support.qti import QTI, answered
+
+from site_builder.build import Options, load
+from site_builder.document.book import Book
+from site_builder.editions.questions.asked import asked_in, left_out
+from site_builder.editions.questions.moodle import make_moodle
+from site_builder.editions.questions.qti import make_qti
+from site_builder.render.words import plain_words
+
+SITE = "https://host/book/"
+MACROS = '[macros]\nhalf = "\\\\frac{1}{2}"\nthird = "\\\\frac{1}{3}"\n'
+MATHML = "{http://www.w3.org/1998/Math/MathML}"
+CP = "{http://www.imsglobal.org/xsd/imscp_v1p1}"
+
+
+@pytest.fixture
+def options(make_book: MakeBook) -> Options:
+    body = (FIXTURES / "questions.md").read_text(encoding="utf-8")
+    return make_book(body, {"content/book.toml": OUTLINE + MACROS})
+
+
+@pytest.fixture
+def book(options: Options) -> Book:
+    loaded = load(options)
+    assert not loaded.problems.found
+    return replace(loaded.book, address=SITE)
+
+
+@pytest.fixture
+def moodle(book: Book) -> dict[str, Element]:
+    """Questions by their ids."""
+    root = ElementTree.fromstring(make_moodle(book))
+    return {
+        question.findtext("idnumber", ""): question
+        for question in root.iter("question")
+        if question.get("type") != "category"
+    }
+
+
+@pytest.fixture
+def package(book: Book) -> dict[str, str]:
+    archive = zipfile.ZipFile(io.BytesIO(make_qti(book)))
+    return {name: archive.read(name).decode() for name in archive.namelist()}
+
+
+def answers(question: Element) -> list[tuple[str, float, str]]:
+    """Text, share of the points in per cent, and reply of each."""
+    return [
+        (
+            answer.findtext("text", ""),
+            float(answer.get("fraction", "")),
+            answer.findtext("feedback/text", ""),
+        )
+        for answer in question.iter("answer")
+    ]
+
+
+def test_every_kind_of_question_has_a_kind_in_moodle(moodle: dict[str, Element]) -> None:
+    assert {name: question.get("type") for name, question in moodle.items()} == {
+        "one-of-two": "multichoice",
+        "two-of-three": "multichoice",
+        "a-length": "numerical",
+        "in-a-row": "ordering",
+        "set-it": "essay",
+        **{f"how-wide_{number}": "numerical" for number in (1, 2, 3, 4)},
+    }
+
+
+def test_moodle_gets_tex_links_to_the_site_and_a_reply_to_each_option(
+    moodle: dict[str, Element],
+) -> None:
+    question = moodle["one-of-two"]
+    assert question.findtext("questiontext/text") == (
+        r"Where is \(x &lt; \boldsymbol{y}\), "
+        f'as <a href="{SITE}second/#a-section">the second chapter</a> says?'
+    )
+    assert answers(question) == [
+        (r"Here, at \(\def\half{\frac{1}{2}}\half\)", 0, "No &amp; never."),
+        ("There", 100, r"Yes, as <em>always</em> for \(\mathrm{sinc}\)."),
+    ]
+    assert [share for _, share, _ in answers(moodle["two-of-three"])] == [50, -100, 50]
+
+
+def test_a_number_has_its_tolerance_its_unit_and_the_replies_to_known_mistakes(
+    moodle: dict[str, Element],
+) -> None:
+    question = moodle["a-length"]
+    assert answers(question) == [
+        ("50", 100, "That is it."),
+        ("0.3", 0, "That is the sum."),
+        ("*", 0, "That is something else."),
+    ]
+    assert [each.text for each in question.iter("tolerance")] == ["1", "0.15", "0"], "0.3 is not 0"
+    assert [each.text for each in question.iter("unit_name")] == ["mm"]
+
+
+def test_a_question_about_a_figure_leads_to_it_and_tells_the_marker_a_solution(
+    moodle: dict[str, Element],
+) -> None:
+    question = moodle["set-it"]
+    assert f'href="{SITE}embed/first/figure-demo/"' in question.findtext("questiontext/text", "")
+    solved = f"{SITE}embed/first/figure-demo/?k1=0.25&amp;kind=b"
+    assert f'href="{solved}"' in question.findtext("graderinfo/text", "")
+
+
+def test_without_an_address_there_are_no_links_and_no_questions_about_figures(book: Book) -> None:
+    assert left_out(book) == 0
+    book = replace(book, address="")
+    assert "set-it" not in [asked.quiz.id for asked in asked_in(book)]
+    assert left_out(book) == 1
+    assert b"href" not in make_moodle(book)
+
+
+def test_a_package_lists_each_of_its_files_once(package: dict[str, str]) -> None:
+    manifest = ElementTree.fromstring(package["imsmanifest.xml"])
+    listed = [file.get("href", "") for file in manifest.iter(f"{CP}file")]
+    assert sorted([*listed, "imsmanifest.xml"]) == sorted(package)
+    asked = ElementTree.fromstring(package["test.xml"]).iter(f"{QTI}assessmentItemRef")
+    assert [each.get("href") for each in asked] == listed[1:]
+
+
+@pytest.mark.parametrize(
+    ("question", "answer", "score", "replies"),
+    [
+        ("one-of-two", "answer-2", 1, ["Yes, as always for sinc."]),
+        ("one-of-two", "answer-1", 0, ["No & never."]),
+        ("two-of-three", ["answer-3", "answer-1"], 1, ["The first is.", "The third is."]),
+        ("two-of-three", ["answer-1"], 0, ["The first is."]),
+        ("two-of-three", ["answer-1", "answer-2"], 0, ["The first is.", "The second is not."]),
+        ("a-length", 51.0, 1, ["That is it."]),
+        ("a-length", 51.1, 0, ["That is something else."]),
+        ("a-length", 0.3, 0, ["That is the sum."]),
+        ("a-length", None, 0, []),
+        ("in-a-row", ["answer-1", "answer-3", "answer-2"], 0, ["It is the third."]),
+        (
+            "in-a-row",
+            ["answer-1", "answer-2", "answer-3"],
+            1,
+            ["One It is the first. Two It is the second. Three It is the third."],
+        ),
+    ],
+)
+def test_an_item_of_qti_judges_and_replies_as_the_book_does(
+    package: dict[str, str], question: str, answer: str, score: float, replies: list[str]
+) -> None:
+    session = answered(package[f"items/quiz-{question}.xml"], answer)
+    assert (session.score, session.shown) == (score, replies)
+
+
+def test_formulae_of_qti_are_mathml_2(package: dict[str, str]) -> None:
+    """Its schema wants a unit of every length, and knows no classes."""
+    item = ElementTree.fromstring(package["items/quiz-one-of-two.xml"])
+    formulae = [part for math in item.iter(f"{MATHML}math") for part in math.iter()]
+    assert {part.get("lspace") for part in formulae if part.tag == f"{MATHML}mpadded"} == {"0em"}
+    assert not [part for part in formulae if "class" in part.attrib or "style" in part.attrib]
+
+
+def test_other_readers_of_both_formats_find_the_questions(
+    book: Book, package: dict[str, str], tmp_path: Path
+) -> None:
+    """That of QTI knows no orders."""
+    read = moodle_reader.parse_bytes(make_moodle(book))["multichoice"]
+    assert [(one.single, len(one.options)) for one in read] == [(True, 2), (False, 3)]
+    found = []
+    for name in ("one-of-two", "two-of-three", "a-length", "set-it"):
+        file = tmp_path / f"{name}.xml"
+        file.write_text(package[f"items/quiz-{name}.xml"], encoding="utf-8")
+        found.append(classify(qti_reader.parse_item(file)).target)
+    assert found == ["multichoice", "multichoice", "shortanswer", "essay"]
+
+
+def test_prompt_answers_tolerance_and_replies_are_computed_for_each_combination(
+    book: Book,
+) -> None:
+    quiz = book.chapters[0].quizzes[-1]
+    drawn = ["f = 50; N = 2", "f = 50; N = 2.5", "f = 100; N = 2", "f = 100; N = 2.5"]
+    assert [variant.drawn for variant in quiz.variants] == drawn
+    last = quiz.variants[-1]
+    assert last.prompt_text == "How wide is the hole of 100 mm at N = 2.5"
+    assert [option.value for option in last.options] == [40, 250, None]
+    assert last.details.tolerance == pytest.approx(0.8)
+    assert plain_words(last.options[1].explanation) == "Not 250."
+    assert len({variant.edition for variant in quiz.variants}) == 4
+    formulae = [formula.tex for formula in book.chapters[0].formulae]
+    assert formulae[-2:] == ["N = 2", "50 / 2"], "of the first combination alone"
+
+
+def test_the_page_shows_the_first_combination_and_carries_all(options: Options) -> None:
+    page = rendered(options)["first/index.html"].decode()
+    asked = re.findall(r'id="quiz-how-wide-asked"[^>]*>(.*?)</p>', page, re.DOTALL)
+    assert [(" 50 " in text, " 100 " in text) for text in asked] == [(True, False)]
+    found = re.findall(r'class="quiz-data">(.*?)</script>', page, re.DOTALL)
+    *undrawn, last = map(json.loads, found)
+    variants = [variant["fieldset_html"] for variant in last["variants"]]
+    assert [" 100 " in text for text in variants] == [False, False, True, True]
+    assert all('name="answer"' in text for text in variants)
+    assert not any("variants" in each for each in undrawn)
+    assert page.count("data-draw") == 1
+
+
+@pytest.mark.parametrize(
+    ("draw", "line", "gist"),
+    [
+        ("f", 4, "'f' draws no number; legal: each name once"),
+        ("f = 1, 2; f = 3, 4", 4, "'f = 3, 4' draws no number; legal: each name once"),
+        ("lambda = 1, 2", 4, "'lambda = 1, 2' draws no number"),
+        ("f = 1, 2, N = 3", 4, "'f = 1, 2, N = 3' draws no number"),
+        ("f = 1, 1", 4, "'f = 1, 1' draws a number twice"),
+        ("f = 1,5", 4, "'1,5'; legal: a decimal point, or a space behind each comma"),
+        ("f = 1, ?", 4, "'1, ?' is no expression"),
+        ("f = 1", 4, "quiz 'q' draws from 1 combinations; legal: 2 to 60"),
+        ("a = 1, 2, 3, 4, 5, 6, 7, 8; f = 1, 2, 3, 4, 5, 6, 7, 8", 4, "from 64 combinations"),
+        ("f = 2, 3; N = 1, 2", 4, "is the same with f = 2; N = 1 and with f = 2; N = 2"),
+        ('f = readout("demo", "k1", k1=0.1), 0', 6, "with f = 0: '1 / f': ZeroDivision"),
+        ("f = 2, 1", 8, "with f = 1: 'f' is 1 and '1 / f' is 1: within 0.01 they cannot be told"),
+    ],
+)
+def test_a_mistake_in_a_draw_is_reported_with_its_combination(
+    make_book: MakeBook, draw: str, line: int, gist: str
+) -> None:
+    body = (
+        f":::{{quiz}} q\n:kind: number\n:within: 1%\n:draw: {draw}\nWhat is {{calc}}`f`?\n"
+        "- [x] `1 / f`\n  : So.\n- [ ] `f`\n  : No.\n- [ ] otherwise\n  : No.\n:::\n"
+    )
+    found = diagnostics(make_book(body, {"content/book.toml": OUTLINE}))
+    assert [each.line - 4 for each in found if gist in each.message] == [line]
+
+
+def test_combinations_are_a_category_of_moodle_and_a_selection_of_qti(
+    book: Book, package: dict[str, str]
+) -> None:
+    root = ElementTree.fromstring(make_moodle(book))
+    categories = filter(
+        None, (each.findtext("category/text", "") for each in root.iter("question"))
+    )
+    other, drawn = categories
+    assert drawn == f"{other}/Question 0.6"
+    names = [each.findtext("name/text") for each in root.iter("question")]
+    assert "Question 0.6 (f = 100; N = 2.5)" in names
+    sections = ElementTree.fromstring(package["test.xml"]).iter(f"{QTI}assessmentSection")
+    (drawn_section,) = (each for each in sections if each.find(f"{QTI}selection") is not None)
+    (selection,) = drawn_section.iter(f"{QTI}selection")
+    assert selection.get("select") == "1"
+    assert len([*drawn_section.iter(f"{QTI}assessmentItemRef")]) == 4

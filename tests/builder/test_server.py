@@ -1,0 +1,359 @@
+"""The development server: what it sends, what it learns of changes, and the builds that it runs in
+processes of their own."""
+
+import asyncio
+import os
+import shutil
+import subprocess
+from collections.abc import Callable, Coroutine
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+from starlette.testclient import TestClient
+from support.engine import Engine
+from support.places import GERMAN_BOOK
+
+from site_builder.server import changes as module
+from site_builder.server.app import make_app
+from site_builder.server.builds import Builds
+from site_builder.server.changes import changes
+from site_builder.server.command import listen
+from site_builder.server.news import News, State
+
+FILES = ("a.mjs", "a.wasm", "404.html", "book.json", "a.woff2", "folder/a.css", "b/index.html")
+
+
+def run[T](task: Coroutine[object, object, T]) -> T:
+    """In a thread of its own: the tests' browser has an event loop in this one."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, task).result()
+
+
+@pytest.fixture
+def news() -> News:
+    return News()
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    (tmp_path / "outside.txt").write_text("secret")
+    site = tmp_path / "site"
+    for name in FILES:
+        (site / name).parent.mkdir(parents=True, exist_ok=True)
+        (site / name).write_text(name)
+    (site / "link.txt").symlink_to(tmp_path / "outside.txt")
+    return site
+
+
+@pytest.fixture
+def client(site: Path, news: News) -> TestClient:
+    news.succeed([])
+    return TestClient(make_app(site, news, "127.0.0.1"), "http://localhost:8000")
+
+
+@pytest.mark.parametrize(
+    ("name", "media_type"),
+    [
+        ("a.mjs", "text/javascript; charset=utf-8"),
+        ("a.wasm", "application/wasm"),
+        ("a.woff2", "font/woff2"),
+        ("book.json", "application/json"),
+    ],
+)
+def test_a_file_has_the_type_that_browsers_insist_on(
+    client: TestClient, name: str, media_type: str
+) -> None:
+    assert client.get(f"/{name}").headers["Content-Type"] == media_type
+
+
+@pytest.mark.parametrize("path", ["/nothing/here", "/%2e%2e/outside.txt", "/link.txt", "/folder/"])
+def test_an_address_of_no_file_of_the_site_gets_the_book_s_own_page(
+    client: TestClient, path: str
+) -> None:
+    reply = client.get(path)
+    assert (reply.status_code, reply.text) == (404, "404.html")
+
+
+@pytest.mark.parametrize(
+    ("host", "name", "status"),
+    [
+        ("127.0.0.1", "localhost:8000", 200),
+        ("127.0.0.1", "[::1]:8000", 200),
+        ("127.0.0.1", "evil.example", 400),
+        ("127.0.0.1", "localhost.evil.example", 400),
+        ("127.0.0.1", "192.168.1.5:8000", 400),
+        ("192.168.1.5", "192.168.1.5:8000", 200),
+        ("0.0.0.0", "192.168.1.5:8000", 200),
+    ],
+)
+def test_a_request_by_another_name_is_refused(
+    site: Path, news: News, host: str, name: str, status: int
+) -> None:
+    news.succeed([])
+    client = TestClient(make_app(site, news, host))
+    for path in ("/b/", "/.reload/client.js"):
+        assert client.get(path, headers={"Host": name}).status_code == status
+
+
+@pytest.mark.parametrize("mistakes", ["", "content/a.md:1: bad"])
+def test_before_the_first_good_build_a_page_waits_for_one(
+    site: Path, news: News, mistakes: str
+) -> None:
+    if mistakes:
+        news.fail(mistakes)
+    reply = TestClient(make_app(site, news, "127.0.0.1"), "http://localhost").get("/b/")
+    assert reply.status_code == 503
+    assert "/.reload/client.js" in reply.text
+
+
+def test_a_site_that_was_deleted_is_being_built(client: TestClient, site: Path, news: News) -> None:
+    shutil.rmtree(site)
+    reply = client.get("/b/")
+    assert (reply.status_code, "Being built" in reply.text) == (503, True)
+    assert news.state.event() == ": \n\n"  # or the page would reload itself at once
+
+
+def test_a_port_that_cannot_be_used_is_named() -> None:
+    with listen("127.0.0.1", 0) as other:
+        port = other.getsockname()[1]
+        for number, better in ((port, port + 1), (99999, 8000)):
+            with pytest.raises(OSError, match=f"port {number} is taken .*={better}"):
+                listen("127.0.0.1", number)
+
+
+def test_a_page_that_listens_gets_the_present_state_and_then_the_newest() -> None:
+    async def hear() -> list[str]:
+        news = News()
+        events = aiter(news.events())
+        heard = [await anext(events)]
+        news.succeed(["a"])
+        news.fail('a.md:1: "bad"\nmore')
+        heard.append(await anext(events))
+        news.succeed(["b"])
+        heard.append(await anext(events))
+        return heard
+
+    assert run(hear()) == [
+        ": \n\n",
+        'event: failed\ndata: "a.md:1: \\"bad\\"\\nmore"\n\n',
+        'event: built\ndata: {"number": 2, "changed": ["b"]}\n\n',
+    ]
+
+
+def test_changes_are_reported_in_hidden_places_behind_links_and_after_a_folder_was_replaced(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "LOOK_MS", 60)
+    root = tmp_path / ".venv" / "node_modules" / "book"
+    content, site, elsewhere = root / "content", root / "build", tmp_path / "elsewhere.md"
+    elsewhere.write_text("one")
+    for folder in (content, site):
+        folder.mkdir(parents=True)
+    (content / "linked.md").symlink_to(elsewhere)
+
+    def replace_content() -> None:
+        shutil.copytree(content, root / "new", symlinks=True)
+        shutil.rmtree(content)
+        (root / "new").rename(content)
+
+    def write_beside() -> None:
+        for name in (".a.md.swp", "a.md~", "__pycache__", ".git/x"):
+            (content / name).parent.mkdir(exist_ok=True)
+            (content / name).write_text("")
+        (content / "b.md").write_text("")
+
+    steps: list[tuple[Callable[[], object], Path]] = [
+        (lambda: (content / "a.md").write_text("text"), content / "a.md"),
+        (lambda: elsewhere.write_text("another"), content / "linked.md"),
+        (replace_content, content),
+        (lambda: (content / "a.md").write_text("new"), content / "a.md"),
+        (lambda: shutil.rmtree(site), site),
+        (write_beside, content / "b.md"),
+    ]
+
+    async def watch() -> list[set[Path]]:
+        found, reports = [], aiter(changes([content], site))
+        waiting = asyncio.ensure_future(anext(reports))
+        for step, path in steps:
+            await asyncio.sleep(0.3)
+            step()
+            seen: set[Path] = set()
+            while path not in seen:
+                seen |= await asyncio.wait_for(waiting, 10)
+                waiting = asyncio.ensure_future(anext(reports))
+            found.append(seen)
+        waiting.cancel()
+        return found
+
+    found = run(watch())
+    assert found[0] == {content / "a.md"}
+    assert found[-1] == {content / "b.md"}
+
+
+SCRIPT = """\
+import pathlib, sys, time
+out = pathlib.Path(sys.argv[sys.argv.index("--out") + 1])
+(out.parent / "started").open("a").write("x")
+sys.stdin.readline() or sys.exit()
+(out / "a.html").write_text("new")
+{then}
+"""
+SHEET = "assets/now/css/book.css"
+
+
+@pytest.fixture
+def builds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Builds:
+    """Builds of a book whose builder is a script of the test's."""
+    (tmp_path / "site_builder").mkdir()
+    (tmp_path / "site/assets/now/css").mkdir(parents=True)
+    (tmp_path / "static/css").mkdir(parents=True)
+    monkeypatch.setattr("site_builder.server.builds.ENGINE", tmp_path)
+    return Builds(tmp_path, tmp_path / "site", True, News(), "http://localhost:8000/")
+
+
+def write_builder(builds: Builds, then: str = "") -> None:
+    script = builds.root / "site_builder" / "__main__.py"
+    script.write_text(SCRIPT.format(then=then))
+
+
+def build(builds: Builds, then: str = "") -> None:
+    async def once() -> None:
+        await builds.build()
+        await builds.end_waiting()
+
+    write_builder(builds, then)
+    run(once())
+
+
+def test_a_good_build_names_the_changed_files(
+    builds: Builds, capsys: pytest.CaptureFixture[str]
+) -> None:
+    build(builds, "print('1 file')")
+    assert builds.news.state == State(1, ("a.html",))
+    assert capsys.readouterr().out == "1 file\nhttp://localhost:8000/\n"
+    build(builds, "print('1 file')")
+    assert capsys.readouterr().out == "1 file\n"
+
+
+@pytest.mark.parametrize(
+    ("then", "mistakes"),
+    [
+        ("sys.exit('content/a.md:1: bad')", "content/a.md:1: bad\n"),
+        ("import os; os.kill(os.getpid(), 9)", "the build ended with exit code -9"),
+    ],
+)
+def test_a_bad_build_says_what_is_wrong_until_the_next_good_one(
+    builds: Builds, then: str, mistakes: str
+) -> None:
+    build(builds, then)
+    assert builds.news.state.mistakes == mistakes
+    build(builds)
+    assert builds.news.state.mistakes == ""
+
+
+def test_a_cancelled_build_ends_its_process(builds: Builds) -> None:
+    write_builder(builds, "time.sleep(1); (out / 'late.html').write_text('')")
+
+    async def overtaken() -> None:
+        build = asyncio.create_task(builds.build())
+        while not (builds.out / "a.html").exists():
+            await asyncio.sleep(0.01)
+        build.cancel()
+        await asyncio.wait([build])
+        await asyncio.sleep(1.2)
+
+    run(overtaken())
+    assert not (builds.out / "late.html").exists()
+    assert builds.news.state == State()
+
+
+@pytest.mark.parametrize(("renewed", "text"), [(True, "newer"), (False, "old")])
+def test_the_next_build_has_its_code_already_unless_that_has_changed(
+    builds: Builds, renewed: bool, text: str
+) -> None:
+    def writing(word: str) -> str:
+        return f"import pathlib; pathlib.Path('{builds.out}/b.html').write_text('{word}')"
+
+    async def two_builds() -> None:
+        write_builder(builds, writing("old"))
+        await builds.build()
+        while (builds.root / "started").read_text() != "xx":
+            await asyncio.sleep(0.01)
+        write_builder(builds, writing("newer"))  # of another length: compiled code goes by it
+        if renewed:
+            await builds.end_waiting()
+        await builds.build()
+        await builds.end_waiting()
+
+    run(two_builds())
+    assert (builds.out / "b.html").read_text() == text
+
+
+@pytest.fixture
+def styled(builds: Builds) -> Builds:
+    """Builds with two sheets, of which the first is in the joined one."""
+    (builds.root / "static/css/a.css").write_text("a { top: 1px }")
+    (builds.root / "static/css/unused.css").write_text("b { top: 2px }")
+    (builds.out / SHEET).write_text("x {} a { top: 1px } y {}")
+    build(builds)
+    return builds
+
+
+def test_a_changed_style_sheet_is_replaced_without_a_build_until_one_is_bad(
+    styled: Builds,
+) -> None:
+    sheet = styled.root / "static/css/a.css"
+    for edited in ("a { top: 9px }", "a { top: 8px }"):
+        sheet.write_text(edited)
+        assert styled.replace_styles([sheet])
+        assert (styled.out / SHEET).read_text() == f"x {{}} {edited} y {{}}"
+    assert styled.news.state == State(3, (SHEET,))
+    styled.news.fail("bad")
+    assert not styled.replace_styles([sheet])
+
+
+@pytest.mark.parametrize("other", ["static/css/unused.css", "content/a.md", "static/css/new.css"])
+def test_files_that_a_joined_sheet_does_not_hold_need_a_build(styled: Builds, other: str) -> None:
+    changed = [styled.root / name for name in ("static/css/a.css", other)]
+    for path in changed:
+        path.parent.mkdir(exist_ok=True)
+        path.write_text("c { top: 3px }")
+    assert not styled.replace_styles(changed)
+
+
+REFUSED = "http://127.0.0.1:9"
+"""A proxy at a port where nobody listens: every connection is refused at once."""
+LAST = "<!DOCTYPE html><title>The last good site</title>"
+
+
+def test_without_a_network_a_fresh_machine_says_what_to_do_and_keeps_the_last_good_site(
+    engine: Engine, tmp_path: Path
+) -> None:
+    for name in ("home", "cache", "work/site"):
+        (tmp_path / name).mkdir(parents=True)
+    (tmp_path / "work" / "site" / "index.html").write_text(LAST, encoding="utf-8")
+    own = {"HOME": tmp_path / "home", "XDG_CACHE_HOME": tmp_path / "cache", "NO_PROXY": ""}
+    proxies = {f"{kind}_proxy": REFUSED for kind in ("http", "https", "all")}
+    named = {**proxies, **{name.upper(): REFUSED for name in proxies}, "no_proxy": ""}
+    command = [engine.python, "-m", "site_builder", "serve", "--port", "0"]
+    with subprocess.Popen(
+        [*command, "--out", str(tmp_path / "work" / "site")], cwd=GERMAN_BOOK, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        env={**os.environ, **named, **{name: str(place) for name, place in own.items()}},
+    ) as serving:  # fmt: skip
+        assert serving.stdout
+        said = ""
+        for line in serving.stdout:
+            said += line
+            if line.startswith("http://localhost"):
+                break
+        serving.terminate()
+    assert "Connect to the internet once: it is kept and never requested again." in said
+    assert said.count("cannot get Temml from npm") == 1
+    assert "Traceback" not in said
+    work = sorted(str(path.relative_to(tmp_path)) for path in (tmp_path / "work").rglob("*"))
+    assert work == ["work/site", "work/site/index.html"], "nothing half done"
+    assert (tmp_path / "work" / "site" / "index.html").read_text(encoding="utf-8") == LAST
+    kept = [path for path in (tmp_path / "cache").rglob("*") if path.is_file()]
+    assert not [path for path in kept if "partial" in path.name or "runtime" in path.parts]

@@ -1,0 +1,268 @@
+"""TeX to MathML, to words, to symbols: what authors write is set as TeX would set it, said as the
+field says it, and refused where it cannot be set."""
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from site_builder.document.passage import passage
+from site_builder.languages.words import ENGLISH
+from site_builder.markdown.parser import make_parser
+from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
+from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
+from site_builder.markdown.text.symbols import covers, spelt, symbols_of
+from site_builder.render.screen import screen_renderer
+
+UNSEEN = "[\u2061\u200b\u00a0\\s]"
+MACROS = {
+    "R": r"\mathbb{R}",
+    "norm": r"\lVert #1 \rVert",
+    "pair": "(#1, #2)",
+    "deep": r"\norm{\R}",
+    "loop": r"1 + \loop",
+    "ray": r"\role{ray}{#1}",
+}
+
+
+def tree(tex: str, *, display: bool = False) -> ElementTree.Element:
+    return ElementTree.fromstring(to_mathml(tex, display=display, macros=MACROS))
+
+
+@pytest.mark.parametrize(
+    ("tex", "shown"),
+    [
+        (r"\|v\|", "‖v‖"),
+        (r"\text{% of light}", "%oflight"),
+        (r"50\% \text{ of it} + 1", "50%ofit+1"),
+        (r"\text{50\%}", "50%"),
+        (r"\operatorname{atan2}(1,2)", "atan2(1,2)"),
+        (r"\operatorname{arg\,max}_1 2", "argmax12"),
+        (r"\begin{bmatrix}1\\[4pt] 2\end{bmatrix}", "[12]"),
+        (r"\text{for $n$ only}", "fornonly"),
+        (r"\mathbb{RP}", "ℝℙ"),
+        (r"\mathfrak{so}(3)", "𝔰𝔬(3)"),
+        (r"\mathsf{SE}", "𝖲𝖤"),
+        (r"\mathbb{1}", "𝟙"),
+        (r"\boldsymbol{\phi}", "𝝓"),
+        (r"\boldsymbol{\omega} \mathbf{x} \mathbf x \mathbf{0}", "𝝎𝐱𝐱𝟎"),
+        (r"5-2\text{mm}", "5−2mm"),
+        (r"30^\circ \approx 0.52\,\mathrm{rad} \to \lfloor x \rfloor", "30∘≈0.52rad→⌊x⌋"),
+        (r"\ce{2 H2 + O2 -> 2 H2O}", "2H2+O2→2H2O"),
+        (r"\R^n", "ℝn"),
+        (r"\norm\alpha", "‖α‖"),
+        (r"\pair a {b + c}", "(a,b+c)"),
+        (r"\deep", "‖ℝ‖"),
+        (r"\ray{x}", "x"),
+        (r"\pu{1.5e-3 m s^-1}", "1.5⋅10−3ms−1"),
+    ],
+)
+def test_a_formula_shows_what_tex_shows(tex: str, shown: str) -> None:
+    assert re.sub(UNSEEN, "", "".join(tree(tex).itertext())) == shown
+
+
+@pytest.mark.parametrize("tex", ["1 := 2", r"P(A\mid B)", "a × b", "a ≤ b", "3 − 2"])
+def test_a_relation_or_an_operator_is_one_however_it_was_typed(tex: str) -> None:
+    assert {element.text for element in tree(tex).iter("mo")} & set(":=≔|×≤−")
+
+
+@pytest.mark.parametrize(
+    ("tex", "markup"),
+    [
+        (r"\boxed{1}", "border"),
+        (r"\cancel{2}", "cancel"),
+        (r"\overline{ABCDEF}", "overline"),
+        (r"\boldsymbol{\nabla}", "font-weight:bold"),
+        (r"\role{ray}{Z + 1}", 'class="role-ray"'),
+        (r"f_3'^2", r"<msubsup>.*′.*2.*</msubsup>"),
+    ],
+)
+def test_a_part_is_drawn_as_it_is_marked(tex: str, markup: str) -> None:
+    assert re.search(markup, to_mathml(tex, display=False))
+
+
+def test_lines_of_an_array_are_borders_and_columns_of_a_matrix_have_no_style() -> None:
+    cells = tree(r"\begin{array}{c|c} R & t \\ \hline 0 & 1 \end{array}").findall(".//mtd")
+    styles = [cell.get("style", "") for cell in cells]
+    assert ["border-right" in style for style in styles] == [True, False, True, False]
+    assert ["border-bottom" in style for style in styles] == [True, True, False, False]
+    cells = tree(r"\begin{bmatrix} a & b \\ c & d \end{bmatrix}").findall(".//mtd")
+    assert [cell.get("style") for cell in cells] == [None] * 4
+
+
+def test_aligned_equations_meet_at_the_sign_between_their_columns() -> None:
+    _, second = tree(r"\begin{aligned} a &= b \\ &= c \end{aligned}").findall(".//mtr")
+    assert "".join(second[1].itertext()) == "=c"
+
+
+def test_limits_of_max_stand_below_it_in_display() -> None:
+    assert tree(r"\max_{x} f", display=True).find(".//munder") is not None
+    assert tree(r"\max_{x} f").find(".//munder") is None
+
+
+@pytest.mark.parametrize("tex", ["(-x)", "(40, -40)", "a = -b", "2 \\cdot -3", "[-1]"])
+def test_a_minus_after_an_opening_or_an_operator_is_a_sign(tex: str) -> None:
+    assert [e.get("form") for e in tree(tex).iter("mo") if e.text == "−"] == ["prefix"]
+
+
+@pytest.mark.parametrize(
+    ("tex", "reason"),
+    [
+        (r"a}b{", "expected its end, got '}'"),
+        (r"\class{other}{x}", r"\class"),
+        (r"\ce{H2O{}", "cannot set"),
+        (r"\pair{x}", "cannot set"),
+        (r"\loop", "too many expansions"),
+    ],
+)
+def test_a_formula_that_cannot_be_set_is_refused_with_the_reason(tex: str, reason: str) -> None:
+    with pytest.raises(UnsupportedTexError, match=re.escape(reason)):
+        to_mathml(tex, display=False, macros=MACROS)
+
+
+@given(st.text(alphabet="\\{}<>&\"'ab1^_ $%#~frac", max_size=20))
+def test_no_formula_holds_markup_of_its_author_s(tex: str) -> None:
+    try:
+        found = tree(tex)
+    except UnsupportedTexError:
+        return
+    assert not {element.tag for element in found.iter()} & {"script", "a", "b", "f"}
+
+
+SAID = [
+    (r"R^\top K^{-\top} H^{-1}", "cap R transpose cap K inverse transpose cap H inverse"),
+    (r"(u, v, 1)^\top", "open paren u comma v comma 1 close paren transpose"),
+    (r"\mathbf{d}'^\top", "bold d prime transpose"),
+    (r"\mathbf{q}^*", "bold q conjugate"),
+    (r"x^{-1} + r'^2", "x to the negative 1 power plus r prime squared"),
+    (r"\cos 60^\circ", "the cosine of 60 degrees"),
+    (r"10\,000 + 3\,\mathrm{m}", "10000 plus 3 metres"),
+    (r"0.017\,m", "0.017 m"),
+    (r"a_{12} + x_{10}", "a sub 1 2 plus x sub 10"),
+    (r"\hat{\mathbf{n}} + \bar N + \vec{v}", "bold n hat plus cap N bar plus v vector"),
+    (r"\Delta d \approx \lambda", "cap Delta d is approximately lambda"),
+    (r"\ln x \sim \mathrm{d}\omega", "natural log x is proportional to d omega"),
+    (r"p(x \mid y)", "p of open paren x given y close paren"),
+    ("p(x|y)", "p of open paren x given y close paren"),
+    (r"[R \mid \mathbf{t}]", "open bracket cap R augmented by bold t close bracket"),
+    (r"\{x \mid x > 0\}", "open brace x such that x is greater than 0 close brace"),
+    ("|x|", "the absolute value of x end absolute value"),
+    (r"|\mathbf{a}|b", "the norm of bold a end norm times b"),
+    (r"\lVert v \rVert", "the norm of v end norm"),
+    (r"|\mathbf{a} \cdot b|", "the absolute value of bold a dot b end absolute value"),
+    (r"\mathbf{a} \times \mathbf{b}", "bold a cross bold b"),
+    (r"[\mathbf{t}]_\times R", "open bracket bold t close bracket sub cross times cap R"),
+    (r"(1, 2) \times 3", "open paren 1 comma 2 close paren cross 3"),
+    (r"4 \times 4 \cdot 2", "4 times 4 times 2"),
+    (r"\mathbf{n} \cdot K^{-1}\mathbf{x}", "bold n dot cap K inverse bold x"),
+    ("fX + h_{31}x", "f cap X plus h sub 3 1 x"),
+    ("h/R", "h divided by cap R"),
+    ("g(r) + f'(x)", "g of r plus f prime of x"),
+    (r"f\,(X - b)", "f times open paren cap X minus b close paren"),
+    (r"\mathrm{atan2}(y, x)", "atan 2 of open paren y comma x close paren"),
+    (
+        r"\begin{bmatrix} 1 & 0 \\ 0 & 1 \end{bmatrix} x",
+        "the 2 by 2 matrix Row 1: 1 0 Row 2: 0 1 end matrix times x",
+    ),
+    (
+        r"\begin{aligned} a &= b , \\ &= 1. \end{aligned}",
+        "2 lines Line 1: a equals b Line 2: equals 1",
+    ),
+    (r"\begin{aligned} a &= b \end{aligned}", "a equals b"),
+]
+
+
+@pytest.mark.parametrize(("tex", "said"), SAID)
+def test_a_formula_is_said_in_the_words_of_the_field(tex: str, said: str) -> None:
+    assert tree(tex, display=True).get("alttext") == said
+
+
+def test_words_of_a_formula_are_escaped_and_only_english() -> None:
+    assert tree(r"\text{a ``$<$'' b \& c}").get("alttext")
+    assert "alttext" not in to_mathml("x", display=True, language="de")
+
+
+def glued(text: str) -> str:
+    """The paragraph, ``~`` at each place where a line may not break."""
+    parser = make_parser()
+    tokens = parser.parse(text)
+    for block in tokens:
+        for child in block.children or ():
+            if child.type == "math_inline":
+                child.meta["mathml"] = f"<math>{child.content}</math>"
+    glue_formulae(tokens)
+    html = screen_renderer(ENGLISH)(passage(tokens))
+    kept = re.sub("<span[^>]*>(.*?)</span>", r"⟨\1⟩", html)
+    return re.sub("</?(?:p|math)>", "", kept).replace("\u00a0", "~")
+
+
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
+        ("At $x$, it", "At ⟨x,⟩ it"),
+        ("Is it $x$?", "Is it ⟨x?⟩"),
+        ("So ($x$) is", "So ⟨(x)⟩ is"),
+        ("$x$\u00a0m away", "⟨x~m⟩ away"),
+        ("$x$ mm.", "⟨x~mm⟩."),
+        ("$x$ more", "x more"),
+        ("A $x$ or $y$.", "A x or ⟨y.⟩"),
+        ("Then $x$ (of $y$ too)", "Then x (of y too)"),
+        ("$x$> y", "⟨x&gt;⟩ y"),
+        (f"${'x + ' * 10}x$ mm", f"{'x + ' * 10}x mm"),
+        (f"${'x + ' * 10}x$, and", f"⟨{'x + ' * 10}x,⟩ and"),
+    ],
+)
+def test_stops_brackets_and_units_stay_on_the_line_of_a_formula(source: str, expected: str) -> None:
+    assert glued(source) == expected
+
+
+@pytest.mark.parametrize(
+    ("tex", "parts"),
+    [
+        (r"x = 1", ["x = 1"]),
+        (r"x = 1 \qquad y = 2", ["x = 1", "y = 2"]),
+        (r"\text{a \qquad b} \qquad c", [r"\text{a \qquad b}", "c"]),
+        (r"\begin{a} a &\qquad b \end{a}", [r"\begin{a} a &\qquad b \end{a}"]),
+        (r"\left( a \qquad b \right) \qquad \{ c", [r"\left( a \qquad b \right)", r"\{ c"]),
+        (r"x \qquad", ["x"]),
+    ],
+)
+def test_a_row_parts_only_at_wide_spaces_outside_of_braces(tex: str, parts: list[str]) -> None:
+    assert displayed_parts(tex) == parts
+
+
+@pytest.mark.parametrize(
+    ("tex", "symbols"),
+    [
+        (r"r_d = r\,(1 + k_1 r^2)", ["r_{d}", "r", "k_{1}", "r"]),
+        (r"\mathbf{x}' \sim \hat{\mathbf n}_0 + \bar x", [r"\mathbf{x}", None, r"\bar{x}"]),
+        (r"r_{\text{fold}} \cos\theta \text{ or } r_{n+1}", ["r_{«fold»}", r"\theta", "r_{n+1}"]),
+        (r"\mathrm{SNR}_w + \role{image}{x} + \max y", ["x", "y"]),
+        (r"\int E\,\mathrm{d}\lambda + \int L\,d\omega", ["E", r"\lambda", "L", r"\omega"]),
+        (r"\begin{bmatrix} f_x & 0 \end{bmatrix} \dots", ["f_{x}"]),
+        (r"\Delta E \ell", [r"\DeltaE", r"\ell"]),
+    ],
+)
+def test_the_symbols_of_a_formula(tex: str, symbols: list[str | None]) -> None:
+    for found, wanted in zip(symbols_of(tex), symbols, strict=True):
+        assert wanted is None or found.replace(" ", "") == wanted
+
+
+@pytest.mark.parametrize(
+    ("declared", "symbol", "covered"),
+    [
+        ("h_{11}", "h_{32}", True),
+        ("t_x", "t_y", True),
+        ("x", "x_0", True),
+        (r"\mathbf{n}", "n_x", True),
+        ("f_x", "f", False),
+        ("z_s", "z_t", False),
+        ("x", "y", False),
+    ],
+)
+def test_a_meaning_covers_symbols_that_only_count_differently(
+    declared: str, symbol: str, covered: bool
+) -> None:
+    assert covers(spelt(declared), spelt(symbol)) is covered
