@@ -90,15 +90,14 @@ def test_its_site_has_its_figures_and_sentences_of_skeletons_are_warned_of(
     assert done.stderr.count("warning") == len(warned) + 1
 
 
-def test_its_code_is_formatted_and_free_of_lint(first_book: Path) -> None:
+def test_its_code_is_formatted_and_free_of_lint_and_its_engine_is_the_wheel_it_came_from(
+    first_book: Path,
+) -> None:
     ours = "lint.isort.known-first-party = ['simulations', 'site_builder']"
     settings = ("--config", str(ROOT / "pyproject.toml"), "--config", ours, "simulations", "tests")
     for command in (["format", "--check"], ["check"]):
         done = run(first_book, sys.executable, "-m", "ruff", *command, *settings)
         assert done.returncode == 0, done.stdout
-
-
-def test_it_names_the_wheel_that_its_engine_came_from(first_book: Path) -> None:
     project = (first_book / "pyproject.toml").read_text("utf-8")
     assert re.search(r'"textbook-builder @ file:///\S+\.whl"', project)
 
@@ -114,18 +113,12 @@ def what_an_author_wrote(book: Path) -> dict[Path, bytes]:
     }
 
 
-@pytest.mark.parametrize(("kind", "name"), PIECES_MADE)
-def test_what_is_there_is_never_overwritten(first_book: Path, kind: str, name: str) -> None:
+def test_a_file_that_is_there_is_never_overwritten(first_book: Path) -> None:
     before = what_an_author_wrote(first_book)
-    with pytest.raises(ScaffoldError, match="is there already; legal: "):
-        make_new(first_book, kind, name)
+    for kind, name in PIECES_MADE:
+        with pytest.raises(ScaffoldError, match="is there already; legal: "):
+            make_new(first_book, kind, name)
     assert what_an_author_wrote(first_book) == before
-
-
-def test_a_ladder_in_a_package_is_not_shadowed(tmp_path: Path) -> None:
-    (tmp_path / "simulations" / "ladders" / "sums").mkdir(parents=True)
-    with pytest.raises(ScaffoldError, match="simulations/ladders/sums is there already"):
-        make_new(tmp_path, "ladder", "sums")
 
 
 def test_a_folder_with_something_in_it_gets_no_book(tmp_path: Path) -> None:
@@ -143,29 +136,25 @@ def test_a_name_that_makes_no_file_or_id_is_refused(text: str) -> None:
         read_name("scene", text)
 
 
-def test_a_word_of_python_is_no_name() -> None:
-    with pytest.raises(ScaffoldError, match="'lambda' is a word of Python's own"):
-        read_name("model", "lambda")
-
-
-@pytest.mark.parametrize("kind", PIECES)
-def test_every_kind_checks_its_names(tmp_path: Path, kind: str) -> None:
+@pytest.mark.parametrize(
+    ("kind", "name", "message"),
+    [
+        *((kind, "No Name", f"{kind} 'No Name'; legal") for kind in PIECES),
+        ("model", "lambda", "'lambda' is a word of Python's own"),
+        ("ladder", "sums", "simulations/ladders/sums is there already"),
+        ("translation", "en/a-fall", "legal: de, a slash"),
+        ("directive", "aside", "has no builder of its own"),
+    ],
+)
+def test_a_piece_that_the_book_cannot_have_is_refused(
+    tmp_path: Path, kind: str, name: str, message: str
+) -> None:
     (tmp_path / "content").mkdir()
     (tmp_path / "content" / "book.toml").write_text("chapters = []\n")
-    with pytest.raises(ScaffoldError, match=f"{kind} 'No Name'; legal"):
-        make_new(tmp_path, kind, "No Name")
-
-
-def test_a_book_is_not_translated_into_its_own_language(tmp_path: Path) -> None:
-    (tmp_path / "content").mkdir()
     (tmp_path / "content" / "01-a-fall.md").write_text("Text.\n")
-    with pytest.raises(ScaffoldError, match="legal: de, a slash"):
-        make_new(tmp_path, "translation", "en/a-fall")
-
-
-def test_a_book_gets_no_directive(tmp_path: Path) -> None:
-    with pytest.raises(ScaffoldError, match="has no builder of its own"):
-        make_new(tmp_path, "directive", "aside")
+    (tmp_path / "simulations" / "ladders" / "sums").mkdir(parents=True)
+    with pytest.raises(ScaffoldError, match=message):
+        make_new(tmp_path, kind, name)
 
 
 @pytest.fixture(scope="module")

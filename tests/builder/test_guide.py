@@ -13,10 +13,7 @@ from support.static_server import serving
 from site_builder.files.engine import STATIC
 from site_builder.guide.book import guide_files, write_guide
 from site_builder.guide.classes import read_classes
-from site_builder.guide.pages import (
-    NoExampleError,
-    directive_page,
-)
+from site_builder.guide.pages import NoExampleError, directive_page
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.directives.quiz import QUIZ
 from site_builder.markdown.questions.kinds import KINDS
@@ -40,12 +37,12 @@ def test_every_directive_and_role_has_its_section(guide: Path) -> None:
         assert [heading for heading in headings if heading in declared] == declared
 
 
-def test_a_new_directive_without_an_example_is_told_where_to_write_one() -> None:
+def test_a_directive_without_an_example_is_reported_with_the_file_to_write() -> None:
     with pytest.raises(NoExampleError, match=r"guide/examples/riddle\.md"):
         directive_page([replace(QUIZ, name="riddle")])
 
 
-def test_every_class_that_a_drawing_may_have_is_on_the_page_of_drawings() -> None:
+def test_every_class_of_drawings_is_on_their_page_and_every_colour_role_is_a_role() -> None:
     sheets = ("overlay", "illustrations")
     css = "".join((STATIC / "css" / f"{name}.css").read_text("utf-8") for name in sheets)
     rules = re.findall(r"^\.overlay (?!>)(.+?)(?: \{|,)$", css, re.MULTILINE)
@@ -53,9 +50,6 @@ def test_every_class_that_a_drawing_may_have_is_on_the_page_of_drawings() -> Non
     assert {"world", "dashed", "ground", "on-swatch", "sub"} <= styled
     page = guide_files()["content/05-drawings.md"].decode()
     assert {name for name in styled if f"`{name}`" not in page} == set()
-
-
-def test_every_colour_role_can_be_written_in_a_sentence() -> None:
     classes = read_classes(STATIC / "css" / "overlay.css")
     assert set(classes.roles) <= {role.name for role in ROLES}
 
