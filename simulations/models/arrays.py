@@ -14,7 +14,7 @@ type Planes = NDArray[np.float32]
 
 
 def as_floats(values: ArrayLike) -> Floats:
-    """As an array of floats: float32 stays float32 (pictures), whole numbers become float64.
+    """An array of floats: float32 stays float32 (pictures), whole numbers become float64.
 
     Half precision becomes float32. Raises `ValueError` for complex numbers, whose imaginary part
     would be lost.
@@ -28,7 +28,7 @@ def as_floats(values: ArrayLike) -> Floats:
 
 
 def as_vectors(name: str, values: ArrayLike, length: int) -> NDArray[Any]:
-    """As an array (..., length) of float64; raises `ValueError` with the name for other shapes."""
+    """An array (..., length) of float64; raises `ValueError` with the name for other shapes."""
     vectors = _as_doubles(name, values)
     if vectors.shape[-1:] != (length,):
         raise ValueError(f"{name} of shape {vectors.shape}; legal: (..., {length})")
@@ -36,7 +36,7 @@ def as_vectors(name: str, values: ArrayLike, length: int) -> NDArray[Any]:
 
 
 def as_array(name: str, values: ArrayLike, *shape: int) -> NDArray[Any]:
-    """As an array of float64 of exactly that shape, without broadcasting."""
+    """An array of float64 of exactly that shape, without broadcasting."""
     array = _as_doubles(name, values)
     if array.shape != shape:
         raise ValueError(f"{name} of shape {array.shape}; legal: {shape}")
@@ -44,7 +44,7 @@ def as_array(name: str, values: ArrayLike, *shape: int) -> NDArray[Any]:
 
 
 def as_matrices(name: str, values: ArrayLike, *shape: int) -> NDArray[Any]:
-    """As an array (..., rows, columns) of float64; raises `ValueError` for other shapes."""
+    """An array (..., rows, columns) of float64; raises `ValueError` for other shapes."""
     matrices = _as_doubles(name, values)
     if matrices.shape[-2:] != shape:
         legal = ", ".join(map(str, shape))
@@ -60,7 +60,7 @@ def _as_doubles(name: str, values: ArrayLike) -> NDArray[Any]:
 
 
 def as_colours(values: ArrayLike) -> Floats:
-    """As `as_floats`, (..., 3); raises `ValueError` for other shapes, such as RGB with alpha."""
+    """Colours (..., 3) by `as_floats`; `ValueError` for other shapes, such as RGB with alpha."""
     colours = as_floats(values)
     if colours.shape[-1:] != (3,):
         raise ValueError(f"colours of shape {colours.shape}; legal: (..., 3)")

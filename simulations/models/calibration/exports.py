@@ -163,5 +163,5 @@ def lensfun_real_focal_mm(camera: Camera, size: tuple[int, int], crop: float) ->
 
 
 def _escaped(words: str) -> str:
-    """As the text of an element; `xml.sax` would be one more file before the figure starts."""
+    """Text of an element, escaped; `xml.sax` would be one more file before the figure starts."""
     return words.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

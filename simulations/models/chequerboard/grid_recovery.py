@@ -112,7 +112,7 @@ def _too_pale(contrast: Floats) -> Mask:
 
 
 def _median(values: Floats) -> float:
-    """Of those that are numbers; 0 if none is."""
+    """Median of the entries that are numbers; 0 if none is."""
     numbers = values[np.isfinite(values)]
     return quantile_of(numbers) if numbers.size else 0.0
 

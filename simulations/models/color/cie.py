@@ -25,8 +25,7 @@ def rgb_to_xyz_matrix(
     Y = 1. Raises `ValueError` where the three primaries lie on one line.
     """
     primaries = np.asarray(primaries_xy, np.float64)
-    if primaries.shape != (3, 2):
-        raise ValueError(f"primaries of shape {primaries.shape}; legal: (3, 2)")
+    require("primaries", primaries.shape, primaries.shape == (3, 2), "(3, 2)")
     columns = np.stack([_xyz_of(xy) for xy in primaries], axis=1)
     if abs(np.linalg.det(columns)) < 1e-9:
         raise ValueError(f"primaries {primaries_xy!r}; legal: three that span a triangle")

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_vectors
 from simulations.models.color.spectra import WAVELENGTHS_NM, Bell, bells
+from simulations.models.require import require
 
 MATCHING: tuple[tuple[Bell, ...], ...] = (
     ((1.056, 599.8, 37.9, 31.0), (0.362, 442.0, 16.0, 26.7), (-0.065, 501.1, 20.4, 26.2)),
@@ -44,6 +45,5 @@ def tristimulus(stimuli: ArrayLike, light: ArrayLike) -> Floats:
     """
     spectra, source = (as_vectors("spectrum", s, WAVELENGTHS_NM.size) for s in (stimuli, light))
     white = source @ OBSERVER[:, 1]
-    if not 0 < white < np.inf:
-        raise ValueError(f"light of luminance {white}; legal: above 0, finite")
+    require("light of luminance", white, 0 < white < np.inf, "above 0, finite")
     return spectra @ OBSERVER / white

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_colours
+from simulations.models.require import require
 
 
 def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Floats:
@@ -25,7 +26,6 @@ def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Floats:
 def grey_world(linear: ArrayLike) -> Floats:
     """Estimate of the light's colour, (3,): the mean of the picture, were the world grey."""
     colours = as_colours(linear)
-    if not colours.size:
-        raise ValueError(f"picture of shape {colours.shape}; legal: one pixel or more")
+    require("picture", colours.shape, colours.size > 0, "one pixel or more")
     with np.errstate(over="ignore", invalid="ignore"):
         return colours.reshape(-1, 3).mean(axis=0)

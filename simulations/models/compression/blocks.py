@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, as_floats
+from simulations.models.require import require
 from simulations.models.whole_numbers import as_whole
 
 type Codes = NDArray[np.int64]
@@ -132,8 +133,7 @@ def quantise_plane(plane: ArrayLike, table: ArrayLike, transform: Transform = bl
         block), and for steps that are not positive.
     """
     values = as_floats(plane)
-    if values.ndim != 2 or 0 in values.shape:
-        raise ValueError(f"plane of shape {values.shape}; legal: (H, W), not empty")
+    require("plane", values.shape, values.ndim == 2 and values.size > 0, "(H, W), not empty")
     if not np.all(np.abs(values) <= LARGEST_CODE):
         raise ValueError(
             f"plane reaches {np.abs(values).max()}; legal: finite, to {LARGEST_CODE:g}"
@@ -150,8 +150,7 @@ def restore_plane(codes: NDArray[np.integer], table: ArrayLike, height: int, wid
     """The plane (H, W) decoded from the codes of `quantise_plane`. Raises `ValueError` for codes
     that are not whole numbers.
     """
-    if codes.dtype.kind not in "iu":
-        raise ValueError(f"codes of type {codes.dtype}; legal: whole numbers")
+    require("codes of type", codes.dtype, codes.dtype.kind in "iu", "whole numbers")
     return from_blocks(inverse_block_dct(codes * as_floats(table)), height, width)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_floats
-from simulations.models.require import require_one_of
+from simulations.models.require import require, require_one_of
 from simulations.models.whole_numbers import as_whole
 
 SUBSAMPLING = {"4:4:4": (1, 1), "4:2:2": (1, 2), "4:2:0": (2, 2)}
@@ -31,8 +31,7 @@ def coarsen(plane: ArrayLike, factor: tuple[int, int]) -> Floats:
     numbers of 1 or more.
     """
     values = as_floats(plane)
-    if values.ndim != 2 or 0 in values.shape:
-        raise ValueError(f"plane of shape {values.shape}; legal: (H, W), not empty")
+    require("plane", values.shape, values.ndim == 2 and values.size > 0, "(H, W), not empty")
     rows, columns = (as_whole("factor", each, 1) for each in factor)
     height, width = values.shape
     whole = np.pad(values, ((0, -height % rows), (0, -width % columns)), mode="edge")

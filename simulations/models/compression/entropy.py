@@ -16,6 +16,7 @@ from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import BLOCK, Codes
 from simulations.models.compression.jpeg import Coded
 from simulations.models.compression.zigzag import ZIGZAG
+from simulations.models.require import require
 
 LARGEST = 2**15 - 1
 """Largest coefficient, of 15 bits: a symbol has four of its eight bits for the length."""
@@ -43,8 +44,7 @@ def symbol_bits(planes: Sequence[Codes]) -> float:
     Raises `ValueError` for codes without a symbol in JPEG: fractions, and codes beyond ``LARGEST``.
     """
     for codes in planes:
-        if codes.dtype.kind not in "iu":
-            raise ValueError(f"codes of type {codes.dtype}; legal: whole numbers")
+        require("codes of type", codes.dtype, codes.dtype.kind in "iu", "whole numbers")
         if not np.all((codes >= -LARGEST) & (codes <= LARGEST)):
             raise ValueError(
                 f"codes from {codes.min()} to {codes.max()}; legal: -{LARGEST} to {LARGEST}"

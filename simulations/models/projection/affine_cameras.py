@@ -86,8 +86,7 @@ def paraperspective_camera(K: ArrayLike, reference: ArrayLike) -> Floats:
     """
     matrix, point = np.asarray(K, float), as_vectors("reference", reference, 3)
     depth = float(point[2])
-    if not 0.0 < depth < math.inf:
-        raise ValueError(f"reference at depth {depth}; legal: in front of the camera, finite")
+    require("reference at depth", depth, 0.0 < depth < math.inf, "in front of the camera, finite")
     with np.errstate(over="ignore", invalid="ignore"):
         image = matrix[:2] @ (point / depth)
         slope = (matrix[:2] - np.outer(image, [0.0, 0.0, 1.0])) / depth

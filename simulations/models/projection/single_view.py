@@ -36,7 +36,7 @@ from simulations.models.require import require, require_positive
 SHORTEST, LONGEST = 0.1, 20.0
 """Focal lengths that there are, in diagonals of the picture."""
 STARTS = (0.3, 0.6, 1.2, 2.4, 5.0)
-"""Those that the search starts from where no two vanishing points give one."""
+"""Lengths at which the search starts where no two vanishing points give one."""
 FOREKNOWN = 1.0
 """Standard deviation of ln f before any line is drawn, about the diagonal: most cameras lie within
 a factor of seven of it. Where the lines tell f to 1 %, this changes it by less than 0.01 %; where
@@ -55,7 +55,7 @@ class SingleView:
     R: Floats
     """(3, 3) turn from the axes to the camera frame: in its columns, the axes."""
     diagonal: float
-    """Of the picture, in pixels."""
+    """Diagonal of the picture, in pixels."""
     covariance: Floats
     """(6, 6) of a step, see `moved`; zero for a principal point that is fixed."""
     misfit: float = 0.0

@@ -42,7 +42,7 @@ class Measured:
     errors: Floats
     """(N,)"""
     distance: float
-    """Of the camera from the plane, metres; its height, if that is the floor."""
+    """Distance of the camera from the plane, metres; its height, if that is the floor."""
     distance_error: float
 
 

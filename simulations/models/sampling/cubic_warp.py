@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, Planes
+from simulations.models.require import require
 
 TAPS = 4
 """Pixels per axis that contribute to a value."""
@@ -39,8 +40,7 @@ def cubic_warp(x_px: ArrayLike, y_px: ArrayLike, source_shape: tuple[int, int]) 
     All 4 x 4 neighbours must lie on the picture: x from 1 to W − 2, and y likewise. Raises
     `ValueError` elsewhere, for NaN too, and for pictures that are too small.
     """
-    if min(source_shape) < TAPS:
-        raise ValueError(f"source_shape {source_shape}; legal: {TAPS} x {TAPS} or more")
+    require("source_shape", source_shape, min(source_shape) >= TAPS, f"{TAPS} x {TAPS} or more")
     height, width = source_shape
     column, across = _taps("x_px", np.asarray(x_px, float), width)
     row, down = _taps("y_px", np.asarray(y_px, float), height)

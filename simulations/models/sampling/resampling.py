@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, Mask, as_vectors
-from simulations.models.require import require_one_of
+from simulations.models.require import require, require_one_of
 from simulations.models.sampling import bspline
 
 
@@ -113,8 +113,7 @@ def gather_table_at(
     """`gather_table` for separate arrays of x and y, (...) each."""
     chosen = _kernel(kernel)
     height, width = source_shape
-    if height < 1 or width < 1:
-        raise ValueError(f"source_shape {source_shape}; legal: 1 x 1 or more")
+    require("source_shape", source_shape, min(height, width) >= 1, "1 x 1 or more")
     x, y = x_px.ravel(), y_px.ravel()
     inside = (x >= -0.5) & (x < width - 0.5) & (y >= -0.5) & (y < height - 0.5)
     column, across = _axis_taps(x, width, chosen, dtype)
@@ -143,8 +142,7 @@ def gather_source(image: ArrayLike, kernel: str = "bilinear") -> Source:
 
 
 def _source(picture: NDArray[Any], kernel: Kernel) -> Source:
-    if picture.ndim not in (2, 3):
-        raise ValueError(f"image of shape {picture.shape}; legal: (H, W) or (H, W, channels)")
+    require("image", picture.shape, picture.ndim in (2, 3), "(H, W) or (H, W, channels)")
     dtype = np.float32 if picture.dtype == np.float32 else np.float64
     channels = picture.astype(dtype, copy=False).reshape(*picture.shape[:2], -1)
     planes = [  # each contiguous

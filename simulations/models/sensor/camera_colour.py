@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_colours, as_vectors
 from simulations.models.color.spectra import WAVELENGTHS_NM, Bell, bells
+from simulations.models.require import require
 
 CAMERA: tuple[tuple[Bell, ...], ...] = (
     ((0.979, 589.8, 9.2, 39.1), (0.082, 532.4, 76.1, 19.8)),
@@ -34,8 +35,7 @@ def exposed(stimuli: ArrayLike, curves: ArrayLike, light: ArrayLike) -> Floats:
     spectra, source = (as_vectors("spectrum", s, WAVELENGTHS_NM.size) for s in (stimuli, light))
     sensitivity = np.asarray(curves, float)
     green = source @ sensitivity[:, 1]
-    if not 0 < green < np.inf:
-        raise ValueError(f"light of which green sees {green}; legal: above 0, finite")
+    require("light of which green sees", green, 0 < green < np.inf, "above 0, finite")
     return spectra @ sensitivity / green
 
 

@@ -82,7 +82,7 @@ class Taken:
     """How a picture was taken."""
 
     mean_code: float
-    """Of its green, or of all of a grey file."""
+    """Mean code of the green channel, or of all codes of a grey file."""
     camera: str = ""
     """Maker, model and ISO, and the size and kind of the file: what all pairs must share."""
     exposure_s: float = math.nan

@@ -16,9 +16,9 @@ from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
 
 TREND_TERMS = 6
-"""Of a polynomial of second degree in x and y."""
+"""Terms of a polynomial of second degree in x and y."""
 FEWEST_PIXELS = 64
-"""Of a frame; fewer do not tell a variance to a fifth of it."""
+"""Least pixels of a frame; fewer give a variance to a fifth of it at best."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Level:
     noise_in_codes: float
     """Variance in time in codes squared, with that of rounding."""
     correlation: float
-    """Of the noise of two neighbours, along rows and columns: 0 for cells read one by one."""
+    """Correlation of the noise of neighbouring pixels: 0 for cells read one by one."""
     clipped: float
     """Share of the pixels at the lowest or the highest code."""
     pixels: int
@@ -97,7 +97,7 @@ def _terms(height: int, width: int) -> Floats:
 
 
 def _correlation(difference: Floats, variance: float) -> float:
-    """Of neighbours along rows and columns; 0 for frames that do not differ."""
+    """Correlation of neighbours along rows and columns; 0 for frames that do not differ."""
     if variance == 0:
         return 0.0
     products = [

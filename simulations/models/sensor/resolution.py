@@ -11,7 +11,7 @@ from simulations.models.arrays import Floats
 from simulations.models.require import require, require_positive
 
 FULL_FRAME_DIAGONAL_MM = 43.267
-"""Of 36 mm × 24 mm, to which the equivalent focal length in EXIF refers."""
+"""Diagonal of 36 mm × 24 mm, to which the equivalent focal length in EXIF refers."""
 
 
 def pixel_pitch_um(

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_colours
+from simulations.models.require import require
 
 
 def shared_detail(linear: ArrayLike) -> tuple[float, float]:
@@ -34,8 +35,7 @@ def shared_detail(linear: ArrayLike) -> tuple[float, float]:
     if picture.ndim != 3 or min(picture.shape[:2]) < 3:
         raise ValueError(f"picture of shape {picture.shape}; legal: (H, W, 3), 3 x 3 or more")
     largest = float(np.abs(picture).max())
-    if not np.isfinite(largest):
-        raise ValueError(f"picture reaches {largest}; legal: finite")
+    require("picture reaches", largest, np.isfinite(largest), "finite")
     wide = picture.astype(np.float64) / (largest or 1.0)  # squares neither overflow nor vanish
     sides = wide[:-2, 1:-1] + wide[2:, 1:-1] + wide[1:-1, :-2] + wide[1:-1, 2:]
     red, green, blue = (wide[1:-1, 1:-1] - sides / 4).reshape(-1, 3).T

@@ -36,7 +36,7 @@ ORDER = (*PINHOLE, "k1", "k2", "p1", "p2", "k3")
 
 
 def in_single_precision(views: Views) -> Views:
-    """As OpenCV takes its points."""
+    """Views in the precision of OpenCV’s points."""
     pixels = views.pixels.astype(np.float32).astype(float)
     return Views(views.board, pixels, views.found)
 

@@ -54,7 +54,7 @@ D65 = illuminants.daylight(illuminants.D65_K)
 
 
 def test_the_matching_functions_are_near_the_tables_of_the_cie() -> None:
-    """As near as the paper's own fits come: any other numbers would be farther off."""
+    """The bounds are those of the paper's own fits; any other numbers would be farther off."""
     off = observer.OBSERVER - TABULATED
     assert (np.abs(off).max(axis=0) < [0.0147, 0.0071, 0.0239]).all()
     assert (np.sqrt(np.mean(off**2, axis=0)) < [0.0061, 0.0029, 0.0047]).all()

@@ -53,7 +53,7 @@ def test_two_discs_share_all_of_the_smaller_nothing_or_a_lens(a: float, b: float
 
 
 def beside_an_edge(cut: float) -> float:
-    """What of a unit disc lies to the left of x = −cut."""
+    """Area of a unit disc to the left of x = −cut."""
     return float(np.arccos(cut) - cut * np.sqrt(1 - cut * cut))
 
 

@@ -39,7 +39,7 @@ BALL, CUBE = Sphere((0, 5, 0), 2.0), Box((0, 5, 0), (2, 4, 2))
 def test_a_solid_is_met_at_its_surface_at_any_size_and_place(
     kind: type, start: float, distance: float, facing: int, size: float, eye: tuple[float, ...]
 ) -> None:
-    """Of half a size of 2 along the ray, in numbers that floats hold exactly."""
+    """Half a size is 2 along the ray, in numbers that floats hold exactly."""
     at, (x, y, z) = np.array(eye), eye
     solid = kind((x, y + 5 * size, z), 2 * size if kind is Sphere else (size, 4 * size, size))
     hit = intersect(solid, at + start * size * AHEAD, AHEAD)

@@ -202,7 +202,7 @@ PLACES = np.array([0.02, 0.3, 1.0])
 
 @pytest.mark.parametrize("opening", OPENINGS)
 def test_form_factors_are_integrals_of_both_cosines_over_the_distance(opening: float) -> None:
-    """Of endless strips: cos θ cos θ′ / (2 r) per length."""
+    """Form factor of endless strips: cos θ cos θ′ / (2 r) per length."""
 
     def kernel(there: float, here: float) -> float:
         square = here**2 + there**2 - 2 * here * there * np.cos(opening)

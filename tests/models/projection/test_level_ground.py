@@ -38,7 +38,7 @@ def raised(height: float) -> Floats:
 
 
 def test_the_pose_is_three_turns_in_their_order() -> None:
-    """As SciPy turns a camera that looks along y: about the upright, its right and its axis."""
+    """SciPy turns a camera that looks along y: about the upright, its right and its axis."""
     level = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
     yaw = Rotation.from_euler("y", -0.4).as_matrix()
     pitch = Rotation.from_euler("x", 0.3).as_matrix()

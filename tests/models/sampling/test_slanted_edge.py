@@ -42,7 +42,7 @@ TO_NYQUIST = FREQUENCIES <= 0.5
 
 
 def disc(radius: float) -> Lens:
-    """Of a disc of defocus."""
+    """Transfer function of a disc of defocus."""
 
     def factor(frequency: Floats) -> Floats:
         turns = 2 * np.pi * radius * np.maximum(frequency, 1e-9)

@@ -77,7 +77,7 @@ def test_developing_undoes_the_gain() -> None:
 
 
 def test_signal_to_noise_adds_all_variances() -> None:
-    """Of 400 + 3² + 6²/12 the root is √412."""
+    """The root of 400 + 3² + 6²/12 is √412."""
     sensor = Sensor(read_noise_e=3.0, gain_e_per_dn=6.0)
     assert signal_to_noise(400.0, sensor) == pytest.approx(400 / np.sqrt(412))
     assert signal_to_noise(1.0, Sensor(read_noise_e=1e15)) == pytest.approx(1e-15)

@@ -186,7 +186,7 @@ def test_light_is_measured_through_the_response_of_the_file() -> None:
 
 
 def smoothed(pairs: list[np.ndarray]) -> list[np.ndarray]:
-    """As after demosaicing: every other column is the mean of its neighbours."""
+    """Pairs as demosaicing leaves them: every other column is the mean of its neighbours."""
     out = []
     for pair in pairs:
         codes = pair.astype(float)
