@@ -26,7 +26,6 @@ from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
 
 BALL = build_ball()
 GLOSS = {"phong": phong, "blinn_phong": blinn_phong}
-CELLS = [tier for tier in LIT if tier.startswith("gouraud")]
 
 
 def normals_64() -> NDArray[np.float64]:
@@ -69,23 +68,6 @@ def test_the_reference_of_the_error_is_the_model_in_double_precision(light_angle
         expected = formula(normals_64(), towards, [0, 0, 1], albedo=float(ALBEDO[0]), **given)
         truth = true_light(BALL, light_angle, model, **given)
         np.testing.assert_allclose(truth[BALL.inner], expected[BALL.inner], atol=1e-12)
-
-
-@pytest.mark.parametrize("light_angle", [0, 60, 150])
-def test_finer_cells_are_nearer_to_the_truth(light_angle: float) -> None:
-    for scene, most in ((LAMBERTIAN, 2**-22), (PHONG, 20 * 2**-23)):
-        errors = [estimate(scene, tier, light_angle=light_angle) for tier in (*CELLS, "phong")]
-        assert errors == sorted(errors, reverse=True)
-        assert errors[0] > 4 * errors[3]
-        assert errors[-1] < most
-
-
-def test_a_highlight_between_two_corners_is_lost_and_blended_normals_keep_it() -> None:
-    """The place of the chapter: light from 45°, shininess 300, cells of an eighth."""
-    for tier, red in (("gouraud-8", 0.6), ("phong", 1), ("blended-normals-16", 1)):
-        frame = frame_of(PHONG, tier, light_angle=45, shininess=300, specular=1)
-        brightest = pixels_of(frame)[BALL.square][..., 0][BALL.inner].max()
-        assert decode_srgb(brightest / 255.0) == pytest.approx(red, abs=0.03)
 
 
 @pytest.mark.parametrize(
