@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 
-from simulations.engine.drawing import Point, circle, dot, polygon, polyline, text
+from simulations.engine.drawing import circle, dot, polygon, polyline, text
 from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
 from simulations.engine.handles import Handle
 from simulations.engine.plotting import Axis, Plot, Scale
@@ -27,9 +27,6 @@ from simulations.scenes import _spectra
 from simulations.scenes._spectra import DAYLIGHT, HEIGHT, NAMES, WIDTH, Chart, LitSurface
 
 ROWS = (("in this light", "world"), ("by day", "world"))
-CHART = Chart(ROWS, 128, gap=0)
-"""The rows touch, so that the edge between two patches is their difference."""
-TWINS_CHART = Chart(ROWS, 120)  # with a twin below each surface, whose difference is then that edge
 VISIBLE = 2.0  # just noticeable ΔE
 
 HALF_HEIGHT = math.sqrt(2.0 * math.log(2.0))
@@ -57,7 +54,9 @@ class Seen:
 
 
 def chart(twin: bool) -> Chart:
-    return TWINS_CHART if twin else CHART
+    """Rows that touch, so that the edge between two patches is their difference; with a twin below
+    each surface, the difference of these is that edge."""
+    return Chart(ROWS, 120) if twin else Chart(ROWS, 128, gap=0)
 
 
 def seen_by_eye(light: Floats, pairs: Floats) -> Seen:
@@ -113,11 +112,6 @@ def spectra(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -> str:
     return "".join(parts)
 
 
-def place_of(xy: Point) -> tuple[float, float]:
-    """View box units of a chromaticity."""
-    return DIAGRAM.at(float(xy[0]), float(xy[1]))
-
-
 @cache
 def whites(light: str) -> Floats:
     """Chromaticities (N, 2) of one kind of light, by steps of its slider of temperature."""
@@ -131,16 +125,16 @@ def diagram(light: str, seen: Seen, chosen: int, *, twin: bool) -> str:
     """Chromaticities of pure colours, the display's gamut, the whites, and the surfaces."""
     pairs = xyz_to_xyy(seen.xyz)[..., :2]
     line = whites(light if light == "daylight" else "planck")
-    here = place_of(pairs[0, chosen])
+    here = DIAGRAM.at(*pairs[0, chosen])
     parts = [
         diagram_ground(),
-        polyline([place_of(xy) for xy in line[::4]], "light"),
-        *(dot(place_of(xy), "world", 2.5) for xy in pairs[0]),
-        circle(place_of(cie.D65_XY), 4, "muted"),
-        dot(place_of(seen.white_xy), "light", 5),
+        polyline([DIAGRAM.at(*xy) for xy in line[::4]], "light"),
+        *(dot(DIAGRAM.at(*xy), "world", 2.5) for xy in pairs[0]),
+        circle(DIAGRAM.at(*cie.D65_XY), 4, "muted"),
+        dot(DIAGRAM.at(*seen.white_xy), "light", 5),
     ]
     if twin:
-        other = place_of(pairs[1, chosen])
+        other = DIAGRAM.at(*pairs[1, chosen])
         parts += [circle(other, 5.5, style) for style in ("casing", "world bold")]
     return "".join((*parts, circle(here, 5, "casing"), dot(here, "ray", 5)))
 
@@ -150,17 +144,17 @@ def diagram_ground() -> str:
     """Axes, the edge of all colours, and the display's triangle."""
     edge = xyz_to_xyy(matching_functions(PURE_NM))[:, :2]
     marked = xyz_to_xyy(matching_functions(np.array(MARKED_NM)))[:, :2]
-    corner = place_of((0, 0))
+    corner = DIAGRAM.at(0, 0)
     parts = [
         DIAGRAM.frame(TICKS, TICKS),
         text((DIAGRAM.x.end + 8, corner[1] + 19), "x", "italic"),
         text((corner[0] - 8, DIAGRAM.y.end + 2), "y", "italic", "end"),
-        polygon([place_of(xy) for xy in edge], "world thin"),
-        polygon([place_of(xy) for xy in cie.SRGB_PRIMARIES_XY], "image fill thin"),
-        text(place_of((0.33, 0.235)), "sRGB", "image small", "middle"),
+        polygon([DIAGRAM.at(*xy) for xy in edge], "world thin"),
+        polygon([DIAGRAM.at(*xy) for xy in cie.SRGB_PRIMARIES_XY], "image fill thin"),
+        text(DIAGRAM.at(0.33, 0.235), "sRGB", "image small", "middle"),
     ]
     for nm, xy in zip(MARKED_NM, marked, strict=True):
-        x, y = place_of(xy)
+        x, y = DIAGRAM.at(*xy)
         parts.append(dot((x, y), "world", 2))
         parts.append(text((x + 9, y - 4), f"{nm} nm", "world small"))
     return "".join(parts)
@@ -219,7 +213,7 @@ def width_mark(settings: LitSurface, _outputs: Outputs) -> tuple[float, float] |
 def white_mark(settings: LitSurface, _outputs: Outputs) -> tuple[float, float] | None:
     if settings.light not in ("planck", "daylight"):
         return None
-    return place_of(white_xy(_spectra.light_of(settings.light, settings.temperature)))
+    return DIAGRAM.at(*white_xy(_spectra.light_of(settings.light, settings.temperature)))
 
 
 HANDLES: tuple[Handle[LitSurface], ...] = (

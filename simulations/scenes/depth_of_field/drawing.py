@@ -17,6 +17,8 @@ LARGEST_DISC = 0.35
 """Largest disc as a share of the drawn opening: wider ones would push a cone's tip out of the
 picture."""
 LARGEST_M = 10.0
+AXIS = line((8, AXIS_Y), (WIDTH - 8, AXIS_Y), "muted thin dashed")
+LENS_NAME = text((LENS_X, AXIS_Y - 99), "lens", "camera", "middle")
 
 
 def column(distance_m: float) -> float:
@@ -45,7 +47,7 @@ def lens_diagram(sharp: Sharpness, focus_m: float) -> str:
     scale = disc_scale(max(sharp.near_blur_mm, sharp.far_blur_mm), half)
     near, far = (column(max(limit, 0.01)) for limit in (sharp.near_limit_m, sharp.far_limit_m))
     far = 8.0 if math.isinf(sharp.far_limit_m) else far
-    parts = [axis(), rectangle((far, AXIS_Y - 9), max(near - far, 0.5), 18, "ray fill thin")]
+    parts = [AXIS, rectangle((far, AXIS_Y - 9), max(near - far, 0.5), 18, "ray fill thin")]
     wall = (FAR_M, sharp.far_blur_mm, "world")
     ball = (NEAR_M, sharp.near_blur_mm, "error")
     for distance, disc_mm, role in (wall, ball):
@@ -54,12 +56,8 @@ def lens_diagram(sharp: Sharpness, focus_m: float) -> str:
         parts += cone(distance, 0.5 * scale * sign * disc_mm, half, role)
     parts += cone(focus_m, 0.0, half, "ray bold")
     parts += [glass(half), line((SENSOR_X, AXIS_Y - 92), (SENSOR_X, AXIS_Y + 92), "image bold")]
-    parts += [text((SENSOR_X, AXIS_Y - 99), "sensor", "image", "middle"), lens_name()]
+    parts += [text((SENSOR_X, AXIS_Y - 99), "sensor", "image", "middle"), LENS_NAME]
     return "".join((*parts, *scale_bar(scale), *labels(focus_m)))
-
-
-def axis() -> str:
-    return line((8, AXIS_Y), (WIDTH - 8, AXIS_Y), "muted thin dashed")
 
 
 def cone(distance_m: float, disc: float, half: float, role: str) -> Iterator[str]:
@@ -90,10 +88,6 @@ def glass(half: float) -> str:
         for side in (-1, 1)
     )
     return ellipse((LENS_X, AXIS_Y), (9, half), "camera fill") + stops
-
-
-def lens_name() -> str:
-    return text((LENS_X, AXIS_Y - 99), "lens", "camera", "middle")
 
 
 def scale_bar(scale: float) -> Iterator[str]:
@@ -128,7 +122,7 @@ def virtual_diagram(distance_m: float, focal_m: float) -> str:
     # Deviation as drawn: rays from the drawn focal point come out parallel.
     slope = half / (LENS_X - source[0]) - half / (LENS_X - focus[0])
     reach = min(WIDTH - 8 - LENS_X, (AXIS_Y - half - 10) / max(slope, 1e-6))
-    parts = [axis()]
+    parts = [AXIS]
     for side in (-1, 1):
         rim = (LENS_X, AXIS_Y + side * half)
         end = (LENS_X + reach, rim[1] + side * slope * reach)
@@ -138,7 +132,7 @@ def virtual_diagram(distance_m: float, focal_m: float) -> str:
         dot(source, "ray", 4),
         dot(focus, "camera", 3),
         text((focus[0] - 6, AXIS_Y - 10), "focal point", "camera ground", "end"),
-        lens_name(),
+        LENS_NAME,
         text((12, AXIS_Y + 118), "The light does not meet behind the lens.", "strong"),
     ]
     return "".join(parts)
