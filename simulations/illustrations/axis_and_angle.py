@@ -11,7 +11,6 @@ from simulations.engine.space.view import View, axes_towards
 from simulations.models.arrays import Floats
 from simulations.models.geometry.rotations import from_axis_angle
 
-WIDTH, HEIGHT = 400.0, 254.0
 SPACE = View(axes_towards((1.0, -2.6, 1.25)), (196.0, 236.0), 112.0)
 AXIS = (0.0, 0.0, 1.0)
 VECTOR = np.array([1.15, -0.35, 1.45])
@@ -63,4 +62,4 @@ def draw() -> Illustration:
         "along the axis stays; its tip runs round a circle about it. The vector n × p is as long "
         "as the radius of that circle and stands at right angles to it."
     )
-    return Illustration((Panel("space", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("space", "", 400.0, 254.0, overlay="".join(marks)),), words)

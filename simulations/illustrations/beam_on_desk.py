@@ -10,7 +10,6 @@ from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.geometry.lines_and_planes import plane_through, signed_distance
 
-WIDTH, HEIGHT = 400.0, 226.0
 SCALE = 74.0
 CORNERS = np.array([(0.0, 1.0, 3.0), (2.0, 1.0, 3.0), (0.0, 0.0, 4.0)])
 """Corners of the desk, in the camera's axes, in metres, as in the chapter's example."""
@@ -62,4 +61,4 @@ def draw() -> Illustration:
         f"From the side: a desk that slants by 45°, in a plane {far:.2f} m from a camera and with "
         f"its normal towards it. A beam from the camera straight ahead meets it after {spot():g} m."
     )
-    return Illustration((Panel("side", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("side", "", 400.0, 226.0, overlay="".join(marks)),), words)

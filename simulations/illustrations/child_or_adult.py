@@ -7,7 +7,6 @@ from simulations.engine.drawing import circle, dot, line, polygon
 from simulations.engine.illustration import Illustration, Panel
 from simulations.models.projection.pinhole import project
 
-WIDTH, HEIGHT = 400.0, 214.0
 CENTRE = (24.0, 150.0)
 UNITS_PER_M = 60.0
 FOCAL_M = 1.2  # focal length of a camera drawn many times too large
@@ -61,4 +60,4 @@ def draw() -> Illustration:
         f"adult {x:g} m tall at {z:g} m have their crowns on one ray, which meets the image plane "
         "in one point: both have the same height in the picture."
     )
-    return Illustration((Panel("side", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("side", "", 400.0, 214.0, overlay="".join(marks)),), words)

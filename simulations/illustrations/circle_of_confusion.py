@@ -9,7 +9,6 @@ from simulations.models.lens.thin_lens import (
     thin_lens_image_distance,
 )
 
-WIDTH, HEIGHT = 400.0, 268.0
 LENS, AXIS = 214.0, 118.0
 FOCAL, F_NUMBER, FOCUS, NEAR = 66.0, 0.74, 190.0, 128.0
 """All lengths are in units of the drawing, as millimetres."""
@@ -69,4 +68,4 @@ def draw() -> Illustration:
         f"the sensor, which cuts its cone in a disc of diameter c, {c / (FOCAL / F_NUMBER):.2f} of "
         "the opening A."
     )
-    return Illustration((Panel("section", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("section", "", 400.0, 268.0, overlay="".join(marks)),), words)

@@ -9,7 +9,6 @@ from simulations.engine.drawing import dot, line, polygon
 from simulations.engine.illustration import Illustration, Panel
 from simulations.models.lens.vignetting import vignetting_cos4
 
-WIDTH, HEIGHT = 400.0, 258.0
 OPENING, SENSOR, AXIS = 96.0, 296.0, 210.0
 ANGLE_RAD = math.radians(38)
 HALF, PIXEL = 22.0, 13.0
@@ -55,4 +54,4 @@ def draw() -> Illustration:
         "costs its square, and the sensor is lit at a slant, which costs the cosine again: "
         f"{100 * share:.0f} % is left."
     )
-    return Illustration((Panel("section", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("section", "", 400.0, 258.0, overlay="".join(marks)),), words)

@@ -6,7 +6,6 @@ from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.geometry.lines_and_planes import intersection, line_through
 
-WIDTH, HEIGHT = 400.0, 222.0
 BASELINE, FOCAL_PX, HALF_PX = 0.8, 45.0, 0.5
 """Metres, pixels, and the largest error of a match."""
 EYES = (BASELINE / 2, -BASELINE / 2)
@@ -68,4 +67,4 @@ def draw() -> Illustration:
         "ahead. The rays half a pixel to either side of each point enclose a diamond in which it "
         f"may lie. It gets longer with the square of the distance: {reach}."
     )
-    return Illustration((Panel("plan", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("plan", "", 400.0, 222.0, overlay="".join(marks)),), words)

@@ -11,7 +11,6 @@ from simulations.engine.plotting import Axis, Plot
 from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import BLOCK, DCT
 
-WIDTH, HEIGHT = 400.0, 206.0
 COLUMNS, PITCH, ROW = 4, 98.0, 100.0
 
 
@@ -36,4 +35,4 @@ def draw() -> Illustration:
         f"Eight cosines over a row of {BLOCK} values, each sampled at the middle of every value. "
         "The first is constant; each of the others has half a wave more than the one before."
     )
-    return Illustration((Panel("waves", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("waves", "", 400.0, 206.0, overlay="".join(marks)),), words)

@@ -4,7 +4,6 @@ from simulations.engine.drafting import label
 from simulations.engine.drawing import circle
 from simulations.engine.illustration import Illustration, Panel
 
-WIDTH, HEIGHT = 400.0, 132.0
 FOCAL_MM = 50.0
 STOPS = tuple(2 ** (step / 2) for step in range(1, 7))
 NAMES = ("1.4", "2", "2.8", "4", "5.6", "8")
@@ -32,6 +31,6 @@ def draw() -> Illustration:
         f"f/{name} {diameter_mm(f):.1f} mm" for f, name in zip(STOPS, NAMES, strict=True)
     )
     return Illustration(
-        (Panel("row", "", WIDTH, HEIGHT, overlay="".join(marks)),),
+        (Panel("row", "", 400.0, 132.0, overlay="".join(marks)),),
         f"{words}. Each has half the area of the one before.",
     )

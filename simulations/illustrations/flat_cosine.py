@@ -9,7 +9,6 @@ from simulations.engine.drawing import line
 from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.plotting import Axis, Plot
 
-WIDTH, HEIGHT = 320.0, 230.0
 PLOT = Plot(Axis(0.0, 1.0, 30, 306), Axis(0.0, 1.1, 178, 10))
 STEP = 0.08  # width of a rounding step, drawn coarse
 
@@ -35,7 +34,7 @@ def _panel(kind: str, values: np.ndarray, band: tuple[float, float], title: str)
         label((PLOT.x.end, foot + 17), "θ", "muted italic", "end"),
         label((PLOT.x.end, foot + 44), f"one step of {STEP:g}, read back", "muted small", "end"),
     ]
-    return Panel(kind, title, WIDTH, HEIGHT, overlay="".join(marks))
+    return Panel(kind, title, 320.0, 230.0, overlay="".join(marks))
 
 
 def draw() -> Illustration:

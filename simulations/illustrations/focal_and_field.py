@@ -7,7 +7,6 @@ from simulations.engine.drawing import dot, line, polygon
 from simulations.engine.illustration import Illustration, Panel
 from simulations.models.projection.pinhole import field_of_view_rad
 
-WIDTH, HEIGHT = 400.0, 196.0
 CENTRE = (169.0, 98.0)
 UNITS_PER_MM = 1.2
 SENSOR_MM = 36.0
@@ -44,4 +43,4 @@ def draw() -> Illustration:
         f"From above: a sensor {SENSOR_MM:g} mm wide behind lenses of three focal lengths, and its "
         f"fields of view: {fields}."
     )
-    return Illustration((Panel("plan", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("plan", "", 400.0, 196.0, overlay="".join(marks)),), words)

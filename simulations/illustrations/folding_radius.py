@@ -9,7 +9,6 @@ from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.distortion import radial_profile
 from simulations.models.distortion.radial_profile import RadialProfile, evaluate
 
-WIDTH, HEIGHT = 400.0, 268.0
 PLOT = Plot(Axis(0.0, 1.9, 46, 390), Axis(0.0, 0.84, 226, 12))
 LENS = RadialProfile((-0.3,))
 SEEN, NOWHERE = 0.6, 0.75
@@ -54,4 +53,4 @@ def draw() -> Illustration:
         f"{highest:.3f} at the ideal radius {fold:.3f} and falls again. The height {SEEN:g} is "
         f"reached twice, at {both}; {NOWHERE:g} is never reached."
     )
-    return Illustration((Panel("plot", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("plot", "", 400.0, 268.0, overlay="".join(marks)),), words)

@@ -7,7 +7,6 @@ from simulations.engine.drawing import arrow, dot, line, polygon
 from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.space.view import View, axes_towards
 
-WIDTH, HEIGHT = 400.0, 256.0
 SPACE = View(axes_towards((1.1, -3.0, 1.35)), (64.0, 206.0), 59.0)
 POINT = (2.0, 1.0)  # a point on the plane w = 1
 ALONG = (0.5, 2.0)  # other values of w on its ray
@@ -48,4 +47,4 @@ def draw() -> Illustration:
         "(1, 0.5, 0.5), pierces the plane in (2, 1, 1) and goes on to (4, 2, 2): all three stand "
         "for the point (2, 1). An arrow with w = 0 runs parallel to the plane and never meets it."
     )
-    return Illustration((Panel("space", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("space", "", 400.0, 256.0, overlay="".join(marks)),), words)

@@ -8,7 +8,6 @@ from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.plotting import Axis, Plot
 from simulations.models.distortion.radial_profile import RadialProfile, evaluate, slope
 
-WIDTH, HEIGHT = 400.0, 282.0
 PLOT = Plot(Axis(0.62, 1.06, 24, 392), Axis(0.55, 0.72, 240, 14))
 LENS = RadialProfile((-0.3,))
 SEEN, STEPS = 0.68, 4
@@ -52,4 +51,4 @@ def draw() -> Illustration:
         "From the first guess the tangent is followed up to that line, which gives the second "
         "guess: " + ", ".join(f"{r:.4f}" for r in found) + "."
     )
-    return Illustration((Panel("plot", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("plot", "", 400.0, 282.0, overlay="".join(marks)),), words)

@@ -8,7 +8,6 @@ from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.color.srgb import decode_srgb
 
-WIDTH, HEIGHT = 400.0, 268.0
 PLOT = Plot(Axis(0, 4, 48, 392), Axis(0, 1, 222, 14))
 """Irradiance, in units of the lamp's on a wall that faces it, and albedo."""
 ACROSS = Scale(ticks=range(5), tick_style="muted small")
@@ -55,4 +54,4 @@ def draw() -> Illustration:
         f"{name}, light {light:g} and albedo {albedo(VALUE, light):.2f}" for light, name in WALLS
     )
     words = f"A curve through all pairs of light and albedo whose pixel value is {VALUE}: {pairs}."
-    return Illustration((Panel("pairs", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("pairs", "", 400.0, 268.0, overlay="".join(marks)),), words)

@@ -7,7 +7,6 @@ from simulations.engine.drawing import arrow
 from simulations.engine.illustration import Illustration, Panel
 from simulations.models.sensor.photon_counting import Sensor, expose, quantise
 
-WIDTH, HEIGHT = 400.0, 296.0
 SENSOR = Sensor(full_well_e=20_000, read_noise_e=3.0, dark_current_e_per_s=0.5, gain_e_per_dn=4.88)
 PHOTONS_PER_S, EXPOSURE_S = 2000.0, 1.0
 LEFT, BOX_WIDTH, BOX_HEIGHT, GAP = 132.0, 136.0, 38.0, 42.0
@@ -49,4 +48,4 @@ def draw() -> Illustration:
     words = "From the top down: " + "; ".join(
         name if not chance else f"{way}, {chance}: {name}" for name, _, way, chance in stations()
     ).replace("^−", "⁻")
-    return Illustration((Panel("chain", "", WIDTH, HEIGHT, overlay="".join(marks)),), f"{words}.")
+    return Illustration((Panel("chain", "", 400.0, 296.0, overlay="".join(marks)),), f"{words}.")

@@ -10,7 +10,6 @@ from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import phong
 
-WIDTH, HEIGHT = 300.0, 190.0
 SPOT, UNITS = (150.0, 158.0), 132.0
 LIGHT_RAD = math.radians(50)  # angle of the light from the normal, on the left
 SURFACES = (
@@ -56,7 +55,7 @@ def draw() -> Illustration:
             label(np.add(_place(-LIGHT_RAD, 150), (-4, 4)), "l", "light italic", "end"),
             label((150, SPOT[1] + 22), shown, "muted small", "middle"),
         ]
-        panels.append(Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks)))
+        panels.append(Panel(name, title, 300.0, 190.0, overlay="".join(marks)))
     words = (
         f"Light falls from the left, {math.degrees(LIGHT_RAD):.0f}° from the normal n. The "
         "distance of each outline from the lit spot is the brightness seen from that side. Chalk: "

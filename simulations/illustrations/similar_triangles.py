@@ -7,7 +7,6 @@ from simulations.engine.drawing import dot, line, polygon
 from simulations.engine.illustration import Illustration, Panel
 from simulations.models.projection.pinhole import project
 
-WIDTH, HEIGHT = 400.0, 262.0
 CENTRE = (34.0, 186.0)
 UNITS_PER_M = 66.0
 FOCAL, POINT = 2.0, (2.0, 5.0)
@@ -54,5 +53,5 @@ def draw() -> Illustration:
         f"depth {z:g} crosses the image plane, at distance {FOCAL:g}, {u:g} to the side. The large "
         "triangle and the small one have the same angles."
     )
-    panel = Panel("plan", "", WIDTH, HEIGHT, overlay="".join(marks))
+    panel = Panel("plan", "", 400.0, 262.0, overlay="".join(marks))
     return Illustration((panel,), words)

@@ -9,7 +9,6 @@ from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.arrays import Floats
 from simulations.models.sampling.aliasing import alias_frequency
 
-WIDTH, HEIGHT = 400.0, 176.0
 PLOT = Plot(Axis(-1.6, 1.6, 14, 386), Axis(0, 1.25, 128, 24))
 HIGHEST = (
     ("kept", "Nothing above half the rate", 0.38),
@@ -46,7 +45,7 @@ def _panel(name: str, title: str, highest: float) -> Panel:
         PLOT.x_axis(Scale(ticks=((-0.5, "−½"), (0.5, "½")), tick_style="camera small")),
         label((PLOT.at(0.5, 0)[0] + 6, 20), "Nyquist", "camera small"),
     ]
-    return Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks))
+    return Panel(name, title, 400.0, 176.0, overlay="".join(marks))
 
 
 def draw() -> Illustration:

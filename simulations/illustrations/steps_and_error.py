@@ -9,7 +9,6 @@ from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.distortion.undistortion import undistort_fixed_point, undistort_newton
 
-WIDTH, HEIGHT = 400.0, 284.0
 PLOT = Plot(Axis(0.8, 24, 62, 388, log=True), Axis(1e-17, 0.1, 236, 12, log=True))
 """Number of polynomials evaluated, and the largest error in focal lengths."""
 LENS = Distortion(k1=-0.15)
@@ -62,6 +61,6 @@ def draw() -> Illustration:
         f"{name}, {cost} polynomials, {error:.0e}" for cost, error, name in best
     )
     return Illustration(
-        (Panel("plot", "", WIDTH, HEIGHT, overlay="".join(marks)),),
+        (Panel("plot", "", 400.0, 284.0, overlay="".join(marks)),),
         f"{words}. These are on the front.",
     )

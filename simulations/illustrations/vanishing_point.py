@@ -10,7 +10,6 @@ from simulations.engine.illustration import Illustration, Panel
 from simulations.models.projection.pinhole import project
 from simulations.models.projection.vanishing import vanishing_point
 
-WIDTH, HEIGHT = 400.0, 286.0
 CENTRE, UNITS_PER_M = (128.0, 262.0), 36.0
 FOCAL = 2.0  # distance of the image plane, in the metres of the drawing
 START, ANGLE_RAD = (-2.0, 2.9), math.radians(32)
@@ -69,4 +68,4 @@ def draw() -> Illustration:
         "the optical axis. The images of points farther and farther along it creep towards the "
         "point in which the ray parallel to the rail meets the image plane, and never pass it."
     )
-    return Illustration((Panel("plan", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
+    return Illustration((Panel("plan", "", 400.0, 286.0, overlay="".join(marks)),), words)
