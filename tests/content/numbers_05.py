@@ -12,7 +12,6 @@ from simulations.models.arrays import Floats
 from simulations.models.light.brdf import Material, reflected, schlick
 from simulations.models.light.interreflection import edge_factor
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
-from simulations.scenes.phong.scene import SCENE
 from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
 
 CHAPTER = "05-lighting-and-reflectance"
@@ -58,22 +57,6 @@ def the_printed_formulae() -> Says:
             assert np.isclose(model(n, l, v, 0.7, specular=0.4, shininess=3), printed)
             sides.append((bool(n @ l > 0), bool(lobe > 0)))
     assert len(set(sides)) == 4, "lit and unlit, with the lobe in front and behind"
-
-
-def a_highlight_between_corners() -> Says:
-    """Green light, of which the ball itself returns next to none."""
-    yield "**Light angle** at 75° and **Shininess** at 100 makes a small and sharp highlight"
-    yield "Move the light slowly to 60°, and it flares up as a square at a corner."
-    brightest = {}
-    for tier in ("gouraud-8", "phong", "blended-normals-16"):
-        for angle in (75, 60):
-            given = SCENE.check({"light_angle": angle, "shininess": 100})
-            picture = SCENE.render(given, tier, StageCache()).panels[0].raster
-            assert picture is not None
-            brightest[tier, angle] = int(picture[..., 1].max())
-    # The wall behind has 85, so has the ball's own green.
-    assert brightest["gouraud-8", 75] < 90 < 200 < brightest["gouraud-8", 60]
-    assert min(brightest[tier, 75] for tier in ("phong", "blended-normals-16")) > 200
 
 
 def turn_to_half_height(model: Callable[..., Floats], shininess: float) -> float:

@@ -3,26 +3,16 @@
 from math import pi, radians, tan
 
 import numpy as np
-from numbers_10_measured import error
 from support.frames import outputs_of
 from support.worked_numbers import Says, source
 
-from simulations.ladders import resampling
-from simulations.models.arrays import Floats
-from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.diffraction import lens_transfer
-from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import box_mtf
-from simulations.models.sampling.fine_detail import without_fine_detail
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.resampling import KERNELS
-from simulations.models.sampling.slanted_edge import read_edge
-from simulations.models.sampling.slanted_edge_picture import edge_picture
 from simulations.models.sensor.resolution import pixel_transfer
-from simulations.pictures import round_windows, spoked_wheel
 from simulations.scenes.slanted_edge.edge import Sharpness
 from simulations.scenes.slanted_edge.scene import SCENE as SLANTED_EDGE
-from simulations.scenes.wagon_wheel import film
 
 CHAPTER = "07-sampling-and-aliasing"
 
@@ -106,52 +96,6 @@ def the_error_of_one_edge() -> Says:
     assert np.isclose(error, found.half.error, rtol=0.02)
 
 
-def light_beyond_the_rectangle() -> Says:
-    edge = edge_picture(48, 64, radians(5), lambda f: lens_transfer(250 * f, 0.55, 8))
-    beyond = 250 * read_edge(edge).half_contrast().frequency / _mtf50_at_f_8(4) - 1
-    yield f"the MTF comes out too high: here by {100 * beyond:.1f} %"
-    wider = edge_picture(48, 128, radians(5), lambda f: lens_transfer(250 * f, 0.55, 8))
-    assert read_edge(wider).half_contrast().frequency < read_edge(edge).half_contrast().frequency
-
-
-def codes_taken_as_light_make_the_edge_wider() -> Says:
-    yield "and the edge seems wider"
-    wrong, right = (_sharpness(response=name).reading for name in ("linear", "srgb"))
-    assert wrong is not None
-    assert right is not None
-    assert wrong.rise > right.rise
-
-
-def four_times_the_rows_halve_the_error() -> Says:
-    yield "half the error takes about four times the rows"
-    few, many = (_sharpness(noise=3, height=rows).half.error for rows in (12, 48))
-    assert 0.4 < many / few < 0.6
-    yield f"noise == 3 and error <= {250 * few / 2:.2f}"
-
-
-def sharpening_shows_only_if_it_is_strong() -> Says:
-    yield "The curve overshoots, and the MTF rises above 1, which no lens can do"
-    strong, mild, none = (_sharpness(sharpening=much) for much in (1, 0.5, 0))
-    assert strong.reading is not None
-    assert mild.reading is not None
-    assert strong.reading.sharpened
-    assert strong.contrast.max() > 1.05
-    yield "leaves no such trace and still makes it"
-    assert not mild.reading.sharpened
-    assert mild.contrast.max() < 1.01
-    assert mild.half.frequency > 1.3 * none.half.frequency
-
-
-def random_instants_err_more_than_even_ones() -> Says:
-    yield "Their error is larger than that of 16 even ones"
-    canvas = spoked_wheel.build_canvas()
-    row = spoked_wheel.bars(canvas, 8, 0.0, 2 * pi * 2.9 / 24 * 0.5)
-    truth, even, random = (
-        film.exposure_of(tier, 5)(row) for tier in ("integral", "instants-16", "random-16")
-    )
-    assert root_mean_square(random - truth) > 2 * root_mean_square(even - truth)
-
-
 def what_pixels_as_small_as_points_would_add() -> Says:
     frequency = np.linspace(0, 200, 20001)
     half = first_fall(frequency, lens_transfer(frequency, 0.55, 8), 0.5)
@@ -182,51 +126,3 @@ def the_spline_s_weights() -> Says:
     yield f"are ${far:g}/48$, ${near:g}/48$, ${near:.0f}/48$ and ${far:g}/48$"
     own, beside = 6 * KERNELS["spline"].weigh(np.array([0.0, 1.0]))
     yield f"it has ${own:g}/6$ on its own sample and ${beside:g}/6$ on each"
-
-
-def _exact_pictures() -> list[Floats]:
-    along = centred(round_windows.SIZE)
-    x, y = np.meshgrid(along, along)
-    return [picture(x, y) for picture in round_windows.PICTURES]
-
-
-def _psnr_inside(picture: Floats, truth: Floats) -> float:
-    return resampling.psnr_each(*(np.repeat(each[..., None], 3, 2) for each in (picture, truth)))[0]
-
-
-def moved_and_dulled() -> Says:
-    dulled_db, moved_db = (
-        [_psnr_inside(change(each), each) for each in _exact_pictures()]
-        for change in (without_fine_detail, lambda each: np.roll(each, 2, axis=1))
-    )
-    apart = np.subtract(dulled_db, moved_db)
-    assert (apart.min().round(), apart.max().round()) == (5, 12)
-    (waves, rings, discs), (far_waves, far_rings, far_discs) = dulled_db, moved_db
-    yield f"on the waves it has {waves:.1f} dB and the moved one {far_waves:.1f} dB, on the rings "
-    yield f"on the rings {rings:.1f} and {far_rings:.1f}, on the discs {discs:.1f} and "
-    yield f"{discs:.1f} and {far_discs:.1f}. On photographs"
-
-
-def twelve_turns() -> Says:
-    tiers = ("nearest", "bilinear", "bicubic", "spline")
-    once, often = (
-        [error("resampling", tier, metric) for tier in tiers]
-        for metric in ("psnr-once", "psnr-often")
-    )
-    yield "each picture by itself gives the same order"
-    assert once == sorted(once)
-    assert often == sorted(often)
-    yield "the last is below half a code of 255"
-    assert 10 ** (-once[-1] / 20) * 255 < 0.5
-    yield "because torn edges are fine detail too"
-    assert error("resampling", "nearest", "present") > 100
-    work = resampling.prepare(radians(30))
-    truth = resampling.reference(work)
-    nearest, bilinear = (
-        np.array(resampling.psnr_each(resampling.LADDER.tier(t).run(work).often, truth.often))
-        for t in ("nearest", "bilinear")
-    )
-    ahead = nearest - bilinear
-    assert ahead.min() > 1
-    assert ahead.max() < 3.5
-    yield "by 1 to 3 dB on each of the three pictures"

@@ -1,14 +1,11 @@
-"""Chapter 10: speed and accuracy. Its results are measured; a few are worked out.
-
-What the text says of the measurements in words is in `numbers_10_measured`.
-"""
+"""Chapter 10: speed and accuracy. Its results are measured; a few are worked out."""
 
 import numpy as np
-from numbers_10_measured import error, measurements
-from support.worked_numbers import Says
+from support.worked_numbers import CONTENT, Says
 
 from simulations.engine.ladder import pareto_front
-from simulations.ladders import inverse_strong
+from simulations.ladders import depth_of_field, inverse_strong, wide_discs
+from simulations.ladders.depth_of_field import radius_px
 from simulations.ladders.inverse_distortion import LADDER
 from simulations.models.distortion import radial_profile, radial_table
 from simulations.models.distortion.lens_model import (
@@ -19,8 +16,14 @@ from simulations.models.light.raycasting import Sphere
 from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes._still_life_camera.rays import PITCH_MM
 from simulations.scenes.camera import scene as camera
+from site_builder.benchmarks.measurements import Measurements, read_measurements
+from site_builder.diagnostics.diagnostic import Diagnostics
 
 CHAPTER = "10-speed-and-accuracy"
+
+
+def measurements() -> Measurements:
+    return read_measurements(CONTENT.parent, Diagnostics())
 
 
 def the_slope_of_the_fixed_point_s_map() -> Says:
@@ -82,7 +85,9 @@ def what_the_opening_says() -> Says:
     times = {item.tier.id: item.times["browser"].ms for item in tiers}
     assert min(times, key=times.__getitem__) == "first-order"
     yield "The quickest puts a corner"
-    assert error("inverse-distortion", "newton-bracketed", "worst") < 1e-9
+    worst = measurements().find("inverse-distortion")["newton-bracketed"].errors["worst"]
+    assert worst is not None
+    assert worst < 1e-9
     yield "The most careful is right to the last rounding"
 
 
@@ -93,3 +98,16 @@ def how_round_the_outlines_of_the_book_are() -> Says:
     focal_px = widest / PITCH_MM
     smallest = min(focal_px * ball.radius / depth for ball, depth in balls)
     yield f"with radii of {int(smallest)} pixels or more"
+
+
+def what_is_said_of_wide_discs() -> Says:
+    near, wall = (2 * float(radius_px(wide_discs.prepare(), z)) for z in (1.6, 8.0))
+    assert near > wall
+    narrow = 2 * float(radius_px(depth_of_field.prepare(), 1.6))
+    yield f"until they are {near:.0f} pixels wide"
+    yield f"Such a disc covers {round(np.pi * near**2 / 4, -2):.0f} pixels"
+    assert round(near / narrow) == 6
+    wide, before = wide_discs.prepare(), depth_of_field.prepare()
+    assert round(wide.lens_radius / before.lens_radius) == 3
+    assert wide.seen.shape == (2 * before.seen.shape[0], 2 * before.seen.shape[1])
+    yield "a lens three times as wide, on twice as many pixels each way"

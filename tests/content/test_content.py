@@ -1,0 +1,165 @@
+"""The book's own text, questions, translation and recorded measurements are right.
+
+A figure's or a measurement's number comes from a role of the text. What the text works out, so that
+the reader can check it by hand, is computed again in the modules beside this one, and looked for
+where it stands.
+"""
+
+import re
+from importlib import import_module
+from inspect import isgeneratorfunction
+from itertools import chain, product
+from math import ceil
+from pathlib import Path
+from statistics import mean
+
+import pytest
+from support.frames import frame_of
+from support.worked_numbers import CONTENT, Calculation, source
+
+from simulations.registry import LADDER_MODULES, load_ladder, load_scene
+from simulations.scenes.formation_pipeline.scene import SCENE as PIPELINE
+from site_builder.benchmarks.judgements import off_the_front
+from site_builder.benchmarks.measurements import Measurements, read_measurements
+from site_builder.benchmarks.record import close, finite
+from site_builder.benchmarks.stage_costs import read_stage_costs
+from site_builder.checks.questions import FEW_LETTERS
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.sources.translations.labels import NUMBER, TEXT, read_labels
+
+ROOT = CONTENT.parent
+CHAPTERS = sorted(file.stem for file in CONTENT.glob("*.md"))
+MODULES = [import_module(file.stem) for file in sorted(Path(__file__).parent.glob("numbers_*.py"))]
+CALCULATIONS = [
+    pytest.param(module.CHAPTER, found, id=f"{module.CHAPTER[:2]}-{found.__name__}")
+    for module in MODULES
+    for found in vars(module).values()
+    if isgeneratorfunction(found) and found.__module__ == module.__name__
+]
+
+
+@pytest.mark.parametrize(("chapter", "worked"), CALCULATIONS)
+def test_numbers_that_a_chapter_works_out_are_those_of_the_models(
+    chapter: str, worked: Calculation
+) -> None:
+    text = source(chapter)
+    for phrase in worked():
+        assert phrase in text, f"content/{chapter}.md does not say: {phrase}"
+
+
+PREDICTION = re.compile(r"^:::\{predict\} (\S+)\n(.*?)^:::$", re.MULTILINE | re.DOTALL)
+FIGURE = re.compile(r"^:::\{simulation\} (\S+)\n((?::\w+:.*\n)*)", re.MULTILINE)
+LINK = re.compile(r"\{set\}`[^<`]*<([^>]*)>`")
+READOUT = re.compile(r'readout\("([\w-]+)", "\w+"([^()]*)\)')
+GIVEN = re.compile(r"(\w+)=")
+TEXTS = [(CONTENT / f"{chapter}.md").read_text(encoding="utf-8") for chapter in CHAPTERS]
+ASKING = [
+    pytest.param(chapter, body, id=name)
+    for chapter in TEXTS
+    for name, body in PREDICTION.findall(chapter)
+    if READOUT.search(body)
+]
+
+
+def started_elsewhere(chapter: str, scene: str) -> set[str]:
+    """The controls that the chapter's figure of a scene starts away from their defaults: the
+    one without a label, which is the nearest to its questions."""
+    figures = (text for name, text in FIGURE.findall(chapter) if name == scene)
+    options = next((text for text in figures if ":label:" not in text), "")
+    start = dict(re.findall(r":(\w+): *(.*)", options))
+    return {
+        control.name
+        for control in load_scene(scene).controls
+        if str(control.default) != start.get(control.name, str(control.default))
+    }
+
+
+@pytest.mark.parametrize(("chapter", "body"), ASKING)
+def test_links_of_a_prediction_set_the_figure_as_it_is_asked_about(chapter: str, body: str) -> None:
+    linked = {control for link in LINK.findall(body) for control in GIVEN.findall(link)}
+    for scene, given in READOUT.findall(body):
+        known = linked | set(GIVEN.findall(given))
+        assert started_elsewhere(chapter, scene) <= known, scene
+
+
+QUIZ = re.compile(r"^:::\{quiz\} (\S+)\n(.*?)^:::$", re.MULTILINE | re.DOTALL)
+OPTION = re.compile(r"^- \[( |x)\] (.*)$", re.MULTILINE)
+MARKUP = re.compile(r"\\[a-z]+|[\\{}$^*]")
+"""Marks of formulae and of emphasis, which nobody reads."""
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_no_question_gives_its_answer_away_by_the_length_of_the_key(chapter: str) -> None:
+    """Over a chapter, the key is the longest as often as chance has it, rounded up."""
+    longest, chance = 0, 0.0
+    for name, body in QUIZ.findall(source(chapter)):
+        if ":kind:" in body:
+            continue
+        options = [(mark == "x", len(MARKUP.sub("", text))) for mark, text in OPTION.findall(body)]
+        (key,) = (length for right, length in options if right)
+        others = mean(length for right, length in options if not right)
+        assert abs(key - others) <= max(0.25 * others, FEW_LETTERS), name
+        longest += max(options, key=lambda option: option[1])[0]
+        chance += 1 / len(options)
+    assert longest <= ceil(chance)
+
+
+@pytest.fixture(scope="module")
+def measured() -> Measurements:
+    problems = Diagnostics()
+    found = read_measurements(ROOT, problems)
+    assert not problems, problems.found
+    return found
+
+
+def test_every_ladder_is_measured_and_shown_and_the_file_names_no_one(
+    measured: Measurements,
+) -> None:
+    assert set(LADDER_MODULES) <= set(measured.ladders), "run `make bench`"
+    assert set(re.findall(r"^:{3,}\{ladder\} (\S+)", "".join(TEXTS), re.MULTILINE)) == set(
+        LADDER_MODULES
+    )
+    allowed = {"processor", "cores", "system", "python", "numpy", "browser", "pyodide"}
+    assert set(measured.machine) == allowed
+
+
+@pytest.mark.parametrize("ladder_id", LADDER_MODULES)
+def test_the_recorded_errors_are_those_of_the_code_and_the_default_is_on_the_front(
+    ladder_id: str, measured: Measurements
+) -> None:
+    recorded, ladder = measured.find(ladder_id), load_ladder(ladder_id)
+    workload = ladder.prepare()
+    reference = ladder.reference(workload)
+    for item in recorded.tiers:
+        result = item.tier.run(workload)
+        for metric in ladder.metrics:
+            now = finite(metric.measure(result, reference, workload))
+            then = item.errors[metric.id]
+            assert close(now, then), f"{item.tier.id} {metric.id}: {now}, was {then}"
+    assert off_the_front(recorded) == ""
+
+
+def test_the_recorded_shares_of_the_camera_bear_the_claims_of_the_book() -> None:
+    """Times of another machine are not tested; that the recorded ones bear the claim is."""
+    costs = read_stage_costs(ROOT, load_scene("camera"))
+    share = {move.label: move.share for move in costs.moves}
+    assert max(share["Read noise σ"], share["Exposure"]) <= 0.10
+    late = max(share["Aperture"], share["Light angle"], share["Distortion k₁"])
+    assert late <= 0.50
+    assert min(share["Focus distance"], share["Focal length"]) > late, "they move the rays"
+    assert all(0 < each <= 1 for each in share.values())
+
+
+SAME = {"Pose", "Sensor", "# · sRGB(# / #) = #"}
+"""In English and in German."""
+
+
+def test_every_text_of_the_translated_figure_is_translated() -> None:
+    labels = read_labels(ROOT, "de", Diagnostics())
+    said: set[str] = set()
+    for station, again in product(range(8), range(4)):
+        frame = frame_of(PIPELINE, station=float(station), again=again)
+        drawn = chain.from_iterable(TEXT.findall(panel.overlay) for panel in frame.panels)
+        said |= {NUMBER.sub("#", text.strip()) for text in (frame.description, *drawn)}
+    assert {text for text in said if any(map(str.isalpha, text))} <= labels.keys() | SAME
+    assert sum("Chance" in text for text in said) == 2, "errors of reading of either sign"
