@@ -18,7 +18,7 @@ from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.geometry.rotations import from_axis_angle
-from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.projection.pinhole import invert_pose, rigid_pose, world_to_camera
 
 LAMP = np.array([2.0, -1.0, 5.0])  # 1 m above the camera
@@ -34,8 +34,6 @@ WORLD_ORIGIN, CAMERA_ORIGIN = np.array([80.0, 215.0]), np.array([200.0, 242.0])
 """The two origins in the view boxes; right is right, ahead or forward is up. The camera's is moved
 where the room would not fit."""
 MARGIN = 4.0  # least distance of the room from the border of the second panel, in view box units
-EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
-"""The view box, as half planes a x + b y + c ≥ 0."""
 CAMERA_OUTLINE = np.array(
     [(-0.45, 0, -0.3), (-0.45, 0, 0.25), (-0.2, 0, 0.25), (-0.2, 0, 0.6), (0.2, 0, 0.6),
      (0.2, 0, 0.25), (0.45, 0, 0.25), (0.45, 0, -0.3)]
@@ -83,10 +81,8 @@ class Standpoint:
         depth = 20.0
         aside = depth * math.tan(FIELD_RAD / 2.0)
         wedge = np.array([(0.0, 0.0, 0.0), (-aside, 0.0, depth), (aside, 0.0, depth)])
-        plan: Floats = ((wedge - self.t) @ self.rotation)[:, [0, 2]]
-        (left, _, near), (right, _, far) = WALLS[0], WALLS[2]
-        for wall in ((1, 0, -left), (-1, 0, right), (0, 1, -near), (0, -1, far)):
-            plan = clip_half_plane(plan, wall)
+        plan = ((wedge - self.t) @ self.rotation)[:, [0, 2]]
+        plan = clip_to_rectangle(plan, WALLS[0, [0, 2]], WALLS[2, [0, 2]])
         return np.insert(plan, 1, 0.0, axis=1)
 
     def seen(self, points: Floats) -> Floats:
@@ -247,9 +243,7 @@ def _name(at: Floats, words: str, style: str) -> str:
 
 def _cut(points: Floats, *, closed: bool) -> Floats:
     """A line or an area clipped to the view box."""
-    for edge in EDGES:
-        points = clip_half_plane(points, edge, closed)
-    return points
+    return clip_to_rectangle(points, (0.0, 0.0), (WIDTH, HEIGHT), closed)
 
 
 def triple(values: Floats) -> str:

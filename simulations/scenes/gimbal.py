@@ -29,7 +29,7 @@ from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
-from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.geometry.transforms import clip_half_plane, clip_to_rectangle
 from simulations.scenes._turned_camera import background, draw_body, nearest, view_from
 
 CENTRE = (200.0, 208.0)  # of the rings in their panel of 400 × 400
@@ -44,8 +44,6 @@ MIDDLE = np.array([WIDTH / 2.0, HEIGHT / 2.0])
 FOCAL = 260.0  # in view box units: the picture is 75° wide
 NEAREST = 0.05
 """Cosine of the largest angle from the line of sight at which anything is drawn."""
-EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
-"""The view box, as half planes a x + b y + c ≥ 0."""
 NAMES = ("ahead", "right", "behind", "left")
 _RNG = np.random.default_rng(5)
 STARS = np.stack([_RNG.uniform(0.0, 360.0, 90), np.degrees(np.arcsin(_RNG.uniform(0.1, 1.0, 90)))])
@@ -218,8 +216,7 @@ def _trees(C: Floats) -> Iterator[str]:
         tree = pictured(C, towards(sides, np.array([0.0, height, 0.0])))
         if not np.isfinite(tree).all():
             continue
-        for edge in EDGES:
-            tree = clip_half_plane(tree, edge)
+        tree = clip_to_rectangle(tree, (0.0, 0.0), (WIDTH, HEIGHT))
         if len(tree):
             yield drawing.polygon(tree, "world solid")
 

@@ -10,29 +10,6 @@ from support.frames import frame_of, pixels_of, texts_of
 from simulations.scenes.two_views.scene import SCENE, above, view_of
 
 
-def number(name: str, **given: object) -> float:
-    return float(texts_of(frame_of(SCENE, **given))[name].replace("−", "-"))
-
-
-@pytest.mark.parametrize(
-    ("given", "d", "depth"),
-    [
-        ({"depth": 8, "focal_length": 160, "baseline": 0.5, "left_x": -20}, 10, 8),
-        ({"depth": 2, "focal_length": 80, "baseline": 1.0, "left_x": 0}, 40, 2),
-        ({"depth": 20, "focal_length": 320, "baseline": 0.1, "left_x": 35}, 1.6, 20),
-        # The right image moves right by the turn: x' = f tan(atan(x/f) + θ).
-        ({"toe_in": 3}, d := 30 - 160 * math.tan(math.atan(20 / 160) + math.radians(3)), 80 / d),
-    ],
-)
-def test_disparity_is_focal_length_times_baseline_over_depth(
-    given: dict[str, object], d: float, depth: float
-) -> None:
-    assert number("d", **given) == pytest.approx(d, abs=0.051)
-    assert number("parallel", **given) == pytest.approx(depth, abs=0.051)
-    if "toe_in" not in given:
-        assert number("off_row", **given) == 0.0
-
-
 @pytest.mark.parametrize("toe_in", [0, 12, 30])
 def test_rays_meet_in_the_lamp_and_its_image_is_on_the_drawn_line(toe_in: float) -> None:
     given = {"toe_in": toe_in, "left_up": 70, "left_x": -44}

@@ -151,6 +151,21 @@ def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) ->
     return np.array(kept).reshape(-1, 2)
 
 
+def clip_to_rectangle(
+    polygon: ArrayLike, lowest: ArrayLike, highest: ArrayLike, closed: bool = True
+) -> Floats:
+    """The part of a polygon or polyline (N, 2) inside a rectangle with level and upright sides.
+
+    ``lowest`` and ``highest`` (2,) are its smallest and largest x and y. Returns (M, 2) and raises
+    as `clip_half_plane`.
+    """
+    (left, low), (right, high) = as_vectors("lowest", lowest, 2), as_vectors("highest", highest, 2)
+    inside = np.asarray(polygon, float)
+    for line in ((1, 0, -left), (-1, 0, right), (0, 1, -low), (0, -1, high)):
+        inside = clip_half_plane(inside, line, closed)
+    return inside
+
+
 def clip_to_visible(
     H: ArrayLike,
     polygon: ArrayLike,

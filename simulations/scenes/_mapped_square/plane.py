@@ -13,7 +13,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.transforms import (
     apply_homography,
-    clip_half_plane,
+    clip_to_rectangle,
     clip_to_visible,
     sign_of_w,
 )
@@ -24,8 +24,7 @@ WIDTH, HEIGHT = 400.0, 340.0
 SCALE = 1.6  # view box units per unit of the plane
 ORIGIN = np.array([104.0, 240.0])  # of the plane in the view box; the plane's y axis points up
 RIM = 4.0  # margin around the view box, in its units, that hides cut edges
-FRAME = ((1, 0, RIM), (-1, 0, WIDTH + RIM), (0, 1, RIM), (0, -1, HEIGHT + RIM))
-"""The view box and its rim, as half planes a x + b y + c ≥ 0."""
+FRAME = (-RIM, -RIM), (WIDTH + RIM, HEIGHT + RIM)
 SHORTEST = 160.0  # length of a line in the view box from which it is drawn and named
 LABEL_FROM_END, LABEL_HALF = 50.0, 34.0
 """Distance of a line's label from the line's end, and half the label's width with a margin."""
@@ -78,10 +77,7 @@ def label_at(point: ArrayLike, right: float, down: float) -> Floats:
 
 def in_frame(points: ArrayLike, closed: bool = True) -> Floats:
     """Plane to view box, clipped to it; may be empty."""
-    view = to_view(points)
-    for edge in FRAME:
-        view = clip_half_plane(view, edge, closed)
-    return view
+    return clip_to_rectangle(to_view(points), *FRAME, closed)
 
 
 def axes() -> str:

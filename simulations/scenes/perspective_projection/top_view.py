@@ -5,7 +5,7 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.arrays import Floats
-from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.scenes.perspective_projection.view import (
     DEPTH_M,
     HALF_WIDTH_PX,
@@ -21,8 +21,6 @@ AXIS = np.array([58.0, 142.0])
 """Centre of full perspective: depth to the right, X downwards."""
 DEPTH_SCALE, SIDE_SCALE = 16.0, 32.0
 """View box units per metre of depth, and of X: stretched, so that the triangles open up."""
-LIMITS = ((1, 0, -4), (-1, 0, WIDTH - 4), (0, 1, -4), (0, -1, FLOOR))
-"""Where things may be drawn, as half planes a x + b y + c ≥ 0."""
 LEFT_M = (8.0 - AXIS[0]) / DEPTH_SCALE  # depth of the panel's left edge
 LEAST_LEG = 20.0  # leg of a triangle, in view box units, from which it is named
 
@@ -109,9 +107,7 @@ def house_plan(view: Projection) -> str:
 
 def in_room(points: Floats, *, closed: bool = True) -> Floats:
     """A line or an area clipped to the drawing."""
-    for limit in LIMITS:
-        points = clip_half_plane(points, limit, closed)
-    return points
+    return clip_to_rectangle(points, (4.0, 4.0), (WIDTH - 4.0, FLOOR), closed)
 
 
 def segment(start: Floats, end: Floats, style: str) -> str:

@@ -19,18 +19,8 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.projection.single_view import fit_view
 from simulations.pictures.checker_room import checker_room
-from simulations.scenes.single_view.drawing import (
-    HEIGHT,
-    LOUPE_COLUMNS,
-    LOUPE_ROWS,
-    WIDTH,
-    Field,
-    field_around,
-    in_loupe,
-    over_field,
-    over_picture,
-    whole,
-)
+from simulations.scenes.single_view import drawing, measuring
+from simulations.scenes.single_view.drawing import HEIGHT, WIDTH, Field, whole
 from simulations.scenes.single_view.lines import (
     FOCAL_PX,
     LISTS,
@@ -43,14 +33,6 @@ from simulations.scenes.single_view.lines import (
     drawn_lines,
     size_of,
     start_of,
-)
-from simulations.scenes.single_view.measuring import (
-    as_json,
-    camera_of,
-    lengths_of,
-    readouts,
-    sheet,
-    true_lengths,
 )
 
 WIDEST, TALLEST = 1000, 750
@@ -109,13 +91,13 @@ def _inside(share: Floats, count: int) -> tuple[NDArray[np.intp], NDArray[np.int
 
 def loupe(photo: Codes, lines: Lines, direction: str) -> Raster:
     """The pixels around the end that was moved last; transparent beyond the picture."""
-    shown = np.zeros((LOUPE_ROWS, LOUPE_COLUMNS, 4), np.uint8)
+    shown = np.zeros((drawing.LOUPE_ROWS, drawing.LOUPE_COLUMNS, 4), np.uint8)
     height, width, _ = photo.shape
     ends = lines.ends[list(LISTS).index(direction)].reshape(-1, 2)
     ends = ends if len(ends) else np.array([[width / 2.0, height / 2.0]])
     x, y = np.rint(ends[min(lines.points.touched, len(ends) - 1)]).astype(int)
-    u = np.arange(x - LOUPE_COLUMNS // 2, x + LOUPE_COLUMNS // 2)
-    v = np.arange(y - LOUPE_ROWS // 2, y + LOUPE_ROWS // 2)
+    u = np.arange(x - drawing.LOUPE_COLUMNS // 2, x + drawing.LOUPE_COLUMNS // 2)
+    v = np.arange(y - drawing.LOUPE_ROWS // 2, y + drawing.LOUPE_ROWS // 2)
     columns, rows = (np.flatnonzero((at >= 0) & (at < n)) for at, n in ((u, width), (v, height)))
     shown[np.ix_(rows, columns)] = opaque(photo[np.ix_(v[rows], u[columns])])
     return shown
@@ -124,10 +106,10 @@ def loupe(photo: Codes, lines: Lines, direction: str) -> Raster:
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture with the lines, the image plane around it, and the loupe."""
     lines, found, lengths = (outputs[name] for name in ("lines", "view", "lengths"))
-    over = over_picture(settings, lines, found, lengths)
-    around = over_field(settings, lines, found, outputs["field"])
-    near, size = in_loupe(lines, settings), (WIDTH, HEIGHT)
-    numbers = readouts(settings, outputs)
+    over = drawing.over_picture(settings, lines, found, lengths)
+    around = drawing.over_field(settings, lines, found, outputs["field"])
+    near, size = drawing.in_loupe(lines, settings), (WIDTH, HEIGHT)
+    numbers = measuring.readouts(settings, outputs)
     shown = {each.name: f"{each.text} {each.unit}".strip() for each in numbers}
     counts = [len(lines.counted(axis)) for axis in range(3)]
     drawn = f"{counts[0]} lines across, {counts[1]} along and {counts[2]} upright"
@@ -209,12 +191,12 @@ SCENE = Scene(
     (
         Stage("photo", photo),
         Stage("lines", drawn_lines),
-        Stage("view", camera_of, ("lines",)),
-        Stage("lengths", lengths_of, ("lines", "view")),
-        Stage("truth", true_lengths, ("lines",)),
+        Stage("view", measuring.camera_of, ("lines",)),
+        Stage("lengths", measuring.lengths_of, ("lines", "view")),
+        Stage("truth", measuring.true_lengths, ("lines",)),
         Stage("small", small, ("photo",)),
         Stage("boxed", boxed, ("small",)),
-        Stage("field", field_around, ("lines", "view")),
+        Stage("field", drawing.field_around, ("lines", "view")),
         Stage("wide", wide, ("small", "field")),
         Stage("loupe", loupe, ("photo", "lines")),
     ),
@@ -235,7 +217,7 @@ SCENE = Scene(
         Handle("clear", "loupe", "All lines", ("lines",), lambda *_: None, cleared, reach="aim"),
     ),
     photograph=Whole(24),
-    sheet=sheet,
-    exports=(Export("distances", "Distances as JSON", ".json", as_json),),
+    sheet=measuring.sheet,
+    exports=(Export("distances", "Distances as JSON", ".json", measuring.as_json),),
     formula=fit_view,
 )

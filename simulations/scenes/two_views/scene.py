@@ -24,7 +24,7 @@ from simulations.engine.settings import slider, toggle
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb, encode_srgb_table
-from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.pinhole import intrinsics
 from simulations.models.projection.two_views import (
@@ -72,9 +72,7 @@ CENTRE = np.array([30.0, 144.0])
 """The left camera, seen from above: depth to the right, X downwards."""
 DEPTH_SCALE, SIDE_SCALE = 17.5, 28.5  # view box units per metre
 AXIS_ROW = HEIGHT - 24.0  # of the axis of depths, whose ticks are named below it
-LIMIT_ROW = AXIS_ROW - 12.0
-LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, LIMIT_ROW))
-"""The drawing area, as half planes a x + b y + c ≥ 0."""
+LIMIT_ROW = AXIS_ROW - 12.0  # lower border of the drawing
 FAR_M = 60.0  # length of drawn rays, beyond the panel
 INSIDE = Rectangle(4.0, 4.0, WIDTH - 4.0, AXIS_ROW - 4.0)  # room for labels
 AXIS_M = 4.0  # distance of the handle on the right camera's axis
@@ -135,9 +133,7 @@ def axis_end(baseline: float, toe_in_rad: float) -> Floats:
 
 def within(points: Floats, *, closed: bool = True) -> Floats:
     """A line or an area clipped to the panel."""
-    for limit in LIMITS:
-        points = clip_half_plane(points, limit, closed)
-    return points
+    return clip_to_rectangle(points, (0.0, 0.0), (WIDTH, LIMIT_ROW), closed)
 
 
 def segment(start: Floats, end: Floats, style: str) -> str:

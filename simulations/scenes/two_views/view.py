@@ -10,7 +10,7 @@ from simulations.engine import drawing
 from simulations.engine.frame import Panel, Raster, format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
-from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.projection.pinhole import intrinsics, project
 from simulations.models.projection.two_views import (
     depth_of_match,
@@ -25,13 +25,7 @@ EYE_M = 1.5  # height of both cameras above the floor
 WIDTH, HEIGHT = 400.0, 300.0
 MIDDLE, UNITS_PER_PX = np.array([200.0, 150.0]), 2.0
 MARKED_DEPTHS = (2.0, 4.0, 8.0, 16.0, math.inf)  # on the epipolar line, metres
-BORDERS = (
-    (1, 0, HALF_WIDTH_PX),
-    (-1, 0, HALF_WIDTH_PX),
-    (0, 1, HALF_HEIGHT_PX),
-    (0, -1, HALF_HEIGHT_PX),
-)
-"""A picture, as half planes a x + b y + c ≥ 0 of its pixels."""
+BORDERS = (-HALF_WIDTH_PX, -HALF_HEIGHT_PX), (HALF_WIDTH_PX, HALF_HEIGHT_PX)
 LABEL_WIDTH = 34.0  # of a depth's label, in units
 SHIFT_BELOW = 26.0  # from the images down to the disparity's arrow, in units
 
@@ -149,11 +143,11 @@ def right_panel(view: LampView, floor: Raster, line: bool) -> Panel:
     match for parallel cameras."""
     parts = [_drawn([view.right, view.pair.right(_foot(view))], "world bold")]
     if line:
-        row, borders = float(view.left[1]), np.array([HALF_WIDTH_PX, HALF_HEIGHT_PX])
+        row = float(view.left[1])
         seen = [view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)]
         parts += [
             _drawn([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)], "muted thin dashed"),
-            _drawn(line_in_rectangle(view.line, -borders, borders), "ray thin faint"),
+            _drawn(line_in_rectangle(view.line, *BORDERS), "ray thin faint"),
             _drawn(seen, "ray"),
             _depths(view),
         ]
@@ -169,9 +163,7 @@ def _foot(view: LampView) -> Floats:
 
 def _drawn(ends: ArrayLike, style: str) -> str:
     """A polyline, in pixels, clipped to the picture."""
-    points = np.asarray(ends, float)
-    for limit in BORDERS:
-        points = clip_half_plane(points, limit, closed=False)
+    points = clip_to_rectangle(ends, *BORDERS, closed=False)
     return drawing.polyline([place(point) for point in points], style) if len(points) > 1 else ""
 
 

@@ -13,6 +13,7 @@ from simulations.models.geometry.preserved_properties import measure_preservatio
 from simulations.models.geometry.transforms import (
     apply_homography,
     clip_half_plane,
+    clip_to_rectangle,
     clip_to_visible,
 )
 from simulations.models.geometry.transforms_3d import apply_transform, estimate_similarity
@@ -84,6 +85,8 @@ def test_a_polyline_keeps_its_order_and_its_parts_in_front() -> None:
     triangle = [(1.0, 0.0), (1.0, 2.0), (-1.0, 2.0)]
     assert len(clip_half_plane(triangle, (1, 0, 0))) == 4
     assert len(clip_half_plane(triangle, (1, 0, 0), closed=False)) == 3
+    around = clip_to_rectangle([(-9.0, -9.0), (30.0, -9.0), (-9.0, 30.0)], (0, 1), (3, 2))
+    assert {tuple(corner) for corner in around} == {(0, 1), (3, 1), (3, 2), (0, 2)}
 
 
 SEGMENTS = np.array(
