@@ -15,7 +15,6 @@ from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.stages import Outputs, StageCache
-from simulations.models.calibration.left_out import Growth
 from simulations.models.chequerboard.board import Board
 from simulations.models.chequerboard.find_board import find_board
 from simulations.models.error_measures import root_mean_square
@@ -29,7 +28,6 @@ from simulations.scenes.calibration.boards import (
     rendered,
     simulated_sitting,
 )
-from simulations.scenes.calibration.drawing import growth_plot
 from simulations.scenes.calibration.scene import ERRORS, SCENE, Settings, measured, sheet
 
 FACTS = {"focal_mm": 4.0, "focal_35mm_mm": 26.0, "make": "Acme", "model": "A1"}
@@ -205,10 +203,3 @@ def test_files_sheet_and_developed_photograph_are_of_the_same_camera() -> None:
     codes = np.random.default_rng(0).integers(0, 255, (960, 1280, 3)).astype(np.uint8)
     assert SCENE.develop
     assert SCENE.develop(Photograph(0, codes), settings, outputs).shape == codes.shape
-
-
-def test_the_focal_length_of_a_few_photographs_fits_into_its_plot() -> None:
-    grown = Growth((3, 4), np.array([1359.9, 1359.8]), np.array([0.3, 0.12]))
-    axis = growth_plot(grown, None).y
-    assert axis.low < 1359.8 - 0.12
-    assert axis.high > 1359.8 + 0.12

@@ -7,7 +7,6 @@ import pytest
 from support.frames import frame_of
 
 from simulations.scenes.perspective_projection.scene import SCENE
-from simulations.scenes.perspective_projection.top_view import FLOOR
 
 type Spots = list[tuple[float, float]]
 
@@ -97,11 +96,3 @@ def test_only_a_point_with_an_image_can_be_moved_by_it(
     given: dict[str, object], seen: bool
 ) -> None:
     assert ("image" in {place.name for place in frame_of(SCENE, **given).handles}) is seen
-
-
-@pytest.mark.parametrize("point_x", [1.0, 1.9, 3.0])
-def test_the_equation_covers_nothing_of_the_view_from_above(point_x: float) -> None:
-    outlines = re.findall(
-        r'<polygon class="world[^"]*" points="([^"]+)"', overlay("top", point_x=point_x)
-    )
-    assert max(float(spot.split(",")[1]) for each in outlines for spot in each.split()) <= FLOOR

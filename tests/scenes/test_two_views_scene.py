@@ -53,12 +53,10 @@ def test_the_picture_is_the_same_in_fewer_pixels_while_the_focal_length_moves() 
     for panel in (1, 2):
         fine, coarse = (pixels_of(frame, panel) for frame in (rest, moving))
         assert coarse.size < fine.size / 2
-        for upper in (slice(0, 0.5), slice(0.5, 1)):
-            means = [
-                each[int(upper.start * len(each)) : int(upper.stop * len(each))].mean(axis=(0, 1))
-                for each in (fine, coarse)
-            ]
-            assert means[0] == pytest.approx(means[1], abs=2)
+        sharp, rough = (
+            [half.mean() for half in np.array_split(each, 2)] for each in (fine, coarse)
+        )
+        assert sharp == pytest.approx(rough, abs=2)
 
 
 def test_depths_left_open_by_the_match_are_marked_on_the_axis() -> None:
@@ -70,8 +68,3 @@ def test_depths_left_open_by_the_match_are_marked_on_the_axis() -> None:
     assert "error" not in frame_of(SCENE, matching_error=0).panels[0].overlay
     assert texts_of(frame_of(SCENE, depth=20, matching_error=4))["interval"].endswith("∞")
     assert not texts_of(frame_of(SCENE, depth=20, matching_error=3.9))["interval"].endswith("∞")
-
-
-def test_an_image_outside_the_right_picture_cannot_be_moved() -> None:
-    outside = {"depth": 2, "baseline": 1, "left_x": -50}
-    assert "right" not in {place.name for place in frame_of(SCENE, **outside).handles}
