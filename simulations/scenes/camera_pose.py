@@ -38,7 +38,7 @@ CAMERA_OUTLINE = np.array(
     [(-0.45, 0, -0.3), (-0.45, 0, 0.25), (-0.2, 0, 0.25), (-0.2, 0, 0.6), (0.2, 0, 0.6),
      (0.2, 0, 0.25), (0.45, 0, 0.25), (0.45, 0, -0.3)]
 )  # fmt: skip
-"""In camera coordinates: body and lens, seen from above."""
+"""Body and lens from above, in camera coordinates."""
 DOOR_NAME = np.array([0.0, 0.0, 0.7])  # from the door's label to the door, in metres
 NAME_M = (1.0, 0.5)  # from an axis's name back from its tip, and aside from the axis
 BESIDE = 12.0  # from a label to the lamp, and to the middle of t, in view box units
@@ -196,7 +196,7 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
 def _axes(
     place: ToPanel, role: str, names: tuple[str, str], beside: Standpoint | None = None
 ) -> str:
-    """Right and ahead, from the origin of their own coordinates. The first one's name is behind it,
+    """The axes to the right and ahead, from their origin. The first one's name is behind it,
     or ahead of it if the camera is behind the origin."""
     away = -1.0 if beside and beside.centre[2] < 0.0 else 1.0
     start = place(np.zeros(3))

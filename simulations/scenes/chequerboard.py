@@ -119,13 +119,13 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
 
 
 def last_corner(board: Board) -> Point:
-    """Where the last square ends."""
+    """The place where the last square ends."""
     side = board.side_mm
     return sheet_of(board).place(board.across * side, board.down * side)
 
 
 def last_corner_pulled(settings: Settings, place: Point) -> dict[str, int]:
-    """Of all boards the one that ends nearest: each count may come with paper of another size."""
+    """The board that ends nearest, of all: each count may come with paper of another size."""
     counts = product(*(range(least, most + 1) for least, most in (ACROSS, DOWN)))
     boards = (Board(across, down, float(settings.side)) for across, down in counts)
     nearest = min(boards, key=lambda board: math.dist(last_corner(board), place))

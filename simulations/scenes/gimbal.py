@@ -172,7 +172,7 @@ def pictured(C: Floats, directions: Floats) -> Floats:
 
 
 def draw_sight(pan: float, tilt: float, roll: float) -> str:
-    """What the camera sees; angles in degrees."""
+    """The picture of the camera; angles in degrees."""
     C = euler.to_matrix("YXZ", np.radians([pan, tilt, roll]))
     x, y = MIDDLE.tolist()
     stars = [spot for spot in pictured(C, towards(*STARS)).tolist() if _shown(spot, 2.0)]

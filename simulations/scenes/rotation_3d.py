@@ -84,7 +84,7 @@ def orientation(pan: float, tilt: float, roll: float) -> Orientation:
 
 
 def paths(here: Orientation, tier: str) -> dict[str, Path]:
-    """By name, from shares (...), 0 straight ahead and 1 at the end, to matrices (..., 3, 3)."""
+    """Maps from shares (...), 0 straight ahead and 1 at the end, to matrices (..., 3, 3)."""
     blend = BLENDS[tier]
     return {
         "slerp": lambda share: quaternions.to_matrix(blend(START, here.q, share)),
@@ -181,7 +181,7 @@ def _legend(chosen: str) -> Iterator[str]:
 
 
 def progress(settings: Settings, outputs: Outputs) -> str:
-    """How far each way has turned the camera, by the progress along it."""
+    """The angle that each way has turned the camera by, against the progress along it."""
     share, here = settings.t, float(turned_deg(outputs["paths"][settings.blend](settings.t)))
     curves = outputs["curves"].items()
     parts = (

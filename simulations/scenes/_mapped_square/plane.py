@@ -36,7 +36,7 @@ GRID = np.array(
 ).reshape(10, 2, 2)
 """The square's sides and inner grid lines."""
 SEGMENTS = np.concatenate([GRID, [SQUARE[[0, 2]], SQUARE[[1, 3]]]])
-"""The same and the diagonals, (12, 2, 2)."""
+"""The sides, the grid lines and the diagonals, (12, 2, 2)."""
 LETTER = [
     np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
     for left, bottom, right, top in ((-24, -28, -12, 28), (-12, 17, 24, 28), (-12, -6, 14, 5))

@@ -52,11 +52,11 @@ class Boards:
     """Width and height of the photographs in px."""
     names: tuple[str, ...]
     numbers: tuple[int, ...]
-    """By which the reader's photographs are known; empty for simulated ones."""
+    """Numbers of the reader's photographs; empty for simulated ones."""
     truth: Camera | None = None
     """The camera, if the photographs are simulated."""
     notes: tuple[str, ...] = ()
-    """What the reader should know of the photographs: sentences."""
+    """Sentences on the photographs, for the reader."""
     focal_px: float | None = None
     """Focal length that the files state, as an equivalent on full frame."""
 

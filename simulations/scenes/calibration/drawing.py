@@ -77,7 +77,7 @@ def error_arrows(
 
 
 def enlarged(times: float, used: bool) -> str:
-    """What the arrows show."""
+    """The scale of the arrows."""
     words = f"errors × {format_number(times, 0 if times >= 1 else 1)}"
     if not used:
         words += ", photograph not used"
@@ -114,7 +114,7 @@ def error_plot(trials: tuple[Trial, ...]) -> Plot:
 
 
 def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
-    """For each model, its error on the photographs used and left out, and its AIC."""
+    """The error of each model on the photographs used and left out, and its AIC."""
     plot, middle = error_plot(trials), place_of(chosen.lens)
     x = [place_of(trial.lens) for trial in trials]
     used, left_out = [t.rms_px for t in trials], [t.left_out_px for t in trials]
@@ -150,7 +150,7 @@ def _ticks(axis: Axis) -> list[float]:
 
 
 def _akaike(plot: Plot, x: list[float], values: list[float]) -> Iterator[str]:
-    """How far each AIC is above the least."""
+    """The excess of each AIC over the least."""
     row = FOOT + 44.0
     yield text((2.0, row), "ΔAIC", "muted small")
     for at, value in zip(x, values, strict=True):

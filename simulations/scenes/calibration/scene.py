@@ -45,7 +45,7 @@ LENSES = {
 }
 """The models of the lens by their names in `models.calibration.camera.LENSES`."""
 ERRORS = {"shown": "Of the photograph shown", "all": "Of all photographs used"}
-"""Whose errors are drawn."""
+"""The photographs whose errors are drawn."""
 LABELS = {
     "fx": ("Focal length, across", "px"),
     "fy": ("Focal length, down", "px"),
@@ -168,7 +168,7 @@ def _readouts(result: Result | None, errors: Errors | None) -> tuple[Readout, ..
 
 
 def describe(settings: Settings, given: Boards, trials: Trials, result: Result | None) -> str:
-    """What was found, or why nothing was."""
+    """The result, or the reason why there is none."""
     notes = "".join(f" {note}" for note in given.notes)
     if result is None:
         return f"{trials.problem or OPEN}.{notes}"
@@ -206,7 +206,7 @@ def _report(outputs: Outputs) -> Report:
 
 
 def maker_of(readings: Readings) -> Maker:
-    """From EXIF of the first photograph; a full frame where the crop factor is not known."""
+    """The maker by EXIF of the first photograph; a full frame if the crop factor is not known."""
     facts = readings[0].data.get("facts", {}) if readings else {}
     focal, full_frame = facts.get("focal_mm"), facts.get("focal_35mm_mm")
     known = Maker()

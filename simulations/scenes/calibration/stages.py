@@ -35,7 +35,7 @@ class Trials:
     found: tuple[Trial, ...] = ()
     """Simple to rich; empty if the photographs do not determine the camera."""
     problem: str = ""
-    """Why not, and what to do."""
+    """The reason why not, and what to do."""
 
     def of(self, lens: str) -> Trial | None:
         """The trial of a model, if the photographs determine it."""
@@ -53,7 +53,7 @@ class Result:
     """The focal length and its error by the count of photographs."""
     covered: Coverage
     advice: str
-    """What to photograph next."""
+    """Subject of the next photograph."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ class Errors:
 
 
 def _every(given: Boards) -> Trials:
-    """From all photographs that there are."""
+    """The models from all photographs that there are."""
     try:
         return Trials(given.views, compare(given.views, given.size))
     except UndeterminedError as problem:
@@ -89,7 +89,7 @@ def _every(given: Boards) -> Trials:
 
 
 def _trials(every: Trials, photographs: int, tier: str) -> Trials:
-    """From the first ones; the search starts from the result for all of them."""
+    """The models from the first photographs; the search starts from the result for all."""
     views = every.views.take(slice(photographs))
     if every.problem or len(views) == len(every.views):
         return every
@@ -100,7 +100,7 @@ def _trials(every: Trials, photographs: int, tier: str) -> Trials:
 
 
 def _result(given: Boards, every: Trials, trials: Trials, lens: str) -> Result | None:
-    """None if the photographs do not determine this model."""
+    """The chosen model; none if the photographs do not determine it."""
     trial, of_all, grown = trials.of(lens), every.of(lens), None
     if trial is None:
         return None
@@ -137,7 +137,7 @@ def _found(given: Boards, shown: Shown, tier: str) -> Views | None:
 
 
 def _errors(found: Views | None, result: Result | None) -> Errors | None:
-    """Of the found corners, with the pose that fits them best."""
+    """Errors of the found corners, with the pose that fits them best."""
     if result is None or found is None:
         return None
     camera = result.trial.fit.camera
@@ -147,7 +147,7 @@ def _errors(found: Views | None, result: Result | None) -> Errors | None:
 
 
 def _map(trials: Trials, result: Result | None) -> Errors | None:
-    """Of all photographs that the camera was fitted to."""
+    """Errors of all photographs that the camera was fitted to."""
     if result is None:
         return None
     views, fit = trials.views, result.trial.fit

@@ -97,7 +97,7 @@ def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
 
 
 def true_radii(seen: Floats, lens: Distortion) -> Floats:
-    """The same by bisection to the last bit, independent of all tiers; NaN past the fold.
+    """Ideal radii by bisection to the last bit, independent of all tiers; NaN past the fold.
 
     The image radius is written out: r (1 + k₁ r² + k₂ r⁴).
     """

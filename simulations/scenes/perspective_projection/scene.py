@@ -138,7 +138,7 @@ def in_perspective(view: Projection) -> str:
 
 
 def no_image(view: Projection) -> str:
-    """Why the point has no image, and the result of the bare formula."""
+    """The reason why the point has no image, and the result of the bare formula."""
     if view.camera.centre_m == view.Z:
         return message("Z = 0: the ray never meets the image plane", "error")
     ghost, claim = "", ""
@@ -180,7 +180,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
 
 
 def describe(view: Projection) -> str:
-    """What one would see, then the numbers."""
+    """The picture, then the numbers."""
     outside = "" if view.in_picture else ", outside the picture"
     at = f"x = {format_number(view.x, 1)} px, y = {format_number(view.y, 1)} px{outside}"
     depth = f"{format_number(view.Z, 1)} m"

@@ -160,7 +160,7 @@ def ray(view: Projection) -> str:
 
 
 def ray_without_image(view: Projection) -> str:
-    """From the point through the centre, or along the plane of the centre."""
+    """The line from the point through the centre, or along the plane of the centre."""
     away = view.Z - view.camera.centre_m
     if away == 0.0:
         return segment(above(view.Z, 0.0), above(view.Z, view.X), "error dashed")

@@ -43,7 +43,7 @@ class Field:
     """A part of the image plane that fills a panel."""
 
     size: tuple[int, int]
-    """Of the picture, in pixels."""
+    """Size of the picture, in pixels."""
     left: float
     top: float
     """The corner of the panel in pixels from the corner of the picture."""
@@ -219,7 +219,7 @@ def _horizon(field: Field, view: SingleView | None, plane: str, style: str, name
 
 
 def _remark(found: Found) -> str:
-    """Why there is no camera, or what cannot be known."""
+    """The reason why there is no camera, or why a number is unknown."""
     words, letters, x, anchor = found.problem, 40, WIDTH / 2.0, "middle"
     if not words:
         letters, x, anchor = 20, 8.0, "start"  # clear of lines that meet below

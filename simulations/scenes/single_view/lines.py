@@ -21,7 +21,7 @@ LISTS = {
     "floor": "Lengths on the plane",
     "height": "Heights above the plane",
 }
-"""What is drawn. The first three are the axes 0, 1 and 2."""
+"""The lists of lines. The first three are those of the axes 0, 1 and 2."""
 UPRIGHT, FLOOR, HEIGHT = 2, 3, 4  # numbers of lists
 MOST = 6  # lines of a list
 PLANES = {"floor": "Floor", "along": "Wall along the room", "across": "Wall across it"}
@@ -33,7 +33,7 @@ SIZE = (800, 600)  # width and height of the book's pictures in pixels
 FOCAL_PX = 480.0
 EYE_M = HIGH[1]  # height of the camera above the floor
 AXES = np.array([(1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0)])
-"""Across, along and upwards, in the room's coordinates: x right, y down, z away from the eye."""
+"""The axes across, along and upwards, in the room's: x right, y down, z away from the eye."""
 
 type End = tuple[float, float, float]
 
@@ -59,7 +59,7 @@ class Room:
     turn: Floats
     """(3, 3) from the room's axes to the camera's."""
     lines: tuple[tuple[tuple[End, End], ...], ...]
-    """In the order of `LISTS`; the first length is the known one."""
+    """Lines of each of `LISTS`; the first length is the known one."""
 
     @property
     def drawn(self) -> tuple[Floats, ...]:
@@ -76,7 +76,7 @@ class Room:
 
 
 def _turned(yaw_deg: float, pitch_deg: float, roll_deg: float) -> Floats:
-    """To the right, then downwards, then leaning to the right."""
+    """A turn (3, 3) to the right, then downwards, then leaning to the right."""
     yaw, pitch, roll = map(math.radians, (yaw_deg, pitch_deg, roll_deg))
     tilted = exponential((0.0, 0.0, -roll)) @ exponential((pitch, 0.0, 0.0))
     return np.asarray(tilted @ exponential((0.0, -yaw, 0.0)))
@@ -153,7 +153,7 @@ ROOMS = {
 
 @dataclass(frozen=True, slots=True)
 class Lines:
-    """What is drawn over a picture."""
+    """The lines over a picture."""
 
     size: tuple[int, int]
     """Width and height of the picture in pixels."""

@@ -59,15 +59,15 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class Lengths:
-    """What was measured of the lengths and the heights that count, the known one first."""
+    """The lengths and the heights that count, as measured, the known one first."""
 
     floor: tuple[Pair, ...] = ()
     """Metres."""
     height: tuple[Pair, ...] = ()
     distance: Pair = (math.nan, math.nan)
-    """Of the camera from the plane."""
+    """Distance of the camera from the plane."""
     known: str = ""
-    """Which list has the known length."""
+    """The list that has the known length."""
 
 
 def camera_of(lines: Lines, sigma: float, centre: bool) -> Found:

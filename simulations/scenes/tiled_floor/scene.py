@@ -75,7 +75,7 @@ def box_of(settings: Settings) -> Box:
 
 
 def drawn_intrinsics(view: Camera, columns: int) -> Floats:
-    """From the camera's pixels to the drawn ones: x' + ½ = s (x + ½)."""
+    """K (3, 3) for the drawn pixels x', from the camera's x: x' + ½ = s (x + ½)."""
     s = columns / WIDTH_PX
     shift = 0.5 * (s - 1.0)
     return np.array([[s, 0.0, shift], [0.0, s, shift], [0.0, 0.0, 1.0]]) @ view.K

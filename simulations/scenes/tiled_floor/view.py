@@ -164,7 +164,7 @@ def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
 
 
 def plane_overlay(view: Camera, box: Box, lines: bool) -> str:
-    """The same beyond the borders of the picture, and the vanishing point of vertical lines."""
+    """The horizon and the lines beyond the borders of the picture, with those of the uprights."""
     (x, y), width, height = PLANE.place(np.array([-0.5, -0.5])), WIDTH / 3, HEIGHT / 3
     parts = (
         drawing.rectangle((x, y), width, height, "image"),
@@ -241,7 +241,7 @@ def _upright(view: Camera, box: Box) -> str:
 
 
 def _handle_names(view: Camera, box: Box) -> str:
-    """What the two handles of the box change, on their right."""
+    """The names of what the two handles of the box change, on their right."""
     places = np.array([(box.x, box.y, height) for height in (0.0, box.height)])
     named = zip(("place", "height"), *view.image(places), strict=True)
     spots = [(name, PICTURE.place(pixel)) for name, pixel, visible in named if visible]

@@ -64,7 +64,7 @@ BLOCKS = (
     Box(2.6, 5.5, 0.8, 1.9, TEAL),
     Box(-1.7, 4.0, 0.7, 1.1, RED),
 )
-"""What stands on the square, farthest first: the nearer, the more it moves between the pictures."""
+"""The blocks on the square, farthest first: the nearer, the more they move between the pictures."""
 NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the view from above
@@ -160,7 +160,7 @@ def plan_panel(view: LampView) -> Panel:
 
 
 def blocks() -> str:
-    """What stands on the square, in its colours."""
+    """The blocks on the square, in their colours."""
     shapes = []
     for block in BLOCKS:
         (x0, x1), (y0, y1), _ = block.spans
@@ -336,7 +336,7 @@ def left_pulled(_settings: Settings, spot: Point) -> dict[str, float]:
 
 
 def right_at(settings: Settings, _outputs: Outputs) -> Point | None:
-    """None if the right camera does not see it."""
+    """The lamp's right image; none if the right camera does not see it."""
     pixel = view_of(settings).right
     return tuple(place(pixel).tolist()) if in_picture(pixel) else None
 

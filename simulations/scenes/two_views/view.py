@@ -47,13 +47,13 @@ class Pair:
 
     @property
     def R(self) -> Floats:  # noqa: N802
-        """From the left camera's frame to the right one's, and ..."""
+        """Rotation (3, 3) from the left camera's frame to the right one's."""
         cos, sin = math.cos(self.toe_in_rad), math.sin(self.toe_in_rad)
         return np.array([[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]])
 
     @property
     def t(self) -> Floats:
-        """... the left camera's place in that frame, metres."""
+        """Place of the left camera in the right one's frame, metres."""
         return self.R @ np.array([-self.baseline, 0.0, 0.0])
 
     def line(self, left: Floats) -> Floats:
