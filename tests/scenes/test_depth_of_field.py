@@ -1,6 +1,5 @@
 """The depth-of-field figure: limits, refusals, and the blur in the picture."""
 
-import math
 from itertools import islice
 from typing import Any
 
@@ -28,18 +27,7 @@ from simulations.scenes.depth_of_field.stages import (
     QUICK,
     SPIRALS,
     depth_of,
-    sharpness,
 )
-
-
-def test_at_the_limits_of_depth_of_field_the_disc_is_one_pixel() -> None:
-    sharp = sharpness(85, 2.8, 3.0)
-    limits_mm = [1000 * sharp.near_limit_m, 1000 * sharp.far_limit_m]
-    discs = thin_lens.circle_of_confusion_mm(85, 2.8, 3000, limits_mm)
-    assert discs == pytest.approx(PITCH_MM)
-    hyperfocal_m = thin_lens.hyperfocal(24, 8, PITCH_MM) / 1000
-    assert math.isfinite(sharpness(24, 8, 0.99 * hyperfocal_m).far_limit_m)
-    assert math.isinf(sharpness(24, 8, 1.01 * hyperfocal_m).far_limit_m)
 
 
 def test_a_focus_inside_the_focal_length_has_no_picture_no_stages_and_no_error() -> None:

@@ -45,28 +45,6 @@ def test_near_the_axis_thickness_counts_and_the_sine_does_not() -> None:
     assert off("thin", 10) < off("paraxial", 10)
 
 
-STEEP = {"front": 40, "back": 40, "index": 2, "thickness": 20, "height": 15, "opening": 20}
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        (STEEP, "totally reflected"),
-        ({"thickness": 2, "height": 20}, "misses the glass"),
-        ({"height": 15, "opening": 14}, "stopped by the opening"),
-    ],
-)
-def test_a_ray_that_ends_has_its_reason_in_words_and_drawing(
-    given: dict[str, object], words: str
-) -> None:
-    frame, shown = frame_of(SCENE, "exact", **given), texts_at(SCENE, "exact", **given)
-    assert shown["true_at"] == shown["aberration"] == words
-    assert words in frame.description
-    assert words in frame.panels[0].overlay
-    simple = frame_of(SCENE, "thin", **given).panels[0].overlay
-    assert (words in simple) == ("opening" in words)
-
-
 def test_a_stopped_ray_is_drawn_to_the_middle_of_the_lens() -> None:
     stopped, passing = (frame_of(SCENE, height=height, opening=14).panels for height in (15, 14))
     (ray,) = re.findall(r'<path class="ray bold" d="([^"]+)"', stopped[0].overlay)

@@ -36,11 +36,6 @@ def test_the_area_in_colours_ends_at_the_light_sent_back() -> None:
     assert pixels_of(frame_of(CLOTH, surface="white", **DAY))[y, x, 3] == 255
 
 
-def test_a_narrow_band_moves_along_the_edge_of_all_colours() -> None:
-    blue, red = (float(texts_at(CLOTH, band=nm, width=10)["x"]) for nm in (460, 640))
-    assert blue < 0.55 < red
-
-
 def test_rows_of_patches_touch_unless_twins_lie_between() -> None:
     for twin, rows in ((False, 1), (True, 2)):
         opaque = pixels_of(frame_of(CLOTH, twin=twin), 1)[..., 3].any(axis=1)
