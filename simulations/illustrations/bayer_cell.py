@@ -33,8 +33,8 @@ def _cell(row: int, column: int, colour: int) -> str:
 
 def _mosaic() -> Panel:
     marks = [
-        _cell(*place, int(colour)) + _letter(*place, LETTERS[int(colour)])
-        for place, colour in np.ndenumerate(colours())
+        _cell(row, column, int(colour)) + _letter(row, column, LETTERS[int(colour)])
+        for (row, column), colour in np.ndenumerate(colours())
     ]
     marks.append(rectangle(_corner(0, 0), 2 * PITCH, 2 * PITCH, "bold"))
     return Panel("mosaic", "One filter over each cell", WIDTH, HEIGHT, overlay="".join(marks))
@@ -49,7 +49,7 @@ def _greens() -> Panel:
     row, column = RED_CELL
     places = [*np.ndindex(CELLS, CELLS)]
     marks = [rectangle(_corner(*place), PITCH, PITCH, "muted thin faint") for place in places]
-    marks += [_cell(*place, 1) for place in places if colours()[place] == 1]
+    marks += [_cell(r, c, 1) for r, c in np.argwhere(colours() == 1).tolist()]
     x, y = (value + PITCH / 2 for value in _corner(row, column))
     for down, across in NEIGHBOURS:
         start = (x + across * 0.8 * PITCH, y + down * 0.8 * PITCH)

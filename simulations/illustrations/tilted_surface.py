@@ -29,6 +29,7 @@ def _panel(tilt_deg: float) -> Panel:
         return MIDDLE + s * along[0], TABLE + s * along[1]
 
     nx, ny = math.sin(tilt), -math.cos(tilt)
+    ends = [(on(s)[0] - 16 * nx, on(s)[1] - 16 * ny) for s in (-half, half)]
     marks = []
     for index in range(RAYS):
         s = -half + 2 * half * index / (RAYS - 1)
@@ -36,7 +37,7 @@ def _panel(tilt_deg: float) -> Panel:
     marks += [
         line(on(-half - 14), on(half + 14), "world bold"),
         dimension((MIDDLE - BEAM / 2, 12), (MIDDLE + BEAM / 2, 12), "light"),
-        dimension(*((on(s)[0] - 16 * nx, on(s)[1] - 16 * ny) for s in (-half, half)), "world"),
+        dimension(ends[0], ends[1], "world"),
         label((MIDDLE + BEAM / 2 + 10, 17), "w", "light italic"),
     ]
     name = "w" if tilt_deg == 0 else "w / cos θ = 2 w"
