@@ -117,13 +117,17 @@ def whole(_left: bool, low: float, high: float, _right: bool) -> Kind:
     )
 
 
-def some(*legal: Any, illegal: Sequence[Any] = ()) -> Kind:
-    """One of some values; the first is the example."""
-    return Kind(legal[0], lambda rng: legal[rng.integers(len(legal))], legal, illegal)
+def some(*legal: Any, no: Sequence[Any] = ()) -> Kind:
+    """One of some values, the first of which is the example; ``no`` are illegal."""
+    return Kind(legal[0], lambda rng: legal[rng.integers(len(legal))], legal, no)
+
+
+def ones(*shapes: tuple[int, ...]) -> list[Any]:
+    return [np.ones(shape) for shape in shapes]
 
 
 def one_of(*words: str) -> Kind:
-    return some(*words, illegal=["magic", ""])
+    return some(*words, no=["magic", ""])
 
 
 def changed_somewhere(value: Any, *entries: float) -> list[Any]:
@@ -168,8 +172,8 @@ def any_direction(length: int, illegal: Sequence[Any]) -> Kind:
     return Kind(np.array([0.6, 0.1, -0.3, 0.2])[:length], draw, np.eye(length), illegal)
 
 
-def drawn(make: Callable[[Rng], Any], *ends: Any, illegal: Sequence[Any] = ()) -> Kind:
-    return Kind(make(np.random.default_rng(0)), make, ends, illegal)
+def drawn(make: Callable[[Rng], Any], *ends: Any, no: Sequence[Any] = ()) -> Kind:
+    return Kind(make(np.random.default_rng(0)), make, ends, no)
 
 
 def picture(*shape: int) -> Kind:
@@ -208,66 +212,55 @@ KINDS: dict[str, Kind] = {
     "angle": interval(True, -10.0, 10.0, True),
     "rng": drawn(lambda rng: rng),
     "shape": some((2, 3)),
-    "two": some((0.5, 0.25), (1e200, -1e-300), illegal=[(NAN, 0.0), (0.0, INF)]),
-    "sequence": some("ZYX", "xyz", "zxz", "XYX", illegal=["", "xy", "xxy", "xYz", "abc", "zYX"]),
-    "moving sequence": some("ZYX", "XYX", illegal=["", "xyz", "ZYY", "zYX"]),
+    "two": some((0.5, 0.25), (1e200, -1e-300), no=[(NAN, 0.0), (0.0, INF)]),
+    "sequence": some("ZYX", "xyz", "zxz", "XYX", no=["", "xy", "xxy", "xYz", "abc", "zYX"]),
+    "moving sequence": some("ZYX", "XYX", no=["", "xyz", "ZYY", "zYX"]),
     "rotation": drawn(
         lambda rng: rotations.exponential(rng.normal(size=3)),
         I3 + 0.9e-6 * np.eye(3, k=1),
-        illegal=DRIFTED,
+        no=DRIFTED,
     ),
-    "invertible": some(
-        I3, 1e-100 * TURN, illegal=[0 * I3, KEYSTONE[[0, 0, 2]], I3 * NAN, I3 * 5e-324]
-    ),
+    "invertible": some(I3, 1e-100 * TURN, no=[0 * I3, KEYSTONE[[0, 0, 2]], I3 * NAN, I3 * 5e-324]),
     "nearly rotation": some(
         TURN,
         1e200 * TURN,
         np.diag([3.0, 2.0, -1.0]),
         np.diag([1.0, 1e-11, 0.0]),
-        illegal=[
-            -I3,
-            np.diag([1.0, 0, 0]),
-            0 * I3,
-            np.diag([1.0, 1e-13, 0.0]),
-            I3 * NAN,
-            np.eye(4),
-        ],
+        no=[-I3, np.diag([1.0, 0, 0]), 0 * I3, np.diag([1.0, 1e-13, 0.0]), I3 * NAN, np.eye(4)],
     ),
     "quaternion": any_direction(4, NO_QUATERNION),
     "axis": any_direction(3, NO_DIRECTION),
-    "unit": some(UP, (0.6, 0.0, 0.8), (0, 0, 1 + 0.9e-4), illegal=NO_UNIT),
-    "light": some(UP, (0.6, 0.0, 0.8), illegal=NO_UNIT),
+    "unit": some(UP, (0.6, 0.0, 0.8), (0, 0, 1 + 0.9e-4), no=NO_UNIT),
+    "light": some(UP, (0.6, 0.0, 0.8), no=NO_UNIT),
     "normals": some(np.array([UP, (0.6, 0.0, 0.8)]), np.zeros((2, 3))),
     "K": some(K),
     "pose": some(POSE, np.eye(4)),
-    "chromaticity": some((0.31, 0.33), (0.45, 0.41), (1 / 3, 1 / 3), illegal=NO_CHROMATICITY),
-    "spectrum": some(SPECTRUM, illegal=[0 * SPECTRUM, SPECTRUM[1:]]),
-    "reflectance": some(SPECTRUM, 0 * SPECTRUM, illegal=[1.1 * SPECTRUM, -SPECTRUM, SPECTRUM[1:]]),
+    "chromaticity": some((0.31, 0.33), (0.45, 0.41), (1 / 3, 1 / 3), no=NO_CHROMATICITY),
+    "spectrum": some(SPECTRUM, no=[0 * SPECTRUM, SPECTRUM[1:]]),
+    "reflectance": some(SPECTRUM, 0 * SPECTRUM, no=[1.1 * SPECTRUM, -SPECTRUM, SPECTRUM[1:]]),
     "curves": some(np.stack([SPECTRUM] * 3, axis=1)),
     "glass": some(Glass(), Glass(10.0, 1.0), Glass(1.1, INF)),
     "singlet": some(Singlet(1 / 40, -1 / 40, 10.0, 1.5), Singlet(0.02, 0.01, 3.0, 1.8)),
     "distortion": drawn(lambda rng: Distortion(*rng.uniform(-0.3, 0.3, 8) * rng.integers(0, 2, 8))),
     "fisheye": drawn(lambda rng: Fisheye(*rng.uniform(-0.1, 0.1, 4))),
     "profile": drawn(lambda rng: RadialProfile((rng.uniform(-0.3, 0.3), 0.1), (0.05,))),
-    "coefficients": some((0.1, -0.2), (1e9, -1e9), illegal=NO_COEFFICIENT),
+    "coefficients": some((0.1, -0.2), (1e9, -1e9), no=NO_COEFFICIENT),
     "solid": some(Sphere((0.0, 0.0, 3.0), 1.0), Box((0, 0, 2), (1, 1, 1), 0.7)),
     "place": some(
         (0.5, 1.0, -2.0),
         (1e100, -1e100, 0.0),
-        illegal=[(2e100, 0.0, 0.0), (0.0, INF, 0.0), (0.0, 0.0, NAN), (0.0, 1.0)],
+        no=[(2e100, 0.0, 0.0), (0.0, INF, 0.0), (0.0, 0.0, NAN), (0.0, 1.0)],
     ),
-    "size": some(
-        (1, 2, 3), (1e100, 1e-9, 1.0), illegal=[(0.0, 1, 1), (1, -1, 1), (1, 1, INF), (1, 1)]
-    ),
+    "size": some((1, 2, 3), (1e100, 1e-9, 1.0), no=[(0.0, 1, 1), (1, -1, 1), (1, 1, INF), (1, 1)]),
     "colour": some(
         (1.0, 0.5, 0.0),
         (1e30, 1.0, 1.0),
-        illegal=[(1.0, NAN, 1.0), (INF, 1.0, 1.0), (1.0, -1.0, 1.0), (1.0, 1.0)],
+        no=[(1.0, NAN, 1.0), (INF, 1.0, 1.0), (1.0, -1.0, 1.0), (1.0, 1.0)],
     ),
     "lights": some([DirectionalLight(UP), PointLight((1.0, 2.0, 3.0))]),
     "material": some(Material(0.5, 0.3, 0.4), Material(1.0, 1.0, 0.01), Material(0.0, 0.0, 1.0)),
     "sensor": some(Sensor(), Sensor(INF, 0.0, 0.0, 1e-30, 16, 0.0, 1.0)),
-    "well": some(1000.0, INF, 1e13, 0.5, illegal=[0.0, -1.0, NAN, 2e13]),
+    "well": some(1000.0, INF, 1e13, 0.5, no=[0.0, -1.0, NAN, 2e13]),
     "planes": picture(4, 8, 8),
     "plane": picture(8, 8),
     "picture": picture(8, 8, 3),
@@ -281,7 +274,7 @@ KINDS: dict[str, Kind] = {
     "slant": interval(True, -np.pi / 4, np.pi / 4, True),
     "fisheye model": one_of(*fisheye.IDEAL_MODELS),
     "kernel": one_of(*resampling.KERNELS),
-    "plain kernel": some("bilinear", "nearest", "bicubic", "lanczos3", illegal=["spline", "magic"]),
+    "plain kernel": some("bilinear", "nearest", "bicubic", "lanczos3", no=["spline", "magic"]),
     "pattern": one_of(*PATTERNS),
     "demosaicing": one_of(*demosaicing.METHODS),
     "brdf": one_of(*brdf.MODELS),
@@ -289,35 +282,33 @@ KINDS: dict[str, Kind] = {
     "filling": one_of(*chroma_upsampling.METHODS),
     "shot model": one_of(*SHOT_MODELS),
     "responses": one_of(*RESPONSES),
-    "chromaticity white": some(
-        (0.31, 0.33), (0.45, 0.41), illegal=[(0.3, 0.0), (NAN, 0.3), (0.3,)]
-    ),
+    "chromaticity white": some((0.31, 0.33), (0.45, 0.41), no=[(0.3, 0.0), (NAN, 0.3), (0.3,)]),
     "primaries": some(
         cie.SRGB_PRIMARIES_XY,
-        illegal=[
+        no=[
             *(((0.2, 0.2), (0.3, 0.3), (0.4, 0.4)), ((0.6, 0.3), (0.3, 0.6), (0.1, 0.0))),
             *(((0.6, 0.3), (0.3, 0.6), (NAN, 0.1)), ((0.2, 0.2), (0.3, 0.3))),
         ],
     ),
-    "lab white": some((0.31, 0.33), illegal=[(0.3, 0.0), (0.0, 0.3), (-0.3, 0.3), (0.7, 0.4)]),
-    "reflectance shape": some(SPECTRUM, illegal=[SPECTRUM[1:]]),
-    "knots": some(np.array([0.1, 0.5, 0.2, 0.9]), np.ones(3), illegal=[np.ones(2)]),
-    "colours": some(np.ones((2, 3)), illegal=[np.ones((4,)), np.ones(()), np.ones((0, 3))]),
+    "lab white": some((0.31, 0.33), no=[(0.3, 0.0), (0.0, 0.3), (-0.3, 0.3), (0.7, 0.4)]),
+    "reflectance shape": some(SPECTRUM, no=[SPECTRUM[1:]]),
+    "knots": some(np.array([0.1, 0.5, 0.2, 0.9]), np.ones(3), no=[np.ones(2)]),
+    "colours": some(np.ones((2, 3)), no=[np.ones((4,)), np.ones(()), np.ones((0, 3))]),
     "table": some(blocks.LUMINANCE_TABLE),
     "codes": some(np.arange(64).reshape(1, 1, 8, 8)),
-    "whole codes": some(np.arange(64).reshape(1, 1, 8, 8), illegal=[np.zeros((1, 1, 8, 8))]),
+    "whole codes": some(np.arange(64).reshape(1, 1, 8, 8), no=[np.zeros((1, 1, 8, 8))]),
     "coded planes": some(
         [CODES],
         [CODES + 32767],
         [CODES - 32767],
-        illegal=[[CODES + 32768], [CODES - 32768], [CODES.astype(float)]],
+        no=[[CODES + 32768], [CODES - 32768], [CODES.astype(float)]],
     ),
-    "cells": some((2, 2), (1, 2), illegal=[(0, 2), (2, 0), (-1, 1), (1.5, 2), (2, NAN)]),
-    "halves": some((2, 2), illegal=[(3, 2), (1.5, 2)]),
+    "cells": some((2, 2), (1, 2), no=[(0, 2), (2, 0), (-1, 1), (1.5, 2), (2, NAN)]),
+    "halves": some((2, 2), no=[(3, 2), (1.5, 2)]),
     "curve": some(
         np.array([[0.0, 0.0], [1.0, 0.1], [2.0, 0.0]]),
         [[0, 0], [1e150, 1]],
-        illegal=[
+        no=[
             *(np.empty((0, 2)), [1.0, 2.0], [[0, 0], [NAN, 1], [1, 1]]),
             *([[0, 0], [1.001e150, 1]], [[0, 0], [1, -1.001e150]]),
         ],
@@ -326,131 +317,119 @@ KINDS: dict[str, Kind] = {
         I3,
         KEYSTONE,
         np.diag([1e75, 1e75, 1.0]),
-        illegal=[
+        no=[
             *(np.diag([0.0, 1, 1]), I3[[0, 2, 1]], transforms.translation(1e76, 0)),
             *(np.diag([1e-76, 1e-76, 1]), np.diag([1e76, 1e76, 1])),
         ],
     ),
     "parts": some(homography_algebra.decompose(KEYSTONE)),
-    "homography": some(
-        KEYSTONE, 1e-300 * KEYSTONE, illegal=[0 * I3, *changed_somewhere(I3, NAN, INF)]
-    ),
-    "mild homography": some(I3, KEYSTONE, illegal=[np.diag([0.0, 1.0, 1.0])]),
-    "segments": some(
-        SEGMENTS,
-        illegal=[SEGMENTS[:1], [np.zeros((2, 2)), *SEGMENTS]],
-    ),
+    "homography": some(KEYSTONE, 1e-300 * KEYSTONE, no=[0 * I3, *changed_somewhere(I3, NAN, INF)]),
+    "mild homography": some(I3, KEYSTONE, no=[np.diag([0.0, 1.0, 1.0])]),
+    "segments": some(SEGMENTS, no=[SEGMENTS[:1], [np.zeros((2, 2)), *SEGMENTS]]),
     "unit quaternion": drawn(lambda rng: quaternions.normalise(rng.normal(size=4))),
-    "rotation shape": some(I3, TURN, illegal=[np.eye(2)]),
-    "seen": some((0.5, 0.25), illegal=[(NAN, 0.0)]),
+    "rotation shape": some(I3, TURN, no=[np.eye(2)]),
+    "seen": some((0.5, 0.25), no=[(NAN, 0.0)]),
     "layer": some(
         Layer(PLANES, 0, 0, 1.5),
         Layer(PLANES, -1, 2, 0.0),
-        illegal=[Layer(PLANES, 0, 0, radius) for radius in (-0.1, 1025.0, INF, NAN)],
+        no=[Layer(PLANES, 0, 0, radius) for radius in (-0.1, 1025.0, INF, NAN)],
     ),
     "radii": some(
         np.ones((8, 8)),
         np.zeros((8, 8)),
-        illegal=changed_somewhere(np.ones((8, 8)), -0.1, 1025.0, INF, NAN),
+        no=changed_somewhere(np.ones((8, 8)), -0.1, 1025.0, INF, NAN),
     ),
-    "converging": some(
-        Singlet(1 / 40, -1 / 40, 10.0, 1.5), illegal=[Singlet(-0.02, 0.02, 6.0, 1.5)]
-    ),
-    "stop": some(-10.0, 10.0, 5.0, illegal=[0.0, 4.9, NAN]),
-    "corners": some(
-        np.arange(12.0).reshape(3, 4), illegal=[np.ones((1, 4)), np.ones((4, 1, 3)), np.ones(5)]
-    ),
+    "converging": some(Singlet(1 / 40, -1 / 40, 10.0, 1.5), no=[Singlet(-0.02, 0.02, 6.0, 1.5)]),
+    "stop": some(-10.0, 10.0, 5.0, no=[0.0, 4.9, NAN]),
+    "corners": some(np.arange(12.0).reshape(3, 4), no=[*ones((1, 4), (4, 1, 3), (5,))]),
     "normal corners": some(np.broadcast_to(UP, (3, 4, 3))),
-    "grid size": some(4, 2, illegal=[1, 0]),
+    "grid size": some(4, 2, no=[1, 0]),
     "plane normals": drawn(lambda rng: turned(rng.uniform(0, 7, 2))),
-    "directions": some(np.array([UP, (0.6, 0.0, 0.8)]), illegal=[np.ones((4, 2))]),
+    "directions": some(np.array([UP, (0.6, 0.0, 0.8)]), no=[np.ones((4, 2))]),
     "margin": some(
         np.linspace(-2.0, 2.0, 12).reshape(3, 4),
         np.full((2, 2), 1e300),
-        illegal=[np.ones((1, 5)), np.ones((5, 1)), np.ones(5), np.ones((2, 2, 2))],
+        no=[*ones((1, 5), (5, 1), (5,), (2, 2, 2))],
     ),
     "unit direction": some(UP),
     "position": some((1.0, 2.0, 3.0)),
-    "high light": some(UP, (0.6, 0, 0.8), illegal=[*NO_UNIT[:3], (1.0, 0, 0), (0.6, 0, -0.8)]),
+    "high light": some(UP, (0.6, 0, 0.8), no=[*NO_UNIT[:3], (1.0, 0, 0), (0.6, 0, -0.8)]),
     "occluder": some((0.5, 1.0, 2.0), (9e99, 0.0, 0.0)),
     "reference": some(
-        (0.5, 1.0, 5.0), illegal=[(1.0, 0.0, z) for z in (0.0, -1.0, INF, NAN)] + [(0.0, 1.0)]
+        (0.5, 1.0, 5.0), no=[(1.0, 0.0, z) for z in (0.0, -1.0, INF, NAN)] + [(0.0, 1.0)]
     ),
     "affine camera": some(
-        np.eye(4)[[0, 1, 3]], illegal=[np.eye(3, 4), np.eye(4), np.diag([1, 1, 1, 2])[:3]]
+        np.eye(4)[[0, 1, 3]], no=[np.eye(3, 4), np.eye(4), np.diag([1, 1, 1, 2])[:3]]
     ),
     "focal lengths": some(
         (800.0, 790.0),
         500.0,
-        illegal=[0.0, (5.0, -1.0), NAN, INF, (0.0, 5.0), (5.0, 0.0), (INF, 5.0), (5.0, INF)],
+        no=[0.0, (5.0, -1.0), NAN, INF, (0.0, 5.0), (5.0, 0.0), (INF, 5.0), (5.0, INF)],
     ),
     "camera": some(pinhole.camera_matrix(K, POSE)),
     "eye": some((0.5, 1.0, -2.0)),
     "target": some(
-        (0.5, 1.0, 3.0), illegal=[(0.5, 1.0, -2.0), (INF, 0, 0), (NAN, 0, 0), (1.7e308, 1.7e308, 0)]
+        (0.5, 1.0, 3.0), no=[(0.5, 1.0, -2.0), (INF, 0, 0), (NAN, 0, 0), (1.7e308, 1.7e308, 0)]
     ),
-    "up": some((0.0, 1.0, 0.0), illegal=[(0, INF, 0), (0, 1e-10, 1), (0, 0, -1), (0, 0, 0)]),
+    "up": some((0.0, 1.0, 0.0), no=[(0, INF, 0), (0, 1e-10, 1), (0, 0, -1), (0, 0, 0)]),
     "turned": some(TURN, I3),
     "pixels": some(5, 1),
     "eight": some(8, 3),
-    "bits": some(12, 16, illegal=[0, 17, 2.5, NAN]),
-    "disc": some(1.5, 0.0, 0.3, 9.5, 70.0, illegal=[-0.1, 1025.0, INF, NAN]),
+    "bits": some(12, 16, no=[0, 17, 2.5, NAN]),
+    "disc": some(1.5, 0.0, 0.3, 9.5, 70.0, no=[-0.1, 1025.0, INF, NAN]),
     "gathered image": some(np.ones((4, 5)), np.ones((4, 5, 3), np.float32)),
-    "heights": some([1.0, -10.0, 10.0], illegal=[[1.0, 11.0]]),
+    "heights": some([1.0, -10.0, 10.0], no=[[1.0, 11.0]]),
     "far": dataclasses.replace(interval(True, -9e99, 9e99, True), illegal=(NAN, INF, 1.1e100)),
     "drawn lines": some(
-        LINES,
-        illegal=[LINES[:1], [LINES[0]] * 6, changed_somewhere(LINES, NAN)[0], LINES * 0],
+        LINES, no=[LINES[:1], [LINES[0]] * 6, changed_somewhere(LINES, NAN)[0], LINES * 0]
     ),
-    "drawn axes": some(AXES, illegal=[AXES + 1, AXES * 0]),
+    "drawn axes": some(AXES, no=[AXES + 1, AXES * 0]),
     "picture size": some((640.0, 480.0)),
     "view": some(VIEW),
     "known": some(Stretch(LINES[0])),
     "others": some((Stretch(LINES[1]),)),
     "stretch": some(LINES[0]),
-    "axis number": some(2, 1, illegal=[3, -1]),
-    "baseline": some((1.0, 0.2, 0.1), (0.0, 0.0, 1e-9), illegal=NO_DIRECTION),
-    "K matrix": some(K, illegal=[np.eye(3, 4)]),
+    "axis number": some(2, 1, no=[3, -1]),
+    "baseline": some((1.0, 0.2, 0.1), (0.0, 0.0, 1e-9), no=NO_DIRECTION),
+    "K matrix": some(K, no=[np.eye(3, 4)]),
     "seen plane": some(
         (0.0, 0.6, 0.8, -1.0),
         (0.0, 0.6, 0.8, -1e-11),
-        illegal=[[0, 0, 1, 0], [1, 1, 0, 1e-13], [0, 0, 0, 0], [NAN, 0, 1, 1], [0, 0, 1, INF]],
+        no=[[0, 0, 1, 0], [1, 1, 0, 1e-13], [0, 0, 0, 0], [NAN, 0, 1, 1], [0, 0, 1, INF]],
     ),
-    "kernel sigma": some(0.7, 0.0, 0.1, 1.0, 9.5, illegal=[-1e-9, 1.1e6, NAN, INF]),
-    "divisible": some(np.ones((8, 4)), illegal=[np.ones((9, 8)), np.ones(8)]),
-    "factor": some(2, 1, 4, illegal=[0, 3]),
-    "taps": some(np.array([0.25, 0.5, 0.25]), illegal=[[0.5, 0.5], [[1.0]], []]),
-    "warped shape": some((6, 5), illegal=[(3, 5), (6, 3)]),
+    "kernel sigma": some(0.7, 0.0, 0.1, 1.0, 9.5, no=[-1e-9, 1.1e6, NAN, INF]),
+    "divisible": some(np.ones((8, 4)), no=[*ones((9, 8), (8,))]),
+    "factor": some(2, 1, 4, no=[0, 3]),
+    "taps": some(np.array([0.25, 0.5, 0.25]), no=[[0.5, 0.5], [[1.0]], []]),
+    "warped shape": some((6, 5), no=[(3, 5), (6, 3)]),
     "warp": some(cubic_warp([[1.5]], [[2.5]], (8, 8))),
     "warped planes": picture(3, 8, 8),
     "falling": some([0.0, 1.0, 2.0]),
-    "fallen": some([1.0, 0.6, 0.1], [1.0, 0.9, 0.85], illegal=[[0.4, 0.3, 0.1], [0.4, 0.9, 0.1]]),
-    "source shape": some((4, 5), (1, 1), illegal=[(0, 5), (5, 0)]),
-    "image": some(
-        np.ones((4, 5)), np.ones((4, 5, 3), np.float32), illegal=[np.ones((2, 2, 3, 1)), np.ones(4)]
-    ),
+    "fallen": some([1.0, 0.6, 0.1], [1.0, 0.9, 0.85], no=[[0.4, 0.3, 0.1], [0.4, 0.9, 0.1]]),
+    "source shape": some((4, 5), (1, 1), no=[(0, 5), (5, 0)]),
+    "image": some(np.ones((4, 5)), np.ones((4, 5, 3), np.float32), no=[*ones((2, 2, 3, 1), (4,))]),
     "gather table": some(resampling.gather_table([0.3, 0.2], (4, 5))),
     "gathered": some(
         np.ones((4, 5)),
         np.ones((4, 5, 3)),
-        illegal=[
-            *(np.ones((4, 6)), np.ones((5, 5)), np.ones(4), np.ones((4, 5, 3, 1))),
+        no=[
+            *ones((4, 6), (5, 5), (4,), (4, 5, 3, 1)),
             resampling.gather_source(np.ones((4, 5)), "bicubic"),
         ],
     ),
-    "side": some(3, 9, 1, illegal=[0, -1]),
-    "edge": some(EDGE, illegal=[np.zeros(8), np.zeros((20, 20, 3)), np.full((20, 20), NAN)]),
-    "edge codes": some(np.full((20, 20, 3), 99, np.uint8), illegal=[np.ones((20, 20, 3)), EDGE]),
+    "side": some(3, 9, 1, no=[0, -1]),
+    "edge": some(EDGE, no=[*ones((8,), (20, 20, 3)), np.full((20, 20), NAN)]),
+    "edge codes": some(np.full((20, 20, 3), 99, np.uint8), no=[np.ones((20, 20, 3)), EDGE]),
     "truth": some(True, False),
     "colour picture": some(
         np.ones((4, 6, 3)),
         np.ones((1, 1, 3)),
-        illegal=[np.ones((4, 4)), np.ones((4, 4, 4)), np.ones((0, 4, 3)), np.ones((2, 2, 2, 3))],
+        no=[*ones((4, 4), (4, 4, 4), (0, 4, 3), (2, 2, 2, 3))],
     ),
     "hues": some(
         np.eye(3),
         np.array([(1.0, 0.5, 0.2), (0.2, 0.9, 0.1), (0.3, 0.3, 0.8)]),
-        illegal=[np.outer([0.2, 0.5, 0.9], np.ones(3))],
+        no=[np.outer([0.2, 0.5, 0.9], np.ones(3))],
     ),
     "patches": some(np.array([(0.4, 0.2, 0.0), (0.3, 0.7, 0.1), (0.2, 0.1, 0.9)])),
     "white": some((0.95, 1.0, 1.09)),
@@ -458,35 +437,31 @@ KINDS: dict[str, Kind] = {
         lambda rng: rng.random((6, 6)),
         np.ones((1, 3)),
         np.ones((1, 1)),
-        illegal=[np.zeros(4), np.zeros((4, 4, 3)), np.zeros((4, 0)), np.zeros((0, 3))],
+        no=[*ones((4,), (4, 4, 3), (4, 0), (0, 3))],
     ),
     "means": some(
         LEVELS,
-        illegal=[
+        no=[
             *(LEVELS[:2], changed_somewhere(LEVELS, NAN)[0], [[20.0, 40.0, 100.0]]),
             *([100.0, 100.1, 900.0], [5.0, 5.0, 5.0], LEVELS[::-1]),
         ],
     ),
     "variances": some(
         LEVELS / 5,
-        illegal=[LEVELS[:2], changed_somewhere(LEVELS, INF)[0], [3.0, 2.0, 3.5], [0.1, 0.2, 0.4]],
+        no=[LEVELS[:2], changed_somewhere(LEVELS, INF)[0], [3.0, 2.0, 3.5], [0.1, 0.2, 0.4]],
     ),
-    "enough samples": some(20_000, illegal=[1, 2, 2.5]),
+    "enough samples": some(20_000, no=[1, 2, 2.5]),
     "frames": some(
         np.arange(128, dtype=np.uint16).reshape(2, 8, 8),
-        illegal=[
-            np.zeros((2, 7, 9), np.uint8),
-            np.zeros((3, 8, 8), np.uint8),
-            np.zeros((2, 64), int),
-        ],
+        no=[np.zeros((2, 7, 9), np.uint8), np.zeros((3, 8, 8), np.uint8), np.zeros((2, 64), int)],
     ),
     "highest": some(255, 4095),
-    "counts": some([3, 4, 9], [0], illegal=[[], [1.0, NAN]]),
-    "count": some(3, 1, illegal=[0, -2]),
+    "counts": some([3, 4, 9], [0], no=[[], [1.0, NAN]]),
+    "count": some(3, 1, no=[0, -2]),
     "detailed": drawn(
         lambda rng: rng.random((6, 7, 3)),
         np.ones((3, 3, 3)),
-        illegal=[
+        no=[
             *(np.zeros(shape) for shape in ((2, 9, 3), (9, 2, 3), (9, 9, 4), (9, 3))),
             *(np.full((5, 5, 3), value) for value in (NAN, INF)),
         ],
