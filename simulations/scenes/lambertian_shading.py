@@ -289,20 +289,13 @@ def paint_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
     return PLOT.at(0.0, settings.albedo)
 
 
+LIGHT_ANGLE, PROBE = ("light_angle",), ("probe",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("brightest", "camera", "Brightest point", ("light_angle",), brightest, role="light"),
+    Handle("brightest", "camera", "Brightest point", LIGHT_ANGLE, brightest, role="light"),
     _ball.probe_on_ball("ray"),
-    Handle("lamp", "above", "Lamp", ("light_angle",), lamp_at, role="light"),
-    Handle("probe-above", "above", "Probed point", ("probe",), probe_above_at, role="ray"),
-    Handle(
-        "probe-curve",
-        "curve",
-        "Probed point",
-        ("probe",),
-        on_curve,
-        role="ray",
-        reversed=("probe",),
-    ),
+    Handle("lamp", "above", "Lamp", LIGHT_ANGLE, lamp_at, role="light"),
+    Handle("probe-above", "above", "Probed point", PROBE, probe_above_at, role="ray"),
+    Handle("probe-curve", "curve", "Probed point", PROBE, on_curve, role="ray", reversed=PROBE),
     Handle(
         "paint",
         "curve",

@@ -216,6 +216,7 @@ def white_mark(settings: LitSurface, _outputs: Outputs) -> tuple[float, float] |
     return DIAGRAM.at(*white_xy(_spectra.light_of(settings.light, settings.temperature)))
 
 
+TEMPERATURE = ("temperature",)
 HANDLES: tuple[Handle[LitSurface], ...] = (
     Handle("band", "light", "Band of the cloth", ("band",), band_mark, role="world"),
     Handle("width", "light", "Width of the band", ("width",), width_mark, role="world"),
@@ -224,10 +225,10 @@ HANDLES: tuple[Handle[LitSurface], ...] = (
         "white",
         "diagram",
         "White of the light",
-        ("temperature",),
+        TEMPERATURE,
         white_mark,
         role="light",
-        reversed=("temperature",),
+        reversed=TEMPERATURE,
     ),
 )
 SCENE = Scene(

@@ -264,6 +264,7 @@ def incidence_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
     return PLOT.clamped(abs(settings.light_angle), outputs["exchange"].sent)
 
 
+LIGHT_ANGLE, VIEW_ANGLE = ("light_angle",), ("view_angle",)
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "material",
@@ -274,22 +275,16 @@ HANDLES: tuple[Handle[Settings], ...] = (
         materials.material_at,
         role="ray",
     ),
-    Handle("lamp", "lobe", "Lamp", ("light_angle",), lamp_at, role="light"),
-    Handle("eye", "lobe", "Camera", ("view_angle",), eye_at, role="camera"),
+    Handle("lamp", "lobe", "Lamp", LIGHT_ANGLE, lamp_at, role="light"),
+    Handle("eye", "lobe", "Camera", VIEW_ANGLE, eye_at, role="camera"),
     Handle(  # the camera is fixed in front of the ball; the normal is turned away from it
-        "probe",
-        "camera",
-        "Probed point",
-        ("view_angle",),
-        probe_at,
-        role="world",
-        reversed=("view_angle",),
+        "probe", "camera", "Probed point", VIEW_ANGLE, probe_at, role="world", reversed=VIEW_ANGLE
     ),
     Handle(
         "incidence",
         "energy",
         "Angle of the light",
-        ("light_angle",),
+        LIGHT_ANGLE,
         incidence_at,
         incidence_pulled,  # not searched: the height is the output of a slow stage
         role="light",

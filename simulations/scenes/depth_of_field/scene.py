@@ -188,20 +188,13 @@ def focus_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
     return drawing.column(settings.focus), drawing.AXIS_Y
 
 
+APERTURE, FOCUS = ("aperture",), ("focus",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("aim", "picture", "Object to focus on", ("focus",), middle, aimed, "aim"),
-    Handle("floor", "picture", "Plane of focus", ("focus",), floor_mark, role="ray"),
+    Handle("aim", "picture", "Object to focus on", FOCUS, middle, aimed, "aim"),
+    Handle("floor", "picture", "Plane of focus", FOCUS, floor_mark, role="ray"),
+    Handle("focus", "lens", "Point in focus", FOCUS, focus_at, role="ray", reversed=FOCUS),
     Handle(
-        "focus", "lens", "Point in focus", ("focus",), focus_at, role="ray", reversed=("focus",)
-    ),
-    Handle(
-        "rim",
-        "lens",
-        "Rim of the opening",
-        ("aperture",),
-        rim_mark,
-        role="camera",
-        reversed=("aperture",),
+        "rim", "lens", "Rim of the opening", APERTURE, rim_mark, role="camera", reversed=APERTURE
     ),
 )
 SCENE = Scene(
@@ -214,7 +207,7 @@ SCENE = Scene(
     parameters=parameters,
     tiers=stages.TIERS,
     default_tier="layered",
-    own_drafts={SCALED: ("focus",), stages.COARSE: ("focal_length",), stages.QUICK: ("aperture",)},
+    own_drafts={SCALED: FOCUS, stages.COARSE: ("focal_length",), stages.QUICK: APERTURE},
     ladder="depth-of-field",
     estimate=estimate,
     formula=thin_lens.circle_of_confusion_mm,

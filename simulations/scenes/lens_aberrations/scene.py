@@ -232,10 +232,11 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
     return stages.corner_errors(outputs["encoded"], outputs["chart"], *lens, *vignetting)
 
 
+RIM, STOP = ("rim",), ("stop",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("stop", "lens", "Aperture stop", ("stop",), stop_mark, reversed=("stop",)),
+    Handle("stop", "lens", "Aperture stop", STOP, stop_mark, reversed=STOP),
     Handle("opening", "lens", "Edge of the opening", ("aperture",), opening_mark),
-    Handle("rim", "lens", "Rim", ("rim",), rim_mark, role="camera", reversed=("rim",)),
+    Handle("rim", "lens", "Rim", RIM, rim_mark, role="camera", reversed=RIM),
 )
 SCENE = Scene(
     "lens-aberrations",

@@ -247,21 +247,22 @@ def camera_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
     return drawing.towards(math.radians(-settings.probe), drawing.VECTOR)
 
 
+LIGHT_ANGLE, PROBE, SHININESS = ("light_angle",), ("probe",), ("shininess",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("highlight", "camera", "Highlight", ("light_angle",), highlight_at, role="ray"),
+    Handle("highlight", "camera", "Highlight", LIGHT_ANGLE, highlight_at, role="ray"),
     _ball.probe_on_ball("world"),
-    Handle("lamp", "lobe", "Lamp", ("light_angle",), lamp_at, role="light"),
+    Handle("lamp", "lobe", "Lamp", LIGHT_ANGLE, lamp_at, role="light"),
     Handle(  # the camera is fixed; the point turns with its normal
-        "camera", "lobe", "Camera", ("probe",), camera_at, role="camera", reversed=("probe",)
+        "camera", "lobe", "Camera", PROBE, camera_at, role="camera", reversed=PROBE
     ),
     Handle(
         "width",
         "width",
         "Width of the highlight",
-        ("shininess",),
+        SHININESS,
         half_place,
         role="ray",
-        reversed=("shininess",),
+        reversed=SHININESS,
     ),
 )
 SCENE = Scene(

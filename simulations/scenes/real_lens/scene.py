@@ -234,13 +234,12 @@ def curve_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
     return drawing.curve_mark(outputs["glass"], outputs["marked"], settings.height)
 
 
+BACK, VERGENCE = ("back",), ("vergence",)
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle("ray", "lens", "Marked ray", ("height",), ray_at, role="ray"),
     Handle("front", "lens", "Front surface", ("front",), front_at, role="camera"),
-    Handle("back", "lens", "Back surface", ("back",), back_at, role="camera", reversed=("back",)),
-    Handle(
-        "object", "lens", "Object", ("vergence",), object_at, role="world", reversed=("vergence",)
-    ),
+    Handle("back", "lens", "Back surface", BACK, back_at, role="camera", reversed=BACK),
+    Handle("object", "lens", "Object", VERGENCE, object_at, role="world", reversed=VERGENCE),
     Handle("opening", "aberration", "Edge of the opening", ("opening",), opening_at),
     Handle(
         "curve",
