@@ -10,7 +10,6 @@ from simulations.engine.drafting import swatch_polygon
 from simulations.engine.frame import (
     Frame,
     Panel,
-    Raster,
     Readout,
     format_number,
     matrix_readout,
@@ -18,53 +17,35 @@ from simulations.engine.frame import (
 )
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
-from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider, toggle
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.geometry.transforms import clip_to_rectangle
-from simulations.models.projection.level_ground import pose_above_ground
-from simulations.models.projection.pinhole import intrinsics
 from simulations.models.projection.two_views import (
     depth_error,
     depth_from_disparity,
     essential_matrix,
 )
-from simulations.pictures.tiled_floor import Box, tiled_floor, with_box
 from simulations.scenes.two_views.view import (
-    EYE_M,
-    HALF_HEIGHT_PX,
+    BLOCKS,
     HALF_WIDTH_PX,
     LampView,
     Pair,
     in_picture,
     lamp_view,
     left_panel,
+    left_picture,
     pixel_at,
     place,
     right_panel,
+    right_picture,
 )
 
 COARSE = "coarse"
 """The draft while the focal length moves, on which both pictures depend."""
 SAMPLES, COARSE_SAMPLES = 1.6, 1.1  # drawn pixels per pixel of the pictures, each way
-RED, TEAL, OCHRE, BLUE = (
-    (0.42, 0.10, 0.055),
-    (0.075, 0.20, 0.21),
-    (0.52, 0.31, 0.12),
-    (0.10, 0.16, 0.34),
-)
-BLOCKS = (
-    Box(3.2, 18.0, 2.0, 4.6, OCHRE),
-    Box(-2.6, 14.0, 1.5, 3.4, BLUE),
-    Box(5.0, 10.0, 1.5, 3.2, RED),
-    Box(-4.2, 8.0, 1.2, 2.6, OCHRE),
-    Box(2.6, 5.5, 0.8, 1.9, TEAL),
-    Box(-1.7, 4.0, 0.7, 1.1, RED),
-)
-"""The blocks on the square, farthest first: the nearer, the more they move between the pictures."""
 NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the view from above
@@ -94,26 +75,6 @@ def view_of(settings: Settings) -> LampView:
     pair = Pair(settings.focal_length, settings.baseline, math.radians(settings.toe_in))
     left = np.array([settings.left_x, -settings.left_up])
     return lamp_view(pair, settings.depth, left, settings.matching_error)
-
-
-def left_picture(focal_length: float, samples: float) -> Raster:
-    return square(focal_length, 0.0, 0.0, samples)
-
-
-def right_picture(focal_length: float, baseline: float, toe_in: float, samples: float) -> Raster:
-    return square(focal_length, baseline, math.radians(toe_in), samples)
-
-
-def square(focal_px: float, right_m: float, turned_in_rad: float, samples: float) -> Raster:
-    """The square with its blocks, as a camera sees it."""
-    pose = pose_above_ground(EYE_M, -turned_in_rad, 0.0)
-    pose[:3, 3] -= pose[:3, :3] @ [right_m, 0.0, 0.0]
-    columns, rows = round(2 * samples * HALF_WIDTH_PX), round(2 * samples * HALF_HEIGHT_PX)
-    K = intrinsics(samples * focal_px, (0.5 * (columns - 1), 0.5 * (rows - 1)))
-    picture = tiled_floor(pose, K, columns, rows)
-    for block in BLOCKS:
-        picture = with_box(picture, pose, K, block)
-    return to_rgba8(np.asarray(encode_srgb_table(picture)))
 
 
 def above(Z: float, X: float) -> Floats:

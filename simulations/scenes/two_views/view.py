@@ -8,19 +8,39 @@ from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, Raster, format_number
+from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.transforms import clip_to_rectangle
+from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.pinhole import intrinsics, project
 from simulations.models.projection.two_views import (
     depth_of_match,
     epipolar_lines,
     fundamental_matrix,
 )
+from simulations.pictures.tiled_floor import Box, tiled_floor, with_box
 
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
 """Half of each picture, in pixels from the principal point."""
 EYE_M = 1.5  # height of both cameras above the floor
+
+RED, TEAL, OCHRE, BLUE = (
+    (0.42, 0.10, 0.055),
+    (0.075, 0.20, 0.21),
+    (0.52, 0.31, 0.12),
+    (0.10, 0.16, 0.34),
+)
+BLOCKS = (
+    Box(3.2, 18.0, 2.0, 4.6, OCHRE),
+    Box(-2.6, 14.0, 1.5, 3.4, BLUE),
+    Box(5.0, 10.0, 1.5, 3.2, RED),
+    Box(-4.2, 8.0, 1.2, 2.6, OCHRE),
+    Box(2.6, 5.5, 0.8, 1.9, TEAL),
+    Box(-1.7, 4.0, 0.7, 1.1, RED),
+)
+"""The blocks on the square, farthest first: the nearer, the more they move between the pictures."""
 
 WIDTH, HEIGHT = 400.0, 300.0
 MIDDLE, UNITS_PER_PX = np.array([200.0, 150.0]), 2.0
@@ -130,6 +150,26 @@ def place(pixel: ArrayLike) -> Floats:
 def pixel_at(spot: drawing.Point) -> Floats:
     """View box to pixel."""
     return (np.asarray(spot, float) - MIDDLE) / UNITS_PER_PX
+
+
+def left_picture(focal_length: float, samples: float) -> Raster:
+    return square(focal_length, 0.0, 0.0, samples)
+
+
+def right_picture(focal_length: float, baseline: float, toe_in: float, samples: float) -> Raster:
+    return square(focal_length, baseline, math.radians(toe_in), samples)
+
+
+def square(focal_px: float, right_m: float, turned_in_rad: float, samples: float) -> Raster:
+    """The square with its blocks, as a camera sees it."""
+    pose = pose_above_ground(EYE_M, -turned_in_rad, 0.0)
+    pose[:3, 3] -= pose[:3, :3] @ [right_m, 0.0, 0.0]
+    columns, rows = round(2 * samples * HALF_WIDTH_PX), round(2 * samples * HALF_HEIGHT_PX)
+    K = intrinsics(samples * focal_px, (0.5 * (columns - 1), 0.5 * (rows - 1)))
+    picture = tiled_floor(pose, K, columns, rows)
+    for block in BLOCKS:
+        picture = with_box(picture, pose, K, block)
+    return to_rgba8(np.asarray(encode_srgb_table(picture)))
 
 
 def left_panel(view: LampView, floor: Raster) -> Panel:
