@@ -50,10 +50,7 @@ class Sheet:
 
     def place(self, x_mm: float, y_mm: float) -> Point:
         """View box units of a place in mm from the corner of the board."""
-        return (
-            LEFT + self.scale * (self.left_mm + x_mm),
-            TOP + self.scale * (self.top_mm + y_mm),
-        )
+        return (LEFT + self.scale * (self.left_mm + x_mm), TOP + self.scale * (self.top_mm + y_mm))
 
 
 def board_of(settings: Settings) -> Board:

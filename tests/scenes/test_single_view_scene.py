@@ -12,15 +12,7 @@ from simulations.engine.controls import PointLists
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
 from simulations.models.projection.level_ground import pose_above_ground
-from simulations.scenes.single_view.lines import (
-    AXES,
-    EYE_M,
-    FOCAL_PX,
-    LISTS,
-    ROOMS,
-    SIZE,
-    start_of,
-)
+from simulations.scenes.single_view.lines import AXES, EYE_M, FOCAL_PX, LISTS, ROOMS, SIZE, start_of
 from simulations.scenes.single_view.measuring import as_json, sheet
 from simulations.scenes.single_view.scene import SCENE
 

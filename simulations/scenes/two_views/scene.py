@@ -7,14 +7,7 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.drafting import swatch_polygon
-from simulations.engine.frame import (
-    Frame,
-    Panel,
-    Readout,
-    format_number,
-    matrix_readout,
-    readout,
-)
+from simulations.engine.frame import Frame, Panel, Readout, format_number, matrix_readout, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.scene import Scene
