@@ -194,8 +194,8 @@ def part_of(options: Options, part: str) -> str:
     its address, the chapter on ``paper``, as a ``notebook``, or in the ``search``."""
     match part:
         case "paper":
-            article = compose(options).sections[0].article
-            return outline(read_html(ElementTree.tostring(article)).elements[0])
+            printed = ElementTree.tostring(compose(options).sections[0].article)
+            return outline(read_html(printed).elements[0])
         case "notebook":
             files = make_notebooks(check_site(options), options.root)
             cells = json.loads(content_bytes(files["first.ipynb"]))["cells"]

@@ -88,7 +88,7 @@ def as_it_is_now(case: Case, make_book: Callable[..., Options]) -> str:
     reports: dict[str, dict[int, list[str]]] = {}
     for one in diagnostics(options):
         reports.setdefault(one.path, {}).setdefault(one.line, []).append(one.message)
-    now = []
+    now: list[str] = []
     for name, text in case.files.items():
         found = reports.pop(name.removeprefix("end of "), {})
         head = f"++++++++ {name}\n" if now or name != CHAPTER else ""
