@@ -10,9 +10,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.models.error_measures import root_mean_square
 from simulations.scenes._still_life_camera.picture import SCALED
-from simulations.scenes.camera.lens import margin_px, widest_barrel
 from simulations.scenes.camera.scene import SCENE as CAMERA
-from simulations.scenes.camera.settings import STRONGEST_BARREL
 from simulations.scenes.camera.stages import BOWED
 from simulations.scenes.depth_of_field.scene import SCENE as DEPTH_OF_FIELD
 
@@ -69,11 +67,3 @@ def test_a_draft_draws_the_world_once(
 def test_a_bowed_draft_differs_by_what_blurs_in_from_the_margin(k1: float) -> None:
     rest, draft = (pixels_of(frame_of(CAMERA, tier, k1=k1)) for tier in ("", BOWED))
     assert root_mean_square(np.subtract(rest, draft, dtype=np.float32)) < 2.0
-
-
-@pytest.mark.parametrize("focal_length", [24.0, 35.0, 135.0])
-@pytest.mark.parametrize("focus", [1.0, 3.2, 10.0])
-def test_no_k1_of_the_slider_needs_a_wider_margin(focal_length: float, focus: float) -> None:
-    widest = margin_px(focal_length, focus, widest_barrel(focal_length, focus, STRONGEST_BARREL))
-    for k1 in np.linspace(STRONGEST_BARREL, 0.4, 81):
-        assert np.all(np.array(margin_px(focal_length, focus, float(k1))) <= widest)

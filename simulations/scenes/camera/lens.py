@@ -1,13 +1,15 @@
-"""The camera's lens distortion, as bent rays or as a bent picture.
+"""The settings of the camera, its step back in the dolly zoom, and its lens distortion, as bent
+rays or as a bent picture.
 
 ``focal_length`` is in millimetres and ``focus`` in metres, as on the controls.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from simulations.engine.settings import action, slider, toggle
 from simulations.models.arrays import Floats, Planes
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -15,6 +17,7 @@ from simulations.models.distortion.lens_model import (
     undistort_clamped,
 )
 from simulations.models.sampling.cubic_warp import CubicWarp, cubic_warp, warp
+from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes._still_life_camera.rays import (
     COLUMNS,
     PITCH_MM,
@@ -23,44 +26,73 @@ from simulations.scenes._still_life_camera.rays import (
     SENSOR_WIDTH_MM,
     Rays,
     ideal_reach,
+    largest_blur_px,
     principal_mm,
 )
 
+STRONGEST_BARREL = -0.4  # the lowest k₁ of the slider
+SUBJECT_M = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))
+"""Depth before the step of the thing that keeps its size."""
 MARGINS_PX = (4, 8, 16, 24, 32, 48, 72)
 """Widths of a margin: few, so that most changes of k₁ do not change the straight picture. The least
 is drawn for k₁ = 0 too, so that the first change need not redraw it."""
-WARP_REACH_PX = 2
-"""Pixels that a cubic reads beyond a place."""
+WARP_REACH_PX = 2  # pixels that a cubic reads beyond a place
 
 
 @dataclass(frozen=True, slots=True)
-class LensMap:
-    """The map from the straight picture to the sensor."""
+class Settings:
+    focal_length: float = slider("Focal length", 50.0, 24.0, 135.0, 1.0, unit="mm")
+    aperture: float = slider("Aperture", 5.6, 1.4, 22.0, 0.1, prefix="f/")
+    focus: float = slider("Focus distance", 3.2, 1.0, 10.0, 0.1, unit="m")
+    dolly: int = action("Dolly zoom", "Pause", drives="back", effect="play", seconds=10.0)
+    back: float = slider("Dolly zoom distance", 0.0, 0.0, 4.0, 0.1, unit="m")
+    light_angle: float = slider("Light angle", 40.0, -80.0, 80.0, 1.0, unit="°")
+    exposure: float = slider("Exposure", 0.0, -3.0, 3.0, 0.1, unit="EV")
+    k1: float = slider("Distortion k₁", 0.0, STRONGEST_BARREL, 0.4, 0.01)
+    noise_sigma: float = slider("Read noise σ", 5.0, 0.0, 40.0, 1.0, unit="codes")
+    shot_noise: bool = toggle("Photon shot noise", default=True)
+    new_noise: int = action(*("Take another photo",) * 8)
 
-    table: CubicWarp
-    """Place in the straight picture of each pixel of the sensor."""
-    reached: Planes
-    """(rows, columns) share of each pixel that rays reach."""
+
+def after_step(settings: Settings) -> Settings:
+    """The settings with the focal length and the focus that the camera has after its step back.
+
+    It zooms in, so that one thing keeps its size, and stays focused on the same thing. The sliders
+    are for the lens and the focus before the step.
+    """
+    if not settings.back:
+        return settings
+    focus, larger = settings.focus + settings.back, 1 + settings.back / SUBJECT_M
+    principal = principal_mm(settings.focal_length, settings.focus) * larger
+    focal_length = 1.0 / (1.0 / principal + 1.0 / (1000.0 * focus))
+    return replace(settings, focal_length=focal_length, focus=focus)
 
 
-def half_view_tangent(focal_length: float, focus: float, k1: float) -> float:
-    """Tangent of half the angle that the sensor sees from left to right, along the rays that the
-    lens bends. Past the fold of a barrel, as far as any ray reaches."""
-    edge = SENSOR_WIDTH_MM / 2 / principal_mm(focal_length, focus)
-    ideal, _ = undistort_clamped([(edge, 0.0)], Distortion(k1=k1))
-    return float(ideal[0, 0])
+def blur_of(settings: Settings) -> float:
+    """The widest disc of confusion in the picture, in pixels."""
+    focal, aperture, focus = settings.focal_length, settings.aperture, settings.focus
+    return largest_blur_px(focal, aperture, focus, settings.k1, settings.back)
+
+
+def view_of(settings: Settings) -> float:
+    """Angle that the sensor sees from left to right, in radians, along the rays that the lens
+    bends. Past the fold of a barrel, as far as any ray reaches."""
+    edge = SENSOR_WIDTH_MM / 2 / principal_mm(settings.focal_length, settings.focus)
+    ideal, _ = undistort_clamped([(edge, 0.0)], Distortion(k1=settings.k1))
+    return 2.0 * math.atan(float(ideal[0, 0]))
 
 
 def margin_px(focal_length: float, focus: float, k1: float) -> tuple[int, int]:
     """Columns and rows by which the straight picture must exceed each side of the sensor."""
     principal = principal_mm(focal_length, focus)
-    across, down = ideal_reach(principal, k1)
-    return _margin(across * principal, COLUMNS), _margin(down * principal, ROWS)
-
-
-def _margin(reach_mm: float, size: int) -> int:
-    needed = reach_mm / PITCH_MM - size / 2 + WARP_REACH_PX
-    return next(margin for margin in MARGINS_PX if margin >= needed)
+    across, down = (
+        next(margin for margin in MARGINS_PX if margin >= needed)
+        for needed in (
+            reach * principal / PITCH_MM - size / 2 + WARP_REACH_PX
+            for reach, size in zip(ideal_reach(principal, k1), (COLUMNS, ROWS), strict=True)
+        )
+    )
+    return across, down
 
 
 def widest_barrel(focal_length: float, focus: float, strongest: float) -> float:
@@ -80,6 +112,16 @@ def bend_rays(rays: Rays, k1: float) -> Rays:
     return Rays(np.concatenate((ideal, rays.directions[..., 2:]), axis=-1), valid)
 
 
+@dataclass(frozen=True, slots=True)
+class LensMap:
+    """The map from the straight picture to the sensor."""
+
+    table: CubicWarp
+    """Place in the straight picture of each pixel of the sensor."""
+    reached: Planes
+    """(rows, columns) share of each pixel that rays reach."""
+
+
 def lens_map(
     straight: Rays, focal_length: float, focus: float, k1: float, reduction: int
 ) -> LensMap:
@@ -90,16 +132,16 @@ def lens_map(
     seen = np.stack(np.broadcast_arrays(x, y[:, None]), axis=-1)
     ideal, _ = undistort_clamped(seen, Distortion(k1=k1))
     table = cubic_warp(
-        _four_quarters(ideal[..., 0] / pitch, -1, 1) + (columns - 1) / 2,
-        _four_quarters(ideal[..., 1] / pitch, 1, -1) + (rows - 1) / 2,
+        four_quarters(ideal[..., 0] / pitch, -1, 1) + (columns - 1) / 2,
+        four_quarters(ideal[..., 1] / pitch, 1, -1) + (rows - 1) / 2,
         (rows, columns),
     )
     inside = (largest_distorted_radius(Distortion(k1=k1)) - np.hypot(x, y[:, None])) / pitch
     reached = np.clip(inside + 0.5, 0.0, 1.0)
-    return LensMap(table, _four_quarters(reached, 1, 1).astype(np.float32))
+    return LensMap(table, four_quarters(reached, 1, 1).astype(np.float32))
 
 
-def _four_quarters(quarter: Floats, to_the_left: int, upwards: int) -> Floats:
+def four_quarters(quarter: Floats, to_the_left: int, upwards: int) -> Floats:
     """A whole picture from its lower right quarter, with the signs of the mirror images."""
     half = np.concatenate((to_the_left * quarter[:, ::-1], quarter), axis=1)
     return np.concatenate((upwards * half[::-1], half), axis=0)

@@ -1,22 +1,65 @@
-"""The complete camera, stage by stage: from rays through the lens to the bytes of a photograph."""
+"""The complete camera, stage by stage: from rays through the lens to light, electrons, codes and
+the bytes of a photograph."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.controls import Value
+from simulations.engine.frame import Raster
+from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
-from simulations.models.arrays import Planes
+from simulations.models.arrays import Floats, Planes
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture import fibonacci_disc
+from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.vignetting import vignetting_cos4
+from simulations.models.pixel_grid import centred
+from simulations.models.sensor import photon_counting
 from simulations.scenes._still_life_camera.picture import (
+    SCALED,
     defocus,
+    drawing_of,
     enlarge,
     find_surfaces,
     in_focus,
     light_surfaces,
     mean_through_lens,
     overlay,
+    through_lens,
 )
-from simulations.scenes._still_life_camera.rays import Rays, pinhole_rays
-from simulations.scenes.camera import lens, sensor
+from simulations.scenes._still_life_camera.rays import (
+    COLUMNS,
+    PITCH_MM,
+    ROWS,
+    Rays,
+    pinhole_rays,
+    principal_mm,
+    sensor_rays,
+)
+from simulations.scenes.camera import lens
+from simulations.scenes.camera.lens import STRONGEST_BARREL, Settings, after_step, blur_of
+
+FULL_WELL_E = 10_000.0
+BLACK_DN = 512.0
+ADC = photon_counting.Sensor(
+    full_well_e=FULL_WELL_E,
+    read_noise_e=0.0,
+    dark_current_e_per_s=0.0,
+    gain_e_per_dn=FULL_WELL_E / (4095.0 - BLACK_DN),
+    bits=12,
+    black_level_dn=BLACK_DN,
+)
+"""A 12-bit converter whose top code is a full well."""
+BASE_SHUTTER_S, BASE_F_NUMBER = 1 / 60, 8.0
+"""Shutter and aperture at which a white surface facing the lamp nearly fills the well, at 0 EV and
+focused at infinity."""
+REFERENCE_GRID = 7
+"""Points across the lens of the picture that errors are measured against: 37 in all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,14 +80,31 @@ TIERS: Mapping[str, Accuracy] = {
     "bent-rays": Accuracy(bent_rays=True),
     "aperture-rays": Accuracy(bent_rays=True, lens_rays=12),
 }
-
-
 BOWED = "bowed"
 """The draft while k₁ moves: one straight picture, drawn with the widest margin that any k₁ of the
 slider needs, is bent anew. At rest the margin is that of the present k₁."""
 
 
-def _aperture_rays(
+def parameters(settings: Settings, tier: str) -> dict[str, Value]:
+    """The parameters of the stages: set by the tier, or computed from the settings."""
+    draft, now = tier == SCALED, after_step(settings)
+    accuracy, across, down = TIERS[tier if tier in TIERS else "layers"], 0, 0
+    if not accuracy.bent_rays:
+        of_lens = now.focal_length, now.focus
+        widest = lens.widest_barrel(*of_lens, STRONGEST_BARREL) if tier == BOWED else now.k1
+        across, down = lens.margin_px(*of_lens, widest)
+    return {
+        **asdict(accuracy),
+        **drawing_of(draft, now.focal_length, now.focus),
+        "focal_length": now.focal_length,
+        "focus": now.focus,
+        "margin_columns": across,
+        "margin_rows": down,
+        "largest_blur": blur_of(now),
+    }
+
+
+def aperture_rays(
     rays: Rays,
     light_angle: float,
     focal_length: float,
@@ -58,59 +118,169 @@ def _aperture_rays(
     return mean_through_lens(rays, points, light_angle, focal_length, aperture, focus, back)
 
 
-def _no_rays(lens_rays: int) -> str:
+def no_rays(lens_rays: int) -> str:
     return "" if lens_rays else "the blur stands in for rays"
 
 
-def _no_bending(k1: float, bent_rays: bool) -> str:
+def no_bending(k1: float, bent_rays: bool) -> str:
     if k1 == 0:
         return "k₁ = 0 bends no ray"
     return "" if bent_rays else "the finished picture is bent instead"
 
 
-def _no_warp(k1: float, bent_rays: bool) -> str:
+def no_warp(k1: float, bent_rays: bool) -> str:
     if k1 == 0:
         return "k₁ = 0 bends nothing"
     return "the rays are bent already" if bent_rays else ""
 
 
-def _no_trim(k1: float, bent_rays: bool) -> str:
+def no_trim(k1: float, bent_rays: bool) -> str:
     if bent_rays:
         return "the picture has no margin"
     return "" if k1 == 0 else "the lens has fetched what the sensor holds"
 
 
-def _own_rays(reduction: int) -> str:
+def own_rays(reduction: int) -> str:
     return "each pixel has its own ray" if reduction == 1 else ""
 
 
-def _no_shot_noise(shot_noise: bool) -> str:
+def no_shot_noise(shot_noise: bool) -> str:
     return "" if shot_noise else "shot noise is switched off"
 
 
-def _no_read_noise(noise_sigma: float) -> str:
+def no_read_noise(noise_sigma: float) -> str:
     return "σ = 0 adds nothing" if noise_sigma == 0 else ""
+
+
+def shutter_s(focal_length: float, aperture: float, focus: float, exposure: float) -> float:
+    """Exposure time by the automatic, which measures the light through the lens.
+
+    A wider aperture shortens it by the square; a nearer focus, for which the sensor is farther from
+    the aperture, lengthens it.
+    """
+    working = thin_lens.working_f_number(focal_length, aperture, focus * 1000.0)
+    return float(BASE_SHUTTER_S * (working / BASE_F_NUMBER) ** 2 * 2.0**exposure)
+
+
+def read_noise_e(noise_sigma: float) -> float:
+    """Electrons for σ given in 8-bit codes of linear light: 255 codes are a full well."""
+    return noise_sigma / 255.0 * FULL_WELL_E
+
+
+@dataclass(frozen=True, slots=True)
+class Grain:
+    """Random numbers, drawn once: light and amplifier only scale them."""
+
+    shot: Planes
+    """(3, rows, columns) standard normal."""
+    read: Planes
+    """(3, rows, columns) standard normal, of the amplifier."""
+
+
+def draw_grain(new_noise: int) -> Grain:
+    shot, read = (
+        np.random.default_rng((new_noise, stream)).standard_normal((3, ROWS, COLUMNS), np.float32)
+        for stream in (1, 2)
+    )
+    return Grain(shot, read)
+
+
+def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
+    """Light on the sensor, relative to that of the same surface on the axis."""
+    x, y = centred(COLUMNS) * PITCH_MM, centred(ROWS) * PITCH_MM
+    falloff = vignetting_cos4(np.hypot(x, y[:, None]) / principal_mm(focal_length, focus))
+    return radiance * falloff.astype(np.float32)
+
+
+def expose(irradiance: Planes, exposure: float) -> Planes:
+    """Mean electrons; the shutter compensates aperture and focus."""
+    return irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
+
+
+def count(mean_e: Planes, grain: Grain) -> Planes:
+    """Electrons counted: quantiles of the Poisson distribution at the grain's probabilities. Unlike
+    with a Poisson sampler, the grain stays the same as the light changes."""
+    counted = photon_counting.shot_noise_from_normal(mean_e, grain.shot, FULL_WELL_E)
+    return np.asarray(counted, np.float32)
+
+
+def read(electrons: Planes, grain: Grain, noise_sigma: float) -> Planes:
+    """Electrons as the amplifier reports them."""
+    return electrons + np.float32(read_noise_e(noise_sigma)) * grain.read
+
+
+def quantise(electrons: Planes) -> NDArray[np.uint16]:
+    """Codes of the converter, which adds no noise: gain and offset."""
+    signal = photon_counting.read_out(electrons, ADC, np.random.default_rng(0))
+    return photon_counting.quantise(signal, ADC.bits)
+
+
+def srgb_bytes(linear: Floats) -> NDArray[np.uint8]:
+    return to_rgba8(encode_srgb(linear)[None])[0, :, 0]
+
+
+BYTE_OF_CODE = srgb_bytes(photon_counting.develop(np.arange(2.0**ADC.bits), ADC))
+"""(4096,) sRGB byte of each code, without the black level, as a table for all pixels."""
+ROOTS = 4096
+BYTE_OF_ROOT = srgb_bytes((np.arange(ROOTS + 1) / ROOTS) ** 2)
+"""sRGB byte of continuous light, by its square root, in which the curve is nearly straight."""
+
+
+def encode(codes: NDArray[np.uint16]) -> Raster:
+    """The photograph."""
+    return opaque_picture(BYTE_OF_CODE[codes])
+
+
+def develop_ideal(mean_e: Planes) -> Raster:
+    """The photograph of a sensor without noise and quantisation, the reference of the PSNR."""
+    root = np.sqrt(np.minimum(mean_e, FULL_WELL_E)) * np.float32(ROOTS / math.sqrt(FULL_WELL_E))
+    return opaque_picture(BYTE_OF_ROOT[np.rint(root).astype(np.uint16)])
+
+
+def opaque_picture(planes: NDArray[np.uint8]) -> Raster:
+    """Opaque bytes of a canvas from (3, rows, columns)."""
+    picture = np.full((*planes.shape[1:], 4), 255, np.uint8)
+    for channel, plane in enumerate(planes):
+        picture[..., channel] = plane
+    return picture
 
 
 STAGES = (
     Stage("pinhole rays", pinhole_rays),
-    Stage("bent rays", lens.bend_rays, ("pinhole rays",), _no_bending),
+    Stage("bent rays", lens.bend_rays, ("pinhole rays",), no_bending),
     Stage("surfaces", find_surfaces, ("bent rays",)),
     Stage("light", light_surfaces, ("surfaces",)),
     Stage("defocus", defocus, ("light",), in_focus),
     Stage("overlay", overlay, ("defocus",)),
-    Stage("aperture rays", _aperture_rays, ("bent rays",), _no_rays, passes_on="overlay"),
-    Stage("enlargement", enlarge, ("aperture rays",), _own_rays),
-    Stage("lens map", lens.lens_map, ("pinhole rays",), _no_warp),
-    Stage("lens distortion", lens.distort_picture, ("enlargement", "lens map"), _no_warp),
-    Stage("trimming", lens.trim, ("lens distortion",), _no_trim),
-    Stage("vignetting", sensor.vignette, ("trimming",)),
-    Stage("exposure", sensor.expose, ("vignetting",)),
-    Stage("grain", sensor.draw_grain),
-    Stage("shot noise", sensor.count, ("exposure", "grain"), _no_shot_noise),
-    Stage("read noise", sensor.read, ("shot noise", "grain"), _no_read_noise),
-    Stage("quantisation", sensor.quantise, ("read noise",)),
-    Stage("sRGB", sensor.encode, ("quantisation",)),
-    Stage("noiseless picture", sensor.develop_ideal, ("exposure",)),
+    Stage("aperture rays", aperture_rays, ("bent rays",), no_rays, passes_on="overlay"),
+    Stage("enlargement", enlarge, ("aperture rays",), own_rays),
+    Stage("lens map", lens.lens_map, ("pinhole rays",), no_warp),
+    Stage("lens distortion", lens.distort_picture, ("enlargement", "lens map"), no_warp),
+    Stage("trimming", lens.trim, ("lens distortion",), no_trim),
+    Stage("vignetting", vignette, ("trimming",)),
+    Stage("exposure", expose, ("vignetting",)),
+    Stage("grain", draw_grain),
+    Stage("shot noise", count, ("exposure", "grain"), no_shot_noise),
+    Stage("read noise", read, ("shot noise", "grain"), no_read_noise),
+    Stage("quantisation", quantise, ("read noise",)),
+    Stage("sRGB", encode, ("quantisation",)),
+    Stage("noiseless picture", develop_ideal, ("exposure",)),
 )
 """The whole camera, in the order of the light."""
+
+
+def references(settings: Settings) -> Iterator[Raster]:
+    """The noiseless picture seen through more and more points of the lens."""
+    focal, aperture, focus = settings.focal_length, settings.aperture, settings.focus
+    rays = lens.bend_rays(sensor_rays(focal, focus), settings.k1)
+    total = np.zeros((3, ROWS, COLUMNS), np.float32)
+    for number, at in enumerate(aperture_grid(REFERENCE_GRID), start=1):
+        total += through_lens(rays, at, settings.light_angle, focal, aperture, focus, settings.back)
+        light = vignette(total / np.float32(number), focal, focus)
+        yield develop_ideal(expose(light, settings.exposure))
+
+
+def rms_codes(picture: Raster, truth: Raster) -> float:
+    """Root mean square of the difference in 8-bit codes; both are opaque."""
+    error = np.subtract(picture, truth, dtype=np.float32)
+    return math.sqrt(float(np.vdot(error, error)) / (0.75 * error.size))
