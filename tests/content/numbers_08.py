@@ -7,10 +7,13 @@ from scipy.special import j1
 from support.worked_numbers import Says
 
 from simulations.models.distortion.lens_model import Distortion, distort
-from simulations.models.lens.thin_lens import circle_of_confusion_mm, principal_distance_mm
+from simulations.models.lens.thin_lens import (
+    circle_of_confusion_mm,
+    depth_of_field,
+    principal_distance_mm,
+)
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
-from simulations.scenes._still_life_camera.rays import COLUMNS, ROWS, sensor_rays
-from simulations.scenes.camera import scene as camera
+from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS, sensor_rays
 from simulations.scenes.camera.lens import bend_rays
 from simulations.scenes.depth_of_field.stages import sharpness
 
@@ -75,7 +78,7 @@ def the_still_life() -> Says:
 
 def a_quarter_as_deep() -> Says:
     limits = [
-        camera.depth_of_field_m(camera.SCENE.check({"aperture": 1.4, "focal_length": focal}))
+        [limit / 1000 for limit in depth_of_field(focal, 1.4, 3200.0, PITCH_MM)]
         for focal in (50, 100)
     ]
     (near, far), (near_long, far_long) = limits
