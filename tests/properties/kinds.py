@@ -169,7 +169,7 @@ def any_direction(length: int, illegal: Sequence[Any]) -> Kind:
         vector = np.array([FINITE.draw(rng) for _ in range(length)])
         return vector if vector.any() else np.eye(length)[0]
 
-    return Kind(np.array([0.6, 0.1, -0.3, 0.2])[:length], draw, np.eye(length), illegal)
+    return Kind(np.array([0.6, 0.1, -0.3, 0.2])[:length], draw, list(np.eye(length)), illegal)
 
 
 def drawn(make: Callable[[Rng], Any], *ends: Any, no: Sequence[Any] = ()) -> Kind:

@@ -45,5 +45,5 @@ def tristimulus(stimuli: ArrayLike, light: ArrayLike) -> Floats:
     """
     spectra, source = (as_vectors("spectrum", s, WAVELENGTHS_NM.size) for s in (stimuli, light))
     white = source @ OBSERVER[:, 1]
-    require("light of luminance", white, 0 < white < np.inf, "above 0, finite")
+    require("light of luminance", white, bool(0 < white < np.inf), "above 0, finite")
     return spectra @ OBSERVER / white
