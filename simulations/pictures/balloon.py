@@ -11,15 +11,13 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.arrays import Floats, Mask
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 
 WIDTH, HEIGHT = 240, 192
-SAMPLES = 3
-"""Samples per pixel along each side, averaged in linear light."""
+SAMPLES = 3  # samples per pixel along each side, averaged in linear light
 
-HORIZON = 128.0
-"""Row where the field ends; all lengths here are in pixels of the picture."""
+HORIZON = 128.0  # row where the field ends; all lengths here are in pixels of the picture
 BALLOON, BALLOON_RADIUS = (150.0, 60.0), 46.0
 
 GORES = ("#e3262e", "#f7b51d", "#fff4dc", "#1f6fc4", "#1d9a6c", "#fff4dc")
@@ -69,13 +67,13 @@ def _sky(picture: Floats, x: Floats, y: Floats) -> None:
     from_sun = (x - 42) ** 2 + (y - 96) ** 2
     glow = np.exp(-from_sun / 1100)[..., None]
     picture += glow * (_colour("#fff3cf") - picture)
-    _paint(picture, from_sun < 13**2, _colour("#fffbe9"))
+    picture[from_sun < 13**2] = _colour("#fffbe9")
 
 
 def _hills(picture: Floats, x: Floats, y: Floats) -> None:
     """The far hills, up to the horizon."""
     ridge = 116 - 7 * np.sin(x[:1] / 31 + 0.6) - 3 * np.sin(x[:1] / 11)
-    _paint(picture, ridge < y, _colour("#5b7f95"))
+    picture[ridge < y] = _colour("#5b7f95")
 
 
 def _tulips(picture: Floats, x: Floats, y: Floats) -> None:
@@ -91,8 +89,8 @@ def _tulips(picture: Floats, x: Floats, y: Floats) -> None:
 def _fence(picture: Floats, x: Floats, y: Floats) -> None:
     """White pickets two pixels apart: the limit for grey, too fine for a colour of the mosaic."""
     top = 121 + 1.5 * np.abs((x % 4) - 2)
-    _paint(picture, (x < 104) & (x % 4 < 2) & (y > top) & (y < 134), _colour("#fbf7ec"))
-    _paint(picture, (x < 104) & (np.abs(y - 128) < 0.8), _colour("#fbf7ec"))
+    picture[(x < 104) & (x % 4 < 2) & (y > top) & (y < 134)] = _colour("#fbf7ec")
+    picture[(x < 104) & (np.abs(y - 128) < 0.8)] = _colour("#fbf7ec")
 
 
 def _balloon(picture: Floats, x: Floats, y: Floats) -> None:
@@ -121,15 +119,11 @@ def _basket(picture: Floats, x: Floats, y: Floats) -> None:
     between = (y > mouth) & (y < rim)
     for foot in (-6.0, -2.0, 2.0, 6.0):
         slant = BALLOON[0] + foot * (1.5 - 0.5 * (y - mouth) / (rim - mouth))
-        _paint(picture, between & (np.abs(x - slant) < 0.45), _colour("#3a2a1c"))
+        picture[between & (np.abs(x - slant) < 0.45)] = _colour("#3a2a1c")
     box = (np.abs(x - BALLOON[0]) < 7) & (y > rim) & (y < rim + 10)
     weave = (np.floor(x / 2) + np.floor(y / 2)) % 2 == 0
-    _paint(picture, box, _colour("#8a5a2b"))
-    _paint(picture, box & weave, _colour("#c98f4e"))
-
-
-def _paint(picture: Floats, where: Mask, colour: Floats) -> None:
-    picture[where] = colour
+    picture[box] = _colour("#8a5a2b")
+    picture[box & weave] = _colour("#c98f4e")
 
 
 def _colour(srgb: str) -> Floats:

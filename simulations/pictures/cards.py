@@ -16,21 +16,16 @@ from simulations.pictures.patterns import checker, stripes
 type Place = Floats | float
 """A coordinate on the lens, one for all pixels or one (H, W) for each; metres from its centre."""
 
-HORIZON = 0.3
-"""The horizon, as a share of the picture's height from its top."""
-FOCAL_WIDTHS = 75 / 80
-"""Distance from lens to sensor, in widths of the picture."""
+HORIZON = 0.3  # the horizon, as a share of the picture's height from its top
+FOCAL_WIDTHS = 75 / 80  # distance from lens to sensor, in widths of the picture
 FLOOR_Y, WALL_Z = 0.8, 8.0
 TILE, BAR_PERIOD, BAR = 0.5, 1.2, 0.6
 """Widths of the floor's tiles, and period and width of the wall's vertical bars; metres."""
-TINT = (1.0, 0.95, 0.85)
-"""Linear RGB of the light parts of floor and wall."""
+TINT = (1.0, 0.95, 0.85)  # linear RGB of the light parts of floor and wall
 DARK_TILE, LIGHT_TILE, DARK_BAR, LIGHT_BAR = 0.15, 0.75, 0.3, 0.8
 FOCUS_Z = 3.0
-STRIPE_SLOPE = 0.4
-"""Slope of a card's stripes: units to the left per unit down."""
-SUBROWS = 3
-"""Rows per pixel on the floor, whose depth varies too much within a pixel."""
+STRIPE_SLOPE = 0.4  # slope of a card's stripes: units to the left per unit down
+SUBROWS = 3  # rows per pixel on the floor, whose depth varies too much within a pixel
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,14 +17,10 @@ from simulations.models.require import require_positive
 from simulations.models.whole_numbers import as_whole
 from simulations.pictures.patterns import band, blend, checker, stripes
 
-LOW = (-2.35, -1.75, -1.0)
-"""Left wall, ceiling, and a wall behind the eye (never seen)."""
-HIGH = (2.75, 1.35, 5.2)
-"""Right wall, floor, back wall."""
-TRIM_M = 0.09
-"""Mouldings along every edge of the room, in one colour on both sides."""
-WINDOW = (-1.15, 0.85, -1.2, 0.38)
-"""left, right, top, bottom of the window in the back wall."""
+LOW = (-2.35, -1.75, -1.0)  # left wall, ceiling, and a wall behind the eye (never seen)
+HIGH = (2.75, 1.35, 5.2)  # right wall, floor, back wall
+TRIM_M = 0.09  # mouldings along every edge of the room, in one colour on both sides
+WINDOW = (-1.15, 0.85, -1.2, 0.38)  # left, right, top, bottom of the window in the back wall
 
 PLASTER, TRIM, OCHRE = (0.62, 0.56, 0.47), (0.80, 0.77, 0.70), (0.52, 0.31, 0.12)
 SLATE, CREAM, WOOD = (0.050, 0.075, 0.095), (0.72, 0.66, 0.55), (0.12, 0.062, 0.030)

@@ -23,8 +23,7 @@ from simulations.models.whole_numbers import as_whole
 
 type Codes = NDArray[np.uint8]
 
-ROWS = 256
-"""Rows that are computed at once, which bounds the memory of large photographs."""
+ROWS = 256  # rows that are computed at once, which bounds the memory of large photographs
 
 
 @dataclass(frozen=True, slots=True)

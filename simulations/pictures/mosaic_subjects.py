@@ -4,12 +4,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
+import numpy as np
+
 from simulations.models.arrays import Floats
 from simulations.pictures.balloon import HEIGHT, WIDTH, Window, balloon
 from simulations.pictures.checker_room import checker_room
-from simulations.pictures.soft_colours import soft_colours
 
 ROOM_FOCAL_PX = 170.0
+PERIOD_PX = 12.0
+WAYS_RAD = (0.2, 1.3, 2.2)  # direction in which the wave of red, green and blue runs
+LAGS_RAD = (0.0, 2.1, 4.2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +32,13 @@ def _room(window: Window) -> Floats:
 
 
 def _soft(window: Window) -> Floats:
-    return _cut(soft_colours(WIDTH, HEIGHT), window)
+    """Smooth waves in another direction for each colour, so that the colours are uncorrelated."""
+    x, y = np.meshgrid(np.arange(WIDTH, dtype=float), np.arange(HEIGHT, dtype=float))
+    waves = [
+        0.5 + 0.35 * np.cos(2 * np.pi * (x * np.cos(way) + y * np.sin(way)) / PERIOD_PX + lag)
+        for way, lag in zip(WAYS_RAD, LAGS_RAD, strict=True)
+    ]
+    return _cut(np.stack(waves, axis=-1).astype(np.float32), window)
 
 
 def _cut(picture: Floats, window: Window) -> Floats:

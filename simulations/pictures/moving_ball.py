@@ -13,8 +13,7 @@ WIDTH, HEIGHT = 160, 96
 RADIUS, CENTRE_Y = 30.7, 47.3
 START_X, TRAVEL = 58.1, 37.3
 """Position of the ball's centre when the shutter opens, and its motion to the right."""
-BAR = 8.0
-"""Width of the ball's vertical stripes; one is centred on it."""
+BAR = 8.0  # width of the ball's vertical stripes; one is centred on it
 LIGHT_BAR, DARK_BAR = 0.9, 0.25
 TILE, LIGHT_TILE, DARK_TILE = 12.0, 0.55, 0.1
 

@@ -9,8 +9,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
 
-NARROWEST = 1e-6
-"""Least width of a pixel, to avoid division by zero."""
+NARROWEST = 1e-6  # least width of a pixel, to avoid division by zero
 
 
 def band(u: Floats, low: ArrayLike, high: ArrayLike, footprint: ArrayLike) -> Floats:

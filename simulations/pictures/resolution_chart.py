@@ -7,6 +7,7 @@ normalised image coordinates. Linear luminance as grey RGB; the chart fills the 
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
@@ -31,16 +32,12 @@ def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
     """
     width, height = as_whole("width", width, 1), as_whole("height", height, 1)
     require_positive("focal_px", focal_px)
-    column, row = centred(width) / focal_px, centred(height) / focal_px
-    x, y = column.astype(np.float32)[None], row.astype(np.float32)[:, None]
-    pixel = np.float32(1.0 / focal_px)
-    picture = np.broadcast_to(np.asarray(PAPER, np.float32), (height, width, 3))
-    picture = _border(_grid(picture, x, y, pixel), x, y, pixel)
-    chart = Part(np.ascontiguousarray(picture, np.float32), x, y, pixel)
-    _stars(chart)
-    _line_pairs(chart)
-    _slanted_edge(chart)
-    return chart.picture
+    x, y = (np.float32(centred(count) / focal_px) for count in (width, height))
+    picture = np.full((height, width, 3), PAPER, np.float32)
+    chart = Part(picture, x[None], y[:, None], np.float32(1.0 / focal_px))
+    for draw in (_grid, _border, _stars, _line_pairs, _slanted_edge):
+        draw(chart)
+    return picture
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,36 +55,34 @@ class Part:
 
     def around(self, centre: tuple[float, float], half_size: tuple[float, float]) -> "Part":
         """The pixels that a rectangle touches, and a pixel more on each side."""
+        reach = 2 * self.pixel
         columns, rows = (
-            slice(
-                *np.searchsorted(
-                    along.ravel(), (at - half - 2 * self.pixel, at + half + 2 * self.pixel)
-                )
-            )
+            slice(*np.searchsorted(along.ravel(), (at - half - reach, at + half + reach)))
             for along, at, half in zip((self.x, self.y), centre, half_size, strict=True)
         )
         return Part(self.picture[rows, columns], self.x[:, columns], self.y[rows], self.pixel)
 
-    def paint(self, colour: tuple[float, ...], amount: Floats) -> None:
+    def paint(self, colour: ArrayLike, amount: Floats) -> None:
         self.picture[:] = blend(self.picture, colour, amount)
 
 
-def _grid(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+def _grid(chart: Part) -> None:
     """Lines every 0.1, bolder every 0.2 from the centre."""
-    fine = np.maximum(stripes(x, 0.1, 0.003, pixel), stripes(y, 0.1, 0.003, pixel))
-    bold = np.maximum(stripes(x, 0.2, 0.009, pixel), stripes(y, 0.2, 0.009, pixel))
-    return blend(blend(picture, RULE, 0.45 * fine), RULE, bold)
+    for period, width, strength in ((0.1, 0.003, 0.45), (0.2, 0.009, 1.0)):
+        across, down = (stripes(at, period, width, chart.pixel) for at in (chart.x, chart.y))
+        chart.paint(RULE, strength * np.maximum(across, down))
 
 
-def _border(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+def _border(chart: Part) -> None:
     """A frame of squares just inside |x| = 0.8, |y| = 0.6, and a wall of squares outside it."""
-    inner = _box(x, y, 0.75, 0.55, pixel)
+    x, y, pixel = chart.x, chart.y, chart.pixel
+    around = 1.0 - _box(x, y, 0.75, 0.55, pixel)
     squares = checker(x - 0.025, y - 0.025, 0.05, pixel, pixel)
     wall = checker(x - 0.1, y - 0.1, 0.2, pixel, pixel)
-    outside = 1.0 - _box(x, y, 0.8, 0.6, pixel)
-    tiles = blend(blend(picture, PAPER, 1.0 - inner), INK, squares * (1.0 - inner))
-    muted = np.asarray(PAPER) * 0.55
-    return blend(tiles, blend(np.zeros_like(picture) + np.float32(0.05), muted, wall), outside)
+    chart.paint(PAPER, around)
+    chart.paint(INK, squares * around)
+    tiles = blend(np.full_like(chart.picture, 0.05), np.asarray(PAPER) * 0.55, wall)
+    chart.paint(tiles, 1.0 - _box(x, y, 0.8, 0.6, pixel))
 
 
 def _stars(chart: Part) -> None:
@@ -109,9 +104,8 @@ def _line_pairs(chart: Part) -> None:
         for top, upright in ((-0.48, True), (0.33, False)):
             part = chart.around((left + 0.07, top + 0.075), (0.07, 0.075))
             along = part.x - left if upright else part.y - 0.33
-            field = band(part.x, left, left + 0.14, part.pixel) * band(
-                part.y, top, top + 0.15, part.pixel
-            )
+            field = band(part.x, left, left + 0.14, part.pixel)
+            field = field * band(part.y, top, top + 0.15, part.pixel)
             bars = stripes(along - 0.5 * width, 2.0 * width, width, part.pixel)
             part.paint(PAPER, field)
             part.paint(INK, field * bars)

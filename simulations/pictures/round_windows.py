@@ -9,21 +9,17 @@ import numpy as np
 
 from simulations.models.arrays import Floats
 
-SIZE = 128
-"""Pixels along a side."""
-RADIUS_PX, FADE_PX = 52.0, 16.0
-"""Radius of the window, and width over which it fades."""
+SIZE = 128  # pixels along a side
+RADIUS_PX, FADE_PX = 52.0, 16.0  # radius of the window, and width over which it fades
 FREQUENCIES = np.array([0.02, 0.03, 0.05, 0.08, 0.11, 0.15, 0.21, 0.24, 0.27, 0.30, 0.33, 0.35])
 """Frequencies of the waves in cycles per pixel."""
 GOLDEN_RAD = np.pi * (3 - np.sqrt(5))
 """Angle between successive waves or discs, which spreads them evenly over all directions."""
 RINGS_AT_PX = (-20.0, 8.0)
 """Centre of the rings: not that of the window, as a rotation would not change them there."""
-FINEST = 0.35
-"""Frequency of the rings at the far side of the window, in cycles per pixel."""
+FINEST = 0.35  # frequency of the rings at the far side of the window, in cycles per pixel
 DISCS = 90
-SOFT_PX = 0.6
-"""Scale of a disc's edge, which is about two pixels wide, enough for sampling."""
+SOFT_PX = 0.6  # scale of a disc's edge, which is about two pixels wide, enough for sampling
 
 
 def waves(x: Floats, y: Floats) -> Floats:

@@ -18,19 +18,15 @@ from simulations.models.pixel_grid import centred
 from simulations.models.whole_numbers import as_whole
 
 WIDTH, HEIGHT = 480, 360
-RADIUS = 138.0
-"""Outer edge of the rim, pixels."""
-RIM, HUB, SPOKE = 18.0, 21.0, 9.75
-"""Width of the rim, radius of the hub, width of a spoke, pixels."""
+RADIUS = 138.0  # outer edge of the rim, pixels
+RIM, HUB, SPOKE = 18.0, 21.0, 9.75  # width of the rim, radius of the hub, width of a spoke, pixels
 
 WOOD, DARK = np.array([0.62, 0.43, 0.24]), np.array([0.045, 0.05, 0.056])
 """Linear light of the wheel and of the wall behind it."""
 
-LEVELS = 2048
-"""Steps of coverage in the table of colours: finer than the codes of the picture."""
+LEVELS = 2048  # steps of coverage in the table of colours: finer than the codes of the picture
 
-NARROWEST = 1e-5
-"""Least width of a mean, in spacings, to avoid division by zero."""
+NARROWEST = 1e-5  # least width of a mean, in spacings, to avoid division by zero
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,6 @@ World frame as in `simulations.models.light.raycasting`: x right, y away, z up, 
 is z = 0 and the box is aligned with its tiles. Linear RGB, 1 = paper white.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,19 +19,14 @@ SLATE, CREAM = (0.085, 0.115, 0.135), (0.66, 0.61, 0.52)
 SKY_TOP, SKY_LOW = (0.30, 0.52, 0.88), (0.90, 0.90, 0.86)
 FLOOR_COLOURS = np.array([SLATE, CREAM, SKY_LOW], np.float32)
 SKY_COLOURS = np.array([SKY_LOW, SKY_TOP], np.float32)
-SKY_RISE = 0.7
-"""Tangent of the angle above the horizon at which the sky is bluest."""
-FARTHEST = 1e-4
-"""Inverse of the depth in metres at which the floor ends, in haze."""
-HAZE_M = 45.0
-"""Distance at which the floor's colour has fallen to e⁻¹."""
+SKY_RISE = 0.7  # tangent of the angle above the horizon at which the sky is bluest
+FARTHEST = 1e-4  # inverse of the depth in metres at which the floor ends, in haze
+HAZE_M = 45.0  # distance at which the floor's colour has fallen to e⁻¹
 BOX_PAINT = (0.52, 0.13, 0.055)
 LIGHT = {"x0": 0.95, "x1": 0.34, "y0": 0.50, "y1": 0.60, "top": 1.25}
 """Brightness of each side of the box, lit by a lamp to the left."""
-SHADOW_PER_M = (0.7, 0.3)
-"""Offset of a point's shadow, metres right and nearer per metre of height."""
-SHADE = 0.42
-"""Share of the light in the shadow."""
+SHADOW_PER_M = (0.7, 0.3)  # offset of a point's shadow, metres right and nearer per metre of height
+SHADE = 0.42  # share of the light in the shadow
 EDGE_ON_M = 1e-6
 """Distance from the plane of a side within which the side is seen as a line and not drawn."""
 
@@ -132,44 +126,29 @@ def with_box(
     floor: NDArray[np.float32], pose: ArrayLike, K: ArrayLike, box: Box
 ) -> NDArray[np.float32]:
     """The picture with the box and its shadow, where they are in front of the camera."""
-    rotation, offset = np.asarray(pose, float)[:3, :3], np.asarray(pose, float)[:3, 3]
+    matrix, K = np.asarray(pose, float), np.asarray(K, float)
     picture = floor.copy()
-    _shade(picture, world_to_camera(box.shadow(), pose), np.asarray(K, float))
-    sides = box.seen_from(-rotation.T @ offset)
-    if sides:
-        corners = world_to_camera([box.side(name) for name in sides], pose)
-        _paint(picture, corners, np.asarray(K, float), [LIGHT[name] for name in sides], box.paint)
-    return picture
-
-
-def _shade(picture: NDArray[np.float32], corners: Floats, K: Floats) -> None:
-    rows, columns = _extent(corners, K, picture.shape)
-    share = polygon_coverage(corners, K, rows, columns)
+    shadow = world_to_camera(box.shadow(), pose)
+    rows, columns = _extent(shadow, K, picture.shape)
+    share = polygon_coverage(shadow, K, rows, columns)
     picture[rows, columns] *= (1.0 - (1.0 - SHADE) * share)[..., None]
-
-
-def _paint(
-    picture: NDArray[np.float32],
-    sides: Floats,
-    K: Floats,
-    lights: Sequence[float],
-    paint: Sequence[float],
-) -> None:
-    """Draw sides (M, 4, 3) in the camera frame that do not hide each other.
-
-    They are summed before they are composited, so that the floor is not visible through their
-    seams.
-    """
+    names = box.seen_from(-matrix[:3, :3].T @ matrix[:3, 3])
+    if not names:
+        return picture
+    sides = world_to_camera([box.side(name) for name in names], pose)
     rows, columns = _extent(sides.reshape(-1, 3), K, picture.shape)
     part = picture[rows, columns]
     covered, light = np.zeros((2, *part.shape[:2]), np.float32)
-    for corners, brightness in zip(sides, lights, strict=True):
+    # Sides are summed before they are composited, so that the floor is not visible through their
+    # seams; they do not hide each other.
+    for corners, name in zip(sides, names, strict=True):
         share = polygon_coverage(corners, K, rows, columns)
         covered += share
-        light += np.float32(brightness) * share
+        light += np.float32(LIGHT[name]) * share
     light /= np.maximum(covered, 1.0)
     part *= (1.0 - np.minimum(covered, 1.0))[..., None]
-    part += light[..., None] * np.asarray(paint, np.float32)
+    part += light[..., None] * np.asarray(box.paint, np.float32)
+    return picture
 
 
 def polygon_coverage(

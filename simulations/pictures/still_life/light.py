@@ -10,18 +10,15 @@ from simulations.models.lens.depth_of_field import Layer
 from simulations.models.light.raycasting import Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import shadow_bounds, visibility
-from simulations.pictures.still_life.surfaces import Surface, extent, window_of, within
+from simulations.pictures.still_life.surfaces import Surface, windows_between
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
 """Half of the lamp's angular diameter: the sun's is 0.27°, that of a soft box several degrees."""
-LAMP = np.array([0.86, 0.79, 0.68])
-"""Linear RGB of a white surface that faces the lamp."""
-ROOM = np.array([0.19, 0.22, 0.27])
-"""Light from the surroundings above ..."""
-BOUNCE = np.array([0.13, 0.11, 0.085])
-"""... and from the floor below."""
+LAMP = np.array([0.86, 0.79, 0.68])  # linear RGB of a white surface that faces the lamp
+ROOM = np.array([0.19, 0.22, 0.27])  # light from the surroundings above
+BOUNCE = np.array([0.13, 0.11, 0.085])  # and from the floor below
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,14 +93,10 @@ def _tinted(colour: Floats, strength: Floats) -> Planes:
 
 def _lamp_seen(part: Surface, lamp: Vector) -> Floats:
     """Share of the lamp that the other things do not hide."""
-    seen, reached = np.ones(part.coverage.shape), extent(part.points)
-    for thing in THINGS:
-        if thing is part.thing:
-            continue
-        low, high = shadow_bounds(thing.solid, lamp, LAMP_RADIUS_RAD)
-        if reached.misses(low, high):
-            continue
-        near = window_of(within(part.points, low, high))
+    seen = np.ones(part.coverage.shape)
+    solids = [thing.solid for thing in THINGS if thing is not part.thing]
+    corners = [shadow_bounds(solid, lamp, LAMP_RADIUS_RAD) for solid in solids]
+    for solid, near in zip(solids, windows_between(part.points, corners), strict=True):
         if near is not None:
-            seen[near] *= visibility(thing.solid, part.points[near], lamp, LAMP_RADIUS_RAD)
+            seen[near] *= visibility(solid, part.points[near], lamp, LAMP_RADIUS_RAD)
     return seen

@@ -4,6 +4,7 @@ Nothing here depends on the light.
 """
 
 import math
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,13 +20,7 @@ from simulations.models.light.raycasting import (
     intersect_plane,
 )
 from simulations.models.light.soft_shadows import bounding_radius, sphere_occlusion
-from simulations.pictures.patterns import (
-    band_about,
-    checker,
-    pixel_width,
-    siemens_star,
-    stripes,
-)
+from simulations.pictures.patterns import band_about, checker, pixel_width, siemens_star, stripes
 from simulations.pictures.still_life.things import (
     THINGS,
     WALL_DISTANCE,
@@ -36,12 +31,12 @@ from simulations.pictures.still_life.things import (
     thing_depth,
 )
 
-TILE = 0.5
-"""Edge of a floor tile, metres."""
-TILE_CENTRE = (0.065, 0.25)
-"""Centre of a light tile: x and y, metres."""
-PANEL = 1.0
-"""Spacing of the grooves of the wall panelling, metres."""
+type Window = tuple[slice, slice]
+"""Rows and columns."""
+
+TILE = 0.5  # edge of a floor tile, metres
+TILE_CENTRE = (0.065, 0.25)  # centre of a light tile: x and y, metres
+PANEL = 1.0  # spacing of the grooves of the wall panelling, metres
 CHART = (0.35, 1.12, 1.9, 1.3)
 """Test chart on the wall: x and z of its centre, width, height; metres."""
 
@@ -53,8 +48,7 @@ FLOOR_LIGHT, FLOOR_DARK = np.array([0.60, 0.55, 0.47]), np.array([0.17, 0.13, 0.
 WALL, GROOVE = np.array([0.33, 0.42, 0.43]), np.array([0.20, 0.26, 0.27])
 SKIRTING = np.array([0.62, 0.60, 0.56])
 WALL_PLANE = ((0.0, WALL_DISTANCE, 0.0), (0.0, -1.0, 0.0))
-FLOOR_PLANE = ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
-"""A point of the plane and its normal."""
+FLOOR_PLANE = ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0))  # a point of the plane and its normal
 INK, PAPER = np.array([0.03, 0.03, 0.035]), np.array([0.80, 0.79, 0.76])
 
 
@@ -99,19 +93,12 @@ def _thing_surface(thing: Thing, seen: View) -> Surface | None:
     coverage = edge_coverage(hit.margin) * seen.valid[window]
     if not coverage.any():
         return None
+    normals = _mean_normals(thing.solid, seen.eye, directions, hit.normals)
+    albedo, depth = _thing_albedo(thing, hit.normals), thing_depth(thing) + seen.back
     openness = _sky_seen(hit.points, hit.normals, besides=thing)
-    return Surface(
-        thing=thing,
-        top=window[0].start,
-        left=window[1].start,
-        points=hit.points,
-        normals=_mean_normals(thing.solid, seen.eye, directions, hit.normals),
-        to_eye=-directions,
-        coverage=coverage,
-        albedo=_thing_albedo(thing, hit.normals),
-        openness=openness,
-        depth=np.full(coverage.shape, thing_depth(thing) + seen.back),
-    )
+    (rows, columns), depths = window, np.full(coverage.shape, depth)
+    place = thing, rows.start, columns.start, hit.points
+    return Surface(*place, normals, -directions, coverage, albedo, openness, depths)
 
 
 def _mean_normals(solid: Sphere | Box, eye: Vector, directions: Floats, normals: Floats) -> Floats:
@@ -124,7 +111,7 @@ def _mean_normals(solid: Sphere | Box, eye: Vector, directions: Floats, normals:
     return (facing * np.moveaxis(shares / shares.sum(axis=0), 0, -1)) @ axes
 
 
-def _window(thing: Thing, seen: View) -> tuple[slice, slice] | None:
+def _window(thing: Thing, seen: View) -> Window | None:
     """Rows and columns, with a margin, of the pixels whose rays pass near the thing."""
     to_centre = np.asarray(thing.solid.centre) - seen.eye
     distance = float(np.linalg.norm(to_centre))
@@ -133,7 +120,7 @@ def _window(thing: Thing, seen: View) -> tuple[slice, slice] | None:
     return window_of(near, margin=2)
 
 
-def window_of(mask: Mask, margin: int = 1) -> tuple[slice, slice] | None:
+def window_of(mask: Mask, margin: int = 1) -> Window | None:
     """Rows and columns that hold every true pixel, ``margin`` more and at least two each way."""
     rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     if not rows.size:
@@ -164,47 +151,35 @@ def _mix(first: Floats, second: Floats, share: Floats) -> Planes:
 
 def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> Floats:
     """Share of the surroundings that the things do not hide; boxes count as balls inside them."""
-    openness, reached = np.ones(points.shape[:2]), extent(points)
-    for thing in THINGS:
-        if thing is besides:
-            continue
-        solid = thing.solid
-        radius = solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size)
-        reach = OCCLUSION_REACH * radius
-        low, high = np.subtract(solid.centre, reach), np.add(solid.centre, reach)
-        if reached.misses(low, high):
-            continue
-        near = window_of(within(points, low, high))
+    openness = np.ones(points.shape[:2])
+    solids = [thing.solid for thing in THINGS if thing is not besides]
+    balls = [
+        (np.array(one.centre), one.radius if isinstance(one, Sphere) else 0.6 * min(one.size))
+        for one in solids
+    ]
+    reached = (
+        (at - OCCLUSION_REACH * radius, at + OCCLUSION_REACH * radius) for at, radius in balls
+    )
+    for (centre, radius), near in zip(balls, windows_between(points, reached), strict=True):
         if near is not None:
-            hidden = sphere_occlusion(solid.centre, radius, points[near], normals[near])
+            hidden = sphere_occlusion(tuple(centre.tolist()), radius, points[near], normals[near])
             openness[near] *= 1.0 - np.maximum(hidden - OCCLUSION_REACH**-2, 0.0)
     return openness
 
 
-@dataclass(frozen=True, slots=True)
-class Extent:
-    """The bounding rectangle of a surface, seen from above."""
-
-    low: Floats
-    """(2,) x and y, metres."""
-    high: Floats
-
-    def misses(self, low: Floats, high: Floats) -> bool:
-        """Whether no point is between two corners, as a fast test for all points."""
-        return bool((self.high <= low[:2]).any() or (self.low >= high[:2]).any())
-
-
-def extent(points: Floats) -> Extent:
-    """The bounds of points (H, W, 3)."""
-    across, away = points[..., 0], points[..., 1]
-    low = np.array([across.min(), away.min()])
-    return Extent(low, np.array([across.max(), away.max()]))
-
-
-def within(points: Floats, low: Floats, high: Floats) -> Mask:
-    """(H, W) true where x and y of the points (H, W, 3) are between two corners."""
+def windows_between(
+    points: Floats, corners: Iterable[tuple[Floats, Floats]]
+) -> Iterator[Window | None]:
+    """For each pair of corners (low, high), the rows and columns of the points (H, W, 3) whose x
+    and y are between them. A comparison with the bounds of all points comes first, as it is
+    fast."""
     x, y = points[..., 0], points[..., 1]
-    return (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
+    left, right, front, back = x.min(), x.max(), y.min(), y.max()
+    for low, high in corners:
+        if right <= low[0] or back <= low[1] or left >= high[0] or front >= high[1]:
+            yield None
+        else:
+            yield window_of((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
 
 
 def _wall_and_floor(seen: View) -> tuple[Surface, Surface]:
@@ -233,18 +208,11 @@ def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surfac
     if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor in front of it
         away = np.maximum(WALL_DISTANCE - points[..., 1], 0.0)
         openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))
-    return Surface(
-        thing=None,
-        top=top,
-        left=0,
-        points=points,
-        normals=normals,
-        to_eye=-directions,
-        coverage=share[top:bottom] * seen.valid[top:bottom],
-        albedo=_floor_albedo(points) if plane is FLOOR_PLANE else _wall_albedo(points),
-        openness=openness,
-        depth=depth_along_axis(points) + seen.back,
-    )
+    coverage = share[top:bottom] * seen.valid[top:bottom]
+    albedo = _floor_albedo(points) if plane is FLOOR_PLANE else _wall_albedo(points)
+    depth = depth_along_axis(points) + seen.back
+    place = None, top, 0, points
+    return Surface(*place, normals, -directions, coverage, albedo, openness, depth)
 
 
 def _floor_albedo(points: Floats) -> Planes:

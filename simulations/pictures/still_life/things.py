@@ -51,8 +51,7 @@ THINGS = (
 )
 """The things, nearest first. No two overlap."""
 
-WALL_DISTANCE = 8.0
-"""Distance of the back wall, metres along y."""
+WALL_DISTANCE = 8.0  # distance of the back wall, metres along y
 WALL_HEIGHT = 4.0
 """Height up to which the wall hides the sky from the floor, metres; it is drawn infinitely high."""
 

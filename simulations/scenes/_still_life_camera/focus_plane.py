@@ -9,8 +9,7 @@ from simulations.pictures.still_life.light import LitScene
 HANDLE_TANGENT = 0.095
 """Column of the line's handle, to the right of the axis: a lane of floor that is free up to the
 wall."""
-UP = still_life.WORLD_TO_CAMERA[:3, 2]
-"""The vertical in the camera's frame."""
+UP = still_life.WORLD_TO_CAMERA[:3, 2]  # the vertical in the camera's frame
 
 
 def floor_tangent(depth: float) -> float:

@@ -16,8 +16,7 @@ from simulations.engine.stages import Outputs
 
 HEIGHT_OF_HANDLE = 0.8
 """Place of the handle on the line, as a share of the panel's height from the top."""
-MARGIN = 12.0
-"""Least distance of a name from the line and from the panel's border."""
+MARGIN = 12.0  # least distance of a name from the line and from the panel's border
 
 
 def wiped(left: Raster, right: Raster, share: float) -> Raster:
