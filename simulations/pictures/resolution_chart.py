@@ -32,7 +32,7 @@ def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
     """
     width, height = as_whole("width", width, 1), as_whole("height", height, 1)
     require_positive("focal_px", focal_px)
-    x, y = (np.float32(centred(count) / focal_px) for count in (width, height))
+    x, y = ((centred(count) / focal_px).astype(np.float32) for count in (width, height))
     picture = np.full((height, width, 3), PAPER, np.float32)
     chart = Part(picture, x[None], y[:, None], np.float32(1.0 / focal_px))
     for draw in (_grid, _border, _stars, _line_pairs, _slanted_edge):

@@ -26,7 +26,7 @@ from simulations.pictures.still_life.things import (
     WALL_DISTANCE,
     WALL_HEIGHT,
     Thing,
-    View,
+    WorldRays,
     depth_along_axis,
     thing_depth,
 )
@@ -77,14 +77,14 @@ class Surface:
     """(h, w) metres along the optical axis; one value for a whole thing."""
 
 
-def surfaces(seen: View) -> tuple[Surface, ...]:
+def surfaces(seen: WorldRays) -> tuple[Surface, ...]:
     """Wall and floor, then the things in view from the farthest to the nearest."""
     ordered = sorted(THINGS, key=thing_depth, reverse=True)
     found = (_thing_surface(thing, seen) for thing in ordered)
     return (*_wall_and_floor(seen), *(surface for surface in found if surface is not None))
 
 
-def _thing_surface(thing: Thing, seen: View) -> Surface | None:
+def _thing_surface(thing: Thing, seen: WorldRays) -> Surface | None:
     window = _window(thing, seen)
     if window is None:
         return None
@@ -111,7 +111,7 @@ def _mean_normals(solid: Sphere | Box, eye: Vector, directions: Floats, normals:
     return (facing * np.moveaxis(shares / shares.sum(axis=0), 0, -1)) @ axes
 
 
-def _window(thing: Thing, seen: View) -> Window | None:
+def _window(thing: Thing, seen: WorldRays) -> Window | None:
     """Rows and columns, with a margin, of the pixels whose rays pass near the thing."""
     to_centre = np.asarray(thing.solid.centre) - seen.eye
     distance = float(np.linalg.norm(to_centre))
@@ -182,20 +182,20 @@ def windows_between(
             yield window_of((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
 
 
-def _wall_and_floor(seen: View) -> tuple[Surface, Surface]:
+def _wall_and_floor(seen: WorldRays) -> tuple[Surface, Surface]:
     far = _distance((0, WALL_DISTANCE, 0), (0, -1, 0), seen, seen.directions)
     height = seen.eye[2] + seen.directions[..., 2] * far  # where the ray meets the wall
     above = edge_coverage(height)
     return _backdrop(seen, WALL_PLANE, above), _backdrop(seen, FLOOR_PLANE, 1.0 - above)
 
 
-def _distance(point: Vector, normal: Vector, seen: View, directions: Floats) -> Floats:
+def _distance(point: Vector, normal: Vector, seen: WorldRays, directions: Floats) -> Floats:
     """Distance to a plane, metres (...); 0 where the plane is not visible."""
     distance, meets = intersect_plane(point, normal, seen.eye, directions)
     return np.where(meets, distance, 0.0)
 
 
-def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surface:
+def _backdrop(seen: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> Surface:
     """A plane, given by a point and its normal, in the rows where it is visible."""
     rows = np.flatnonzero((share > 0).any(1))
     top, bottom = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)

@@ -62,7 +62,7 @@ WORLD_TO_CAMERA = pinhole.look_at(EYE, TARGET, (0.0, 0.0, 1.0))
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class WorldRays:
     """The rays of all pixels, in the world."""
 
     directions: Floats
@@ -82,15 +82,15 @@ def eye(back: float = 0.0, right: float = 0.0, down: float = 0.0) -> Vector:
     return (float(x), float(y), float(z))
 
 
-def view(rays_camera: Floats, valid: Mask | None = None, back: float = 0.0) -> View:
+def view(rays_camera: Floats, valid: Mask | None = None, back: float = 0.0) -> WorldRays:
     """``rays_camera`` (H, W, 3) with z = 1, rotated to the world and scaled to unit length."""
     legal = np.ones(rays_camera.shape[:2], bool) if valid is None else valid
-    return View(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal, eye(back), back)
+    return WorldRays(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal, eye(back), back)
 
 
 def view_through(
     rays_camera: Floats, valid: Mask, at: tuple[float, float], focus: float, back: float = 0.0
-) -> View:
+) -> WorldRays:
     """The view from the point ``at`` = (right, down) of the lens, metres from its centre.
 
     Every ray meets the one through the lens's centre at the depth ``focus``, metres, as a thin lens
@@ -98,7 +98,7 @@ def view_through(
     """
     right, down = at
     turned = rays_camera - np.array([right / focus, down / focus, 0.0])
-    return View(_unit(turned) @ WORLD_TO_CAMERA[:3, :3], valid, eye(back, right, down), back)
+    return WorldRays(_unit(turned) @ WORLD_TO_CAMERA[:3, :3], valid, eye(back, right, down), back)
 
 
 def _unit(vectors: Floats) -> Floats:
