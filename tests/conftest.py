@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
-from playwright.sync_api import Browser, expect, sync_playwright
+from playwright.sync_api import Browser, sync_playwright
 from support.built import built_once
 from support.chromium import HOW_TO, find_chromium, find_headless_shell, launch_arguments
 from support.engine import Engine, make_engine
@@ -29,13 +29,18 @@ settings.register_profile(
     "deep", max_examples=1000, deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("repeatable")
-expect.set_options(timeout=30_000)  # a machine that is busy answers late
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
     """One more than there are cores: tests of the browser often wait for it to paint or to rest."""
     return None if "not browser" in config.option.markexpr else (os.cpu_count() or 1) + 1
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Under continuous integration a test may be tried again; that it had to be is a fault."""
+    for report in terminalreporter.stats.get("rerun", ()):
+        terminalreporter.write_line(f"FAULT: it passes or fails by chance: {report.nodeid}")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -85,7 +90,7 @@ def site_server(built_site: Path) -> Iterator[StaticServer]:
 
 @pytest.fixture
 def server(site_server: StaticServer) -> Iterator[StaticServer]:
-    """The served book; what a test damages is whole again after it, and who was gone is back."""
+    """The served book; after a test, its files are whole again and the host is back."""
     yield site_server
     site_server.gone = False
     site_server.damaged.clear()
@@ -94,7 +99,7 @@ def server(site_server: StaticServer) -> Iterator[StaticServer]:
 
 @pytest.fixture(scope="session")
 def whole_browser() -> Path:
-    """For tests of what a browser without a window lacks, such as keeping a page that was left."""
+    """Chromium with a window: others do not keep a page that was left."""
     found = find_chromium()
     assert found, HOW_TO
     return found
@@ -102,7 +107,7 @@ def whole_browser() -> Path:
 
 @pytest.fixture(scope="session")
 def launch(whole_browser: Path) -> Iterator[Callable[..., Browser]]:
-    """Starts a browser with these arguments beside those that it needs."""
+    """Start a browser with these arguments beside those that it needs."""
     usual = {"executable_path": find_headless_shell() or whole_browser}
     with sync_playwright() as playwright:
         yield lambda *arguments, **options: playwright.chromium.launch(
@@ -118,8 +123,8 @@ def chromium(launch: Callable[..., Browser]) -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def brisk_chromium(launch: Callable[..., Browser]) -> Iterator[Browser]:
-    """Starts the interpreter with a third less work, and is slower ever after: it compiles
-    WebAssembly once, and not again to have it faster."""
+    """It starts the interpreter with a third less work and is slower afterwards: WebAssembly is
+    compiled once, and not again to run faster."""
     with launch("--js-flags=--liftoff-only") as browser:
         yield browser
 
@@ -140,10 +145,9 @@ def long_visit(chromium: Browser, site_server: StaticServer) -> Iterator[Reader]
 
 @pytest.fixture
 def visitor(long_visit: Reader) -> Iterator[Reader]:
-    """A reader who has been here for a while: the interpreter runs, and the page has no figure.
+    """A reader in the middle of a visit: the interpreter runs, and the page has no figure.
 
-    For tests that leave nothing behind but what goes when the page is turned, what the browser
-    keeps for the book, and the size of its window.
+    For tests that change no more than the page, the storage and the size of the window.
     """
     long_visit.page.set_viewport_size(DESK)
     long_visit.turn_to("lecture-plan/", live=False)  # the lightest page

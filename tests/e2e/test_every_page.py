@@ -1,14 +1,15 @@
-"""What holds on every page: looked at in one walk through the book, at each width in turn."""
+"""Rules for every page, checked in one walk through the book at a desk, on a phone and on paper."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, ViewportSize
 from support.page_scripts import SILENT_WORKER
-from support.reader import PHONE, Reader, visit
+from support.reader import DESK, PHONE, Reader, visit
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
@@ -21,7 +22,7 @@ LARGER_LETTERS = """html { font-size: 34px !important; }"""
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """What must not be found on a page: a script that lists it, and what the script is told."""
+    """A fault that no page may have: a script that lists its places, and the script's argument."""
 
     wrong: str
     script: str
@@ -48,7 +49,7 @@ OUT_OF_REACH = """async () => {
   for (let left = 300; left && found().length; left -= 1) await new Promise(requestAnimationFrame);
   return found();
 }"""
-"""Scripts make it reachable, once the window has its size."""
+"""Scripts make it reachable once the window has its size."""
 COVERED = """() => {
   const side = document.querySelector('#contents').getBoundingClientRect();
   const shown = [...document.querySelectorAll('main figure, main .equation, main .table-wrapper')];
@@ -77,7 +78,7 @@ UNSAID = """() => [...document.querySelectorAll(
     "canvas.live, :is(a, label, .asked, button, h1, h2, h3, figcaption, [id$=-caption]) math")]
   .filter((thing) => !(thing.ariaLabel ?? thing.getAttribute("aria-labelledby")))
   .map((thing) => thing.parentElement.textContent.slice(0, 60))"""
-"""Pictures, and formulae in names; axe asks it of what else has a name."""
+"""Pictures, and formulae within names; axe checks the other names."""
 OUTSIDE = """() => {
   const outside = [];
   for (const figure of document.querySelectorAll("simulation-figure")) {
@@ -125,6 +126,59 @@ MOVED = """() => {
 }"""
 
 
+TOUCH_ON_PURPOSE = ["figure-perspective-projection top: x × (point)"]
+"""There the point is about to cross the plane."""
+TOUCHING = """(known) => {
+  const found = new Set();
+  const box = (text) => {
+    const {left, right, top, bottom} = text.getBoundingClientRect();
+    const air = 0.2 * (bottom - top);
+    return {left: left - 1, right: right + 1, top: top + air, bottom: bottom - air};
+  };
+  const overlap = (a, b) =>
+    a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+  for (const view of document.querySelectorAll('simulation-figure .panel-view')) {
+    const panel = view.getBoundingClientRect();
+    const of = `${view.closest('figure').id} ${view.closest('.panel').dataset.panel}: `;
+    const texts = [...view.querySelectorAll('svg.overlay text')]
+      .filter((text) => text.textContent.trim() && getComputedStyle(text).opacity !== '0')
+      .map((text) => ({words: text.textContent, ...box(text)}));
+    const marks = [...view.querySelectorAll('.handle:not(.drag, .aim, [hidden])')]
+      .map((mark) => {
+        const share = (name) => Number.parseFloat(mark.style.getPropertyValue(name)) / 100;
+        const x = panel.left + share('--x') * panel.width;
+        const y = panel.top + share('--y') * panel.height;
+        return {words: `(${mark.dataset.handle})`,
+                left: x - 10, right: x + 10, top: y - 10, bottom: y + 10};
+      });
+    texts.forEach((text, index) => {
+      for (const other of [...texts.slice(index + 1), ...marks]) {
+        if (overlap(text, other)) found.add(`${of}${text.words} × ${other.words}`);
+      }
+      if (text.left < panel.left - 2 || text.right > panel.right + 2 ||
+          text.top < panel.top - 1 || text.bottom > panel.bottom + 1) {
+        found.add(`${of}${text.words} is cut`);
+      }
+    });
+  }
+  return [...found].filter((one) => !known.includes(one));
+}"""
+"""Letters need a fifth of their line above and below them less than it has."""
+
+
+FAR = """(most) => {
+  const panels = document.querySelector('simulation-figure .panels');
+  const far = panels ? panels.getBoundingClientRect().top + scrollY : 0;
+  return far > most ? [far] : [];
+}"""
+UNORDERED = """() => [...document.querySelectorAll('.figure-caption')].filter((caption) => {
+  const panels = caption.closest('figure').querySelector('.panels');
+  const above = caption.getBoundingClientRect().top < panels.getBoundingClientRect().top;
+  return above !== Boolean(caption.compareDocumentPosition(panels) & 4);
+}).map((caption) => caption.id)"""
+"""A page that is still arriving would push its figures down."""
+
+
 def fits(width: int) -> list[Look]:
     return [
         Look("the page is wider", WIDER, width),
@@ -135,9 +189,13 @@ def fits(width: int) -> list[Look]:
 REACH = Look("scrolls, but not by keyboard", OUT_OF_REACH)
 LABELS = Look("a label is too small", SMALL_LABELS, 12.5)
 LONGEST = Look("a value at its longest is cut, or moves what is around it", MOVED)
+TOUCHING_LABELS = Look("a label touches another, a handle or an edge", TOUCHING, TOUCH_ON_PURPOSE)
+TOO_FAR = "the first figure is more than two screens away"
 AT_A_DESK = {
     1440: [
-        *(*fits(1440), REACH, LABELS),
+        *(*fits(1440), REACH, LABELS, TOUCHING_LABELS),
+        Look(TOO_FAR, FAR, 2 * 900),
+        Look("a caption stands elsewhere than in the source", UNORDERED),
         Look("a leading picture is small", SMALL_LEADS),
         Look("has no name for a screen reader", UNSAID),
     ],
@@ -148,6 +206,7 @@ AT_A_DESK = {
 }
 BY_PHONE = {
     390: [
+        *(TOUCHING_LABELS, Look(TOO_FAR, FAR, 2 * 844)),
         Look("a label is too small", SMALL_LABELS, 10.5),
         Look("not on one screen: two panels, or one and the controls", OUTSIDE),
         Look("too small for a finger", TOO_SMALL),
@@ -171,7 +230,7 @@ def found(reader: Reader, looks: Iterable[Look], where: str) -> Iterator[str]:
 
 @pytest.fixture
 def desk(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    """A reader to whom Python never answers: controls are there, and move nothing."""
+    """A reader whose Python never answers: controls are there, and move nothing."""
     with visit(brisk_chromium, site_server, SILENT_WORKER) as someone:
         yield someone
     someone.assert_no_complaints()
@@ -179,7 +238,7 @@ def desk(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]
 
 @pytest.fixture
 def phone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    """Likewise with a telephone."""
+    """The same with a telephone."""
     options = {"viewport": PHONE, "has_touch": True, "is_mobile": True}
     with visit(brisk_chromium, site_server, SILENT_WORKER, **options) as someone:
         yield someone
@@ -187,7 +246,7 @@ def phone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader
 
 
 def walk(reader: Reader, book: Any, asked: Mapping[int, Iterable[Look]]) -> list[str]:
-    """What is wrong on any page, at these widths."""
+    """Faults of all pages at these widths."""
     wrong: list[str] = []
     for address in reader.leaf_through(pages(book)):
         for width, looks in asked.items():
@@ -210,12 +269,36 @@ def test_every_page_fits_other_widths(desk: Reader, book: Any) -> None:
     assert walk(desk, book, {1920: [LABELS], **others, 390: [*fits(390), LONGEST]}) == []
 
 
-def test_on_paper_there_is_nothing_to_press_and_nothing_shut(desk: Reader) -> None:
-    desk.page.emulate_media(media="print")
-    wrong: list[str] = []
+RIGHT_EDGES = """table => [...table.querySelectorAll("tr")]
+  .map(row => [...row.querySelectorAll(".number")]
+    .filter(cell => cell.getClientRects().length)
+    .map(cell => Math.round(cell.getBoundingClientRect().right)))
+  .filter(row => row.length)"""
+
+
+def test_paper_shows_everything_and_no_controls_and_asks_what_was_answered(desk: Reader) -> None:
+    page, wrong = desk.page, []
+    page.emulate_media(media="print")
     for address in desk.leaf_through(PRINTED):
         wrong += found(desk, ON_PAPER, address)
     assert wrong == []
+    page.emulate_media(media="screen")
+    desk.turn_to("lens-distortion/", live=False)
+    question = page.locator("form.quiz[data-kind=single]").first
+    question.locator("input[name=answer]").first.check()
+    question.locator("button[type=submit]").click()
+    assert question.locator(".feedback").is_visible()
+    page.emulate_media(media="print")
+    assert not question.locator(".feedback").is_visible()
+    assert question.locator(".option:visible").count() > 1
+    desk.turn_to("speed-and-accuracy/", live=False)
+    page.set_viewport_size({"width": 640, "height": 900})  # an A4 page within its margins
+    tables = page.locator(".ladder table")
+    assert tables.count()
+    for table in tables.all():
+        errors, times, *rows = table.evaluate(RIGHT_EDGES)
+        assert rows
+        assert rows == [errors + times] * len(rows), "numbers stand below their headings"
 
 
 @pytest.mark.deep
@@ -238,4 +321,89 @@ def test_no_chapter_scrolls_sideways_with_letters_twice_as_large(
     for address in plain_reader.leaf_through(pages(book)):
         plain_reader.page.add_style_tag(content=LARGER_LETTERS)
         wrong += found(plain_reader, [Look("the page is wider", WIDER, 390)], address)
+    assert wrong == []
+
+
+AXE_CORE = (files("axe_playwright_python") / "axe.min.js").read_text(encoding="utf-8")
+VIOLATIONS = """async ({only, but, within}) => {
+  await document.fonts.ready;
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const rules = Object.fromEntries((but ?? []).map((name) => [name, {enabled: false}]));
+  const runOnly = only && {type: 'rule', values: only};
+  const found = await axe.run(within ?? document, {resultTypes: ['violations'], rules, runOnly});
+  return found.violations.filter(({impact}) => impact !== 'minor').map(({id, nodes}) =>
+    `${id}: ${nodes.map(({html}) => html.slice(0, 160)).join(' ')}`);
+}"""
+ALL = {"but": ["scrollable-region-focusable"]}
+"""`OUT_OF_REACH` finds what scrolls and is not reached by keyboard."""
+NARROW = {
+    "only": [
+        *("aria-hidden-focus", "button-name", "color-contrast", "label"),
+        *("nested-interactive", "select-name", "summary-name", "target-size"),
+    ]
+}
+"""What may differ where other things are shown."""
+CONTRAST = {"only": ["color-contrast"]}
+OTHERS = (
+    "class/",  # which the title page alone links to
+    "glossary/",
+    "symbols/",
+    "references/",
+    "index-of-terms/",
+    "lecture-plan/",
+    "licences/",
+)
+"""Lists of text, the same on a phone."""
+
+
+def violations(reader: Reader, scheme: Any, screen: ViewportSize, asked: Any) -> list[str]:
+    """Violations on the page that is shown, in a light or dark theme."""
+    page = reader.page
+    page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # nothing half faded
+    page.set_viewport_size(screen)
+    if not page.evaluate("'axe' in globalThis"):
+        page.evaluate(AXE_CORE)
+    return list(page.evaluate(VIOLATIONS, asked))
+
+
+@pytest.mark.deep
+def test_no_page_shuts_readers_out(plain_reader: Reader, book: Any) -> None:
+    urls = [chapter["url"] for chapter in book["chapters"]]
+    assert_accessible(plain_reader, ["", *OTHERS, *urls])
+    plain_reader.turn_to(urls[-1], live=False)
+    assert violations(plain_reader, "dark", DESK, CONTRAST) == [], "which no phone shows"
+
+
+def test_a_chapter_shuts_no_reader_out(plain_reader: Reader) -> None:
+    assert_accessible(plain_reader, ["why-image-formation/"])
+
+
+def assert_accessible(plain_reader: Reader, addresses: Iterable[str]) -> None:
+    for address in plain_reader.leaf_through(addresses):
+        assert violations(plain_reader, "light", DESK, ALL) == [], address
+        screen, rules = (DESK, CONTRAST) if address in OTHERS else (PHONE, NARROW)
+        assert violations(plain_reader, "dark", screen, rules) == [], f"{address}, dark"
+
+
+def test_a_live_figure_shuts_no_reader_out(visitor: Reader) -> None:
+    visitor.turn_to("lens-distortion/")
+    visitor.unfold(visitor.figure("lens-distortion"))
+    assert violations(visitor, "light", DESK, {**ALL, "within": "simulation-figure"}) == []
+    visitor.page.emulate_media(color_scheme="null", reduced_motion="null")
+
+
+ROOTS = """(least) => [...document.querySelectorAll('msqrt')].filter((root) => {
+  const inside = [...root.children].map((child) => child.getBoundingClientRect());
+  const width = Math.max(...inside.map((box) => box.right))
+    - Math.min(...inside.map((box) => box.left));
+  const sign = root.getBoundingClientRect().width - width;
+  return root.checkVisibility() && sign < least * parseFloat(getComputedStyle(root).fontSize);
+}).map((root) => root.textContent)"""
+
+
+@pytest.mark.deep
+def test_every_root_of_the_book_has_its_sign(plain_reader: Reader, book: Any) -> None:
+    wrong: list[str] = []
+    for address in plain_reader.leaf_through(pages(book)):
+        wrong += found(plain_reader, [Look("a root has no sign", ROOTS, 0.5)], address)
     assert wrong == []

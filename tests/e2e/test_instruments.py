@@ -1,7 +1,8 @@
-"""The reader's photographs go into an instrument, and its results come out."""
+"""The reader's photographs go into the instruments of a page; the results are those of CPython."""
 
 import io
 import json
+from base64 import b64encode
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -10,17 +11,36 @@ import numpy as np
 import pytest
 from PIL import Image
 from playwright.sync_api import Locator, expect
-from support.edges import gaussian_edge
+from support.dng import dng
+from support.edges import gaussian_edge, gaussian_half
+from support.engines import ENGINES, HOW_TO
+from support.engines.engine import Engine, wait_for
+from support.noise_files import (
+    BLACK,
+    PHOTOGRAPHS,
+    RAW,
+    dng_files,
+    sheet_of_photographs,
+    sheet_of_raw,
+)
 from support.reader import Reader
+from support.static_server import StaticServer
 
+from simulations.engine.controls import PointLists
 from simulations.engine.photograph import Codes, Photograph
+from simulations.engine.raster import to_rgba8
+from simulations.engine.reading import Reading
 from simulations.engine.stages import StageCache
+from simulations.models.color.srgb import encode_srgb
+from simulations.pictures.checker_room import checker_room
 from simulations.registry import load_scene
+from simulations.scenes.calibration.boards import rendered
+from simulations.scenes.single_view.results import as_json
+from simulations.scenes.single_view.room import CORNER, FOCAL_PX, SIZE
 
 pytestmark = pytest.mark.browser
 
 PAGE = "measure-your-camera/"
-SCENE = "slanted-edge"
 
 
 def edge(angle_deg: float, sigma_px: float) -> Codes:
@@ -32,14 +52,16 @@ def edge(angle_deg: float, sigma_px: float) -> Codes:
 EDGES = {"soft.png": edge(5.0, 1.2), "sharp.png": edge(-4.0, 0.7)}
 
 
-@pytest.fixture
-def files(tmp_path: Path) -> list[Path]:
-    """Two photographs, and two files that are none."""
-    for name, codes in EDGES.items():
-        Image.fromarray(codes).save(tmp_path / name)
-    Image.new("RGB", (1, 1)).save(tmp_path / "dot.png")
-    (tmp_path / "phone.heic").write_bytes(b"\0\0\0\x18ftypheic" + bytes(64))
-    return [tmp_path / name for name in (*EDGES, "dot.png", "phone.heic")]
+def png(codes: Codes) -> bytes:
+    file = io.BytesIO()
+    Image.fromarray(codes).save(file, "PNG")
+    return file.getvalue()
+
+
+def saved(folder: Path, contents: dict[str, bytes]) -> list[Path]:
+    for name, content in contents.items():
+        (folder / name).write_bytes(content)
+    return [folder / name for name in contents]
 
 
 class Instrument:
@@ -48,14 +70,28 @@ class Instrument:
     def __init__(self, reader: Reader, scene: str) -> None:
         self.reader = reader
         self.figure = reader.page.locator(f"simulation-figure[data-simulation={scene}]")
-        self.box = reader.page.locator("figure", has=self.figure).locator(".intake")
+        self.whole = reader.page.locator("figure", has=self.figure)
+        self.box = self.whole.locator(".intake")
+        self.said = self.box.locator(".intake-said")
         self.photographs = self.box.locator(".intake-photo")
+        reader.bring(self.box)
+        reader.settle(self.figure)
+
+    def give(self, files: Sequence[Path]) -> None:
+        self.box.locator("input[type=file]").set_input_files(files)
 
     def add(self, files: Sequence[Path]) -> None:
-        reader, frames = self.reader, self.reader.frames(self.figure)
-        self.box.locator("input[type=file]").set_input_files(files)
-        reader.wait_frame(self.figure, frames)
-        expect(self.box.locator(".intake-said")).to_contain_text("ready")
+        with self.reader.next_frame(self.figure):
+            self.give(files)
+        expect(self.said).to_contain_text("ready")
+
+    def click(self, button: Locator) -> None:
+        """Click, and wait for the frame that this makes."""
+        with self.reader.next_frame(self.figure):
+            button.click()
+
+    def clear(self) -> None:
+        self.box.locator(".intake-clear").click()
 
     def states(self) -> list[str]:
         return [one.get_attribute("data-state") or "" for one in self.photographs.all()]
@@ -63,172 +99,343 @@ class Instrument:
     def readout(self, name: str) -> Locator:
         return self.figure.locator(f"output[name={name}]")
 
+    def sheet(self) -> Any:
+        """The data sheet's part on the one instrument that is used, saved as JSON."""
+        page = self.reader.page
+        with page.expect_download() as download:
+            page.locator(".data-sheet").get_by_role("button", name="Save as JSON").click()
+        text = download.value.path().read_text(encoding="utf-8")
+        (part,) = json.loads(text)["instruments"]
+        return {**part, "lines": [[line["label"], line["text"]] for line in part["lines"]]}
+
 
 @pytest.fixture
 def instrument(reader: Reader) -> Instrument:
     reader.open(PAGE)
-    found = Instrument(reader, SCENE)
-    reader.bring(found.box)
-    reader.settle(found.figure)
-    return found
+    return Instrument(reader, "slanted-edge")
 
 
-def saved_part(instrument: Instrument) -> dict[str, Any]:
-    """What the data sheet, saved as JSON, says of the one instrument that is used."""
-    page = instrument.reader.page
-    with page.expect_download() as saved:
-        page.locator(".data-sheet").get_by_role("button", name="Save as JSON").click()
-    (part,) = json.loads(saved.value.path().read_text(encoding="utf-8"))["instruments"]
-    return {**part, "lines": [(line["label"], line["text"]) for line in part["lines"]]}
+def edge_files(folder: Path) -> list[Path]:
+    """Two photographs, and two files that are none."""
+    dot = png(np.zeros((1, 1, 3), np.uint8))
+    heic = b"\0\0\0\x18ftypheic" + bytes(64)
+    edges = {name: png(codes) for name, codes in EDGES.items()}
+    return saved(folder, {**edges, "dot.png": dot, "phone.heic": heic})
 
 
-def measured(name: str, given: dict[str, Any]) -> list[tuple[str, str]]:
+def measured(name: str, given: dict[str, Any]) -> list[list[str]]:
     """The lines of the data sheet by this Python."""
-    scene, codes = load_scene(SCENE), EDGES[name]
+    scene, codes = load_scene("slanted-edge"), EDGES[name]
     facts = {"full_width": codes.shape[1], "full_height": codes.shape[0]}
     settings, own = scene.check(given), Photograph(1, codes, name, facts)
     outputs = scene.run(settings, "", StageCache(), own).outputs
     assert scene.sheet
-    return [(line.label, line.text) for line in scene.sheet(settings, outputs)]
+    return [[line.label, line.text] for line in scene.sheet(settings, outputs)]
 
 
-def test_photographs_go_in_the_data_sheet_comes_out_and_the_book_s_picture_after_the_last(
-    instrument: Instrument, files: list[Path], tmp_path: Path
+def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_reload(
+    instrument: Instrument, tmp_path: Path
 ) -> None:
-    """Then a file with damaged notes of the camera is measured, and one that is here already is
-    named."""
-    reader, figure = instrument.reader, instrument.figure
+    """What is kept is gone once it is not kept any more; a photograph that was being read when the
+    page was left is read then."""
+    reader, figure, box = instrument.reader, instrument.figure, instrument.box
+    photographs, said = instrument.photographs, instrument.said
     before = instrument.readout("measured").inner_text()
+    files = edge_files(tmp_path)
     instrument.add(files)
     assert instrument.states() == ["ready", "ready", "refused", "refused"]
-    expect(instrument.photographs.nth(2)).to_contain_text("it needs at least 16 each way")
-    expect(instrument.photographs.nth(3)).to_contain_text("Use JPEG or PNG")
-    expect(instrument.box.locator(".intake-said")).to_contain_text("2 are refused")
+    expect(photographs.nth(2)).to_contain_text("it needs at least 16 each way")
+    expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
+    expect(said).to_contain_text("2 are refused")
     expect(reader.page.locator(".data-sheet tbody")).to_contain_text("soft.png")
-    frames = reader.frames(figure)
-    figure.get_by_role("button", name="Keep this place").click()
-    reader.wait_frame(figure, frames)
-    part = saved_part(instrument)
+    instrument.click(figure.get_by_role("button", name="Keep this place"))
+    part = instrument.sheet()
     assert part["photographs"] == ["soft.png"]
     assert part["settings"]["kept"]
     assert part["lines"] == measured("soft.png", part["settings"])
-
     soft = instrument.readout("measured").inner_text()
-    frames = reader.frames(figure)
-    instrument.photographs.nth(1).locator(".intake-look").click()
-    reader.wait_frame(figure, frames)
+    instrument.click(photographs.nth(1).locator(".intake-look"))
     assert float(instrument.readout("measured").inner_text()) > float(soft)
-    frames = reader.frames(figure)
-    instrument.photographs.nth(1).locator(".intake-remove").click()
-    reader.wait_frame(figure, frames)
+    instrument.click(photographs.nth(1).locator(".intake-remove"))
     expect(instrument.readout("measured")).to_have_text(soft)
-    frames = reader.frames(figure)
-    instrument.box.locator(".intake-clear").click()
-    reader.wait_frame(figure, frames)
+    instrument.click(box.locator(".intake-clear"))
     expect(instrument.readout("measured")).to_have_text(before)
-    expect(instrument.photographs).to_have_count(0)
+    expect(photographs).to_have_count(0)
     damaged = tmp_path / "damaged.jpg"
     beyond = b"Exif\0\0II*\0\xff\xff\xff\xff"  # where its directory would begin
     Image.fromarray(EDGES["soft.png"]).save(damaged, quality=95, exif=beyond)
     instrument.add([damaged])
-    assert instrument.states() == ["ready"]
-    instrument.box.locator("input[type=file]").set_input_files([damaged, files[0]])
-    expect(instrument.photographs).to_have_count(2)
-    said = instrument.box.locator(".intake-said")
+    instrument.give([damaged, files[0]])
+    expect(photographs).to_have_count(2)
     expect(said).to_have_text("2 of 2 photographs are ready. “damaged.jpg” is here already.")
-    instrument.box.locator(".intake-clear").click()
-    reading_stops_and_goes_on(instrument, tmp_path)
+    instrument.clear()
 
+    many = saved(tmp_path, dict.fromkeys([f"{number}.png" for number in range(8)], noise()))
+    instrument.give(many)
+    box.get_by_role("button", name="Stop").click()
+    expect(said).to_have_text("Stopped. What is ready stays.")
+    expect(box.locator("[data-state=reading]")).to_have_count(0)
+    assert "waiting" in instrument.states()
+    box.get_by_role("button", name="Continue").click()
+    expect(said).to_have_text("8 of 8 photographs are ready.")
+    instrument.clear()
 
-def test_what_is_kept_is_there_again_after_a_reload_and_gone_once_it_is_not_kept(
-    instrument: Instrument, files: list[Path], tmp_path: Path
-) -> None:
-    """A photograph that was being read when the page was left is read then."""
-    reader = instrument.reader
     instrument.add(files)
-    soft = instrument.readout("measured").inner_text()
-    keep = instrument.box.get_by_label("Keep on this device")
+    keep = box.get_by_label("Keep on this device")
     keep.check()
     wait_stored(reader, 4)
     reader.open(PAGE)
-    expect(instrument.photographs).to_have_count(4)
+    expect(photographs).to_have_count(4)
     assert instrument.states() == ["ready", "ready", "refused", "refused"]
     expect(instrument.readout("measured")).to_have_text(soft)
     keep.uncheck()
     wait_stored(reader, 0)
     reader.open(PAGE)
-    expect(instrument.photographs).to_have_count(0)
-    path = tmp_path / "large.png"
-    path.write_bytes(noise())
+    expect(photographs).to_have_count(0)
     # The browser is slow to open the picture.
     reader.page.evaluate("() => { createImageBitmap = () => new Promise(() => {}); }")
-    instrument.box.locator("input[type=file]").set_input_files(path)
-    expect(instrument.photographs).to_have_attribute("data-state", "reading")
+    instrument.give(many[:1])
+    expect(photographs).to_have_attribute("data-state", "reading")
     keep.check()
     wait_stored(reader, 1)
     reader.open(PAGE)
-    expect(instrument.photographs).to_have_attribute("data-state", "ready")
+    expect(photographs).to_have_attribute("data-state", "ready")
+
+
+def noise() -> bytes:
+    return png(np.random.default_rng(2).integers(0, 256, (1500, 2000, 3), np.uint8))
 
 
 def wait_stored(reader: Reader, count: int) -> None:
-    """Until the browser keeps so many photographs."""
-    for _ in range(200):
-        if reader.page.evaluate(STORED) == count:
-            return
-        reader.page.wait_for_timeout(50)
-    pytest.fail(f"{reader.page.evaluate(STORED)} photographs are stored")
+    """Wait until the browser keeps so many photographs."""
+    reader.page.evaluate(STORES, count)
 
 
-STORED = """async () => {
-  const names = (await indexedDB.databases()).map(({ name }) => name);
-  const name = names.find((name) => name.endsWith('photographs'));
-  if (!name) return 0;
-  const database = await new Promise((resolve) => {
-    indexedDB.open(name).onsuccess = ({ target }) => resolve(target.result);
-  });
-  const request = database.transaction('photographs').objectStore('photographs').count();
-  return new Promise((resolve) => {
-    request.onsuccess = () => { database.close(); resolve(request.result); };
-  });
+STORES = """async (count) => {
+  const stored = async () => {
+    const names = (await indexedDB.databases()).map(({ name }) => name);
+    const name = names.find((name) => name.endsWith('photographs'));
+    if (!name) return 0;
+    const database = await new Promise((resolve) => {
+      indexedDB.open(name).onsuccess = ({ target }) => resolve(target.result);
+    });
+    const request = database.transaction('photographs').objectStore('photographs').count();
+    return new Promise((resolve) => {
+      request.onsuccess = () => { database.close(); resolve(request.result); };
+    });
+  };
+  while (await stored() !== count) await new Promise((resolve) => setTimeout(resolve, 20));
 }"""
 
 
 def test_without_storage_photographs_are_measured_all_the_same(
-    reader: Reader, files: list[Path]
+    reader: Reader, tmp_path: Path
 ) -> None:
     reader.page.add_init_script("delete IDBFactory.prototype.open")
     reader.open(PAGE)
-    instrument = Instrument(reader, SCENE)
-    reader.settle(instrument.figure)
-    instrument.add(files)
+    instrument = Instrument(reader, "slanted-edge")
+    instrument.add(edge_files(tmp_path))
     keep = instrument.box.get_by_label("Keep on this device")
     keep.click()
-    expect(instrument.box.locator(".intake-said")).to_contain_text("keeps no photographs")
+    expect(instrument.said).to_contain_text("keeps no photographs")
     expect(keep).not_to_be_checked()
     assert instrument.states()[0] == "ready"
-    frames = reader.frames(instrument.figure)
-    instrument.photographs.nth(1).locator(".intake-look").click()
-    reader.wait_frame(instrument.figure, frames)
-    expect(instrument.box.locator(".intake-said")).to_contain_text("ready")
-    expect(instrument.box.locator(".intake-said")).to_contain_text("keeps no photographs")
+    instrument.click(instrument.photographs.nth(1).locator(".intake-look"))
+    expect(instrument.said).to_contain_text("ready")
+    expect(instrument.said).to_contain_text("keeps no photographs")
 
 
-def noise() -> bytes:
-    buffer = io.BytesIO()
-    codes = np.random.default_rng(2).integers(0, 256, (1500, 2000, 3), np.uint8)
-    Image.fromarray(codes).save(buffer, "PNG")
-    return buffer.getvalue()
+def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
+    reader: Reader, tmp_path: Path
+) -> None:
+    """From too few boards no file can be made; the interpreter that reads them ends after it."""
+    requests = reader.note_requests(".wasm")
+    reader.open(PAGE)
+    page = reader.page
+    calibration = Instrument(reader, "calibration")
+    boards = [np.repeat(rendered(index), 3, axis=-1) for index in range(4)]
+    shots = [*boards, np.full_like(boards[0], 120)]
+    files = saved(tmp_path, {f"board {k}.png": png(codes) for k, codes in enumerate(shots)})
+    make = calibration.whole.get_by_role("button", name="JSON", exact=True)
+    calibration.give(files[:1])
+    expect(calibration.readout("focal")).to_have_text("not determined")
+    make.click()
+    said = calibration.whole.locator(".made-files-said")
+    expect(said).to_contain_text(": At least 3 photographs")
+    calibration.clear()
+    expect(said).to_have_text("")
+    calibration.give(files)
+    expect(calibration.said).to_contain_text("4 of 5")
+    expect(calibration.photographs.last).to_contain_text("No chequerboard found")
+    expect(calibration.readout("supported")).not_to_have_text("")
+    with page.expect_download() as download:
+        make.click()
+    theirs = json.loads(download.value.path().read_text(encoding="utf-8"))
+    ours = calibrated(boards)
+    assert [one["name"] for one in theirs["photographs"]] == [file.name for file in files[:4]]
+    for part in ("camera", "standard_errors"):
+        assert theirs[part] == pytest.approx(ours[part], rel=1e-6, abs=1e-9)
+    assert len(page.workers) == 1
+    calibration.clear()
+
+    transfer = Instrument(reader, "photon-transfer")
+    uneven = PHOTOGRAPHS[2].copy()
+    uneven[:, 90:] //= 2
+    pairs = [*PHOTOGRAPHS, uneven]
+    files = saved(tmp_path, {f"{k}.png": png(codes) for k, codes in enumerate(pairs)})
+    transfer.give(files)
+    expect(transfer.said).to_contain_text(f"{len(PHOTOGRAPHS)} of {len(files)}")
+    expect(transfer.photographs.last).to_contain_text("not evenly lit")
+    expect(transfer.readout("gain_true")).to_contain_text("unknown")
+    expect(page.locator(".data-sheet tbody")).to_contain_text("Conversion gain")
+    assert transfer.sheet()["lines"] == sheet_of_photographs()
+    assert not any("libraw" in url for url in requests)
+    transfer.clear()
+    raw = dng_files()
+    cut = [*raw, raw[0][:5000]]
+    transfer.give(saved(tmp_path, {f"{k}.dng": data for k, data in enumerate(cut)}))
+    expect(transfer.said).to_contain_text(f"{len(RAW)} of {len(cut)} photographs are ready")
+    expect(transfer.photographs.last).to_contain_text("damaged or cut off")
+    expect(page.locator(".data-sheet tbody")).to_contain_text("green, row 0")
+    reader.settle(transfer.figure)
+    assert any("libraw" in url for url in requests)
+    assert transfer.sheet()["lines"] == sheet_of_raw()
+
+    # The other instruments get the developed picture, which clips no white.
+    light = 0.05 + 0.85 * gaussian_edge(360, 480, 5.0, 1.0)
+    grain = np.random.default_rng(2).normal(0.0, 3.0, light.shape)
+    cells = np.rint(64 + 4031 * light + grain).astype(np.uint16)
+    slanted = Instrument(reader, "slanted-edge")
+    slanted.give(saved(tmp_path, {"edge.dng": dng(cells, black=BLACK[:1])}))
+    expect(slanted.said).to_contain_text("1 of 1 photograph is ready")
+    reader.settle(slanted.figure)
+    per_px = slanted.readout("per_px").inner_text().split()[0]
+    assert float(per_px) == pytest.approx(gaussian_half(1.0), rel=0.01)
 
 
-def reading_stops_and_goes_on(instrument: Instrument, folder: Path) -> None:
-    content, many = noise(), [folder / f"{number}.png" for number in range(8)]
-    for path in many:
-        path.write_bytes(content)
-    instrument.box.locator("input[type=file]").set_input_files(many)
-    instrument.box.get_by_role("button", name="Stop").click()
-    said = instrument.box.locator(".intake-said")
-    expect(said).to_have_text("Stopped. What is ready stays.")
-    expect(instrument.box.locator("[data-state=reading]")).to_have_count(0)
-    assert "waiting" in instrument.states()
-    instrument.box.get_by_role("button", name="Continue").click()
-    expect(said).to_have_text("8 of 8 photographs are ready.")
+def calibrated(boards: Sequence[Codes]) -> dict[str, Any]:
+    """The JSON file by this Python."""
+    scene = load_scene("calibration")
+    assert scene.read
+    readings = tuple(
+        Reading(index, f"board {index}.png", scene.read(Photograph(index, codes)))
+        for index, codes in enumerate(boards)
+    )
+    settings = scene.check({"photographs": 20, "lens": "k1k2"})
+    outputs = scene.run(settings, "", StageCache(), None, readings).outputs
+    (made,) = (export for export in scene.exports if export.suffix == ".json")
+    read: dict[str, Any] = json.loads(made.make(settings, outputs))
+    return read
+
+
+def test_lines_are_drawn_by_hand_and_by_keys_taken_back_and_measured_as_in_cpython(
+    visitor: Reader, book: Any, tmp_path: Path
+) -> None:
+    keyboard, figure = visitor.page.keyboard, visitor.turn_to_figure(book, "single-view")
+    field = figure.locator("input[name=lines]")
+
+    def lists() -> PointLists:
+        return PointLists.from_text(field.input_value())
+
+    def press(button: str) -> None:
+        with visitor.next_frame(figure):
+            figure.get_by_role("button", name=button, exact=True).click()
+        visitor.settle(figure)
+
+    visitor.put_back(figure)
+    shown = visitor.shown(figure)
+    end = figure.locator('[data-handle="end-2"]')
+    visitor.bring(end)
+    x, y = visitor.middle(end)
+    with visitor.next_frame(figure):
+        visitor.drag((x, y), (x - 30, y + 20))
+    visitor.settle(figure)
+    assert lists().touched == 2
+    assert visitor.shown(figure) != shown
+    press("Undo")
+    assert field.input_value() == ""
+
+    press("Clear")
+    assert not any(lists().lists)
+    press("Add a line")
+    before = lists().lists[1]
+    expect(figure.locator('[data-handle="end-0"]')).to_be_focused()
+    for key in ("ArrowRight", "Shift+ArrowUp"):
+        with visitor.next_frame(figure):
+            keyboard.press(key)
+        visitor.settle(figure)
+    moved = (np.array(lists().lists[1]) - before) * SIZE
+    np.testing.assert_allclose(moved, [(1, -10), (0, 0)], atol=0.51)
+    press("Undo")
+    press("Undo")
+    assert lists().lists[1] == before
+
+    codes = to_rgba8(encode_srgb(checker_room(*SIZE, FOCAL_PX, CORNER.turn)))[..., :3]
+    same = Photograph(1, codes, "room.png")
+    noisy = [ends + np.random.default_rng(1).normal(size=ends.shape) for ends in CORNER.drawn]
+    shares = [np.clip((ends.reshape(-1, 2) + 0.5) / SIZE, 0, 1) for ends in noisy]
+    lines = PointLists("own", 0, tuple(tuple(map(tuple, each)) for each in shares)).text
+    place = "figure-single-view"
+    visitor.turn_to_unlinked(f"{PAGE}?{place}.lines={lines}&{place}.sigma=1#{place}")
+    whole = visitor.page.locator(f"#{place}")
+    with visitor.next_frame(figure):
+        whole.locator(".intake input[type=file]").set_input_files(
+            saved(tmp_path, {"room.png": png(codes)})
+        )
+    visitor.settle(figure)
+    scene = load_scene("single-view")
+    settings = scene.check({"lines": lines, "sigma": 1.0})
+    for readout in scene.render(settings, "", StageCache(), same).readouts:
+        assert figure.locator(f"output[name={readout.name}]").text_content() == readout.text
+    with visitor.page.expect_download() as download:
+        whole.get_by_role("button", name="Distances as JSON").click()
+    theirs = json.loads(download.value.path().read_text("utf-8"))
+    ours = json.loads(as_json(settings, scene.run(settings, "", StageCache(), same).outputs))
+    assert theirs["photograph"] == "room.png"
+    focal_px = ours["camera"]["focal_px"]["value"]
+    assert theirs["camera"]["focal_px"]["value"] == pytest.approx(focal_px, rel=1e-9)
+    assert theirs["lines_px"] == ours["lines_px"]
+
+
+BOX = "document.querySelector('figure:has([data-simulation=photon-transfer]) .intake')"
+CHOOSE = f"""(files) => {{
+  const box = {BOX};
+  box.scrollIntoView({{behavior: 'instant'}});
+  const chosen = new DataTransfer();
+  for (const [name, base64] of Object.entries(files)) {{
+    chosen.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+  }}
+  const input = box.querySelector('input[type=file]');
+  input.files = chosen.files;
+  input.dispatchEvent(new Event('change', {{bubbles: true}}));
+}}"""
+READS = """(lines) => {
+  const rows = [...document.querySelectorAll('.data-sheet tbody tr:not(:first-child)')];
+  return rows.length === lines.length && rows.every(({cells}, index) =>
+    cells[0].textContent === lines[index][0] && cells[1].textContent.startsWith(lines[index][1]));
+}"""
+"""Whether these are the lines of the sheet, whose units follow the values."""
+
+
+@pytest.mark.deep
+@pytest.mark.parametrize("name", ENGINES)
+def test_photographs_and_raw_files_are_measured_in_other_engines(
+    name: str, site_server: StaticServer, tmp_path: Path
+) -> None:
+    opened = ENGINES[name](tmp_path)
+    if opened is None:
+        pytest.skip(f"{name}: {HOW_TO}")
+    with opened as engine:
+        engine.open(site_server.url + PAGE)
+        wait_for(engine, f"() => Boolean({BOX})")
+        choose(engine, {f"{index}.png": png(codes) for index, codes in enumerate(PHOTOGRAPHS)})
+        wait_for(engine, READS, sheet_of_photographs())
+        engine.ask(f"() => {BOX}.querySelector('.intake-clear').click()")
+        choose(engine, {f"{index}.dng": data for index, data in enumerate(dng_files())})
+        wait_for(engine, READS, sheet_of_raw())
+        assert not engine.complaints()
+
+
+def choose(engine: Engine, files: dict[str, bytes]) -> None:
+    """As by the picker of files, which no driver can open."""
+    engine.ask(CHOOSE, {name: b64encode(data).decode() for name, data in files.items()})

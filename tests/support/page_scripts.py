@@ -23,15 +23,23 @@ new PerformanceObserver((list) => window.shifts.push(...list.getEntries()
 """
 
 BRING = """async (element) => {
-  element.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});
-  for (let still = 0, last = ''; still < 5; ) {
+  const middle = () => {
+    const {x, y, height} = element.getBoundingClientRect();
+    return [x, y, Math.abs(y + height / 2 - innerHeight / 2)];
+  };
+  for (let still = 0, last = '', away = 0; still < 5; ) {
+    if (!still) {
+      element.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});
+      away = middle()[2];
+    }
     await new Promise(requestAnimationFrame);
-    const {x, y} = element.getBoundingClientRect();
-    still = `${x} ${y}` === last ? still + 1 : 0;
-    last = `${x} ${y}`;
+    const place = middle();
+    still = `${place}` === last && place[2] <= away + 1 ? still + 1 : 0;
+    last = `${place}`;
   }
 }"""
-"""A strip of panels snaps to the nearest one, and a touch is led to what was painted last."""
+"""A strip of panels snaps to the nearest one, a touch is led to what was painted last, and a smooth
+scroll that was under way, as by a key on an element far away, goes on after the jump."""
 
 FOLLOW = """(url) => {
   if (location.href === url) document.getElementById('main').focus();

@@ -13,7 +13,9 @@ from playwright.sync_api import (
     Locator,
     Request,
     ViewportSize,
+    expect,
 )
+from support.limits import limit_ms
 from support.page_scripts import (
     BRING,
     FOLLOW,
@@ -27,8 +29,11 @@ from support.page_scripts import (
 
 DESK: ViewportSize = {"width": 1280, "height": 900}
 PHONE: ViewportSize = {"width": 390, "height": 800}
-START_MS = 60_000
-"""Longest wait for the interpreter on a busy machine."""
+PULLS = ((41.0, 32.0), (-34.0, 26.0), (40.0, -60.0), (120.0, 0.0))
+"""CSS pixels by which a handle is pulled until something moves: it may be at an end, or its next
+place far."""
+
+type Place = tuple[float, float]
 
 
 class Serving(Protocol):
@@ -58,32 +63,32 @@ class Reader:
             self.complaints.append(f"request outside the book: {request.url}")
 
     def note_requests(self, *endings: str, name: Callable[[str], str] = str) -> list[str]:
-        """What is asked for from now on at addresses that end so, in order."""
-        asked: list[str] = []
+        """Requests from now on to addresses that end so, in order."""
+        requests: list[str] = []
 
         def note(request: Request) -> None:
             if request.url.endswith(endings or ""):
-                asked.append(name(request.url))
+                requests.append(name(request.url))
 
         self.page.on("request", note)
-        return asked
+        return requests
 
     def note_parts(self) -> list[str]:
-        """The parts of Python that are asked for from now on, in order."""
+        """The parts of Python that are requested from now on, in order."""
         return self.note_requests(".zip", name=lambda address: PurePosixPath(address).stem)
 
     def assert_no_complaints(self) -> None:
-        """Nothing was complained of since this was last asked."""
+        """Nothing was complained of since the last call."""
         complaints = [*self.complaints]
         self.complaints.clear()
         assert not complaints, "\n".join(complaints)
 
     def forget(self) -> None:
-        """Have the browser keep nothing for the book."""
+        """Empty the storage of the book."""
         self.page.evaluate("localStorage.clear(); sessionStorage.clear()")
 
     def keep_no_files(self) -> None:
-        """Have the browser ask the host for each file anew, whatever it was sent before."""
+        """Empty the browser's cache."""
         session = self.page.context.new_cdp_session(self.page)
         session.send("Network.clearBrowserCache")
         session.detach()
@@ -100,6 +105,7 @@ class Reader:
 
     def open(self, address: str = "", *, live: bool = True) -> None:
         """Open a page of the book, and wait until its figures live if there are any."""
+        set_limits(self.page.context)
         self.page.goto(self.root + address)
         if live:
             self.wait_live()
@@ -122,6 +128,7 @@ class Reader:
         if self.page.url == "about:blank":
             self.open(address, live=live)
             return
+        set_limits(self.page.context)
         self.page.evaluate(FOLLOW, self.root + address)
         self.page.wait_for_function(
             "url => location.href === url && document.activeElement?.id === 'main'",
@@ -136,7 +143,14 @@ class Reader:
         self.turn_to(address)
 
     def wait_live(self) -> None:
-        self.page.wait_for_function(LIVE, timeout=START_MS)
+        self.page.wait_for_function(LIVE)
+
+    def wait_for(self, element: Locator, condition: str, *given: Any) -> None:
+        """Wait until a condition, a function of the element and what is given, holds."""
+        self.page.wait_for_function(
+            f"([element, ...given]) => ({condition})(element, ...given)",
+            arg=[element.element_handle(), *given],
+        )
 
     def figure(self, scene: str) -> Locator:
         """The figure of a scene on this page that has no label of its own."""
@@ -153,12 +167,15 @@ class Reader:
         return self._in_view(scene)
 
     def stay_at_figure(self, book: Any, scene: str) -> Locator:
-        """As `turn_to_figure`, but where this led to the page already, as it was left since."""
+        """The figure of a scene at rest as its page has put it; the page is turned only where this
+        did not lead to it before."""
         chapter = chapter_of(book, scene)
         if self.page.evaluate("document.getElementById('main')?.stays") != chapter:
             self.turn_to(chapter)
             self.page.evaluate("at => { document.getElementById('main').stays = at; }", chapter)
-        return self._in_view(scene)
+        figure = self._in_view(scene)
+        self.put_back(figure)
+        return figure
 
     def _in_view(self, scene: str) -> Locator:
         figure = self.figure(scene)
@@ -172,27 +189,34 @@ class Reader:
         assert place, "it is not shown"
         return place
 
+    def middle(self, element: Locator) -> Place:
+        """Of an element that is shown, in the window."""
+        place = element.bounding_box()
+        assert place, "it is not shown"
+        return place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
+
+    def drag(self, start: Place, end: Place, steps: int = 1) -> None:
+        mouse = self.page.mouse
+        mouse.move(*start)
+        mouse.down()
+        mouse.move(*end, steps=steps)
+        mouse.up()
+
     def choose(self, figure: Locator, name: str, option: str) -> None:
         """Choose an option of a menu, and wait for the frame that it makes."""
-        frames = self.frames(figure)
         self.uncover(figure)
-        figure.locator(f"select[name={name}]").select_option(option)
-        self.wait_frame(figure, frames)
+        with self.next_frame(figure):
+            figure.locator(f"select[name={name}]").select_option(option)
 
     def press(self, figure: Locator, key: str) -> None:
         """Press a key on the figure's first slider, and wait for the frame that it makes."""
-        frames = self.frames(figure)
-        figure.locator("input[type=range]").first.press(key)
-        self.wait_frame(figure, frames)
+        with self.next_frame(figure):
+            figure.locator("input[type=range]").first.press(key)
 
     def judged(self, figure: Locator) -> str:
         """The error of what the figure shows, once there is no better estimate to come."""
         self.unfold(figure)
-        self.page.wait_for_function(
-            "figure => figure.querySelector('.accuracy').dataset.judged === 'true'",
-            arg=figure.element_handle(),
-            timeout=START_MS,
-        )
+        expect(figure.locator(".accuracy")).to_have_attribute("data-judged", "true")
         return figure.locator(".accuracy-value").inner_text()
 
     def uncover(self, figure: Locator) -> None:
@@ -220,13 +244,22 @@ class Reader:
         figure.evaluate(PUT_BACK)
         self.settle(figure)
 
-    def wait_frame(self, figure: Locator, after: int, within_ms: int = 30_000) -> None:
+    def wait_frame(self, figure: Locator, after: int) -> None:
         """Wait for a frame later than number ``after``."""
-        self.page.wait_for_function(
-            "([figure, after]) => Number(figure.dataset.frames) > after",
-            arg=[figure.element_handle(), after],
-            timeout=within_ms,
-        )
+        self.wait_for(figure, "(figure, after) => Number(figure.dataset.frames) > after", after)
+
+    @contextmanager
+    def next_frame(self, figure: Locator) -> Iterator[None]:
+        """Wait at the end for a frame that was painted since the beginning."""
+        frames = self.frames(figure)
+        yield
+        self.wait_frame(figure, frames)
+
+
+def set_limits(context: BrowserContext) -> None:
+    """Wait no longer in it than is right for this machine, now."""
+    context.set_default_timeout(limit_ms())
+    expect.set_options(timeout=limit_ms())
 
 
 @contextmanager
@@ -236,6 +269,7 @@ def visit(chromium: Browser, server: Serving, script: str = "", **options: Any) 
     Nothing is kept for reading offline unless ``options`` allow it.
     """
     context = chromium.new_context(**{"viewport": DESK, "service_workers": "block", **options})
+    set_limits(context)
     someone = Reader(context, server.url)
     if script:
         someone.page.add_init_script(script)

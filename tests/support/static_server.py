@@ -22,10 +22,9 @@ TYPES = {
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """What becomes of a file on its way."""
+    """How a file is damaged on its way."""
 
     change: Callable[[bytes], bytes] = bytes
-    """Of its bytes."""
     status: int = 200
     media_type: str = ""
     """Another than the right one."""
@@ -35,18 +34,18 @@ class Fault:
 
 
 def half(content: bytes) -> bytes:
-    """With an open bracket, since half of a script may be a script."""
+    """Half of it, and an open bracket, since half of a script may be a script."""
     return content[: len(content) // 2] + b"("
 
 
 def changed(content: bytes) -> bytes:
-    """One bit of it is another."""
+    """The same but for one bit."""
     middle = len(content) // 2
     return content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
 
 
 def login(_: bytes) -> bytes:
-    """What a network answers to whoever has not signed in."""
+    """A network's answer before one has signed in."""
     return b"<!DOCTYPE html><title>Sign in to this network</title>"
 
 
@@ -61,7 +60,7 @@ FAULTS = {
 
 
 class QuietServer(ThreadingHTTPServer):
-    """A browser that leaves a page drops its downloads; that is no error of the server's."""
+    """It ignores the connections that a browser drops when it leaves a page."""
 
     daemon_threads = True
 
@@ -134,12 +133,12 @@ class Handler(SimpleHTTPRequestHandler):
         super().end_headers()
 
     def log_message(self, *_: object) -> None:
-        """Tests have their own words."""
+        """Tests write no log."""
 
 
 @contextmanager
 def running(server: ThreadingHTTPServer) -> Iterator[None]:
-    """While this lasts, it answers."""
+    """Have it answer until the end."""
     thread = threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True)
     thread.start()
     try:

@@ -1,12 +1,11 @@
-"""What a test asks of a browser of any make: pages, scripts, hands and keys."""
+"""A browser of any make: pages, scripts, pointers and keys."""
 
 import json
 import time
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol
 
-START_S = 180
-"""Longest wait for the interpreter on a busy machine."""
+from support.limits import limit_s
 
 LEFT_BUTTON = 0
 
@@ -24,17 +23,15 @@ class Engine(Protocol):
         """The JSON that a function answers in the page, or that its promise holds."""
 
     def perform(self, sources: Sequence[Mapping[str, Any]]) -> None:
-        """Have pointers and keys act."""
+        """Move pointers and press keys."""
 
     def complaints(self) -> list[str]:
-        """What the browser wrote to its console as an error, as all that its policy refuses."""
+        """Errors in the browser's console, which include all that its policy refuses."""
 
 
-def wait_for(
-    engine: Engine, expression: str, /, *arguments: Any, within_s: float = START_S
-) -> None:
+def wait_for(engine: Engine, expression: str, /, *arguments: Any) -> None:
     """Wait until a function of the page answers with what is true; raises `TimeoutError`."""
-    end = time.monotonic() + within_s
+    end = time.monotonic() + 2 * limit_s()
     while not engine.ask(expression, *arguments):
         if time.monotonic() > end:
             raise TimeoutError(f"{expression} {json.dumps(arguments)}")
@@ -48,7 +45,7 @@ def press(engine: Engine, *keys: str) -> None:
 
 
 def drag(engine: Engine, *places: tuple[float, float]) -> None:
-    """Take what is at the first of these places of the window along to the others."""
+    """Press at the first of these places of the window, and let go at the last."""
     moves = [_move(place) for place in places]
     down, up = ({"type": kind, "button": LEFT_BUTTON} for kind in ("pointerDown", "pointerUp"))
     _point(engine, [moves[0], down, *moves[1:], up])

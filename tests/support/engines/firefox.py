@@ -9,7 +9,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from support.engines.engine import START_S, call
+from support.engines.engine import call
+from support.limits import limit_s
 from websockets.sync.client import ClientConnection, connect
 
 NAMES = ("firefox-esr", "firefox")
@@ -74,7 +75,7 @@ class Firefox:
             json.dumps({"id": self._last, "method": method, "params": parameters})
         )
         while True:
-            message = json.loads(self._connection.recv(START_S))
+            message = json.loads(self._connection.recv(2 * limit_s()))
             if message.get("method") == "log.entryAdded":
                 self._note(message["params"])
             elif message.get("id") == self._last:
@@ -104,7 +105,7 @@ def open_firefox(binary: Path, profile: Path) -> Iterator[Firefox]:
 
 def _address(profile: Path) -> str:
     """Where it listens, which it writes into its profile; raises `TimeoutError`."""
-    end = time.monotonic() + START_S
+    end = time.monotonic() + limit_s()
     while time.monotonic() < end:
         with suppress(FileNotFoundError, ValueError):  # not there yet, or not yet whole
             listening = json.loads((profile / SERVER).read_text(encoding="utf-8"))

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import socket
@@ -14,7 +15,8 @@ from typing import Any
 from urllib.error import HTTPError, URLError
 from urllib.request import Request, urlopen
 
-from support.engines.engine import START_S, call
+from support.engines.engine import call
+from support.limits import limit_ms, limit_s
 
 PACKAGES = ("webkit2gtk-driver", "gir1.2-webkit2-4.1", "python3-gi", "xvfb")
 """Of Debian."""
@@ -22,6 +24,11 @@ DRIVER, SCREEN, PYTHON = "WebKitWebDriver", "Xvfb", "/usr/bin/python3"
 WINDOW = Path(__file__).with_name("webkit_window.py")
 KNOWS = "import gi; gi.require_version('WebKit2', '4.1'); gi.require_version('Gtk', '3.0')"
 CONSOLE = "console.txt"
+CANCELLED = re.compile(
+    r"Fetch API cannot load http://127\.0\.0\.1:\S+ due to access control checks"
+)
+"""Written of a request to the page's own host, which no such check can refuse, when the page is
+left before the answer."""
 
 
 def find_webkit() -> Path | None:
@@ -44,7 +51,7 @@ class WebKit:
         wanted = {"alwaysMatch": {"webkitgtk:browserOptions": options}}
         session = self._send("", capabilities=wanted)["sessionId"]
         self._address += f"/{session}"
-        self._send("/timeouts", script=START_S * 1000, pageLoad=START_S * 1000)
+        self._send("/timeouts", script=round(2 * limit_ms()), pageLoad=round(2 * limit_ms()))
 
     def open(self, url: str) -> None:
         self._send("/url", url=url)
@@ -58,7 +65,8 @@ class WebKit:
 
     def complaints(self) -> list[str]:
         written = self._console.read_text(encoding="utf-8", errors="replace").splitlines()
-        return [line for line in written if "CONSOLE" in line and " ERROR " in line]
+        errors = [line for line in written if "CONSOLE" in line and " ERROR " in line]
+        return [line for line in errors if not CANCELLED.search(line)]
 
     def _send(self, command: str, **parameters: Any) -> Any:
         request = Request(
@@ -67,7 +75,7 @@ class WebKit:
             {"Content-Type": "application/json"},
         )
         try:
-            with urlopen(request, timeout=START_S) as reply:
+            with urlopen(request, timeout=3 * limit_s()) as reply:
                 return json.load(reply)["value"]
         except HTTPError as error:
             told = json.load(error)["value"]
@@ -119,9 +127,9 @@ def _free_port() -> int:
 
 def _wait_for_driver(address: str) -> None:
     """Until it answers; raises `TimeoutError`."""
-    end = time.monotonic() + START_S
+    end = time.monotonic() + limit_s()
     while time.monotonic() < end:
-        with suppress(URLError), urlopen(f"{address}/status", timeout=START_S):
+        with suppress(URLError), urlopen(f"{address}/status", timeout=3 * limit_s()):
             return
         time.sleep(0.05)
     raise TimeoutError("the driver of WebKit does not answer")

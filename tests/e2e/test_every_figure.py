@@ -1,0 +1,394 @@
+"""Every figure comes alive in place; its controls and handles answer hands and keys, in every
+engine."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator
+from support.engines import ENGINES, HOW_TO
+from support.engines.engine import Engine, drag, wait_for
+from support.frames import frame_of, texts_of
+from support.page_scripts import FOLLOW, GRASP, OFFER, PUT_BACK, SETTLE, TRY_CONTROLS
+from support.reader import PULLS, Reader, chapter_of
+from support.reading_order import SAMPLED, SHOWN
+from support.static_server import StaticServer
+
+from simulations.registry import load_scene
+
+pytestmark = pytest.mark.browser
+
+KEYS = ("ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown")
+KINDS = (
+    *(("slider", ""), ("action", "play"), ("action", "step")),
+    *(("action", ""), ("choice", ""), ("toggle", "")),
+)
+"""Kinds of controls, with a button's effect, in the order in which the book first shows them."""
+
+
+def test_every_chapter_shows_its_figures_and_questions_and_figures_come_alive_in_place(
+    reader: Reader, book: Any
+) -> None:
+    page = reader.page
+    page.add_init_script(HOLD)
+    page.emulate_media(reduced_motion="reduce")  # one plays as it comes into view
+    for number, chapter in enumerate([None, *book["chapters"]]):
+        if number > 1:
+            page.evaluate("window.hold()")
+            reader.turn_to(chapter["url"], live=False)
+        else:
+            reader.open(chapter["url"] if chapter else "", live=False)
+        where = chapter["title"] if chapter else "landing page"
+        if chapter:
+            title, scenes, questions = page.evaluate(CATALOGUED)
+            assert title == where
+            assert {*scenes} == {*chapter["simulations"]}, title
+            assert questions == chapter["quizzes"], title
+        page.evaluate(ARRIVED)
+        still = page.evaluate(STILLS)
+        page.evaluate("window.release()")
+        reader.wait_live()
+        assert page.evaluate(STILLS) == still, where
+        shifts = page.evaluate("window.shifts")
+        assert sum(shift["value"] for shift in shifts) < 0.01, f"{where} moved: {shifts}"
+
+
+ARRIVED = """async () => {
+  await document.fonts.ready;
+  for (let left = 2; left; left -= 1) await new Promise(requestAnimationFrame);
+  window.shifts.length = 0;
+}"""
+"""The page is there with its faces, which move some lines of text on a slow line."""
+CATALOGUED = """() => [
+  document.querySelector('h1').innerText.trim(),
+  [...document.querySelectorAll('simulation-figure')].map((one) => one.dataset.simulation),
+  [...document.querySelectorAll('form.quiz')].map((form) => form.dataset.quiz),
+]"""
+HOLD = """(() => {
+  const send = Worker.prototype.postMessage;
+  let held = [];
+  window.hold = () => {
+    Worker.prototype.postMessage = function (...message) { held.push([this, message]); };
+  };
+  window.release = () => {
+    Worker.prototype.postMessage = send;
+    for (const [worker, message] of held) worker.postMessage(...message);
+    held = [];
+  };
+  window.hold();
+})()"""
+"""Messages to the interpreter wait, so that the page can be looked at as it was served."""
+STILLS = """() => [...document.querySelectorAll('simulation-figure')].map((figure) => ({
+  drawings: [...figure.querySelectorAll('svg.overlay')].map((svg) => svg.innerHTML),
+  readouts: [...figure.querySelectorAll('output')].map((output) => output.textContent),
+  values: [...figure.querySelectorAll('.control-value')].map((text) => text.textContent),
+  description: figure.querySelector('.description').textContent,
+  boxes: [...figure.querySelectorAll('.panel-view')].map((box) => box.offsetHeight),
+}))"""
+
+
+@pytest.mark.parametrize("scene", SAMPLED)
+def test_every_control_and_every_handle_of_a_figure_changes_it(
+    guest: Reader, book: Any, scene: str
+) -> None:
+    """The mouse finds the middle of a control, and keys reach it; the first of each kind changes
+    the picture. (All controls change their frames in `tests/scenes`.)"""
+    controls = scene_of(book, scene)["controls"]
+    firsts = [*{kind_of(control): control for control in reversed(controls)}.values()]
+    others = [control for control in controls if control not in firsts]
+    figure = guest.stay_at_figure(book, scene)
+    answers = figure.evaluate(TRY_CONTROLS, [*firsts, *others])
+    assert len(answers) == len(controls)
+    for number, control in enumerate(answers):
+        assert control["hit"], f"{control['name']} is covered by {control['cover']}"
+        assert control["focused"], f"{control['name']} cannot be focused"
+        assert control["frames"] > 0, f"{control['name']} makes no frame"
+        assert control["changed"] or number >= len(firsts), f"{control['name']} changes nothing"
+    guest.put_back(figure)
+    for handle in load_scene(scene).handles:
+        assert_follows(guest, figure.locator(f'[data-handle="{handle.name}"]'), handle.name)
+
+
+def assert_follows(guest: Reader, grip: Locator, name: str) -> None:
+    """The handle, where it is shown, moves its settings by a drag and by arrow keys."""
+    start = pulled = grip.evaluate(GRASP)
+    if not start["shown"]:
+        return
+    for right, down in PULLS:
+        x, y = pulled["x"], pulled["y"]
+        guest.drag((x, y), (x + right, y + down))
+        pulled = grip.evaluate(GRASP)
+        if pulled["values"] != start["values"]:
+            break
+    assert pulled["values"] != start["values"], name
+    assert pulled["frames"] > start["frames"], name
+    grip.focus()
+    for key in KEYS:
+        guest.page.keyboard.press(key)
+        led = grip.evaluate(GRASP)
+        if led["values"] != pulled["values"]:
+            break
+    assert led["values"] != pulled["values"], f"{name} by keyboard"
+    assert led["told"] == led["words"], name
+
+
+def scene_of(book: Any, name: str) -> Any:
+    return next(scene for scene in book["simulations"] if scene["id"] == name)
+
+
+def kind_of(control: Any) -> tuple[str, str]:
+    return control["kind"], control.get("effect", "")
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=" ".join)
+def test_each_kind_of_control_changes_a_figure_by_keyboard_and_by_mouse(
+    guest: Reader, book: Any, kind: tuple[str, str]
+) -> None:
+    scene, control = next(
+        (scene, control)
+        for chapter in book["chapters"]
+        for scene in chapter["simulations"]
+        for control in scene_of(book, scene)["controls"]
+        if kind_of(control) == kind
+    )
+    for gesture in (press, click):
+        figure = guest.stay_at_figure(book, scene)
+        guest.uncover(figure)
+        element = figure.locator(f'.controls [name="{control["name"]}"]')
+        before = guest.shown(figure)
+        for attempt in range(4):
+            frames = guest.frames(figure)
+            gesture(guest, element, control, attempt)
+            # A gesture at the end of a slider makes no frame; what plays begins a little later.
+            if control.get("effect") == "play" or figure.evaluate(MAKES_A_FRAME, frames):
+                guest.wait_frame(figure, frames)
+            guest.settle(figure)
+            if guest.shown(figure) != before:
+                break
+        else:
+            pytest.fail(f"{control['name']} of {scene} changes nothing by {gesture.__name__}")
+
+
+MAKES_A_FRAME = "(figure, frames) => !figure.rests || Number(figure.dataset.frames) > frames"
+
+
+def press(reader: Reader, element: Locator, control: Any, _attempt: int) -> None:
+    element.focus()
+    match control["kind"]:
+        case "slider":
+            at_end = element.evaluate("input => input.valueAsNumber >= Number(input.max)")
+            reader.page.keyboard.press("Home" if at_end else "PageUp")
+        case "choice":
+            down = element.evaluate("menu => menu.selectedIndex < menu.options.length - 1")
+            reader.page.keyboard.press("ArrowDown" if down else "ArrowUp")
+        case _:
+            reader.page.keyboard.press("Space")
+
+
+def click(reader: Reader, element: Locator, control: Any, attempt: int) -> None:
+    box = reader.bring(element)
+    match control["kind"]:
+        case "slider":
+            share = (0.2, 0.8, 0.4, 0.6)[attempt]
+            x, y = box["x"] + share * box["width"], box["y"] + box["height"] / 2
+            reader.page.mouse.click(x, y)
+        case "choice":
+            options = control["options"]
+            now = options.index(element.input_value())
+            element.select_option(options[now + 1 if now + 1 < len(options) else now - 1])
+        case _:
+            element.click()
+
+
+def test_many_moves_end_at_the_last_one_under_the_pointer_and_leave_nothing_behind(
+    visitor: Reader, book: Any
+) -> None:
+    """Of a handle, then of a slider."""
+    figure = visitor.turn_to_figure(book, "lambertian-shading")
+    grip = figure.locator('[data-handle="probe"]')
+    visitor.bring(grip)
+    start = visitor.middle(grip)
+    mouse = visitor.page.mouse
+    mouse.move(*start)
+    mouse.down()
+    grip.evaluate(SWAY, [80, *start])
+    mouse.move(start[0] + 60, start[1])
+    mouse.up()
+    visitor.settle(figure)
+    assert visitor.middle(grip)[0] == pytest.approx(start[0] + 60, abs=2)
+
+    figure = visitor.turn_to_figure(book, "perspective-projection")
+    expected = texts_of(frame_of(load_scene("perspective-projection"), depth=7.3))["x"]
+    assert figure.evaluate(DRAG, [120, 7.3]) == expected
+    before = held(visitor)
+    assert figure.evaluate(DRAG, [120, 7.3]) == expected
+    after = held(visitor)
+    assert after["JSEventListeners"] == before["JSEventListeners"]
+    assert after["Nodes"] < before["Nodes"] + 15  # some thirty frames were painted
+
+
+SWAY = """async (grip, [count, x, y]) => {
+  for (let step = 0; step < count; step += 1) {
+    const at = {clientX: x + 90 * Math.sin(step / 9), clientY: y};
+    grip.dispatchEvent(new PointerEvent('pointermove', {bubbles: true, isPrimary: true, ...at}));
+    await new Promise((resolve) => setTimeout(resolve, 4));
+  }
+}"""
+"""Faster than a test could send them from outside."""
+DRAG = """async (figure, [count, last]) => {
+  const range = figure.querySelector('[name="depth"]');
+  const pause = () => new Promise((resolve) => setTimeout(resolve, 5));
+  for (let move = 1; move <= count; move += 1) {
+    range.value = move < count ? 2 + (move % 40) / 10 : last;
+    range.dispatchEvent(new Event("input", { bubbles: true }));
+    await pause();
+  }
+  while (!figure.rests) await pause();
+  return figure.querySelector('output[name="x"]').textContent;
+}"""
+
+
+def held(reader: Reader) -> dict[str, float]:
+    """Nodes and listeners of the page once the garbage is collected."""
+    session = reader.page.context.new_cdp_session(reader.page)
+    session.send("HeapProfiler.collectGarbage")
+    session.send("Performance.enable")
+    metrics = session.send("Performance.getMetrics")["metrics"]
+    session.detach()
+    return {each["name"]: each["value"] for each in metrics}
+
+
+def test_figures_play_in_view_until_a_hand_is_on_them_and_step_by_step_for_less_motion(
+    visitor: Reader, book: Any
+) -> None:
+    """With less motion each picture stands for a second or more, by a clock five times as fast."""
+    page = visitor.page
+    figure = visitor.turn_to_figure(book, "wagon-wheel")
+    assert figure.evaluate(PLAYS)
+    figure.locator("input[name=speed]").focus()
+    page.keyboard.press("ArrowRight")
+    assert not figure.evaluate(PLAYS)
+    page.emulate_media(reduced_motion="reduce")
+    visitor.turn_to("lecture-plan/", live=False)
+    assert not visitor.turn_to_figure(book, "wagon-wheel").evaluate(PLAYS)
+    steps = visitor.turn_to_figure(book, "rotation-3d").evaluate(STEPS, ["t", 2])
+    assert steps["places"] == ["0.25", "0.5"]
+    assert steps["rest"] > 990
+    page.emulate_media(reduced_motion="no-preference")
+
+
+PLAYS = """async (figure) => {
+  const time = figure.querySelector('input[name=time]');
+  const start = time.value;
+  for (let left = 90; left && time.value === start; left -= 1) {
+    await new Promise(requestAnimationFrame);
+  }
+  return time.value !== start;
+}"""
+STEPS = """async (figure, [slider, count]) => {
+  const input = figure.querySelector(`input[name="${slider}"]`);
+  const play = figure.querySelector('button[name=play]');
+  const usual = setTimeout;
+  const [places, moves] = [[], []];
+  globalThis.setTimeout = (then, ms = 0, ...rest) => usual(() => {
+    const [now, before] = [5 * performance.now(), input.value];
+    then(...rest);
+    if (input.value !== before) moves.push(now);
+  }, ms / 5);
+  input.value = input.min;
+  await new Promise((resolve) => {
+    const watch = new MutationObserver(() => {
+      places.push(input.value);
+      if (places.length < count) return;
+      watch.disconnect();
+      resolve();
+    });
+    watch.observe(figure, {attributeFilter: ['data-frames']});
+    play.click();
+  });
+  globalThis.setTimeout = usual;
+  play.click();
+  return {places, rest: moves.at(-1) - moves[0]};
+}"""
+
+
+@dataclass
+class Walk:
+    """A reader who goes from figure to figure in another engine; Python stays alive."""
+
+    engine: Engine
+    root: str
+    complained: int = 0
+
+    def go_to(self, chapter: str, scene: str) -> None:
+        """To a figure that lives, as its page has put it."""
+        address = self.root + chapter
+        if not self.engine.ask(HERE, address):
+            self.engine.ask(OFFER, address)
+            self.engine.ask(FOLLOW, address)
+            wait_for(self.engine, HERE, address)
+        wait_for(self.engine, LIVES, scene)
+        self.of_figure(PUT_BACK, scene)
+        self.of_figure(SETTLE, scene)
+
+    def of_figure(self, script: str, scene: str, /, *given: Any) -> Any:
+        """The answer of a script about a figure."""
+        return self.engine.ask(OF_FIGURE.replace("SCRIPT", script), scene, *given)
+
+    def follows(self, scene: str, handle: str) -> bool:
+        """Whether a handle, where it is shown, moves its settings when it is pulled."""
+        grasp = OF_HANDLE.replace("SCRIPT", GRASP)
+        start = pulled = self.of_figure(grasp, scene, handle)
+        width = self.engine.ask("() => innerWidth")
+        for right, down in PULLS if start["shown"] else ():
+            x, y = pulled["x"], pulled["y"]
+            drag(self.engine, (x, y), (min(x + right, width - 1), y + down))
+            pulled = self.of_figure(grasp, scene, handle)
+            if pulled["values"] != start["values"]:
+                return bool(pulled["frames"] > start["frames"])
+        return not start["shown"]
+
+    def complaints(self) -> list[str]:
+        """Those since the last call."""
+        known, complaints = self.complained, self.engine.complaints()
+        self.complained = len(complaints)
+        return complaints[known:]
+
+
+HERE = "(url) => location.href.split('?')[0] === url && document.activeElement.id === 'main'"
+LIVES = "(scene) => document.querySelector(`#figure-${scene} [data-state=live]`) !== null"
+OF_FIGURE = """(scene, ...given) =>
+  (SCRIPT)(document.querySelector(`#figure-${scene} simulation-figure`), ...given)"""
+OF_HANDLE = "(figure, handle) => (SCRIPT)(figure.querySelector(`[data-handle='${handle}']`))"
+
+
+@pytest.fixture(scope="module", params=ENGINES)
+def walk(
+    request: pytest.FixtureRequest,
+    site_server: StaticServer,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Iterator[Walk]:
+    opened = ENGINES[request.param](tmp_path_factory.mktemp(request.param))
+    if opened is None:
+        pytest.skip(f"{request.param}: {HOW_TO}")
+    with opened as engine:
+        engine.open(site_server.url + "lecture-plan/")  # the lightest page
+        yield Walk(engine, site_server.url)
+
+
+@pytest.mark.deep
+@pytest.mark.parametrize("scene", dict.fromkeys(SHOWN))
+def test_every_control_and_every_handle_answers_in_other_engines(
+    walk: Walk, book: Any, scene: str
+) -> None:
+    walk.go_to(chapter_of(book, scene), scene)
+    wrong = [
+        f"{answer['name']}: {answer}"
+        for answer in walk.of_figure(TRY_CONTROLS, scene, scene_of(book, scene)["controls"])
+        if not (answer["hit"] and answer["focused"] and answer["frames"] > 0)
+    ]
+    walk.go_to(chapter_of(book, scene), scene)
+    names = [handle.name for handle in load_scene(scene).handles]
+    wrong += [f"{name} does not follow" for name in names if not walk.follows(scene, name)]
+    assert wrong + walk.complaints() == []

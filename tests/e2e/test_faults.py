@@ -1,0 +1,461 @@
+"""Faults of files, workers and scenes: readers get a message and a way on, and lose nothing."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Locator, Page, expect
+from support.engines import ENGINES, HOW_TO
+from support.engines.engine import Engine, wait_for
+from support.page_scripts import LIVE
+from support.reader import Reader, visit
+from support.static_server import FAULTS, Fault, StaticServer
+
+pytestmark = pytest.mark.browser
+
+CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
+WITHOUT_SNAPSHOT = {"/snapshot.wasm": Fault(status=404)}
+"""Python starts plainly, and needs all else."""
+OTHER_RELEASE = Fault(lambda table: table.replace(b'"sha256-', b'"sha256-A'))
+KINDS = {**FAULTS, "type": Fault(media_type="text/plain"), "other release": OTHER_RELEASE}
+SAID = {
+    "missing": "could not be loaded: the server answered 404",
+    "cut": "did not load",
+    "login": "a web page came",
+    "login as file": "a web page came",
+    "type": "the server sends",
+    "other release": "damaged or does not belong",
+}
+"""The message by fault; other faults are `DAMAGED`."""
+DAMAGED = "arrived damaged"
+TRIED = {
+    "numpy.zip": ("missing", "cut", "half", "changed", "login", "login as file"),
+    "pyodide.mjs": ("missing", "cut", "half", "changed", "login", "type"),
+    "pyodide.asm.mjs": ("changed", "type"),
+    "pyodide.asm.wasm": ("half", "login as file"),
+    "numpy.linalg._umath_linalg.wasm": ("missing", "half"),
+    "python.zip": ("missing", "changed"),
+    "core.zip": ("changed", "login"),
+    "runtime.json": ("half", "login as file", "other release"),
+    "worker.js": ("missing", "login", "type"),
+}
+"""Faults by file."""
+SAMPLE = (
+    ("numpy.zip", "missing"),
+    ("pyodide.asm.wasm", "half"),
+    ("runtime.json", "login as file"),
+    ("worker.js", "missing"),
+)
+"""A part, the interpreter, the table of both, and the worker's own script."""
+
+
+def tried(*sample: tuple[str, str]) -> list[Any]:
+    """All faults of all files; `make test` tries the sample."""
+    return [
+        pytest.param(name, kind, marks=[] if (name, kind) in sample else pytest.mark.deep)
+        for name, kinds in TRIED.items()
+        for kind in kinds
+    ]
+
+
+@pytest.fixture(scope="module")
+def patient(brisk_chromium: Browser, uncached: StaticServer) -> Iterator[Reader]:
+    """A reader who stays on one page and tries again; the browser complains of each file."""
+    with visit(brisk_chromium, uncached) as someone:
+        yield someone
+
+
+def next_try(reader: Reader) -> str:
+    """The figure's message after the next try."""
+    figure = reader.figure(SCENE)
+    retry = figure.locator(".retry")
+    if reader.page.url == "about:blank":
+        reader.open(CHAPTER, live=False)
+    else:
+        retry.click()
+    retry.wait_for()
+    return figure.locator(".figure-message").inner_text()
+
+
+@pytest.mark.parametrize(("name", "kind"), tried(*SAMPLE))
+def test_a_fault_of_a_file_is_told_in_plain_words(
+    patient: Reader, uncached: StaticServer, name: str, kind: str
+) -> None:
+    uncached.faults = {**WITHOUT_SNAPSHOT, f"/{name}": KINDS[kind]}
+    message = next_try(patient)
+    assert message.startswith("Python did not start")
+    assert name in message
+    assert SAID.get(kind, DAMAGED) in message
+
+
+def test_a_page_older_than_its_host_offers_a_reload_and_python_starts_once_the_host_is_back(
+    patient: Reader, uncached: StaticServer
+) -> None:
+    """Settings are kept; files come late, by other types."""
+    page, figure = patient.page, patient.figure(SCENE)
+    slider = figure.locator("input[type=range]").first
+    uncached.faults = {**WITHOUT_SNAPSHOT, "/numpy.zip": Fault(status=404)}
+    next_try(patient)
+    uncached.faults |= {
+        "/lens-distortion/": Fault(
+            lambda page: page.replace(b"/runtime/", b"/runtime/next-"), media_type="text/html"
+        ),
+    }
+    next_try(patient)
+    slider.press("ArrowRight")
+    moved = slider.input_value()
+    notice = page.locator(".notice")
+    assert "has been updated" in notice.inner_text()
+    page.wait_for_function("location.search !== ''")
+    del uncached.faults["/lens-distortion/"]
+    notice.get_by_role("button", name="Reload the page").click()
+    figure.locator(".retry").wait_for()
+    assert slider.input_value() == moved
+
+    uncached.gone = True
+    assert "did not load" in next_try(patient)
+    slider.press("ArrowRight")
+    moved = slider.input_value()
+    uncached.gone = False
+    uncached.faults = {
+        **WITHOUT_SNAPSHOT,
+        "/numpy.zip": Fault(late_s=2),
+        **{f"/{name}": Fault(media_type="text/plain") for name in ("python.zip", "runtime.json")},
+        "/pyodide.asm.wasm": Fault(media_type="application/octet-stream"),
+    }
+    page.context.set_offline(True)
+    page.context.set_offline(False)
+    patient.wait_live()
+    assert slider.input_value() == moved
+    assert not page.locator(".figure-status:visible").count()
+
+
+HARM = """async (edits) => {
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
+  const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: '', edits};
+  await runtime.call('forget', {figure: ''}, () => -1); // nothing else is on its way to the harm
+  return (await runtime.call('renderEdited', frame)).problem;
+}"""
+"""Run edited code in the interpreter of the book: the page itself never does."""
+CODE = """def _encoded(photo):
+    return to_rgba8(encode_srgb_table(photo.linear))
+
+import json, sys
+book = sys.modules["simulations.browser"]
+asked = book._request
+
+def next_frame(*given):
+    moved = abs(json.loads(given[2]).get("k1", HERE) - HERE)
+    if not 0 < moved < 0.05:
+        return asked(*given)
+    {}
+
+book._request = next_frame
+"""
+"""The frame of a small move from `HERE` meets with a harm; estimates and drafts do not."""
+HASTE = """async (ms) => {
+  const {TIMEOUTS} = (await customElements.whenDefined('simulation-figure')).inside;
+  const usual = TIMEOUTS.render;
+  Object.defineProperty(TIMEOUTS, 'render', {configurable: true, get: () => {
+    Object.defineProperty(TIMEOUTS, 'render', {value: usual, writable: true});
+    return ms;
+  }});
+}"""
+"""The time limit of the next frame only."""
+
+
+def harm(visitor: Reader, code: str) -> tuple[Locator, Locator]:
+    """A live figure and its first slider, whose next small move meets with ``code``."""
+    visitor.turn_to(CHAPTER)
+    figure = visitor.figure(SCENE)
+    slider = figure.locator("input[type=range]").first
+    slider.press("PageUp")
+    visitor.settle(figure)
+    harmful = CODE.replace("HERE", slider.input_value()).format(code)
+    edits = {"simulations.scenes.lens_distortion.stages:_encoded": harmful}
+    assert visitor.page.evaluate(HARM, json.dumps(edits)) is None
+    return figure, slider
+
+
+LOSSES = {
+    "ended": "import js; js.self.postMessage = lambda *_: None; js.self.close(); "
+    "return asked(*given)",
+    "endless loop": "while True: pass",
+    "memory exhausted": "import numpy; kept = book.kept = []\n"
+    "    while True: kept.append(numpy.empty(2**24))",
+}
+
+
+@pytest.mark.parametrize(
+    "loss", ["ended", *(pytest.param(name, marks=pytest.mark.deep) for name in [*LOSSES][1:])]
+)
+def test_a_worker_lost_in_the_midst_of_a_frame_is_replaced_and_the_values_are_kept(
+    visitor: Reader, loss: str
+) -> None:
+    figure, slider = harm(visitor, LOSSES[loss])
+    kept = slider.input_value()
+    visitor.page.evaluate(HASTE, 1500)
+    with visitor.next_frame(figure):
+        slider.press("ArrowRight")
+    assert figure.get_attribute("data-state") == "live"
+    assert slider.input_value() != kept
+    slider.press("ArrowLeft")
+    assert slider.input_value() == kept
+
+
+def test_an_exception_in_a_scene_is_told_and_the_next_try_has_the_same_values(
+    visitor: Reader,
+) -> None:
+    failing = "book._request = asked; raise ZeroDivisionError('the scene divides')"
+    figure, slider = harm(visitor, failing)
+    slider.press("ArrowRight")
+    kept = slider.input_value()
+    figure.locator(".retry").wait_for()
+    assert "ZeroDivisionError: the scene divides" in figure.locator(".figure-message").inner_text()
+    with visitor.next_frame(figure):
+        figure.locator(".retry").click()
+    assert slider.input_value() == kept
+    assert not figure.locator(".figure-status").is_visible()
+
+
+def test_what_python_refuses_is_told_and_the_next_call_is_answered(visitor: Reader) -> None:
+    """A slider past its end is at its end, also where a script sets it to no number."""
+    frame = {"figure": "figure-x", "scene": "lens-distortion", "values": "{}", "tier": ""}
+    refused = [
+        ("render", frame | {"scene": "lens-distorsion"}, "unknown simulation 'lens-distorsion'"),
+        ("render", frame | {"values": '{"k1": "NaN"}'}, "'NaN' is not finite"),
+        ("render", frame | {"values": '{"picture": "sunset"}'}, "'sunset' is not an option"),
+        ("measure", {"ladder": "precision", "tier": "no", "budget": 0.01}, "has no tier 'no'"),
+    ]
+    last = ("render", frame | {"values": '{"k1": 1e300}'})
+    *answers, answered = visitor.page.evaluate(ANSWERS, [*(call[:2] for call in refused), last])
+    for answer, (_, _, words) in zip(answers, refused, strict=True):
+        assert answer.startswith("python: "), answer
+        assert words in answer
+    assert answered == "answered"
+    visitor.turn_to("perspective-projection/")
+    figure = visitor.figure("perspective-projection")
+    slider = figure.locator("input[name=focal_length]")
+    for value in ("NaN", "1e309"):
+        visitor.put_back(figure)
+        with visitor.next_frame(figure):
+            slider.evaluate(SET, value)
+        assert figure.get_attribute("data-state") == "live"
+        assert 20 <= float(slider.input_value()) <= 200
+
+
+ANSWERS = """async (calls) => {
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
+  const answers = [];
+  for (const [name, payload] of calls) {
+    answers.push(await runtime.call(name, payload)
+      .then(() => 'answered', (error) => `${error.kind}: ${error.message}`));
+  }
+  return answers;
+}"""
+SET = """(slider, value) => {
+  slider.value = value;
+  slider.dispatchEvent(new Event('input', {bubbles: true}));
+}"""
+
+
+def test_without_webassembly_or_scripts_pages_are_whole_and_offer_nothing_that_does_nothing(
+    plain_reader: Reader, chromium: Browser, server: StaticServer, book: Any
+) -> None:
+    plain_reader.open(CHAPTER, live=False)
+    figure = plain_reader.figure(SCENE)
+    expect(figure.locator(".figure-message")).to_contain_text("WebAssembly")
+    assert not figure.locator(".control-grid >> nth=0").is_visible()
+    assert figure.locator("svg.overlay").first.is_visible()
+    with chromium.new_context(java_script_enabled=False) as context:
+        page = context.new_page()
+        for chapter in book["chapters"][::4]:
+            page.goto(server.url + chapter["url"])
+            paragraphs, drawings, offered, kept_back = page.evaluate(WHOLE)
+            assert paragraphs > 3, chapter["id"]
+            assert drawings >= len(chapter["simulations"])
+            assert (offered, kept_back) == (0, 0), chapter["id"]
+            assert page.locator("#contents ol a").first.is_visible()
+
+
+WHOLE = """() => {
+  const count = (what, wanted) => [...document.querySelectorAll(what)]
+    .filter((one) => one.checkVisibility() === wanted).length;
+  return [
+    document.querySelectorAll('article.chapter p').length,
+    document.querySelectorAll('simulation-figure svg.overlay').length,
+    count('.control-grid, .site-header button, dialog', true),
+    count('form.quiz details, .answer-body', false),
+  ];
+}"""
+
+
+BEGIN = """async () => {
+  const {Runtime} = (await customElements.whenDefined('simulation-figure')).inside;
+  window.ended = 0;
+  window.plain = [];
+  window.Worker = class {
+    postMessage({id, call, plain}) {
+      window.answer = (more) => this.onmessage({data: {id, ok: true, ...more}});
+      if (call === 'start') window.plain.push(plain);
+      if (call === 'start') setTimeout(() => this.onmessage({data: {id, ok: true}}));
+    }
+    terminate() { window.ended += 1; }
+  };
+  window.runtime = new Runtime(location.href, () => []);
+}"""
+"""A stand-in for the worker, which answers when the test lets it."""
+ASK = """([name, payload]) => {
+  window.told = null;
+  window.runtime.call(name, payload).then(
+    () => { window.told = 'answered'; }, (error) => { window.told = error.kind; });
+}"""
+
+
+class Watched:
+    """A page whose clock stands, and its stand-in for the worker."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+
+    def begin(self) -> None:
+        """Start a worker, have a frame of it, and ask for another."""
+        self.page.evaluate(BEGIN)
+        self.ask("render")
+        self.page.clock.run_for(100)
+        self.is_waited_for()
+        self.ask("render")
+
+    def ask(self, call: str) -> None:
+        self.page.evaluate(ASK, [call, {"figure": "figure-x", "scene": "any"}])
+
+    def told(self) -> Any:
+        self.page.evaluate("Promise.resolve()")
+        return self.page.evaluate("told")
+
+    def is_waited_for(self) -> None:
+        """The worker's answer is still taken, now."""
+        assert self.told() is None
+        self.page.evaluate("answer({computeMs: 5})")
+        assert self.told() == "answered"
+
+
+def test_a_silent_worker_is_given_up_but_not_while_it_may_be_at_work_or_all_slept(
+    plain_reader: Reader,
+) -> None:
+    page = plain_reader.page.context.new_page()
+    page.add_init_script("delete Navigator.prototype.serviceWorker")
+    page.clock.install()
+    page.goto(plain_reader.root + "licences/")
+    watched, clock = Watched(page), page.clock
+    watched.begin()
+    clock.run_for(59_000)
+    assert watched.told() is None
+    clock.run_for(2_000)
+    assert watched.told() == "lost"
+    assert page.evaluate("ended") == 1
+
+    watched.begin()
+    clock.run_for(40_000)
+    clock.fast_forward("01:00:00")  # an hour of sleep is no waiting
+    clock.run_for(15_000)
+    watched.is_waited_for()
+
+    watched.begin()
+    page.evaluate("answer({fetching: true})")
+    clock.run_for(120_000)  # a slow download is no slow frame
+    assert watched.told() is None
+    page.evaluate("answer({fetching: false})")
+    watched.is_waited_for()
+
+    page.evaluate(BEGIN)
+    watched.ask("prepare")
+    clock.run_for(100)
+    page.evaluate("answer({ok: false, fatal: true, error: 'table index is out of bounds'})")
+    assert watched.told() == "lost"
+    watched.ask("render")
+    clock.run_for(100)
+    assert page.evaluate("plain") == [False, True], "then without the snapshot"
+    page.close()
+
+
+NOT_STORED = {"/sw.js": Fault(status=404)}
+"""So that every file is asked of the host."""
+
+
+@pytest.fixture(
+    scope="module",
+    params=[
+        pytest.param(name, marks=[] if name == "Firefox" else pytest.mark.deep) for name in ENGINES
+    ],
+)
+def engine(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Engine]:
+    opened = ENGINES[request.param](tmp_path_factory.mktemp("profile"))
+    if opened is None:
+        pytest.skip(f"{request.param}: {HOW_TO}")
+    with opened as window:
+        yield window
+
+
+@pytest.mark.parametrize(
+    "kind",
+    ["missing", *(pytest.param(kind, marks=pytest.mark.deep) for kind in ("cut", "half", "login"))],
+)
+def test_other_engines_tell_of_scripts_that_do_not_arrive(
+    engine: Engine, uncached: StaticServer, built_site: Path, kind: str
+) -> None:
+    uncached.faults = {**NOT_STORED, "/js/main.js": FAULTS[kind]}
+    engine.open(uncached.url + "licences/")
+    wait_for(engine, "() => document.querySelector('.scripts-notice').checkVisibility()")
+    (late,) = built_site.glob("assets/*/js/progress_file-*.js")
+    uncached.faults = {**NOT_STORED, f"/{late.name}": FAULTS[kind]}
+    engine.open(uncached.url)
+    wait_for(engine, "() => document.querySelector('html.js') !== null")
+    engine.ask(CARRY_OVER)
+    wait_for(engine, f"({SAYS})", "part of the page did not load")
+
+
+CARRY_OVER = """() => {
+  const button = document.createElement('button');
+  button.dataset.progressExport = '';
+  document.getElementById('main').append(button);
+  button.click();
+}"""
+SAYS = "(part) => document.querySelector('.notice')?.textContent.includes(part)"
+
+
+@pytest.mark.parametrize(("name", "kind"), tried(("numpy.zip", "login")))
+def test_other_engines_tell_of_faults_of_the_runtime(
+    engine: Engine, uncached: StaticServer, name: str, kind: str
+) -> None:
+    if (name, kind) == ("worker.js", "type"):
+        pytest.skip("WebKitGTK has no event for it")
+    uncached.faults = {**NOT_STORED, **WITHOUT_SNAPSHOT, f"/{name}": KINDS[kind]}
+    engine.open(uncached.url + CHAPTER)
+    wait_for(engine, "() => document.querySelector('[data-state=failed]') !== null")
+    message = engine.ask("() => document.querySelector('.figure-message').textContent")
+    assert name in message
+    # Where the connection breaks off, Firefox takes what came for the whole.
+    said = {SAID.get(kind, DAMAGED), *([DAMAGED] if kind == "cut" else [])}
+    assert any(words in message for words in said), message
+
+
+def test_other_engines_start_without_a_snapshot_and_tell_why_the_book_is_not_stored(
+    engine: Engine, uncached: StaticServer
+) -> None:
+    uncached.faults = {
+        **NOT_STORED,
+        "/snapshot.wasm": FAULTS["changed"],
+        "/core.zip": Fault(late_s=2),
+    }
+    engine.open(uncached.url + "licences/")
+    engine.ask("() => sessionStorage.clear()")  # it is said once in a visit
+    engine.open(uncached.url + CHAPTER)
+    wait_for(engine, f"() => {LIVE}")
+    wait_for(engine, SAYS, "sw.js")

@@ -1,0 +1,573 @@
+"""A reader at one figure: accuracy, links that set it, its address, its tools, a picture of one's
+own."""
+
+import csv
+import io
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image
+from playwright.sync_api import Browser, FilePayload, Locator, expect
+from support.host import hosting
+from support.page_scripts import SILENT_WORKER
+from support.reader import Reader
+
+from site_builder.publishing.hosting import common_policy, frame_rule
+from site_builder.settings.model import Publishing
+
+pytestmark = pytest.mark.browser
+
+CHAPTER = "lens-distortion/"
+ID = "figure-lens-distortion"
+BARREL = f'a.set[href="?{ID}.k1=-0.2&{ID}.k2=0#{ID}"]'
+CORRECTED = "a.set[data-values*='\"correct\": true']"
+IS_AT = "(figure, name, value) => figure.querySelector(`[name=${name}]`).value === value"
+
+
+@pytest.fixture
+def figure(guest: Reader, book: Any) -> Iterator[Locator]:
+    """At rest as its page has put it, with all answers shown; glides have frames on their way on
+    a busy machine, too."""
+    found = guest.stay_at_figure(book, "lens-distortion")
+    guest.page.evaluate("document.querySelectorAll('[data-reveal]').forEach((b) => b.click())")
+    guest.page.evaluate(STEADY_CLOCK)
+    yield found
+    guest.page.evaluate("() => { requestAnimationFrame = usualFrame; }")
+    guest.page.emulate_media(reduced_motion="null")
+
+
+STEADY_CLOCK = """() => {
+  const usual = requestAnimationFrame;
+  let now = 0;
+  globalThis.usualFrame = usual;
+  requestAnimationFrame = (draw) => usual(() => draw((now += 40)));
+}"""
+
+
+def set_slider(figure: Locator, name: str, value: float, *, release: bool) -> None:
+    """As a hand does: ``input`` events while it holds the knob, ``change`` when it lets go."""
+    figure.locator(f"input[name={name}]").evaluate(
+        """(input, [value, release]) => {
+          input.value = value;
+          input.dispatchEvent(new Event('input', {bubbles: true}));
+          if (release) input.dispatchEvent(new Event('change', {bubbles: true}));
+        }""",
+        [str(value), release],
+    )
+
+
+DRAGS = (
+    ("camera", "layers", "focal_length", 60, "draft"),
+    ("camera", "layers", "noise_sigma", 20, "layers"),  # leaves the geometry alone
+    ("camera", "layers", "k1", -0.2, "bowed"),  # has a draft of its own
+    ("camera", "layers", "aperture", 4, "layers"),
+    ("camera", "aperture-rays", "aperture", 4, "draft"),
+    ("lens-distortion", "first-order", "k1", 0.3, "first-order"),  # cheaper than the draft
+)
+"""Scene, chosen tier, control, value, and the tier while the control is dragged."""
+
+
+@pytest.mark.parametrize(("scene", "chosen", "control", "value", "drafted"), DRAGS)
+def test_a_drag_is_drafted_and_settles_in_the_chosen_tier(
+    guest: Reader, book: Any, scene: str, chosen: str, control: str, value: float, drafted: str
+) -> None:
+    figure = guest.stay_at_figure(book, scene)
+    if figure.get_attribute("data-tier") != chosen:
+        guest.choose(figure, "tier", chosen)
+        guest.settle(figure)
+    with guest.next_frame(figure):
+        set_slider(figure, control, value, release=False)
+    assert figure.get_attribute("data-tier") == drafted
+    draft = guest.shown(figure)
+    set_slider(figure, control, value, release=True)
+    guest.settle(figure)
+    assert figure.get_attribute("data-tier") == chosen
+    assert drafted != "draft" or guest.shown(figure)["pixels"] != draft["pixels"]
+
+
+def test_the_error_is_told_at_rest_by_tier_and_never_beside_another_frame(
+    visitor: Reader, book: Any
+) -> None:
+    """It is measured only where it is shown."""
+    figure = visitor.turn_to_figure(book, "lens-distortion")
+    assert figure.locator(".accuracy-value").text_content() == "…"
+    set_slider(figure, "k1", -0.3, release=True)
+    visitor.settle(figure)
+    errors = {}
+    for tier in ("first-order", "newton-bracketed"):
+        visitor.choose(figure, "tier", tier)
+        errors[tier] = visitor.judged(figure)
+    assert errors["newton-bracketed"] == "under 10⁻⁹\xa0px"
+    assert float(errors["first-order"].removesuffix("\xa0px")) > 1
+    figure.evaluate(NOTE_ERROR)
+    with visitor.next_frame(figure):
+        set_slider(figure, "k1", 0.2, release=False)
+    assert visitor.page.evaluate("window.beside")[0] == "…"
+    # Focused nearer than its focal length a lens makes no picture, and no stage is run.
+    figure = visitor.turn_to_figure(book, "depth-of-field")
+    for focus in (0.05, 3.0):
+        with visitor.next_frame(figure):
+            set_slider(figure, "focus", focus, release=True)
+        visitor.settle(figure)
+        assert figure.get_attribute("data-state") == "live"
+    assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
+
+
+NOTE_ERROR = """(figure) => {
+  window.beside = [];
+  figure.addEventListener('painted', () => {
+    window.beside.push(figure.querySelector('.accuracy-value').textContent);
+  });
+}"""
+"""The error beside each frame when it is painted; soon after, its own may stand there."""
+
+
+def test_words_set_a_figure_by_a_glide_and_back_undoes_it(guest: Reader, figure: Locator) -> None:
+    page = guest.page
+    figure.evaluate(NOTE_VALUES)
+    start = float(figure.locator("[name=k1]").input_value())
+    page.locator(BARREL).first.click()
+    guest.wait_for(figure, IS_AT, "k1", "-0.2")
+    passed = [float(value) for value in page.evaluate("window.passed")]
+    assert passed == sorted(passed, reverse=True)
+    assert any(-0.2 < value < start for value in passed)
+    assert all(round(100 * value, 6) == round(100 * value) for value in passed)
+    guest.settle(figure)
+    assert figure.locator("output[name=corner]").inner_text() == "−40.0"
+    figure.locator("[name=k1]").fill("0.3")
+    page.locator(BARREL).first.press("Enter")
+    guest.wait_for(figure, IS_AT, "k1", "-0.2")
+    page.go_back()
+    guest.wait_for(figure, IS_AT, "k1", "0.3")
+    page.go_forward()
+    guest.wait_for(figure, IS_AT, "k1", "-0.2")
+    # A hand on the figure stops the glide.
+    guest.put_back(figure)
+    figure.evaluate(TOUCH_ON_THE_WAY)
+    page.locator(BARREL).first.click()
+    guest.wait_for(figure, "(figure) => figure.querySelector('[name=k1]').value <= -0.05")
+    stopped = figure.locator("[name=k1]").input_value()
+    guest.settle(figure)
+    assert figure.locator("[name=k1]").input_value() == stopped != "-0.2"
+    # Less motion, no glide.
+    guest.put_back(figure)
+    page.emulate_media(reduced_motion="reduce")
+    page.evaluate("window.passed.length = 0")
+    page.locator(BARREL).first.click()
+    guest.wait_for(figure, IS_AT, "k1", "-0.2")
+    assert page.evaluate("window.passed") == []
+
+
+NOTE_VALUES = """(figure) => {
+  const k1 = figure.querySelector('[name=k1]');
+  window.passed = [];
+  k1.addEventListener('input', () => window.passed.push(k1.value));
+}"""
+TOUCH_ON_THE_WAY = """(figure) => {
+  const k1 = figure.querySelector('[name=k1]');
+  k1.addEventListener('input', function touch() {
+    if (k1.value > -0.05) return;
+    k1.removeEventListener('input', touch);
+    figure.dispatchEvent(new Event('pointerdown'));
+  });
+}"""
+
+
+def test_words_bring_their_figure_into_view_and_a_press_leads_back(
+    guest: Reader, figure: Locator
+) -> None:
+    """Words of a prediction set all that their claim depends on."""
+    page = guest.page
+    link, back = page.locator(CORRECTED), page.locator(".way-back")
+    guest.bring(link)
+    expect(figure.locator(".panels")).not_to_be_in_viewport(ratio=0.5)
+    expect(back).to_have_count(0)
+    link.click()
+    guest.wait_for(figure, "(figure) => figure.querySelector('[name=correct]').checked")
+    expect(figure.locator(".panels")).to_be_in_viewport(ratio=0.5)
+    back.click()
+    expect(link).to_be_in_viewport()
+    expect(link).to_be_focused()
+    expect(back).to_have_count(0)
+    start = figure.evaluate("f => JSON.parse(f.querySelector('script.schema').textContent).values")
+    guest.uncover(figure)
+    figure.locator("[name=correct]").check(force=True)
+    figure.locator("[name=k2]").fill("0.3")
+    link = page.locator(f"[data-answers] a.set[data-figure={ID}]").first
+    link.click()
+    claim = json.loads(link.get_attribute("data-values") or "")
+    for name, value in {**start, **claim}.items():
+        control = figure.locator(f"[name={name}]")
+        match control.get_attribute("type"):
+            case "checkbox":
+                expect(control).to_be_checked(checked=value)
+            case "range":
+                guest.wait_for(figure, IS_AT, name, f"{value:g}")
+
+
+@pytest.mark.deep
+def test_every_link_of_the_book_brings_its_figure_to_the_values_that_it_names(
+    plain_reader: Reader, book: Any
+) -> None:
+    plain_reader.page.emulate_media(reduced_motion="reduce")
+    for url in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
+        assert plain_reader.page.evaluate(FOLLOW_ALL) == [], url
+
+
+FOLLOW_ALL = """async () => {
+  const wrong = [];
+  for (const button of document.querySelectorAll('[data-reveal]')) button.click();
+  for (const link of document.querySelectorAll('a.set')) {
+    const figure = document.getElementById(link.dataset.figure);
+    link.click();
+    const shows = () => Object.entries(JSON.parse(link.dataset.values)).every(([name, value]) => {
+      const control = figure.querySelector(`form.controls [name="${name}"]`);
+      if (control.type === 'checkbox') return control.checked === value;
+      if (control.type === 'button') return control.dataset.state === String(value);
+      return control.value === String(value);
+    });
+    for (let left = 100; left && !shows(); left -= 1) await new Promise((r) => setTimeout(r, 20));
+    if (!shows()) wrong.push(link.outerHTML);
+  }
+  return wrong;
+}"""
+
+
+def open_at(visitor: Reader, **settings: str) -> Locator:
+    """The chapter's first figure, at an address that asks for ``settings``."""
+    query = "&".join(f"{ID}.{name}={value}" for name, value in settings.items())
+    visitor.turn_to_unlinked(f"{CHAPTER}?{query}#{ID}")
+    return visitor.figure("lens-distortion")
+
+
+def values(figure: Locator, *names: str) -> list[str]:
+    return [figure.locator(f"form.controls [name={name}]").input_value() for name in names]
+
+
+def starts(figure: Locator, *names: str) -> list[str]:
+    """The values at which the page puts controls."""
+    said = figure.locator("script.schema").evaluate("(script) => JSON.parse(script.text).values")
+    return [
+        f"{said[name]:g}" if isinstance(said[name], float) else str(said[name]) for name in names
+    ]
+
+
+def test_an_address_sets_its_figure_and_no_other_and_what_it_cannot_mean_is_named(
+    visitor: Reader,
+) -> None:
+    figure = open_at(visitor, k1="-0.3", picture="chart", tier="newton-5", correct="true")
+    assert values(figure, "k1", "picture", "tier") == ["-0.3", "chart", "newton-5"]
+    assert figure.locator("[name=correct]").is_checked()
+    assert figure.get_attribute("data-tier") == "newton-5"
+    assert figure.locator("output[name=corner]").inner_text() == "−60.0"
+    assert values(visitor.page.locator("#figure-two-coefficients"), "k1", "k2") == ["-0.2", "0.2"]
+    assert not figure.locator(".figure-status").is_visible()
+    figure = open_at(visitor, k1="-7", k2="0.1234")
+    assert values(figure, "k1", "k2") == ["-0.5", "0.12"], "in range, and on the steps"
+    (worker,) = visitor.page.workers
+    for meaningless in (
+        {"k1": "1e", "k2": "", "k9": "1"},
+        {"picture": "%E0%A4%A", "correct": "yes", "tier": "best"},
+    ):
+        figure = open_at(visitor, **meaningless)
+        names = ("k1", "k2", "picture")
+        assert values(figure, *names) == starts(figure, *names)
+        assert values(figure, "tier") == ["closed-form"]
+        said = figure.locator(".figure-message").inner_text()
+        assert all(f"{name}=" in said for name in meaningless)
+    figure.locator("[name=k1]").fill("0.1")
+    figure.locator(".figure-status").wait_for(state="hidden")
+    visitor.turn_to(CHAPTER)
+    assert values(figure, "k1") == starts(figure, "k1")
+    assert visitor.page.workers == [worker]
+
+
+def test_the_address_follows_a_hand_at_rest_without_an_entry_of_the_history(
+    visitor: Reader,
+) -> None:
+    """After another chapter the figure is as it was left."""
+    visitor.turn_to(CHAPTER)
+    page, figure = visitor.page, visitor.figure("lens-distortion")
+    entries = page.evaluate("history.length")
+    visitor.uncover(figure)
+    figure.locator("[name=k1]").fill("0.3")
+    figure.locator("[name=k2]").fill("-0.1")
+    address = "search => location.search === search"
+    page.wait_for_function(address, arg=f"?{ID}.k1=0.3&{ID}.k2=-0.1")
+    assert page.evaluate("history.length") == entries
+    figure.locator("[name=k1]").fill(*starts(figure, "k1"))
+    page.wait_for_function(address, arg=f"?{ID}.k2=-0.1")
+    visitor.turn_to("lighting-and-reflectance/")
+    page.go_back()
+    page.locator(f"#{ID}").wait_for()
+    visitor.wait_live()
+    assert values(figure, "k1", "k2") == [*starts(figure, "k1"), "-0.1"]
+
+
+def test_a_reload_puts_a_figure_where_the_address_says_before_python_answers(
+    reader: Reader,
+) -> None:
+    reader.page.add_init_script(SILENT_WORKER)
+    reader.open(f"{CHAPTER}?{ID}.k1=0.3", live=False)
+    reader.page.reload()
+    reader.wait_for(reader.figure("lens-distortion"), IS_AT, "k1", "0.3")
+
+
+@pytest.fixture
+def tools(guest: Reader, figure: Locator) -> Locator:
+    """The figure at a setting of its own, its list of tools open."""
+    guest.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    figure.locator("[name=k1]").fill("-0.3")
+    guest.page.wait_for_function("location.search.includes('k1=-0.3')")
+    guest.settle(figure)
+    figure.locator(".share").evaluate("tools => { tools.open = true; }")
+    return figure
+
+
+def saved(figure: Locator, button: str) -> Path:
+    with figure.page.expect_download() as download:
+        figure.locator(button).click()
+    path = download.value.path()
+    return path.rename(path.with_name(download.value.suggested_filename))
+
+
+def test_the_link_is_copied_reset_is_undone_and_the_figure_fills_the_screen(
+    guest: Reader, tools: Locator
+) -> None:
+    page = guest.page
+    tools.locator(".share > summary").focus()
+    page.keyboard.press("Tab")
+    expect(tools.locator("[data-copy-link]")).to_be_focused()
+    page.keyboard.press("Enter")
+    tools.locator(".tools-said", has_text="copied").wait_for()
+    link = page.evaluate("navigator.clipboard.readText()")
+    assert link == f"{guest.root}{CHAPTER}?{ID}.k1=-0.3#{ID}"
+    page.evaluate(
+        "() => { navigator.clipboard.writeText = () => Promise.reject(new Error('no')); }"
+    )
+    tools.locator("[data-copy-link]").click()
+    field = tools.locator(".copied")
+    field.wait_for()  # it is shown to be copied by hand
+    page.evaluate("delete navigator.clipboard.writeText")
+    assert field.input_value().endswith(f"?{ID}.k1=-0.3#{ID}")
+
+    page.emulate_media(reduced_motion="reduce")
+    tools.locator("[data-reset]").click()
+    guest.wait_for(tools, IS_AT, "k1", *starts(tools, "k1"))
+    page.wait_for_function("location.search === ''")
+    page.go_back()
+    guest.wait_for(tools, IS_AT, "k1", "-0.3")
+
+    button, lead = tools.locator("[data-full-screen]"), tools.locator(".panel-view").first
+    said, width = button.inner_text(), lead.evaluate("view => view.clientWidth")
+    button.click()
+    page.wait_for_function(f"document.fullscreenElement?.id === '{ID}'")
+    expect(button).not_to_have_text(said)
+    assert lead.evaluate("view => view.clientWidth") > width
+    page.evaluate("document.exitFullscreen()")  # as a browser's Escape does
+    expect(button).to_have_text(said)
+
+    places = """figure => [...figure.querySelectorAll("summary, .tools > button, .open-python")]
+      .map(one => [one.offsetLeft, one.offsetTop - figure.offsetTop])"""
+    fold = "(figure, open) => figure.querySelectorAll('details').forEach(d => { d.open = open; })"
+    tools.evaluate(fold, False)
+    before = tools.evaluate(places)
+    tools.evaluate(fold, True)
+    assert tools.evaluate(places) == before, "the line of tools stays when a fold opens"
+    expect(tools.locator(".stage-report > :last-child")).to_be_visible()
+
+
+def test_numbers_pictures_and_drawings_are_saved(tools: Locator) -> None:
+    """Numbers with their settings, a picture at twice its size with its drawing, a drawing that
+    needs no style sheet."""
+    text = saved(tools, "[data-save-numbers]").read_text(encoding="utf-8")
+    rows = {(row["kind"], row["name"]): row for row in csv.DictReader(io.StringIO(text))}
+    assert rows["setting", "k1"]["value"] == "-0.3"
+    assert float(rows["readout", "corner"]["value"]) == -60.0
+    assert rows["readout", "corner"]["unit"] == "px"
+    view = tools.locator('[data-panel="picture"] .panel-view')
+    with Image.open(saved(tools, '[data-save-panel="picture"]')) as picture:
+        assert picture.format == "PNG"
+        assert picture.size == tuple(view.evaluate("v => [2 * v.clientWidth, 2 * v.clientHeight]"))
+        colours = set(picture.convert("RGB").get_flattened_data())
+    error = tools.locator('[data-panel="picture"] .overlay .error').first
+    painted = error.evaluate("element => getComputedStyle(element).color")
+    assert tuple(int(part) for part in re.findall(r"\d+", painted)) in colours
+    drawing = saved(tools, '[data-save-panel="grid"]').read_text(encoding="utf-8")
+    assert "class=" not in drawing
+    assert "data:font/woff2" in drawing or "data:application" in drawing
+    stroke = tools.locator('[data-panel="grid"] .overlay .image').first.evaluate(
+        "element => getComputedStyle(element).stroke"
+    )
+    assert stroke in drawing
+
+
+def test_an_embedded_figure_lives_in_a_page_of_another_origin(
+    guest: Reader, tools: Locator, brisk_chromium: Browser, built_site: Path, tmp_path: Path
+) -> None:
+    tools.locator("[data-copy-embed]").click()
+    tools.locator(".tools-said", has_text="copied").wait_for()
+    html = guest.page.evaluate("navigator.clipboard.readText()")
+    assert f'src="{guest.root}embed/{CHAPTER}{ID}/?k1=-0.3"' in html
+    pages = [page.read_bytes() for page in built_site.rglob("*.html")]
+    policy = f"{common_policy(pages)}; {frame_rule(Publishing().frames)}"
+    requests: list[str] = []
+    errors: list[str] = []
+    with (
+        hosting(tmp_path) as course,
+        hosting(built_site, rules={"/*": {"Content-Security-Policy": policy}}) as book,
+        brisk_chromium.new_context(viewport={"width": 1440, "height": 900}) as context,
+    ):
+        frame = html.replace(guest.root, book.url)
+        (tmp_path / "index.html").write_text(f"<!DOCTYPE html><link rel=icon href=data:,>{frame}")
+        page = context.new_page()
+        context.on("request", lambda request: requests.append(request.url))
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.on("console", lambda said: errors.extend([said.text] * (said.type == "error")))
+        page.goto(course.url)
+        inside = page.frame_locator("iframe")
+        expect(inside.locator("simulation-figure")).to_have_attribute("data-state", "live")
+        assert inside.locator("[name=k1]").input_value() == "-0.3"
+        inside.locator("[name=k1]").fill("0.1")
+        expect(inside.locator("output[name=corner]")).to_have_text("20.0")
+        embedded = page.frames[1]
+        box = embedded.locator("figure").bounding_box()
+        assert box is not None
+        assert box["x"] + box["width"] / 2 == pytest.approx(720, abs=10), "in the middle"
+        embedded.wait_for_url("**/?k1=0.1")
+        embedded.goto(f"{embedded.url}&k9=1")
+        expect(inside.locator(".figure-message", has_text="k9=1")).to_be_visible()
+        assert errors == []
+        outside = {url for url in requests if not url.startswith((book.url, "data:", "blob:"))}
+        assert outside == {course.url}
+
+
+def test_words_readouts_and_controls_light_up_together(
+    guest: Reader, figure: Locator, plain_reader: Reader
+) -> None:
+    """Numbers that a control changes are marked until the hand rests."""
+    page = guest.page
+    caption = page.locator(f"#{ID} .figure-caption")
+    lit = "(element, role) => (element.dataset.lit ?? '') === role"
+    for pointed, role in [
+        (caption.locator(".role-world"), "world"),
+        (figure.locator(".readout.role-ray"), "ray"),
+    ]:
+        pointed.hover()
+        for element in (figure, page.locator("article.chapter")):
+            guest.wait_for(element, lit, role)
+        page.mouse.move(0, 0)
+        guest.wait_for(figure, lit, "")
+    caption.locator(".role-image").hover()
+    guest.wait_for(
+        figure.locator(".overlay > .camera").first, "one => getComputedStyle(one).opacity !== '1'"
+    )
+    page.mouse.move(0, 0)
+    figure.evaluate("""(figure) => {
+      window.marked = new Set();
+      figure.addEventListener('painted', () => {
+        for (const item of figure.querySelectorAll('.readout[data-moved] output')) {
+          window.marked.add(item.name);
+        }
+      });
+    }""")
+    with guest.next_frame(figure):
+        figure.locator("[name=k1]").fill("0.21")
+    marked = set(page.evaluate("[...window.marked]"))
+    assert {"corner", "bow"} & marked
+    assert "kind" not in marked
+    expect(figure.locator(".readout[data-moved] output")).to_have_count(0)
+
+    page = plain_reader.page
+    plain_reader.open("perspective-projection/", live=False)
+    symbol = page.locator('main math [class^="role-"]').first
+    symbol.hover()
+    role = str(symbol.get_attribute("class")).removeprefix("role-")
+    plain_reader.wait_for(page.locator("article.chapter"), lit, role)
+    assert page.locator('main :is(span, math *)[class^="role-"][tabindex]').count() == 0
+    plain_reader.turn_to("lighting-and-reflectance/", live=False)
+    driven = plain_reader.figure("phong").locator(".control.driven")
+    page.locator(":is(figcaption, .figure-caption) .role-light").first.hover()
+    expect(driven.locator("[name=light_angle]")).to_have_count(1)
+    page.mouse.move(0, 0)
+    expect(driven).to_have_count(0)
+
+
+def test_a_screen_reader_finds_numbers_and_pictures_by_name(
+    plain_reader: Reader, guest: Reader, figure: Locator
+) -> None:
+    plain_reader.open(CHAPTER, live=False)
+    still = plain_reader.figure("lens-distortion")
+    readouts = still.locator(".readouts").first
+    heard = readouts.aria_snapshot()
+    assert "status" not in heard, "numbers do not speak while they change"
+    assert "paragraph" in heard, "Firefox tells of no flexible box without a role"
+    assert readouts.locator("output").first.inner_text() in heard
+    panels = still.locator(".panels")
+    assert panels.locator("svg text").count() > 0
+    assert "text:" not in panels.aria_snapshot(), "of drawings, only their names"
+    canvases = figure.locator("canvas.live")
+    assert canvases.count() > 0
+    for canvas in canvases.all():
+        panel = canvas.locator("xpath=ancestor::*[@data-panel][1]")
+        picture = guest.page.get_by_role("img").and_(canvas)
+        expect(picture).to_have_accessible_name(panel.locator(".panel-title").inner_text())
+
+
+RED, GLASS, WHITE = (200, 0, 0, 255), (0, 0, 0, 0), [255] * 4
+MIDDLE_PIXEL = """(figure) => {
+  const canvas = figure.querySelector('[data-panel="picture"] canvas');
+  const [x, y] = [canvas.width >> 1, canvas.height >> 1];
+  return [...canvas.getContext('2d').getImageData(x, y, 1, 1).data];
+}"""
+
+
+def picture(width: int, height: int, colour: tuple[int, ...], name: str = "own.png") -> FilePayload:
+    buffer = io.BytesIO()
+    Image.new("RGBA", (width, height), colour).save(buffer, "PNG")
+    return FilePayload(name=name, mimeType="image/png", buffer=buffer.getvalue())
+
+
+def test_a_figure_shows_the_reader_s_picture_and_then_the_book_s_again(
+    guest: Reader, figure: Locator
+) -> None:
+    """By its button, and by the menu of pictures; a file that is no picture is refused."""
+
+    def choose(file: FilePayload) -> Any:
+        with guest.next_frame(figure):
+            figure.locator("input[type=file]").set_input_files([file])
+        return figure.evaluate(MIDDLE_PIXEL)
+
+    with guest.next_frame(figure):  # the browser's, which may be a code off the page's
+        figure.locator("[name=k1]").fill("-0.01")
+    guest.settle(figure)
+    before = figure.evaluate(MIDDLE_PIXEL)
+    away = figure.get_by_role("button", name="The book’s picture")
+    cropped = figure.locator(".photograph-cropped")
+    assert choose(picture(640, 480, RED)) == [*RED]
+    expect(cropped).to_be_hidden()
+    with guest.next_frame(figure):
+        away.click()
+    assert figure.evaluate(MIDDLE_PIXEL) == before
+    expect(away).to_be_hidden()
+    assert choose(picture(640, 640, RED)) == [*RED]
+    expect(cropped).to_be_visible()
+    assert choose(picture(640, 480, GLASS)) == WHITE, "what is transparent"
+    guest.uncover(figure)
+    with guest.next_frame(figure):
+        figure.locator("select[name=picture]").select_option(index=1)
+    guest.settle(figure)
+    assert figure.evaluate(MIDDLE_PIXEL) not in (WHITE, [*RED])
+    expect(away).to_be_hidden()
+    none = FilePayload(name="notes.png", mimeType="image/png", buffer=b"no picture at all")
+    for file, words in (
+        (none, "Can’t open “notes.png”"),
+        (picture(8, 8, RED, "dot.png"), "“dot.png” has 8 × 8 pixels; it needs at least 16"),
+    ):
+        figure.locator("input[type=file]").set_input_files([file])
+        expect(figure.locator(".figure-message")).to_contain_text(words)
+        expect(figure).to_have_attribute("data-state", "live")

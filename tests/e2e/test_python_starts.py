@@ -1,0 +1,409 @@
+"""Python starts in the head of the page, from a snapshot or plainly, with no more files than the
+page needs, and for sparing readers only when asked."""
+
+import json
+import re
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Locator, Route, expect
+from support.page_scripts import FRUGAL, SILENT_WORKER
+from support.reader import Reader, chapter_of, visit
+from support.static_server import FAULTS, Fault, StaticServer
+
+from simulations.registry import LADDER_MODULES, load_ladder
+
+pytestmark = pytest.mark.browser
+
+CHAPTER, SCENE, CONTROL = "lens-distortion/", "lens-distortion", "k1"
+SNAPSHOT = "snapshot.wasm"
+BUILT_ON = ("python", "numpy", "core")
+"""The parts that a snapshot holds, so that they can come later."""
+
+
+@pytest.fixture
+def chapters(book: Any) -> list[Any]:
+    """One with one figure, the next, which has some too, and one that is far from them."""
+    few = [len(chapter["simulations"]) for chapter in book["chapters"]]
+    first = next(at for at in range(len(few)) if few[at] == 1 and few[at + 1])
+    far = next(at for at in range(first + 3, len(few)) if few[at])
+    return [book["chapters"][at] for at in (first, first + 1, far)]
+
+
+def test_python_starts_in_the_head_takes_the_page_s_frame_and_imports_the_next_chapter_s_scenes(
+    brisk_chromium: Browser, server: StaticServer, chapters: list[Any]
+) -> None:
+    """A page that was drawn by other sources than Python has is drawn anew."""
+    held: list[Route] = []
+    with visit(brisk_chromium, server, WATCH) as reader:
+        page, (scene,) = reader.page, chapters[0]["simulations"]
+        page.context.route("**/runtime.json", lambda route: held.append(route))
+        reader.open(chapters[0]["url"], live=False)
+        figure = reader.figure(scene)
+        before = reader.shown(figure)
+        for route in held:
+            route.continue_()
+        reader.wait_live()
+        assert reader.shown(figure) == before
+        begun = [str(call).strip() for call in page.evaluate("window.calls")]
+        assert begun[:2] == ["worker in the head", "start"]
+        assert sum(call.startswith("worker") for call in begun) == 1
+        assert len(page.workers) == 1
+        assert f"prepare {scene} starting" in begun
+        assert f"render {scene} starting" not in begun
+        page.wait_for_function(
+            "scene => window.calls.some((call) => call.startsWith(`prepare ${scene}`))",
+            arg=chapters[1]["simulations"][0],
+        )
+        address, scene = chapters[2]["url"], chapters[2]["simulations"][0]
+        other = re.compile(rb'data-sources="[^"]*"')
+        server.faults[f"/{address}"] = Fault(
+            lambda page: other.sub(b'data-sources="sha256-other"', page), media_type="text/html"
+        )
+        page.evaluate("window.calls = []")
+        reader.turn_to(address)
+        assert f"render {scene} starting" in page.evaluate("window.calls")
+
+
+WATCH = """window.calls = [];
+const tell = (...what) => window.calls.push(what.join(' '));
+globalThis.Worker = class extends Worker {
+  constructor(...given) {
+    super(...given);
+    tell('worker', document.body ? 'late' : 'in the head');
+  }
+  postMessage(message, ...given) {
+    const figure = document.querySelector(`[data-simulation="${message.scene}"]`);
+    tell(message.call, message.scene ?? '', figure?.dataset.state ?? '');
+    super.postMessage(message, ...given);
+  }
+};"""
+"""Note when workers begin and what they are asked, with the state of that figure, in order."""
+
+
+def test_a_page_that_is_pointed_at_is_fetched_once_and_others_are_not(
+    plain_reader: Reader, chapters: list[Any]
+) -> None:
+    page, wanted = plain_reader.page, plain_reader.root + chapters[1]["url"]
+    for hint in ("hover", "focus"):
+        plain_reader.open(chapters[0]["url"], live=False)
+        fetched = plain_reader.note_requests()
+        for address in ("https://elsewhere.example/", "#main", "../book.json", "mailto:a@b.c"):
+            page.evaluate(OFFER, address)
+            page.locator("#offered").hover()
+        link = page.locator(".pager a[rel=next]")
+        with page.expect_response(wanted):
+            link.hover() if hint == "hover" else link.focus()
+        pages = [url for url in fetched if not url.startswith(f"{plain_reader.root}assets/")]
+        assert pages == [wanted]
+        link.click()
+        page.wait_for_function(
+            "url => location.href === url && document.activeElement?.id === 'main'", arg=wanted
+        )
+        assert fetched.count(wanted) == 1
+
+
+OFFER = """(address) => {
+  document.getElementById('offered')?.remove();
+  const link = Object.assign(document.createElement('a'), {href: address, id: 'offered'});
+  link.textContent = 'A link';
+  document.getElementById('main').prepend(link);
+}"""
+
+
+def test_frames_drawn_beforehand_follow_a_slider_until_the_live_one_takes_their_place(
+    reader: Reader, built_site: Path, book: Any
+) -> None:
+    held: list[Route] = []
+    page, figure = reader.page, reader.figure(SCENE)
+    page.context.route("**/runtime.json", lambda route: held.append(route))
+    reader.open(chapter_of(book, SCENE), live=False)
+    place = figure.get_attribute("data-prerendered") or ""
+    strip = json.loads((built_site / place.removeprefix("../")).read_text(encoding="utf-8"))
+    wanted = strip["frames"][-2]
+    box = reader.bring(figure)
+    figure.evaluate(MOVE, [CONTROL, wanted["value"] + 0.01])
+    figure.locator(".early-mark").wait_for()
+    early = reader.shown(figure)
+    assert figure.get_attribute("data-early") == str(wanted["value"])
+    assert figure.get_attribute("data-frames") == "0"
+    for readout in wanted["readouts"]:
+        shown = figure.locator(f"output[name={readout['name']}]").text_content()
+        assert readout["text"] in (shown or "")
+    for route in held:
+        route.continue_()
+    reader.wait_live()
+    assert reader.shown(figure) != early, "not the frame of just this value"
+    assert figure.locator(".early-mark").count() == 0
+    assert reader.bring(figure) == box
+    # A slider that was moved before any script ran.
+    page.context.route("**/runtime.json", lambda _: None)
+    page.add_init_script(MOVED)
+    reader.open(chapter_of(book, SCENE), live=False)
+    figure.scroll_into_view_if_needed()
+    expect(figure).to_have_attribute("data-early", "0.3")
+
+
+MOVE = """(figure, [name, value]) => {
+  const slider = figure.querySelector(`input[name="${name}"]`);
+  slider.value = value;
+  slider.dispatchEvent(new Event('input', {bubbles: true}));
+}"""
+MOVED = f"""document.addEventListener('readystatechange', () => {{
+  const figure = document.getElementById('figure-{SCENE}');
+  if (figure && document.readyState === 'interactive') {{
+    figure.querySelector('input[name={CONTROL}]').value = '0.3';
+  }}
+}})"""
+
+SAVES_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}});"
+SLOW_LINK = "Object.defineProperty(navigator, 'connection', {value: {effectiveType: '2g'}});"
+LITTLE_MEMORY = "Object.defineProperty(navigator, 'deviceMemory', {value: 0.5});"
+LOST = "addEventListener('pagehide', (event) => event.stopImmediatePropagation());"
+"""A tab that crashes gets no event at its end."""
+
+
+@contextmanager
+def sparing(
+    chromium: Browser, server: StaticServer, script: str
+) -> Iterator[tuple[Reader, Locator, list[str]]]:
+    """A reader in such a browser, the figure, and the files of Python that are fetched."""
+    with visit(chromium, server, script) as someone:
+        python = someone.note_requests("/runtime.json", "/worker.js", ".wasm", ".zip")
+        yield someone, someone.figure(SCENE), python
+    someone.assert_no_complaints()
+
+
+@pytest.mark.parametrize(
+    "script",
+    [LITTLE_MEMORY, *(pytest.param(x, marks=pytest.mark.deep) for x in (SAVES_DATA, SLOW_LINK))],
+)
+def test_a_sparing_reader_s_figure_waits_keeps_its_settings_and_starts_when_asked(
+    brisk_chromium: Browser, server: StaticServer, book: Any, script: str
+) -> None:
+    with sparing(brisk_chromium, server, script) as (reader, figure, python):
+        page = reader.page
+        reader.open(chapter_of(book, SCENE), live=False)
+        begin = figure.get_by_role("button", name="Start the figures")
+        reader.bring(begin)
+        slider = figure.locator(f"input[name={CONTROL}]")
+        slider.press("ArrowRight")
+        chosen = slider.input_value()
+        figure.locator(".early-mark").wait_for()  # a frame drawn beforehand
+        page.wait_for_load_state("networkidle")
+        expect(figure).to_have_attribute("data-state", "waiting")
+        assert not python
+        begin.press("Enter")
+        reader.wait_live()
+        assert python
+        assert not begin.is_visible()
+        assert slider.input_value() == chosen
+        assert figure.locator(".early-mark").count() == 0
+        reader.turn_to(book["chapters"][0]["url"])  # the rest of the visit is as any other
+        page.reload()
+        begun = re.compile("starting|live")
+        expect(page.locator("simulation-figure").first).to_have_attribute("data-state", begun)
+
+
+def test_after_two_lost_tabs_the_third_start_waits_to_be_asked(
+    brisk_chromium: Browser, server: StaticServer, book: Any
+) -> None:
+    """Tabs that are left before Python has started are not lost."""
+    for script, expected in ((LOST, ["starting", "starting", "waiting"]), ("", ["starting"] * 3)):
+        with sparing(brisk_chromium, server, SILENT_WORKER + script) as (reader, figure, _):
+            states = []
+            for _ in range(3):
+                reader.open(chapter_of(book, SCENE), live=False)
+                states.append(figure.get_attribute("data-state"))
+            assert states == expected
+            if script:
+                figure.get_by_role("button", name="Start the figures").click()
+                assert figure.get_attribute("data-state") == "starting"
+
+
+def open_live(reader: Reader) -> None:
+    """Open the chapter, until its first figure lives; others may lack what they need."""
+    reader.open(CHAPTER, live=False)
+    expect(reader.figure(SCENE)).to_have_attribute("data-state", "live")
+
+
+def moved(reader: Reader) -> Any:
+    """What the figure shows after a key on its first slider."""
+    figure = reader.figure(SCENE)
+    reader.press(figure, "ArrowRight")
+    reader.settle(figure)
+    return reader.shown(figure)
+
+
+def test_figures_live_from_the_snapshot_before_its_parts_come_and_plainly_from_a_damaged_one(
+    brisk_chromium: Browser, uncached: StaticServer, built_site: Path
+) -> None:
+    """The snapshot comes late, by the type of a file that a host does not know. What a frame lacks
+    is told and asked for again. On iPhones CPython has no trampoline."""
+    late = {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
+    uncached.faults = {
+        f"/{SNAPSHOT}": Fault(late_s=1, media_type="application/octet-stream"),
+        **late,
+    }
+    with visit(brisk_chromium, uncached, FRUGAL) as reader:
+        fetched = reader.note_parts()
+        open_live(reader)
+        (listed,) = built_site.glob("runtime/*/runtime.json")
+        table = json.loads(listed.read_text(encoding="utf-8"))
+        needed = {*table["scenes"][SCENE]} - {*table["machine_code"]}
+        assert needed <= {*fetched}
+        assert len({*fetched}) == len(fetched), "nothing twice"
+    uncached.faults = {"/python.zip": Fault(status=404)}
+    with visit(brisk_chromium, uncached, FRUGAL, user_agent=IPHONE) as reader:
+        said: list[str] = []
+        reader.page.on("console", lambda message: said.append(message.text))
+        open_live(reader)
+        assert not said, "it would say that it starts plainly"
+        assert_told_and_asked_again(reader, uncached, "python")
+        after_snapshot = reader.shown(reader.figure(SCENE))
+    uncached.faults = {f"/{SNAPSHOT}": FAULTS["changed"]}
+    with visit(brisk_chromium, uncached, FRUGAL) as reader:
+        assert_starts_plainly(reader)
+        assert moved(reader) == after_snapshot
+
+
+IPHONE = "Mozilla/5.0 (iPhone; CPU iPhone OS 18_5 like Mac OS X) AppleWebKit/605.1.15"
+
+
+def assert_told_and_asked_again(reader: Reader, uncached: StaticServer, name: str) -> None:
+    figure = reader.figure(SCENE)
+    figure.locator("input[type=range]").first.press("ArrowRight")
+    retry = figure.locator(".retry")
+    retry.wait_for()
+    message = figure.locator(".figure-message").inner_text()
+    assert f"{name}.zip could not be loaded: the server answered 404" in message
+    uncached.faults = {}
+    retry.click()
+    reader.wait_live()
+    reader.settle(figure)
+
+
+def assert_starts_plainly(reader: Reader) -> None:
+    """And the page says nothing of it."""
+    fetched = reader.note_parts()
+    open_live(reader)
+    assert {*BUILT_ON} <= {*fetched}
+    assert not reader.page.locator(".figure-status:visible").count()
+
+
+@pytest.mark.deep
+@pytest.mark.parametrize("kind", FAULTS)
+def test_from_any_damaged_snapshot_python_starts_plainly(
+    brisk_chromium: Browser, uncached: StaticServer, kind: str
+) -> None:
+    uncached.faults = {f"/{SNAPSHOT}": FAULTS[kind]}
+    with visit(brisk_chromium, uncached, FRUGAL) as reader:
+        assert_starts_plainly(reader)
+
+
+@pytest.mark.deep
+@pytest.mark.parametrize("name", BUILT_ON)
+def test_what_a_frame_lacks_is_told_and_asked_for_again(
+    brisk_chromium: Browser, uncached: StaticServer, name: str
+) -> None:
+    uncached.faults = {f"/{name}.zip": Fault(status=404)}
+    with visit(brisk_chromium, uncached, FRUGAL) as reader:
+        open_live(reader)
+        assert_told_and_asked_again(reader, uncached, name)
+
+
+@pytest.fixture
+def table(server: StaticServer, built_site: Path) -> Any:
+    """``runtime.json`` without the snapshot, served so, with pages that do not know its hash."""
+    (file,) = built_site.glob("runtime/*/runtime.json")
+    read = json.loads(file.read_text(encoding="utf-8"))
+    integrity = {name: value for name, value in read["integrity"].items() if name != SNAPSHOT}
+    plain = {**read, "integrity": integrity}
+    own_table = re.compile(rb' data-table="[^"]*"')
+    server.damaged["/runtime.json"] = json.dumps(plain).encode()
+    server.faults["/"] = Fault(lambda page: own_table.sub(b"", page), media_type="text/html")
+    return plain
+
+
+def a_chapter(book: Any, table: Any, wanted: Callable[[set[str]], bool]) -> tuple[str, set[str]]:
+    """Address of a chapter, and the parts its scenes import: those of libraries as ``wanted``."""
+    for chapter in book["chapters"]:
+        parts = {part for scene in chapter["simulations"] for part in table["scenes"][scene]}
+        if chapter["simulations"] and wanted(of_libraries(parts)):
+            return chapter["url"], parts
+    raise AssertionError("no such chapter")
+
+
+def of_libraries(parts: Iterable[str]) -> set[str]:
+    """Those that hold nothing of ours."""
+    return {part for part in parts if not part.startswith(("scene-", "ladder-"))}
+
+
+@pytest.mark.parametrize(
+    "ladders", [("shading",), pytest.param((*LADDER_MODULES,), marks=pytest.mark.deep)]
+)
+def test_pages_fetch_what_their_scenes_import_and_ladders_and_later_pages_what_is_missing(
+    brisk_chromium: Browser, server: StaticServer, book: Any, table: Any, ladders: tuple[str, ...]
+) -> None:
+    first, none = a_chapter(book, table, lambda parts: not parts)
+    second, many = a_chapter(book, table, lambda parts: parts > of_libraries(none))
+    with visit(brisk_chromium, server, FRUGAL) as reader:
+        fetched, requests = reader.note_parts(), reader.note_requests()
+        reader.open(first)
+        assert sorted(fetched) == sorted({*BUILT_ON} | none)
+        reader.turn_to(second)
+        assert sorted(fetched) == sorted({*BUILT_ON} | none | many), "each of them once"
+        assert not [url for url in requests if "editor" in url or "/python/" in url]
+        named = set()
+        for ladder in ladders:
+            payload = {"ladder": ladder, "tier": load_ladder(ladder).default_tier, "budget": 0.001}
+            reply = reader.page.evaluate(CALL, ["measure", payload])
+            assert json.loads(reply["result"])["errors"], ladder
+            named.update(table["ladders"][ladder])
+        assert named <= {*fetched}
+        assert len({*fetched}) == len(fetched), "nothing twice"
+        assert "python-rest" not in fetched
+        reader.assert_no_complaints()
+
+
+CALL = """async ([name, payload]) => {
+  const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
+  return sharedRuntime().call(name, payload);
+}"""
+
+
+def test_a_part_that_cannot_be_had_stops_its_figures_and_is_asked_for_again_at_the_next_try(
+    reader: Reader, server: StaticServer, book: Any, table: Any
+) -> None:
+    """The table lists none: each is fetched when Python asks for it."""
+    reader.page.add_init_script(FRUGAL)
+    fetched = reader.note_parts()
+    address, parts = a_chapter(book, table, bool)
+    part = max(of_libraries(parts))
+    foreseen = {scene: [f"scene-{scene}"] for scene in table["scenes"]}
+    server.damaged["/runtime.json"] = json.dumps({**table, "scenes": foreseen}).encode()
+    server.faults[f"/{part}.zip"] = Fault(status=404)
+    reader.open(address, live=False)
+    figure = reader.page.locator("simulation-figure").first
+    retry, message = figure.locator(".retry"), figure.locator(".figure-message")
+    figure.locator("input[type=range]").first.press("ArrowRight")  # the page's own needs no part
+    retry.wait_for()
+    assert f"{part}.zip could not be loaded: the server answered 404" in message.inner_text()
+    for fault, words in (
+        (Fault(lambda _: b"<title>Sign in</title>"), f"a web page came instead of {part}.zip"),
+        (FAULTS["changed"], f"{part}.zip arrived damaged"),
+    ):
+        server.faults[f"/{part}.zip"] = fault
+        retry.click()
+        expect(message).to_contain_text(words)
+    del server.faults[f"/{part}.zip"]
+    retry.click()
+    reader.wait_live()
+    for figure in reader.page.locator("simulation-figure").all():
+        figure.locator("input[type=range]").first.press("ArrowRight")
+        reader.settle(figure)  # what only frames import comes after the page's own
+    assert {*fetched} == {*BUILT_ON} | parts
+    reader.complaints.clear()  # the browser's own words about the missing file

@@ -1,0 +1,451 @@
+"""Questions: every answer is judged and explained, by mouse and by keyboard; numbers are drawn;
+progress is kept, carried to another browser, and merged for a class."""
+
+import json
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator, expect
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+
+def questions(book: Any, kind: str, chapter: str = "") -> list[Any]:
+    return [
+        quiz
+        for quiz in book["quizzes"]
+        if quiz["kind"] == kind and chapter in ("", quiz["chapter"])
+    ]
+
+
+def right_value(quiz: Any) -> float:
+    return next(float(option["value"]) for option in quiz["options"] if option["correct"])
+
+
+def url_of(book: Any, item: Any) -> str:
+    """Of the chapter of a question."""
+    return str(next(c["url"] for c in book["chapters"] if c["id"] == item["chapter"]))
+
+
+def open_question(reader: Reader, book: Any, quiz: Any) -> Locator:
+    reader.open(url_of(book, quiz), live=False)
+    return form_of(reader, quiz)
+
+
+def form_of(reader: Reader, quiz: Any) -> Locator:
+    return reader.page.locator(f'form.quiz[data-quiz="{quiz["id"]}"]')
+
+
+def verdict(form: Locator) -> str | None:
+    return form.get_attribute("data-answered")
+
+
+def give(form: Locator, value: object) -> None:
+    form.locator("input[name=answer]").fill(str(value))
+    form.locator("button[type=submit]").click()
+
+
+def test_every_question_and_prediction_judges_each_answer_and_remembers_until_the_next_visit(
+    plain_reader: Reader, book: Any
+) -> None:
+    page, chapters = plain_reader.page, book["chapters"]
+    urls = [chapter["url"] for chapter in chapters]
+    for chapter, _ in zip(chapters, plain_reader.leaf_through(urls), strict=True):
+        for quiz in (each for each in book["quizzes"] if each["chapter"] == chapter["id"]):
+            if quiz["kind"] in ("single", "multiple"):
+                assert_choices_are_judged(form_of(plain_reader, quiz), quiz)
+            elif quiz["kind"] == "number":
+                assert_all_numbers_are_judged(form_of(plain_reader, quiz), quiz)
+        for item in (each for each in book["predictions"] if each["chapter"] == chapter["id"]):
+            form = page.locator(f'form[data-predict="{item["id"]}"]')
+            seen = form.evaluate(GUESS, right_guess(item))
+            assert seen == [0, "correct", 0], item["id"]
+    plain_reader.open(live=False)
+    plain_reader.turn_to(urls[-2], live=False)
+    for name, kept, judged, said in page.evaluate(KEPT):
+        assert (kept, judged) == (True, "correct"), name
+        assert said, name
+
+
+def assert_choices_are_judged(form: Locator, quiz: Any) -> None:
+    """Each option alone, then the right ones."""
+    right = [index for index, option in enumerate(quiz["options"]) if option["correct"]]
+    choices = [[index] for index in range(len(quiz["options"]))] + [right]
+    answers = form.evaluate(CHOOSE_EACH, choices)
+    for chosen, (judged, explanations) in zip(choices, answers, strict=True):
+        assert judged == ("correct" if chosen == right else "wrong"), quiz["id"]
+        assert len(explanations) == len(chosen), quiz["id"]
+        assert all(text.strip() for text in explanations), quiz["id"]
+
+
+def assert_all_numbers_are_judged(form: Locator, quiz: Any) -> None:
+    """A right one, known mistakes, and any other, of each combination that a question draws: each
+    has a reply of its own."""
+    variants = quiz.get("variants", [quiz])
+    for number in range(len(variants)):
+        if number:
+            form.evaluate("form => form.querySelector('[data-draw]').click()")
+        options = variants[int(form.get_attribute("data-variant") or 0)]["options"]
+        options = sorted(options, key=lambda option: bool(option["correct"]))
+        given = [repr(option.get("value", 12345.6789)) for option in options]
+        answers = form.evaluate(TYPE_EACH, given)
+        verdicts = ["correct" if option["correct"] else "wrong" for option in options]
+        assert [judged for judged, _ in answers] == verdicts, quiz["id"]
+        replies = {reply for _, reply in answers}
+        assert len(replies) == len(answers), f"{quiz['id']}: one reply twice"
+
+
+def right_guess(item: Any) -> str | None:
+    """The number or the place of the option; of a curve only the page knows."""
+    match item["kind"]:
+        case "number":
+            return repr(next(option["value"] for option in item["options"] if option["correct"]))
+        case "choice":
+            return str([option["correct"] for option in item["options"]].index(True))
+        case _:
+            return None
+
+
+CHOOSE_EACH = """(form, choices) => choices.map((chosen) => {
+  for (const box of form.querySelectorAll('input[name="answer"]')) {
+    box.checked = chosen.includes(Number(box.value));
+  }
+  form.requestSubmit();
+  const told = [...form.querySelectorAll('[role=status] .explanation')];
+  return [form.dataset.answered, told.map((one) => one.innerText)];
+})"""
+"""The verdict on each choice, and its explanations."""
+TYPE_EACH = """(form, values) => values.map((value) => {
+  form.elements.answer.value = value;
+  form.requestSubmit();
+  return [form.dataset.answered, form.querySelector('.explanation').innerText];
+})"""
+GUESS = """(form, right) => {
+  const answers = [...document.querySelectorAll(`[data-answers="${form.dataset.predict}"]`)];
+  const seen = () =>
+    answers.filter((answer) => answer.querySelector('.answer-body').checkVisibility()).length;
+  const before = seen();
+  const guesses = [...form.querySelectorAll('input[name=guess]')];
+  if (right === null) {
+    const {sketch} = JSON.parse(form.querySelector('script.predict-data').textContent);
+    guesses.forEach((slider, index) => {
+      slider.value = sketch.truth[index];
+      slider.dispatchEvent(new Event('input', {bubbles: true}));
+    });
+  } else if (guesses[0].type === 'radio') guesses.find(({value}) => value === right).checked = true;
+  else guesses[0].value = right;
+  form.requestSubmit();
+  return [before, form.dataset.answered, answers.length - seen()];
+}"""
+"""Answers that are seen before the guess, the verdict, and answers that are not seen after it."""
+KEPT = """() => [...document.querySelectorAll('form.quiz, form[data-predict]')]
+  .filter((form) => form.querySelector('input:not([data-move])') && !form.dataset.figure
+    && !form.querySelector('.order-item'))
+  .map((form) => [form.id, 'answered' in form.dataset, form.dataset.answered,
+    form.querySelector('[role=status]').innerText])"""
+
+
+def test_choices_and_numbers_are_asked_for_and_given_by_keyboard(
+    plain_reader: Reader, book: Any
+) -> None:
+    keyboard = plain_reader.page.keyboard
+    form = open_question(plain_reader, book, questions(book, "single")[0])
+    form.locator("button[type=submit]").press("Enter")
+    assert "Choose" in form.locator(".feedback").inner_text()
+    assert verdict(form) is None
+    form.locator("input").first.focus()
+    keyboard.press("Space")
+    keyboard.press("Enter")
+    assert verdict(form) in ("correct", "wrong")
+    quiz = questions(book, "number")[0]
+    plain_reader.turn_to(url_of(book, quiz), live=False)
+    form = form_of(plain_reader, quiz)
+    form.locator("input[name=answer]").focus()
+    keyboard.press("Enter")
+    assert "Type a number" in form.locator(".feedback").inner_text()
+    value = right_value(quiz) + 0.9 * quiz["tolerance"]
+    keyboard.type(f"{value} {quiz['unit']}")
+    keyboard.press("Enter")
+    assert verdict(form) == "correct"
+
+
+def test_an_order_is_made_by_keyboard_and_by_dragging(plain_reader: Reader, book: Any) -> None:
+    page = plain_reader.page
+    for quiz in questions(book, "order"):
+        form = open_question(plain_reader, book, quiz)
+        form.locator("button[type=submit]").press("Enter")
+        assert verdict(form) == "wrong", "no reader begins with the answer"
+        for place in range(len(quiz["options"])):
+            item = form.locator(f'.order-item:has(input[value="{place}"])')
+            item.locator("[data-move=up]").focus()
+            for _ in range(order_of(form).index(place) - place):
+                page.keyboard.press("Enter")
+        assert order_of(form) == sorted(order_of(form))
+        assert form.locator(".order-place").inner_text()
+        form.locator("button[type=submit]").press("Enter")
+        assert verdict(form) == "correct"
+    before = order_of(form)
+    plain_reader.bring(form.locator(".order"))
+    start = plain_reader.middle(form.locator(".grip").last)
+    x, y = plain_reader.middle(form.locator(".grip").first)
+    plain_reader.drag(start, (x, y - 15), steps=12)
+    assert order_of(form) == [before[-1], *before[:-1]]
+
+
+def order_of(form: Locator) -> list[int]:
+    return [int(i.get_attribute("value") or -1) for i in form.locator("input[name=answer]").all()]
+
+
+@pytest.mark.deep
+def test_every_figure_question_is_solved_by_its_solution(visitor: Reader, book: Any) -> None:
+    for place in book["chapters"]:
+        asked = questions(book, "figure", place["id"])
+        if asked:
+            visitor.turn_to(place["url"])
+        for quiz in asked:
+            form = form_of(visitor, quiz)
+            check(form, "wrong")
+            assert form.locator(".explanation").inner_text()
+            visitor.page.evaluate(SET, [quiz["figure"], quiz["solution"]])
+            check(form, "correct")
+
+
+SET = """([id, values]) => {
+  const form = document.getElementById(id).querySelector('form.controls');
+  for (const [name, value] of Object.entries(values)) {
+    const control = form.elements[name];
+    if (control.type === 'checkbox') control.checked = value === 'true';
+    else control.value = value;
+    control.dispatchEvent(new Event('input', {bubbles: true}));
+    control.dispatchEvent(new Event('change', {bubbles: true}));
+  }
+}"""
+
+
+def check(form: Locator, judged: str) -> None:
+    """Press the form's button by keyboard, and wait for that verdict."""
+    form.locator("button[type=submit]").press("Enter")
+    expect(form).to_have_attribute("data-answered", judged)
+
+
+def test_a_figure_is_judged_as_it_is_set_and_without_python_not_at_all(
+    visitor: Reader, plain_reader: Reader, book: Any
+) -> None:
+    quiz = next(q for q in questions(book, "figure") if q["id"] == "corner-twenty-inwards")
+    visitor.turn_to(url_of(book, quiz))
+    form = form_of(visitor, quiz)
+    assert form.get_attribute("data-figure") == quiz["figure"]
+    check(form, "wrong")
+    slider = visitor.page.locator(f"#{quiz['figure']} input[name=k1]")
+    slider.focus()
+    while float(slider.input_value()) > -0.1:
+        visitor.page.keyboard.press("ArrowLeft")
+    check(form, "correct")
+    form = open_question(plain_reader, book, quiz)
+    form.locator("button[type=submit]").click()
+    expect(form.locator(".feedback")).to_contain_text("cannot be checked")
+    assert verdict(form) is None
+
+
+def test_options_stand_in_an_order_of_the_reader_s_own_that_lasts(
+    plain_reader: Reader, book: Any
+) -> None:
+    def open_chapter() -> Any:
+        plain_reader.open(book["chapters"][3]["url"], live=False)
+        return plain_reader.page.evaluate(ORDERS)
+
+    orders = open_chapter()
+    assert all(sorted(order) == list(range(len(order))) for order in orders)
+    assert any(order != sorted(order) for order in orders)
+    assert open_chapter() == orders
+    others = []
+    for _ in range(3):
+        plain_reader.forget()
+        others.append(open_chapter())
+    assert any(other != orders for other in others)
+
+
+ORDERS = """[...document.querySelectorAll('form.quiz fieldset')]
+  .map((set) => [...set.querySelectorAll('input[type=radio], input[type=checkbox]')]
+    .map((input) => Number(input.value)))
+  .filter((order) => order.length)"""
+
+
+def test_drawn_numbers_are_a_class_s_own_and_stay_with_their_answer_until_others_are_asked_for(
+    plain_reader: Reader, book: Any
+) -> None:
+    page = plain_reader.page
+    drawing = max(book["quizzes"], key=lambda quiz: len(quiz.get("variants", ())))
+    form, url = form_of(plain_reader, drawing), url_of(book, drawing)
+
+    def asked(seed: str | None = None) -> str:
+        if seed is not None:
+            plain_reader.open(f"{url}?seed={seed}", live=False)
+        return form.locator(".asked").inner_text()
+
+    def answer() -> None:
+        variant = drawing["variants"][int(form.get_attribute("data-variant") or 0)]
+        give(form, repr(right_value(variant)))
+        assert verdict(form) == "correct"
+
+    seen = [asked(seed) for seed in ("spring", "summer", "autumn")]
+    assert len({*seen}) > 1
+    plain_reader.forget()
+    assert asked("spring") == seen[0], "in another browser"
+    plain_reader.open(live=False)
+    plain_reader.turn_to(url, live=False)
+    assert asked() == seen[0], "without the seed in the address"
+
+    plain_reader.begin_anew()
+    plain_reader.open(url, live=False)
+    first = asked()
+    others = form.get_by_role("button", name="Other numbers")
+    assert others.is_hidden(), "before an answer"
+    answer()
+    page.reload()
+    assert (asked(), verdict(form)) == (first, "correct")
+    others.click()
+    second = asked()
+    expect(form.locator("input[name=answer]")).to_be_focused()
+    assert (second != first, verdict(form)) == (True, None)
+    page.reload()
+    assert (asked(), verdict(form)) == (second, None)
+    page.evaluate("document.dispatchEvent(new Event('answers-read'))")
+    assert (asked(), verdict(form)) == (first, "correct"), "as in a file"
+    others.click()
+    answer()
+    page.reload()
+    assert (asked(), verdict(form)) == (second, "correct")
+    assert asked("") == second, "without a class, the reader's own stay"
+    assert any(asked(f"class-{number}") != second for number in range(20))
+    assert verdict(form) is None, "numbers of a class are asked for whatever was answered before"
+
+
+def test_progress_counts_lists_what_was_missed_and_is_reset_and_carried_over_as_a_file(
+    plain_reader: Reader, book: Any, tmp_path: Path
+) -> None:
+    page, place = plain_reader.page, book["chapters"][9]
+    plain_reader.open(live=False)
+    assert page.locator(".progress").is_hidden(), "before the first answer"
+    plain_reader.open(place["url"], live=False)
+    section = page.locator("section.progress")
+    total = len([quiz for quiz in book["quizzes"] if quiz["chapter"] == place["id"]])
+    assert f"0 of {total} " in section.inner_text()
+    right, wrong = questions(book, "number", place["id"])[:2]
+    give(form_of(plain_reader, right), right_value(right))
+    give(form_of(plain_reader, wrong), right_value(wrong) + 77)
+    assert f"1 of {total} " in section.inner_text()
+    missed = [link.get_attribute("href") for link in section.locator(".missed a").all()]
+    assert missed == [f"#quiz-{wrong['id']}"]
+    plain_reader.open(live=False)
+    assert f"1 of {len(book['quizzes'])} " in page.locator(".progress").inner_text()
+
+    plain_reader.open(place["url"], live=False)
+    with page.expect_download() as download:
+        section.locator("[data-progress-export]").click()
+    file = tmp_path / "progress.json"
+    download.value.save_as(file)
+    assert {*json.loads(file.read_text())["answers"]} == {
+        f"quiz:{right['id']}",
+        f"quiz:{wrong['id']}",
+    }
+    section.locator("[data-progress-reset]").click()
+    assert f"0 of {total} " in section.inner_text()
+    page.reload()
+    form = form_of(plain_reader, right)
+    assert verdict(form) is None
+    page.locator(".progress-file").set_input_files(file)
+    expect(section.locator(".progress-said")).to_contain_text("2 answers")
+    assert verdict(form) == "correct"
+    page.evaluate(OTHER_EDITION, right["id"])
+    page.reload()
+    assert verdict(form) is None, "another edition is asked again"
+
+
+OTHER_EDITION = """id => {
+  const key = `image-formation:quiz:${id}`;
+  localStorage[key] = JSON.stringify({...JSON.parse(localStorage[key]), edition: 'another'});
+}"""
+HEAD = '{"format": "image-formation-progress", "version": 1, "answers":'
+BROKEN = (
+    ("{", "not JSON"),
+    ("[]", "does not contain answers"),
+    ('{"format": "image-formation-progress", "version": 9, "answers": {}}', "version"),
+    (f"{HEAD} []}}", "no answers"),
+    (
+        f'{HEAD} {{"quiz:affine-dof": {{"edition": "0", "answer": 6, "right": true}},'
+        ' "theme": "dark"}}',
+        '"theme" is broken',
+    ),
+    (
+        f'{HEAD} {{"quiz:affine-dof": {{"edition": "0", "answer": "six", "right": true}}}}}}',
+        '"quiz:affine-dof" is broken',
+    ),
+)
+
+
+def test_nothing_of_a_broken_file_is_kept(plain_reader: Reader, tmp_path: Path) -> None:
+    plain_reader.open(live=False)
+    page, file = plain_reader.page, tmp_path / "broken.json"
+    for content, words in BROKEN:
+        file.write_text(content)
+        page.locator(".progress-file").set_input_files(file)
+        expect(page.locator(".progress-said")).to_contain_text(words)
+    kept = page.evaluate("Object.keys(localStorage).filter(k => k.includes(':quiz'))")
+    assert kept == []
+
+
+def test_files_of_thirty_readers_become_a_table_by_question_and_nothing_is_sent(
+    plain_reader: Reader, tmp_path: Path
+) -> None:
+    page = plain_reader.page
+    plain_reader.open("class/", live=False)
+    listed = json.loads(page.locator(".class-data").text_content() or "")
+    asked = [{**each, **each["variants"][0]} for each in listed]
+    choice = next(each for each in asked if each["kind"] == "single")
+    number = next(each for each in asked if each["kind"] == "number")
+    drawn = next(each for each in listed if len(each["variants"]) > 1)
+    options = [option["correct"] for option in choice["options"]]
+    right, wrong = options.index(True), [at for at, is_right in enumerate(options) if not is_right]
+    firsts = [right if who % 3 == 0 else wrong[who % 4 == 0] for who in range(30)]
+    files = [tmp_path / f"=Student {who}.json" for who in range(30)]
+    for who, (file, first) in enumerate(zip(files, firsts, strict=True)):
+        answer = {"edition": choice["edition"], "answer": [right], "right": True, "first": [first]}
+        edition = number["edition"] if who < 10 else "another"
+        other = drawn["variants"][-1]["edition"] if who < 5 else "another"
+        wrongly = {"answer": 0.125, "right": False}
+        answers = {
+            f"quiz:{choice['id']}": answer,
+            f"quiz:{number['id']}": {"edition": edition, **wrongly},
+            f"quiz:{drawn['id']}": {"edition": other, **wrongly, "seed": "class"},
+        }
+        file.write_text(f"{HEAD} {json.dumps(answers)}}}")
+    methods: list[str] = []
+    page.on("request", lambda request: methods.append(request.method))
+    broken = tmp_path / "broken.json"
+    broken.write_text("{")
+    page.locator(".class-files").set_input_files([*files, broken])
+    expect(page.locator(".class-tables details")).to_have_count(3)
+    said = page.locator(".class-said").inner_text()
+    assert "30 files, 3 questions" in said
+    assert "broken.json" in said
+
+    def summary(question: Any) -> str:
+        return page.locator("summary", has_text=question["name"]).inner_text()
+
+    trap, count = Counter(first for first in firsts if first != right).most_common(1)[0]
+    counted = f"30 answered, {firsts.count(right)} right at first, 30 right at last"
+    assert counted in summary(choice)
+    assert summary(choice).endswith(f"({count}): {choice['options'][trap]['text']}")
+    assert "10 answered, 0 right" in summary(number)
+    told = f"(5): {drawn['variants'][-1]['drawn']}: 0.125"
+    assert summary(drawn).endswith(told), "its numbers are told with the answer"
+    with page.expect_download() as download:
+        page.locator(".class-csv").click()
+    rows = Path(download.value.path()).read_text().splitlines()
+    assert len(rows) == 1 + 30 + 10 + 5
+    assert sum(row.startswith(f"{number['id']},'=Student ") for row in rows) == 10
+    assert {*methods} <= {"GET"}

@@ -1,0 +1,450 @@
+"""A reader finds the way: next pages, sections, other languages, keys, themes, terms, citations,
+search."""
+
+import re
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Literal
+
+import pytest
+from playwright.sync_api import Locator, expect
+from support.places import ROOT
+from support.reader import PHONE, Reader
+from support.static_server import StaticServer
+
+pytestmark = pytest.mark.browser
+
+SCROLL_TO = "top => scrollTo({top, behavior: 'instant'})"
+SECTIONS = "lens-distortion/"
+"""A chapter with many sections."""
+
+
+def test_the_whole_book_is_read_by_next_links_and_heads_turn_with_their_pages(
+    plain_reader: Reader, book: Any
+) -> None:
+    page, chapters = plain_reader.page, book["chapters"]
+    plain_reader.open("", live=False)
+    page.evaluate("window.stays = true")
+    plain_reader.turn_to(chapters[0]["url"], live=False)
+    heads = {}
+    for chapter in chapters[1:]:
+        page.locator('a[rel="next"]').last.click()
+        address = plain_reader.root + chapter["url"]
+        page.wait_for_function("url => location.href === url", arg=address)
+        assert page.evaluate("document.activeElement.id") == "main"
+        assert page.locator("h1").inner_text().strip() == chapter["title"]
+        assert chapter["title"] in page.title()
+        current = page.locator('#contents a[aria-current="page"]').text_content() or ""
+        assert chapter["title"] in current
+        heads[chapter["url"]] = page.evaluate(HEAD)
+    page.evaluate("history.back()")
+    page.wait_for_function("title => document.title.includes(title)", arg=chapters[-2]["title"])
+    assert page.evaluate("window.stays")
+    for chapter in chapters[1:3]:
+        plain_reader.open(chapter["url"], live=False)
+        assert heads[chapter["url"]] == page.evaluate(HEAD)
+
+
+HEAD = """() => [...document.head.querySelectorAll(
+    "link:not([rel=stylesheet], [rel=preload], [rel=modulepreload]), meta:not([http-equiv])")]
+  .map((part) => `${part.rel ?? part.name} ${part.href ?? part.content}`).sort()"""
+
+
+def test_links_arrive_at_their_sections_and_back_and_reloads_return_to_the_place_that_was_left(
+    plain_reader: Reader, book: Any
+) -> None:
+    page = plain_reader.page
+    first, second = (chapter["url"] for chapter in book["chapters"][1:3])
+    plain_reader.open(first, live=False)
+    link = page.locator("#contents .sections a").last
+    target = (link.get_attribute("href") or "").removeprefix("#")
+    link.click()
+    expect(page.locator(f"#{target}")).to_be_in_viewport()
+    page.evaluate(SCROLL_TO, 700)
+    page.wait_for_function("history.state?.scroll === Math.round(scrollY)")
+    left_at = page.evaluate("scrollY")
+    plain_reader.turn_to(second, live=False)
+    page.wait_for_function("scrollY === 0")
+    page.go_back()
+    back = f"{plain_reader.root}{first}#{target}"
+    page.wait_for_function("url => location.href === url", arg=back)
+    page.wait_for_function("top => Math.abs(scrollY - top) < 3", arg=left_at)
+
+    figure = "figure-lens-distortion"
+    plain_reader.open(f"lens-distortion/?{figure}.k1=-0.2#{figure}", live=False)
+    page.evaluate("scrollBy(0, 150)")
+    page.wait_for_function("history.state?.scroll === Math.round(scrollY)")
+    place = page.evaluate("Math.round(scrollY)")
+    page.reload()
+    page.wait_for_function("place => Math.abs(scrollY - place) < 3", arg=place)
+
+    citation = page.locator("a.citation").first
+    key = (citation.get_attribute("href") or "").partition("#")[2]
+    place = citation.get_attribute("id")
+    citation.click()
+    expect(page.locator(f"#{key}")).to_be_in_viewport()
+    page.locator(f'#{key} a[href$="lens-distortion/#{place}"]').click()
+    expect(page.locator(f"#{place}")).to_be_in_viewport(ratio=1)
+    link = page.locator("a.anchor").first
+    expect(link).to_have_css("opacity", "0")
+    link.focus()
+    page.keyboard.press("Shift+Tab")
+    page.keyboard.press("Tab")
+    expect(link).to_have_css("opacity", "1")
+    page.keyboard.press("Enter")
+    page.wait_for_function("href => location.hash === href", arg=link.get_attribute("href"))
+
+
+def test_another_language_keeps_section_figures_interpreter_and_answers(visitor: Reader) -> None:
+    page, section = visitor.page, "exploit-it-or-compensate-for-it"
+    figure = page.locator("#figure-formation-pipeline")
+    question = page.locator("#quiz-why-model-formation")
+    visitor.turn_to("why-image-formation/")
+    (worker,) = page.workers
+    figure.locator("input[name=albedo]").fill("0.3")
+    page.wait_for_url("**albedo=0.3**")
+    question.locator("input[value='3']").check()
+    question.locator("button[type=submit]").click()
+    page.locator(f"#{section}").evaluate("one => one.scrollIntoView({behavior: 'instant'})")
+    page.locator(f".other-language[href$='#{section}']").click()
+    page.wait_for_url(f"{visitor.root}de/why-image-formation/?*albedo=0.3#{section}")
+    assert page.locator("html").get_attribute("lang") == "de"
+    page.wait_for_function(
+        "id => Math.abs(document.getElementById(id).getBoundingClientRect().top) < 120", arg=section
+    )
+    assert "Die Höhe in Pixeln" in question.locator("[role=status]").inner_text()
+    visitor.wait_live()
+    assert page.workers == [worker]
+    assert figure.locator(".control-value").first.inner_text() == "0,30"
+    figure.get_by_text("Weiter", exact=True).click()
+    drawing = figure.locator("svg.overlay").last
+    expect(drawing).to_contain_text("(0,40; −0,30; 4,00) m von der Kamera")
+    expect(figure.locator(".description[lang=de]")).to_contain_text("Kamera")
+    page.go_back()
+    page.wait_for_function("document.documentElement.lang === 'en'")
+    assert page.locator(f".other-language[href$='#{section}']").inner_text() == "Deutsch"
+    visitor.turn_to("de/why-image-formation/", live=False)
+    dialog = opened(visitor)
+    for words, address in (("Farbtupfer", "/de/why-image-formation/"), ("vignetting", "/lens-")):
+        dialog.locator("input").fill(words)
+        found = re.compile(re.escape(address))
+        expect(dialog.locator("a[data-result]").first).to_have_attribute("href", found)
+    page.keyboard.press("Escape")
+
+
+@pytest.mark.parametrize(("system", "pressed"), [("light", "dark"), ("dark", "light")])
+def test_the_first_press_of_the_theme_button_changes_what_is_seen_and_is_remembered(
+    plain_reader: Reader, system: Literal["light", "dark"], pressed: str
+) -> None:
+    page = plain_reader.page
+    page.emulate_media(color_scheme=system)
+    plain_reader.open(live=False)
+    ground = "getComputedStyle(document.body).backgroundColor"
+    before = page.evaluate(ground)
+    page.locator(".theme-toggle").click()
+    assert page.locator("html").get_attribute("data-theme") == pressed
+    assert page.evaluate(ground) != before
+    plain_reader.open(live=False)
+    assert page.locator("html").get_attribute("data-theme") == pressed
+
+
+def test_the_header_stays_slim_leaves_on_a_phone_and_shows_what_is_read(
+    plain_reader: Reader,
+) -> None:
+    page = plain_reader.page
+    header = page.locator(".site-header")
+    for address in ("", SECTIONS):
+        plain_reader.open(address, live=False)
+        for width, height in ((1440, 900), (1024, 768), (320, 640)):
+            page.set_viewport_size({"width": width, "height": height})
+            assert header.evaluate("header => header.offsetHeight") <= 48, width
+            assert header.evaluate("header => header.scrollWidth <= header.clientWidth"), width
+            expect(header.locator("button[data-search]")).to_be_in_viewport(ratio=1)
+    page.set_viewport_size(PHONE)
+    for top, away in ((1500, True), (1300, False), (1600, True), (0, False)):
+        page.evaluate(SCROLL_TO, top)
+        is_away = "(header, away) => header.classList.contains('away') === away"
+        plain_reader.wait_for(header, is_away, away)
+    fold = page.locator("details.on-this-page")
+    expect(fold.locator("a").first).to_be_hidden()
+    fold.locator("summary").click()
+    target = (fold.locator("a").last.get_attribute("href") or "").removeprefix("#")
+    fold.locator("a").last.click()
+    expect(page.locator(f"#{target}")).to_be_in_viewport()
+    page.set_viewport_size({"width": 800, "height": 800})
+    button, contents = page.locator(".contents-toggle"), page.locator("#contents")
+    button.press("Enter")
+    expect(contents).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(contents).to_be_hidden()
+    expect(button).to_be_focused()
+
+    page.set_viewport_size({"width": 1280, "height": 900})
+    plain_reader.open("glossary/", live=False)
+    plain_reader.open(SECTIONS, live=False)
+    read = "Number(document.querySelector('.site-header').style.getPropertyValue('--read'))"
+    page.wait_for_function(f"{read} === 0")
+    page.evaluate(SCROLL_TO, page.evaluate("document.querySelector('article').scrollHeight / 2"))
+    page.wait_for_function(f"{read} > 0.4 && {read} < 0.7")
+    links = page.locator("#contents .sections a")
+    for link in (links.nth(2), links.nth(5), links.nth(2)):
+        link.click()
+        expect(link).to_have_attribute("aria-current", "location")
+        assert page.locator("#contents .sections a[aria-current]").count() == 1
+    page.evaluate(SCROLL_TO, 1e6)  # past all headings
+    expect(links.last).to_have_attribute("aria-current", "location")
+    page.wait_for_function(f"{read} === 1")
+
+
+def test_keys_turn_the_page_can_be_turned_off_and_are_letters_where_one_types(
+    visitor: Reader, book: Any
+) -> None:
+    page, chapters, keyboard = visitor.page, book["chapters"], visitor.page.keyboard
+    visitor.turn_to(chapters[9]["url"], live=False)
+    for key, number in (("]", 10), ("[", 9)):
+        keyboard.press(key)
+        page.wait_for_url(visitor.root + chapters[number]["url"])
+    keyboard.press("?")
+    card = page.locator("dialog.keys")
+    expect(card).to_be_visible()
+    keyboard.press("Escape")
+    expect(card).to_be_hidden()
+    for turned_off in (True, False):
+        page.locator("button[data-keys]").click()
+        expect(card).to_be_visible()
+        card.get_by_role("checkbox").set_checked(not turned_off)
+        keyboard.press("Escape")
+        keyboard.press("/")
+        expect(page.locator("dialog[open]")).to_have_count(0 if turned_off else 1)
+    keyboard.press("Escape")
+    numbers = {quiz["chapter"] for quiz in book["quizzes"] if quiz["kind"] == "number"}
+    url = next(chapter["url"] for chapter in chapters if chapter["id"] in numbers)
+    visitor.turn_to(url, live=False)
+    page.locator(".number-answer > input:visible").first.focus()
+    for key in ("/", "]", "?"):
+        keyboard.press(key)
+    assert page.locator("dialog[open]").count() == 0
+    assert page.url == visitor.root + url
+
+
+def test_a_term_shows_its_definition_and_leads_to_the_glossary(plain_reader: Reader) -> None:
+    """By mouse, focus, and a tap; a second tap follows the link."""
+    page = plain_reader.page
+    plain_reader.open("full-camera-model/", live=False)
+    mark = page.locator("#term-circle-of-confusion")
+    definition = page.locator("#definition-circle-of-confusion")
+    expect(definition).to_be_hidden()
+    mark.hover()
+    expect(definition).to_be_visible()
+    expect(definition).to_be_in_viewport(ratio=1)
+    definition.hover()
+    page.wait_for_timeout(400)  # longer than it stays without the pointer
+    expect(definition).to_be_visible()
+    page.mouse.move(2, 2)
+    expect(definition).to_be_hidden()
+    mark.evaluate("mark => mark.focus({ focusVisible: true })")
+    expect(definition).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(definition).to_be_hidden()
+    expect(mark).to_be_focused()
+    expect(mark).to_have_accessible_description(definition.text_content() or "")
+    assert mark.evaluate(TAP) is False, "its default, to follow the link, is prevented"
+    expect(definition).to_be_visible()
+    mark.evaluate(TAP)
+    page.wait_for_url("**/glossary/#circle-of-confusion")
+    expect(page.locator("#circle-of-confusion")).to_be_in_viewport()
+
+
+TAP = """mark => mark.dispatchEvent(new PointerEvent('click',
+  {pointerType: 'touch', bubbles: true, cancelable: true}))"""
+
+
+def test_folds_and_filters_of_chapters_open_and_find(plain_reader: Reader) -> None:
+    """What a chapter needs, the docstring of a listing, the table of hard cases, parts with
+    figures."""
+    page = plain_reader.page
+    plain_reader.open("lens-distortion/", live=False)
+    facts = page.locator(".chapter-facts")
+    need = facts.locator('.before a[href$="perspective-projection/"]')
+    expect(need).to_be_hidden()
+    facts.locator("summary").press("Enter")
+    expect(need).to_be_visible()
+    expect(facts.locator(".after li").first).to_be_visible()
+
+    plain_reader.turn_to("2d-transformations/", live=False)
+    listing = page.locator(".source", has_text="apply_homography").first
+    docstring = listing.locator(".docstring pre")
+    expect(docstring).to_be_hidden()
+    expect(listing.locator("> pre").first).to_contain_text("def apply_homography")
+    listing.locator("summary").press("Enter")
+    expect(docstring).to_contain_text('"""')
+    expect(docstring).to_be_visible()
+
+    plain_reader.turn_to("where-the-models-break/", live=False)
+    field = page.get_by_role("searchbox", name="Filter the cases")
+    field.fill("quaternion zero")
+    rows = page.locator(".extremes tbody tr").locator("visible=true")
+    expect(rows).not_to_have_count(0)
+    for text in rows.all_inner_texts():
+        assert "quaternion" in text.lower()
+        assert "zero" in text.lower()
+    expect(page.locator(".case-filter [role=status]")).to_contain_text(f"{rows.count()} case")
+    tables = page.locator("details.extremes")
+    field.fill("no such case")
+    expect(tables.locator("visible=true")).to_have_count(0)
+    field.fill("")
+    expect(tables.locator("visible=true")).to_have_count(tables.count())
+    expect(page.locator("details.extremes[open]")).to_have_count(0)
+
+    plain_reader.turn_to("digital-sensor/", live=False)
+    distances = page.locator("h2[id^=part-]").evaluate_all(AWAY)
+    assert len(distances) == 3
+    assert max(distances) < 900, "each part has a figure within a screen"
+
+
+AWAY = """(parts) => parts.map((part) => Math.min(
+  ...[...document.querySelectorAll('figure.simulation')].map((figure) => {
+    const { top, bottom } = figure.getBoundingClientRect();
+    const here = part.getBoundingClientRect().top;
+    return Math.max(top - here, here - bottom);
+  })))"""
+
+
+def terms() -> Iterator[tuple[str, str]]:
+    """Words, and the address of the section that explains them: terms and every name of the
+    glossary."""
+    listed = (ROOT / "tests" / "fixtures" / "search_terms.txt").read_text(encoding="utf-8")
+    for line in listed.splitlines():
+        if line and not line.startswith("#"):
+            term, _, address = line.partition(" | ")
+            yield term, address
+    text = (ROOT / "content" / "glossary.toml").read_text(encoding="utf-8")
+    for term, entry in tomllib.loads(text).items():
+        chapter, mark, section = entry["explained"].partition("#")
+        for name in (term, *entry.get("also", ())):
+            yield name, f"{chapter}/{mark}{section}"
+
+
+def opened(reader: Reader) -> Locator:
+    """The search dialog, opened by its key."""
+    reader.page.keyboard.press("/")
+    dialog = reader.page.locator("dialog.search")
+    expect(dialog.locator("input[type=search]")).to_be_focused()
+    return dialog
+
+
+def first_hit(reader: Reader, dialog: Locator, words: str) -> str:
+    """Address of the best section for ``words``, relative to the book."""
+    dialog.locator("input[type=search]").fill(words)
+    hits = dialog.locator("a[data-result]")
+    hits.first.wait_for()
+    address: str = hits.first.evaluate("link => link.href")
+    return address.removeprefix(reader.root)
+
+
+def test_each_term_is_found_first_where_it_is_explained(visitor: Reader) -> None:
+    """Nothing more is fetched for it once the index is there."""
+    dialog = opened(visitor)
+    first_hit(visitor, dialog, "lens")
+    requests = visitor.note_requests()
+    wanted = dict(terms())
+    found = dict(zip(wanted, dialog.evaluate(FIRST_HITS, [*wanted]), strict=True))
+    visitor.page.keyboard.press("Escape")
+    assert not [address for address in requests if "/search/" in address]
+    assert found == {term: visitor.root + where for term, where in wanted.items()}
+
+
+FIRST_HITS = """async (dialog, terms) => {
+  const field = dialog.querySelector('input[type=search]');
+  const found = [];
+  for (const term of terms) {
+    field.value = term;
+    field.dispatchEvent(new Event('input', {bubbles: true}));
+    await new Promise(setTimeout);
+    found.push(dialog.querySelector('a[data-result]')?.href);
+  }
+  return found;
+}"""
+
+
+def test_results_are_marked_chosen_by_keyboard_and_near_where_a_word_is_misspelt(
+    visitor: Reader,
+) -> None:
+    button, keyboard = visitor.page.locator("button[data-search]"), visitor.page.keyboard
+    button.click()
+    dialog = visitor.page.locator("dialog.search")
+    field, hits = dialog.locator("input"), dialog.locator("a[data-result]")
+    first_hit(visitor, dialog, "circle of confusion")
+    marks = hits.first.locator(".result-excerpt mark")
+    assert {mark.lower() for mark in marks.all_inner_texts()} >= {"circle", "confusion"}
+    assert first_hit(visitor, dialog, "vingetting") == first_hit(visitor, dialog, "vignetting")
+    field.fill("vingetting")
+    expect(dialog.get_by_role("status")).to_contain_text("Similar")
+    field.fill("xyzzyplugh")
+    expect(dialog.get_by_role("status")).to_contain_text("Nothing found")
+    expect(dialog.locator(".search-nothing")).to_be_visible()
+    assert hits.count() == 0
+    keyboard.press("Escape")
+    expect(dialog).to_be_hidden()
+    expect(button).to_be_focused()
+
+    opened(visitor)
+    first_hit(visitor, dialog, "quaternion")
+    for key, focused in (("ArrowDown", 0), ("ArrowDown", 1), ("ArrowUp", 0)):
+        keyboard.press(key)
+        expect(hits.nth(focused)).to_be_focused()
+    keyboard.press("ArrowUp")
+    expect(field).to_be_focused()
+    keyboard.press("ArrowDown")
+    keyboard.type("s")  # goes to the words, wherever the reader is
+    expect(field).to_have_value("quaternions")
+    expect(field).to_be_focused()
+    wanted = first_hit(visitor, dialog, "gimbal lock")
+    keyboard.press("Enter")
+    visitor.page.wait_for_url(visitor.root + wanted)
+    expect(dialog).to_be_hidden()
+    heading = visitor.page.locator(f"#{wanted.partition('#')[2]}")
+    expect(heading).to_be_in_viewport()
+    below = """heading => heading.getBoundingClientRect().top >=
+      document.querySelector('.site-header').getBoundingClientRect().bottom"""
+    visitor.wait_for(heading, below)
+
+
+def test_the_index_is_fetched_by_a_hand_near_the_button_and_again_where_it_did_not_arrive(
+    plain_reader: Reader, server: StaticServer
+) -> None:
+    page = plain_reader.page
+    requests = plain_reader.note_requests()
+    plain_reader.keep_no_files()
+    server.damaged["search/index.json"] = b"{"
+    plain_reader.open("why-image-formation/", live=False)
+    page.wait_for_load_state("networkidle")
+    assert not [url for url in requests if "/search/" in url]
+    with page.expect_request("**/search/index.json"):
+        page.locator("button[data-search]").hover()
+    dialog = opened(plain_reader)
+    again = dialog.get_by_role("button", name="Try again")
+    expect(again).to_be_visible()
+    server.damaged.clear()
+    again.click()
+    expect(again).to_be_hidden()
+    first_hit(plain_reader, dialog, "vignetting")
+
+
+def test_no_answer_of_a_question_is_in_the_index(built_site: Path, book: Any) -> None:
+    """Of those that are long enough to be told from other sentences."""
+    index = (built_site / "search" / "index.json").read_text(encoding="utf-8")
+    chapters = [
+        (built_site / chapter["url"] / "index.html").read_text(encoding="utf-8")
+        for chapter in book["chapters"]
+    ]
+    options = [
+        option["text"]
+        for quiz in book["quizzes"]
+        if quiz["kind"] in ("single", "multiple")
+        for option in quiz["options"]
+        if len(option["text"]) > 40 and sum(page.count(option["text"]) for page in chapters) < 2
+    ]
+    assert options
+    assert not [option for option in options if option in index]
