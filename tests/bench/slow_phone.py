@@ -2,7 +2,7 @@
 
 Page and workers run at a sixth of their speed (``slowed.py``), on a phone's screen. Starts are
 measured as by ``bench.start``, beside plain Pyodide under the same throttle, and drags as by
-``bench.latency``, a script's hand at every slider. Medians go to what pages cost, for the book to
+``bench.drag``, a script's hand at every slider. Medians go to what pages cost, for the book to
 tell.
 """
 
@@ -15,11 +15,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from bench.built_book import figure_at_rest, script
 from bench.costs import keep
-from bench.latency import Latency
-from bench.latency import measure as measure_drags
-from bench.memory import EXERCISE, held
+from bench.drag import Latency, figure_at_rest, hand_script
+from bench.drag import measure as measure_drags
 from bench.start import SITE, Run, Start, laid_out, measure_book, measure_plain, profile, summary
 from playwright.sync_api import Page, sync_playwright
 from support.chromium import HOW_TO, find_chromium
@@ -38,6 +36,7 @@ PHONE: dict[str, Any] = {
 BOUND_MS = 250
 """Within which half of the moves of a slider are answered."""
 FRAMES = 60
+EXERCISE = "([drag, figure, hand]) => drag.exercise({...hand, figure})"
 DRAWN = {"light": ("perspective-projection", "depth"), "middle": ("lens-distortion", "k1")}
 DRAWN["heavy"] = ("camera", "focal_length")
 BUSY = """() => {
@@ -111,23 +110,18 @@ def measure_first(page: Page, address: str, rounds: int) -> dict[str, float]:
 
 
 def measure_frames(page: Page, address: str, book: Any) -> dict[str, dict[str, float]]:
-    """Frames a second of three figures, and what the page holds after them."""
+    """Frames a second of three figures."""
     found = {}
     for kind, (scene, control) in DRAWN.items():
         page.goto(address + next(c["url"] for c in book["chapters"] if scene in c["simulations"]))
-        drag, figure = script(page, "drag.js"), figure_at_rest(page, scene)
+        drag, figure = hand_script(page), figure_at_rest(page, scene)
         hand = {"name": control, "frames": FRAMES}
         page.evaluate(EXERCISE, [drag, figure, hand])  # until machine code is there
         begun = page.evaluate("performance.now()")
         page.evaluate(EXERCISE, [drag, figure, hand])
         seconds = (page.evaluate("performance.now()") - begun) / 1000
         found[kind] = {"rate": significant(FRAMES / seconds, 2)}
-    megabytes = {
-        name.replace(" MB", "_mb"): significant(size * 2**20 / 1e6, 3)
-        for name, size in held(page, 0).items()
-        if " MB" in name
-    }
-    return {**found, "memory": megabytes}
+    return found
 
 
 def drag_summary(rows: Sequence[Latency]) -> dict[str, float]:

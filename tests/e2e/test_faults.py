@@ -137,7 +137,7 @@ HARM = """async (edits) => {
   const runtime = inside.sharedRuntime();
   const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: '', edits};
   await runtime.call('forget', {figure: ''}, () => -1); // nothing else is on its way to the harm
-  return (await runtime.call('renderEdited', frame)).problem;
+  return (await runtime.call('render_edited', frame)).problem;
 }"""
 """Run edited code in the interpreter of the book: the page itself never does."""
 CODE = """def _encoded(photo):
@@ -148,14 +148,15 @@ book = sys.modules["simulations.browser"]
 asked = book._request
 
 def next_frame(*given):
-    moved = abs(json.loads(given[2]).get("k1", HERE) - HERE)
-    if not 0 < moved < 0.05:
-        return asked(*given)
     {}
 
 book._request = next_frame
 """
-"""The frame of a small move from `HERE` meets with a harm; estimates and drafts do not."""
+"""The next request to the book's interpreter meets with a harm."""
+OF_A_SMALL_MOVE = """moved = abs(json.loads(given[2]).get("k1", HERE) - HERE)
+    if not 0 < moved < 0.05: return asked(*given)
+    """
+"""Frames at `HERE` that are estimated, and others that are computed ahead, are let through."""
 HASTE = """async (ms) => {
   const {TIMEOUTS} = (await customElements.whenDefined('simulation-figure')).inside;
   const usual = TIMEOUTS.render;
@@ -168,13 +169,13 @@ HASTE = """async (ms) => {
 
 
 def harm(visitor: Reader, code: str) -> tuple[Locator, Locator]:
-    """A live figure and its first slider, whose next small move meets with ``code``."""
+    """A live figure and its first slider, whose next move meets with ``code``."""
     visitor.turn_to(CHAPTER)
     figure = visitor.figure(SCENE)
     slider = figure.locator("input[type=range]").first
     slider.press("PageUp")
     visitor.settle(figure)
-    harmful = CODE.replace("HERE", slider.input_value()).format(code)
+    harmful = CODE.format(code.replace("HERE", slider.input_value()))
     edits = {"simulations.scenes.lens_distortion.stages:_encoded": harmful}
     assert visitor.page.evaluate(HARM, json.dumps(edits)) is None
     return figure, slider
@@ -210,7 +211,7 @@ def test_an_exception_in_a_scene_is_told_and_the_next_try_has_the_same_values(
     visitor: Reader,
 ) -> None:
     failing = "book._request = asked; raise ZeroDivisionError('the scene divides')"
-    figure, slider = harm(visitor, failing)
+    figure, slider = harm(visitor, OF_A_SMALL_MOVE + failing)
     slider.press("ArrowRight")
     kept = slider.input_value()
     figure.locator(".retry").wait_for()

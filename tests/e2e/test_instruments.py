@@ -35,12 +35,13 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.pictures.checker_room import checker_room
 from simulations.registry import load_scene
 from simulations.scenes.calibration.boards import rendered
-from simulations.scenes.single_view.results import as_json
-from simulations.scenes.single_view.room import CORNER, FOCAL_PX, SIZE
+from simulations.scenes.single_view.lines import FOCAL_PX, ROOMS, SIZE
+from simulations.scenes.single_view.measuring import as_json
 
 pytestmark = pytest.mark.browser
 
 PAGE = "measure-your-camera/"
+CORNER = ROOMS["corner"]
 
 
 def edge(angle_deg: float, sigma_px: float) -> Codes:

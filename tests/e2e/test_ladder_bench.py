@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Locator, expect
-from site_builder.benchmarks.record import close
 from support.places import ROOT
 from support.reader import Reader
+
+from site_builder.benchmarks.record import close
 
 pytestmark = pytest.mark.browser
 

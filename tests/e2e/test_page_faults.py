@@ -15,7 +15,7 @@ from support.host import hosting
 from support.reader import Reader, visit
 from support.static_server import FAULTS, StaticServer
 
-from site_builder.files import integrity
+from site_builder.files.folders import integrity
 from site_builder.pages.policy import ANYTHING_INLINE, FOR_TOOLS
 from site_builder.publishing.hosting import common_policy
 

@@ -124,7 +124,8 @@ def test_another_language_keeps_section_figures_interpreter_and_answers(visitor:
     page.go_back()
     page.wait_for_function("document.documentElement.lang === 'en'")
     assert page.locator(f".other-language[href$='#{section}']").inner_text() == "Deutsch"
-    visitor.turn_to("de/why-image-formation/", live=False)
+    page.locator(".other-language").first.click()
+    page.wait_for_function("document.documentElement.lang === 'de'")
     dialog = opened(visitor)
     for words, address in (("Farbtupfer", "/de/why-image-formation/"), ("vignetting", "/lens-")):
         dialog.locator("input").fill(words)

@@ -7,6 +7,7 @@ QUIET_S = 0.011
 """What `_work` takes on a quiet machine of two cores."""
 FRESH_S = 5.0
 """How long a measurement is taken for the present."""
+SLOWEST = 6.0
 LIMIT_S = 30.0
 """Longest wait on a quiet machine, for anything: a wait ends with its event."""
 
@@ -14,14 +15,15 @@ _measured = (-FRESH_S, 1.0)
 
 
 def slowness() -> float:
-    """How many times as long as on a quiet machine work takes now; at least 1."""
+    """How many times as long as on a quiet machine work takes now: 1 to `SLOWEST`."""
     global _measured
     at, found = _measured
     if time.monotonic() - at > FRESH_S:
         begun = time.perf_counter()
         _work()
         took = (time.perf_counter() - begun) / QUIET_S
-        found = max(1.0, took, os.getloadavg()[0] / (os.cpu_count() or 1))
+        load = os.getloadavg()[0] / (os.cpu_count() or 1)
+        found = min(max(1.0, took, load), SLOWEST)
         _measured = (time.monotonic(), found)
     return found
 

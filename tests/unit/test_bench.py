@@ -1,4 +1,4 @@
-"""Budgets of the benchmarks, growth of memory, and late sliders."""
+"""Costs beyond their budgets, and sliders that are late."""
 
 import json
 import subprocess
@@ -10,16 +10,13 @@ from typing import Any
 import bench.slowed
 import pytest
 from bench.costs import beyond, keep
-from bench.latency import row
-from bench.memory import INTERPRETER, grown
+from bench.drag import row
 from bench.slow_phone import drag_summary
 from support.places import ROOT
 
 from site_builder.benchmarks.costs import Cost, read_costs
 
 BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_time())"
-LEVEL = {"heap MB": 10.0, "nodes": 5000.0, "listeners": 300.0, INTERPRETER: 80.0}
-WANDERING = {**LEVEL, "heap MB": 10.4, "nodes": 4900.0}
 
 
 @pytest.mark.parametrize(
@@ -43,19 +40,6 @@ def test_one_section_of_costs_is_replaced_and_the_others_stay(tmp_path: Path) ->
     keep("start", {"ratio": 0.3}, file)
     kept = json.loads(file.read_text(encoding="utf-8"))
     assert kept == {"bytes": {"paint_kb": 99}, "start": {"ratio": 0.3}}
-
-
-@pytest.mark.parametrize(
-    ("rounds", "named"),
-    [
-        ([{**LEVEL, INTERPRETER: 60.0}, LEVEL, {**LEVEL, "heap MB": 40.0}, WANDERING], ""),
-        ([LEVEL, LEVEL, LEVEL, {**LEVEL, INTERPRETER: 96.0}], INTERPRETER),
-        ([LEVEL, LEVEL, LEVEL, {**LEVEL, "listeners": 301.0}], "listeners"),
-    ],
-)
-def test_memory_that_grew_from_half_to_the_end_is_named(rounds: Any, named: str) -> None:
-    found = [*grown(rounds)]
-    assert [line.startswith(named) for line in found] == ([True] if named else [])
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")

@@ -1,11 +1,10 @@
-"""How soon a figure follows a hand: ``PYTHONPATH=tests python -m bench.latency``.
+"""How soon a figure follows a hand: ``PYTHONPATH=tests python -m bench.drag``.
 
 Every slider of every scene of the built book is dragged from end to end and back by a script that
-stands outside the book's own: see ``js/drag.js``. A time runs from an event to the first animation
-frame after the one that shows the answer, so that it is a whole number of display frames, about.
-A slider whose 95th percentile is beyond its scene's bound is named at the end. ``--scene`` for some
-scenes only.
-Of all scenes, a summary goes to what pages cost, for the book to tell.
+stands outside the book's own: ``js/drag.js``. A time runs from an event to the first animation
+frame after the one that shows the answer, so that it is about a whole number of display frames.
+A slider whose 95th percentile is beyond its scene's bound is named at the end. ``--scene`` measures
+some scenes only; of all scenes, a summary goes into ``content/costs.json``.
 """
 
 import argparse
@@ -13,14 +12,17 @@ import json
 import statistics
 import sys
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from bench.built_book import figure_at_rest, open_book, script
 from bench.costs import keep
-from playwright.sync_api import Page
+from playwright.sync_api import JSHandle, Page
+from support.chromium import open_chromium
 from support.places import ROOT
+from support.reader import DESK
+from support.static_server import serving
 
 FRAME_MS = 1000 / 60
 BOUND_FRAMES = 2
@@ -33,6 +35,10 @@ MOVES, ROUNDS = 6, 2
 READ_MS = 2000
 """What a reader takes at least before a hand comes: drafts are computed meanwhile."""
 DRAG = "([drag, figure, hand]) => drag.drag({...hand, figure})"
+SCRIPT = Path(__file__).parent / "js" / "drag.js"
+CENTRE = """figure => figure.scrollIntoView({block: 'center', behavior: 'instant'})"""
+RESTS = """() => [...document.querySelectorAll('simulation-figure')]
+  .every(figure => figure.dataset.state === 'live' && figure.rests)"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +78,34 @@ def line(found: Latency) -> str:
     )
 
 
+@contextmanager
+def open_book(site: Path) -> Iterator[tuple[Page, str]]:
+    """A page, and the address of the book."""
+    with open_chromium() as browser, serving(site) as server:
+        page = browser.new_page(viewport=DESK, service_workers="block", bypass_csp=True)
+        page.set_default_timeout(60_000)
+        yield page, server.url
+
+
+def hand_script(page: Page) -> JSHandle:
+    """The module ``js/drag.js`` in the page; it goes with it."""
+    source = SCRIPT.read_text(encoding="utf-8")
+    return page.evaluate_handle(
+        "source => import(URL.createObjectURL(new Blob([source], {type: 'text/javascript'})))",
+        source,
+    )
+
+
+def figure_at_rest(page: Page, scene: str) -> JSHandle:
+    """The figure of a scene in the middle of the window, when all of the page have their frames."""
+    figure = page.query_selector(f'simulation-figure[data-simulation="{scene}"]')
+    if figure is None:
+        raise ValueError(f"scene {scene!r}; legal: one that this page shows")
+    figure.evaluate(CENTRE)
+    page.wait_for_function(RESTS)
+    return figure
+
+
 def measure(
     page: Page, address: str, book: Any, wanted: Sequence[str], rounds: int = ROUNDS
 ) -> Iterator[Latency]:
@@ -84,7 +118,7 @@ def measure(
         if not here:
             continue
         page.goto(address + chapter["url"])
-        drag = script(page, "drag.js")
+        drag = hand_script(page)
         for scene in here:
             figure = figure_at_rest(page, scene)
             page.wait_for_timeout(READ_MS)
@@ -107,7 +141,7 @@ def summary(rows: Sequence[Latency]) -> dict[str, float]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="bench.latency", description=__doc__)
+    parser = argparse.ArgumentParser(prog="bench.drag", description=__doc__)
     parser.add_argument("--scene", action="append", default=[])
     parser.add_argument("--site", type=Path, default=ROOT / "build" / "site")
     asked = parser.parse_args()

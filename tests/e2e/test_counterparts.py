@@ -1,0 +1,266 @@
+"""Scripts and fonts against their counterparts: Python's answers, a fresh parse of a drawing, the
+whole font."""
+
+import base64
+import io
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, replace
+from math import inf
+from typing import Any, cast
+
+import cv2
+import numpy as np
+import pytest
+from fontTools.ttLib import TTFont
+from playwright.sync_api import Browser, Page
+from support.places import ROOT
+from support.reader import Reader
+from support.static_server import serving
+
+from simulations.engine.controls import Slider, describe
+from simulations.engine.frame import Frame, Panel, StageReport, to_json
+from simulations.engine.message import Message
+from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
+from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.assets.pages import write_scripts
+from site_builder.benchmarks.charts import linear_axis, log_axis
+from site_builder.benchmarks.quantities import milliseconds, with_unit
+from site_builder.languages.words import ENGLISH
+from site_builder.markdown.text.math import to_mathml
+from site_builder.output.font_faces import MATHS_FACES
+from site_builder.output.fonts import cut, source_file
+from site_builder.pages.views.control import value_text
+from site_builder.pages.views.simulation import count_stages, reason_text
+
+pytestmark = pytest.mark.browser
+
+MODULES = (
+    "figure/stage_report",
+    "ladder/bench",
+    "ladder/chart",
+    "page/text",
+    "page/words",
+)
+CALL = """async ([module, name, calls]) => {
+  const url = new URL(`js/${module}.js`, location.href);
+  const twin = (await import(url))[name];
+  return calls.map((given) => twin(...given));
+}"""
+
+
+@pytest.fixture(scope="module")
+def page(brisk_chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    """An empty page beside the scripts."""
+    folder = tmp_path_factory.mktemp("scripts")
+    write_scripts(ROOT, folder, MODULES)
+    (folder / "index.html").write_text("<!DOCTYPE html><title>Scripts</title>", encoding="utf-8")
+    with serving(folder) as server, brisk_chromium.new_page() as page:
+        page.goto(server.url)
+        yield page
+
+
+type Pairs = Iterator[tuple[list[Any], object]]
+"""Arguments, and Python's answers."""
+
+
+def sent(*stages: StageReport) -> list[Any]:
+    """The stages of a frame, as the page receives them."""
+    frame = Frame((Panel("panel", "", 400, 300),), (), "Shows.", stages)
+    return list(json.loads(to_json(frame))["stages"])
+
+
+def values_beside_sliders() -> Pairs:
+    for scene_id in SCENE_MODULES:
+        for control in load_scene(scene_id).controls:
+            if isinstance(control, Slider):
+                nearest = control.minimum + control.step
+                for value in (control.minimum, nearest, control.default, control.maximum):
+                    yield [describe(control), value], value_text(control, value)
+
+
+def numbers_with_units() -> Pairs:
+    for text, unit in (("16.0", "px"), ("30", "°"), ("none", ""), ("0.3", "codes of 255")):
+        yield [text, unit], with_unit(text, unit)
+
+
+def times_of_ladders() -> Pairs:
+    short = (0.0, 0.00123, 0.0996, 0.41, 0.999, 9.94, 9.97)
+    for time in (*short, 42.4, 99.4, 99.7, 100.0, 1234.0, 56789.0):
+        yield [time], milliseconds(time)
+
+
+def counts_of_stages() -> Pairs:
+    for statuses in ("", "computed", "reused computed skipped reused"):
+        stages = [StageReport("stage", cast("Any", status), "") for status in statuses.split()]
+        yield [sent(*stages)], count_stages(stages)
+
+
+def reasons_of_stages() -> Pairs:
+    reads, follows = (
+        Message(f"stage_report.{key}", {"names": "a, b"}) for key in ("reads", "follows")
+    )
+    reasons: tuple[str | tuple[Message, ...], ...] = (
+        *((reads, follows), (Message("stage_report.unneeded"),)),
+        *("no blur", ""),
+    )
+    for reason in reasons:
+        yield [sent(StageReport("s", "skipped", reason))[0]["reason"]], reason_text(reason)
+
+
+def numerals_of_the_language() -> Pairs:
+    for number in ("1.50", "undefined", "under 10⁻⁹", "∞", "f/2.8"):
+        yield [number], ENGLISH.numeral(number)
+
+
+def places_on_axes() -> Pairs:
+    """Of times, errors and decibels."""
+    for axis, nothing in (
+        (log_axis([0.02, 30.0], 48.0, 408.0), ()),
+        (log_axis([1e-9, 1e-3], 270.0, 34.0, none=290.0), (0.0,)),
+        (linear_axis([12.0, 55.5], 270.0, 34.0, none=20.0), (inf,)),
+    ):
+        for value in (1e-12, 1e-6, 0.5, 20.0, 1e4, *nothing):
+            yield [asdict(axis), value], axis.position(value)
+
+
+@pytest.mark.parametrize(
+    ("module", "function", "pairs"),
+    [
+        ("page/text", "formatValue", values_beside_sliders),
+        ("page/text", "withUnit", numbers_with_units),
+        ("ladder/bench", "milliseconds", times_of_ladders),
+        ("figure/stage_report", "countStages", counts_of_stages),
+        ("figure/stage_report", "reasonText", reasons_of_stages),
+        ("page/words", "numeral", numerals_of_the_language),
+        ("ladder/chart", "position", places_on_axes),
+    ],
+)
+def test_a_script_answers_as_python_does(
+    page: Page, module: str, function: str, pairs: Callable[[], Pairs]
+) -> None:
+    calls, expected = zip(*pairs(), strict=True)
+    assert page.evaluate(CALL, [module, function, calls]) == pytest.approx(list(expected))
+
+
+OVERLAYS = """async ([sequences, look]) => {
+  const { Overlay } = (await customElements.whenDefined('simulation-figure')).inside;
+  const svg = () => document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  const looks = { wrong, kept };
+  return sequences.flatMap(looks[look]);
+
+  function wrong(markups) {
+    const overlay = new Overlay(svg());
+    return markups.filter((markup) => {
+      const fresh = svg();
+      fresh.innerHTML = markup;
+      overlay.show(markup);
+      return !overlay.svg.isEqualNode(fresh);
+    });
+  }
+
+  function kept([first, second]) {
+    const overlay = new Overlay(svg());
+    overlay.show(first);
+    const before = [...overlay.svg.children];
+    overlay.show(second);
+    return [[...overlay.svg.children].map((element) => before.indexOf(element))];
+  }
+}"""
+
+
+def drawings(scene: Scene[Any]) -> list[list[str]]:
+    """Of each panel: at the default, with every slider at its ends, and at the default again."""
+    sliders = [control for control in scene.controls if isinstance(control, Slider)]
+    low = {slider.name: slider.minimum for slider in sliders}
+    high = {slider.name: slider.maximum for slider in sliders}
+    cache = StageCache()
+    shown = [
+        scene.render(scene.clamp(given), scene.draft_tier, cache).panels
+        for given in ({}, low, high, {})
+    ]
+    return [[panel.overlay for panel in panels] for panels in zip(*shown, strict=True)]
+
+
+def test_a_drawing_is_what_a_fresh_one_would_be_after_any_change(visitor: Reader) -> None:
+    sequences = [each for name in SCENE_MODULES for each in drawings(load_scene(name))]
+    mixed = [markup for markups in sequences for markup in markups]
+    assert len(set(mixed)) > 100
+    assert visitor.page.evaluate(OVERLAYS, [[*sequences, mixed], "wrong"]) == []
+
+
+KEPT = (
+    ("<path d='M0,0'/><text>1</text>", "<path d='M0,1'/><text>2</text>", [0, 1]),
+    ("<path/><circle/>", "<path/><rect/><circle/>", [0, -1, 1]),
+    ("<path/><rect/><circle/>", "<path/><circle/>", [0, 2]),
+    ("<path/><circle/>", "<rect/><circle r='1'/>", [-1, 1]),
+)
+"""A drawing, the next one, and the place in the first of each element of the second, -1 of a new
+one."""
+
+
+def test_elements_that_are_still_drawn_stay(visitor: Reader) -> None:
+    for before, after, kept in KEPT:
+        assert visitor.page.evaluate(OVERLAYS, [[[before, after]], "kept"]) == [kept], after
+
+
+KINDS = {
+    "root": r"\sqrt{\frac{a}{b} + \sqrt{2}}",
+    "fraction": r"\frac{a + b}{1 - \frac{c}{d}}",
+    "matrix": r"\begin{bmatrix} a & b \\ c & d \\ e & f \end{bmatrix}",
+    "cases": r"\begin{cases} x & x > 0 \\ -x & \text{otherwise} \end{cases}",
+    "overline": r"\overline{AB} + \bar{N}",
+    "accents": r"\hat{\mathbf{n}} + \tilde{x} + \vec{v} + \dot{q}",
+    "braces": r"\overbrace{a + b + c} + \underbrace{d + e}",
+    "big operators": r"\sum \int \prod \frac{a}{b}",
+    "fences": r"\left( \frac{a}{b} \right) + \left\{ \frac{e}{f} \right\}",
+    "bars": r"\left\lVert \frac{c}{d} \right\rVert + \left| \frac{g}{h} \right|",
+}
+
+SHOW = """(markup) => {
+  document.getElementById('kind')?.remove();
+  const place = document.createElement('div');
+  place.id = 'kind';
+  place.style.cssText = 'position: fixed; inset: 0 auto auto 0; z-index: 99; padding: 20px;'
+    + 'width: 400px; background: white; color: black; font-size: 32px';
+  place.innerHTML = markup;
+  document.body.append(place);
+  return document.fonts.ready;
+}"""
+
+LOAD = """async (font) => {
+  const bytes = Uint8Array.from(atob(font), (letter) => letter.charCodeAt(0));
+  document.fonts.add(await new FontFace('Whole', bytes.buffer).load());
+}"""
+
+
+def whole_font() -> str:
+    """With every character of its source, made by the same recipe."""
+    source = source_file(MATHS_FACES[0]).read_bytes()
+    every = frozenset(TTFont(io.BytesIO(source)).getBestCmap())
+    return base64.b64encode(cut(replace(MATHS_FACES[0], characters=every), source)).decode()
+
+
+def seen(reader: Reader) -> Any:
+    picture = np.frombuffer(reader.page.locator("#kind").screenshot(), np.uint8)
+    return cv2.imdecode(picture, cv2.IMREAD_GRAYSCALE)
+
+
+def ink(picture: Any) -> float:
+    """How many pixels' worth of black it holds."""
+    return float(np.sum(1 - picture / 255.0))
+
+
+def test_the_cut_faces_draw_formulae_as_the_whole_font_does(plain_reader: Reader) -> None:
+    plain_reader.open("lecture-plan/", live=False)
+    plain_reader.page.evaluate(LOAD, whole_font())
+    for kind, formula in KINDS.items():
+        plain_reader.page.evaluate(SHOW, to_mathml(formula, display=True))
+        shown = seen(plain_reader)
+        plain_reader.page.evaluate(
+            "document.querySelector('#kind math').style.fontFamily = 'Whole'"
+        )
+        whole = seen(plain_reader)
+        assert np.allclose(shown.shape, whole.shape, atol=2), kind
+        assert ink(shown) == pytest.approx(ink(whole), rel=0.02), kind
