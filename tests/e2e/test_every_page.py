@@ -390,20 +390,3 @@ def test_a_live_figure_shuts_no_reader_out(visitor: Reader) -> None:
     visitor.unfold(visitor.figure("lens-distortion"))
     assert violations(visitor, "light", DESK, {**ALL, "within": "simulation-figure"}) == []
     visitor.page.emulate_media(color_scheme="null", reduced_motion="null")
-
-
-ROOTS = """(least) => [...document.querySelectorAll('msqrt')].filter((root) => {
-  const inside = [...root.children].map((child) => child.getBoundingClientRect());
-  const width = Math.max(...inside.map((box) => box.right))
-    - Math.min(...inside.map((box) => box.left));
-  const sign = root.getBoundingClientRect().width - width;
-  return root.checkVisibility() && sign < least * parseFloat(getComputedStyle(root).fontSize);
-}).map((root) => root.textContent)"""
-
-
-@pytest.mark.deep
-def test_every_root_of_the_book_has_its_sign(plain_reader: Reader, book: Any) -> None:
-    wrong: list[str] = []
-    for address in plain_reader.leaf_through(pages(book)):
-        wrong += found(plain_reader, [Look("a root has no sign", ROOTS, 0.5)], address)
-    assert wrong == []

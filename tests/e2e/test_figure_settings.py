@@ -209,34 +209,6 @@ def test_words_bring_their_figure_into_view_and_a_press_leads_back(
                 guest.wait_for(figure, IS_AT, name, f"{value:g}")
 
 
-@pytest.mark.deep
-def test_every_link_of_the_book_brings_its_figure_to_the_values_that_it_names(
-    plain_reader: Reader, book: Any
-) -> None:
-    plain_reader.page.emulate_media(reduced_motion="reduce")
-    for url in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
-        assert plain_reader.page.evaluate(FOLLOW_ALL) == [], url
-
-
-FOLLOW_ALL = """async () => {
-  const wrong = [];
-  for (const button of document.querySelectorAll('[data-reveal]')) button.click();
-  for (const link of document.querySelectorAll('a.set')) {
-    const figure = document.getElementById(link.dataset.figure);
-    link.click();
-    const shows = () => Object.entries(JSON.parse(link.dataset.values)).every(([name, value]) => {
-      const control = figure.querySelector(`form.controls [name="${name}"]`);
-      if (control.type === 'checkbox') return control.checked === value;
-      if (control.type === 'button') return control.dataset.state === String(value);
-      return control.value === String(value);
-    });
-    for (let left = 100; left && !shows(); left -= 1) await new Promise((r) => setTimeout(r, 20));
-    if (!shows()) wrong.push(link.outerHTML);
-  }
-  return wrong;
-}"""
-
-
 def open_at(visitor: Reader, **settings: str) -> Locator:
     """The chapter's first figure, at an address that asks for ``settings``."""
     query = "&".join(f"{ID}.{name}={value}" for name, value in settings.items())

@@ -1,22 +1,12 @@
-"""A reader's way through the book in the engines that the other tests do not use, and a monkey's
-through every page in all of them."""
+"""A reader's way through the book in the engines that the other tests do not use."""
 
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
 
 import pytest
-from numpy.random import Generator, default_rng
-from playwright.sync_api import Browser
-from playwright.sync_api import Error as PlaywrightError
 from support.engines import ENGINES, HOW_TO
-from support.engines.chromium import KEYS, Chromium
 from support.engines.engine import Engine, click, drag, press, wait_for
-from support.page_scripts import BRING, LIVE, OFFER
-from support.reader import visit
-from support.static_server import StaticServer, serving
+from support.page_scripts import BRING, LIVE
+from support.static_server import serving
 
 pytestmark = pytest.mark.browser
 
@@ -134,112 +124,3 @@ MOVED = f"""(scene, [value, frames]) => {{
 }}"""
 SAYS = "(place, words) => document.querySelector(place)?.textContent.includes(words)"
 ANSWERED = "(form, verdict) => document.querySelector(form)?.dataset.answered === verdict"
-
-
-CANCELLED = "ServiceWorker intercepted"
-"""Firefox says so where a page is left while it fetches."""
-STEPS, SEED = 30, 20
-"""On each page."""
-LISTS = ("glossary/", "symbols/", "references/", "index-of-terms/", "licences/", "")
-TYPED = [*KEYS, " ", "/", "?", "0", "-", "7", "x", "[", "]"]
-BETWEEN_PAGES = (RuntimeError, PlaywrightError)
-"""Raised where the browser is just loading a page."""
-
-
-@contextmanager
-def engine_of(name: str, chromium: Browser, host: StaticServer, profile: Path) -> Iterator[Engine]:
-    if name == "Chromium":
-        with visit(chromium, host) as reader:
-            yield Chromium(reader)
-        return
-    window = ENGINES[name](profile)
-    if window is None:
-        pytest.skip(f"{name}: {HOW_TO}")
-    with window as engine:
-        yield engine
-
-
-@pytest.mark.deep
-@pytest.mark.parametrize("name", ["Chromium", *ENGINES])
-def test_a_monkey_on_every_page_breaks_nothing(
-    name: str, chromium: Browser, server: StaticServer, book: Any, tmp_path: Path
-) -> None:
-    """It clicks, drags, types, scrolls, and goes back and forth."""
-    random = default_rng(SEED)
-    with engine_of(name, chromium, server, tmp_path) as engine:
-        engine.open(server.url)
-        for address in [*(chapter["url"] for chapter in book["chapters"]), *LISTS]:
-            url = server.url + address
-            if twice(engine.ask, engine, "(url) => url.startsWith(location.origin)", url):
-                engine.ask(f"(url) => {{ ({OFFER})(url); main.lastElementChild.click(); }}", url)
-            else:
-                engine.open(url)
-            there = "(url) => location.href === url && document.readyState === 'complete'"
-            twice(wait_for, engine, there, url)
-            done = [step(engine, random) for _ in range(STEPS)]
-            twice(wait_for, engine, AT_REST)
-            said = [said for said in engine.complaints() if CANCELLED not in said]
-            wrong = [*twice(engine.ask, engine, WRONG), *said]
-            assert not wrong, f"{address}: {wrong} after {done}"
-
-
-def twice(call: Callable[..., Any], engine: Engine, *given: Any) -> Any:
-    """What a call answers; once more where the browser has just loaded a page."""
-    arguments = given if call == engine.ask else (engine, *given)
-    with suppress(*BETWEEN_PAGES):
-        return call(*arguments)
-    time.sleep(1)
-    return call(*arguments)
-
-
-def step(engine: Engine, random: Generator) -> str:
-    """Do something at random; its name."""
-    what = str(random.choice([*SHARES], p=[*SHARES.values()]))
-    x, y, chosen = random.random(3)
-    ends = random.integers((0, 0), (1200, 800), (3, 2)).tolist()
-    keys = random.choice(TYPED, 5).tolist()
-    try:
-        place = engine.ask(PLACE, x, y, 2 * chosen - 1) if what in ("click", "drag") else None
-        match what:
-            case "click" if place:
-                click(engine, place)
-            case "drag" if place:
-                drag(engine, place, *((x, y) for x, y in ends))
-            case "type":
-                press(engine, *keys)
-            case "travel":
-                by = int(random.choice([-1, 1]))
-                engine.ask("(by) => { if (history.length > 8) history.go(by); }", by)
-            case "scroll":
-                engine.ask("(part) => scrollTo(0, part * document.body.scrollHeight)", x)
-    except BETWEEN_PAGES:
-        time.sleep(1)
-        return f"{what} between pages"
-    return f"{what} {place or [KEYS.get(key, key) for key in keys]}"
-
-
-SHARES = {"click": 0.4, "drag": 0.2, "type": 0.2, "travel": 0.05, "scroll": 0.15}
-PLACE = """(x, y, chosen) => {
-  let place = [8 + x * (innerWidth - 24), 8 + y * (innerHeight - 24)];
-  const meant = [...document.querySelectorAll(
-    'main :is(button, summary, input, a[href], label, [data-handle]), header button')]
-    .filter((one) => one.checkVisibility());
-  if (chosen > 0 && meant.length) {
-    const one = meant[Math.floor(chosen * meant.length)];
-    one.scrollIntoView({block: 'center', behavior: 'instant'});
-    const {left, top, width, height} = one.getBoundingClientRect();
-    place = [left + width / 2, top + height / 2];
-  }
-  const under = document.elementFromPoint(...place);
-  const link = under?.closest('a[href]')?.href ?? location.href;
-  const leads = !link.startsWith(location.origin);
-  return !under || leads || under.closest('select, .intake, .photograph, label:has([type=file])')
-    ? null : place;
-}"""
-"""A place in the window, every other time one that is meant to be pressed; not where the browser
-would open something of its own, nor out of the book."""
-AT_REST = """() => [...document.querySelectorAll('simulation-figure')]
-  .every((figure) => figure.rests)"""
-WRONG = """() => [...document.querySelectorAll('simulation-figure[data-state=failed]')]
-  .map((figure) => [figure.dataset.simulation, figure.querySelector('.figure-message').textContent])
-  .concat(document.querySelector('main#main h1') ? [] : ['no page'])"""

@@ -262,8 +262,7 @@ TAP = """mark => mark.dispatchEvent(new PointerEvent('click',
 
 
 def test_folds_and_filters_of_chapters_open_and_find(plain_reader: Reader) -> None:
-    """What a chapter needs, the docstring of a listing, the table of hard cases, parts with
-    figures."""
+    """What a chapter needs, the docstring of a listing, the table of hard cases."""
     page = plain_reader.page
     plain_reader.open("lens-distortion/", live=False)
     facts = page.locator(".chapter-facts")
@@ -297,19 +296,6 @@ def test_folds_and_filters_of_chapters_open_and_find(plain_reader: Reader) -> No
     field.fill("")
     expect(tables.locator("visible=true")).to_have_count(tables.count())
     expect(page.locator("details.extremes[open]")).to_have_count(0)
-
-    plain_reader.turn_to("digital-sensor/", live=False)
-    distances = page.locator("h2[id^=part-]").evaluate_all(AWAY)
-    assert len(distances) == 3
-    assert max(distances) < 900, "each part has a figure within a screen"
-
-
-AWAY = """(parts) => parts.map((part) => Math.min(
-  ...[...document.querySelectorAll('figure.simulation')].map((figure) => {
-    const { top, bottom } = figure.getBoundingClientRect();
-    const here = part.getBoundingClientRect().top;
-    return Math.max(top - here, here - bottom);
-  })))"""
 
 
 def terms() -> Iterator[tuple[str, str]]:
