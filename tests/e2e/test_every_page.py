@@ -277,7 +277,8 @@ RIGHT_EDGES = """table => [...table.querySelectorAll("tr")]
 
 
 def test_paper_shows_everything_and_no_controls_and_asks_what_was_answered(desk: Reader) -> None:
-    page, wrong = desk.page, []
+    page = desk.page
+    wrong: list[str] = []
     page.emulate_media(media="print")
     for address in desk.leaf_through(PRINTED):
         wrong += found(desk, ON_PAPER, address)

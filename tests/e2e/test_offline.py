@@ -260,13 +260,13 @@ def test_a_page_of_an_earlier_release_runs_on_says_so_and_leads_to_a_whole_page_
 ) -> None:
     """The host has the book with its assets and its Python in folders of other names."""
     folders = [next((built_site / kind).iterdir()) for kind in ("assets", "runtime")]
-    for page in built_site.rglob("*.html"):
-        if any(page.is_relative_to(folder) for folder in folders):
+    for file in built_site.rglob("*.html"):
+        if any(file.is_relative_to(folder) for folder in folders):
             continue
-        text = page.read_text(encoding="utf-8")
+        text = file.read_text(encoding="utf-8")
         for folder in folders:
             text = text.replace(folder.name, folder.name[::-1])
-        new = tmp_path / page.relative_to(built_site)
+        new = tmp_path / file.relative_to(built_site)
         new.parent.mkdir(parents=True, exist_ok=True)
         new.write_text(text, encoding="utf-8")
     for folder in folders:
