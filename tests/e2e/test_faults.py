@@ -158,10 +158,10 @@ OF_A_SMALL_MOVE = """moved = abs(json.loads(given[2]).get("k1", HERE) - HERE)
     """
 """Frames at `HERE` that are estimated, and others that are computed ahead, are let through."""
 HASTE = """async (ms) => {
-  const {TIMEOUTS} = (await customElements.whenDefined('simulation-figure')).inside;
-  const usual = TIMEOUTS.render;
-  Object.defineProperty(TIMEOUTS, 'render', {configurable: true, get: () => {
-    Object.defineProperty(TIMEOUTS, 'render', {value: usual, writable: true});
+  const {render} = (await customElements.whenDefined('simulation-figure')).inside.CALLS;
+  const usual = render.limit;
+  Object.defineProperty(render, 'limit', {configurable: true, get: () => {
+    Object.defineProperty(render, 'limit', {value: usual, writable: true});
     return ms;
   }});
 }"""
@@ -416,18 +416,12 @@ def test_other_engines_tell_of_scripts_that_do_not_arrive(
     wait_for(engine, "() => document.querySelector('.scripts-notice').checkVisibility()")
     (late,) = built_site.glob("assets/*/js/progress_file-*.js")
     uncached.faults = {**NOT_STORED, f"/{late.name}": FAULTS[kind]}
-    engine.open(uncached.url)
-    wait_for(engine, "() => document.querySelector('html.js') !== null")
-    engine.ask(CARRY_OVER)
+    engine.open(uncached.url + CHAPTER)
+    wait_for(engine, "() => document.querySelector('.progress-count')?.textContent !== ''")
+    engine.ask("() => document.querySelector('[data-progress-export]').click()")
     wait_for(engine, f"({SAYS})", "part of the page did not load")
 
 
-CARRY_OVER = """() => {
-  const button = document.createElement('button');
-  button.dataset.progressExport = '';
-  document.getElementById('main').append(button);
-  button.click();
-}"""
 SAYS = "(part) => document.querySelector('.notice')?.textContent.includes(part)"
 
 

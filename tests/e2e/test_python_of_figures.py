@@ -250,10 +250,11 @@ def test_code_that_does_not_end_is_stopped_by_the_clock_or_by_hand_and_the_figur
     assert shop.move("ArrowLeft") == book
     # Code that ran well and loops later. Of the limit a frame takes a hundredth on a quiet machine.
     page.evaluate(LIMIT, {"ms": limit_ms() / 40, "times": 2})
-    loops_later = ("while k1 != 0.15:", "    pass", "return Drawings('', '', '', '')")
+    names = "('grid', 'picture', 'corrected', 'profile')"
+    loops_later = ("while k1 != 0.15:", "    pass", f"return dict.fromkeys({names}, '')")
     shop.write(NEGATIVE)
     shop.part("drawings").click()
-    shop.write("\n    ".join(["def _drawings(k1, k2):", *loops_later]))
+    shop.write("\n    ".join(["def overlays(k1, k2):", *loops_later]))
     assert "Running your code" in shop.run()
     assert shop.shown()["pixels"] != book["pixels"]
     shop.stop.click()
