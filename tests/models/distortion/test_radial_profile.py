@@ -239,7 +239,10 @@ def grid_of(profile: RadialProfile, reach: float, cells: int = 256) -> Grid:
 def test_each_place_is_found_in_its_cell(profile: RadialProfile, reach: float, cells: int) -> None:
     grid = grid_of(profile, reach, cells)
     places = np.linspace(0.0, cells, 1001)
-    np.testing.assert_allclose(cell_of(grid, image_squared_at(grid, places)), places, atol=1e-10)
+    images = image_squared_at(grid, places)
+    np.testing.assert_allclose(cell_of(grid, images), places, atol=1e-10)
+    last = min(reach, largest_image_radius(profile) ** 2)
+    np.testing.assert_allclose(sorted(images[[0, -1]]), [0.0, last], rtol=1e-13, atol=1e-14)
 
 
 @pytest.mark.parametrize(("limit", "folds"), [(15.99, True), (16.0, False), (math.inf, False)])
