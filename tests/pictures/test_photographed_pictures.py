@@ -28,17 +28,9 @@ from simulations.pictures.tiled_floor import (
 )
 
 WIDTH, HEIGHT = 400, 300
-
-
 K = intrinsics(320.0, (200.0, 150.0))
-
-
 POSE = pose_above_ground(1.6, math.radians(30), math.radians(25), math.radians(5))
-
-
 FLOOR = tiled_floor(POSE, K, WIDTH, HEIGHT)
-
-
 BOX = Box(2.2, 4.2, 1.0, 1.0)
 
 
@@ -91,8 +83,6 @@ def test_each_side_has_its_light(name: str) -> None:
 
 
 BOARD = Board(5, 4, 20.0)
-
-
 SLANTED = facing_board(BOARD, 96, 72, focal_px=90.0, tilt=(0.6, -0.5, 0.2), distance_mm=160.0)
 
 

@@ -28,22 +28,11 @@ with warnings.catch_warnings():
 
 
 RNG = np.random.default_rng(11)
-
-
 POSE = pinhole.look_at([3.0, -1.0, -6.0], [0.2, 0.1, 0.3], [0.0, -1.0, 0.1])
-
-
 POINTS = RNG.uniform(-2.0, 2.0, (500, 3))
-
-
 NEAR_HALF_A_TURN = math.pi - np.geomspace(1e-12, 1.0, 25)
-
-
 ANGLES = np.concatenate([np.geomspace(1e-12, 3.0, 50), NEAR_HALF_A_TURN])
-
-
 AXES = Rotation.random(75, rng=np.random.default_rng(12)).apply([1.0, 0.0, 0.0])
-
 
 VECTORS = ANGLES[:, None] * AXES
 """Axis times angle, from hardly a turn to hardly less than half a turn."""

@@ -31,7 +31,6 @@ FIXED = {
     "k3": 0,
 }
 
-
 ORDER = (*PINHOLE, "k1", "k2", "p1", "p2", "k3")
 
 
@@ -148,8 +147,6 @@ def test_corners_on_one_line_are_refused_with_the_number_of_the_photograph() -> 
 
 
 FREE = PINHOLE + LENSES["k3"]
-
-
 STEP = 1e-6
 
 

@@ -21,11 +21,7 @@ from simulations.models.calibration.undistorted import UNSEEN, undistorted
 from simulations.models.distortion.lens_model import Distortion
 
 POSES = photographs(3).poses
-
-
 PHOTOGRAPHS = (("a.jpg", 0.1), ("b.jpg", 0.2), ("c & d.jpg", 0.1))
-
-
 RADIAL = Camera(600.0, 600.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08))
 
 

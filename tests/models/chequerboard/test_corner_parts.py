@@ -20,8 +20,6 @@ from simulations.models.error_measures import root_mean_square
 from simulations.models.geometry.transforms import apply_homography
 
 H = np.array([[30.0, 4.0, 60.0], [-3.0, 26.0, 50.0], [4e-3, 6e-3, 1.0]])
-
-
 INDICES = Board(9, 7).indices
 
 

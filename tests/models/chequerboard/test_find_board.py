@@ -26,10 +26,7 @@ from simulations.pictures.chequerboard import (
 )
 
 BOARD = Board(10, 7, 25.0)
-
-
 NOISY = Look(noise_codes=1.0)
-
 
 TILTS = ((0.1, 0.05, 0.0), (0.5, 0.3, 0.1), (0.0, 1.0, 0.5), (-0.9, 0.2, 1.0), (0.2, -0.4, 2.6))
 """Rotation vectors; the third and the fourth lean the board by nearly 60°."""
@@ -188,11 +185,7 @@ def test_textures_are_no_boards(name: str) -> None:
 
 
 SIZES = ((10, 7), (8, 6), (12, 9), (7, 5))
-
-
 PICTURES = ((640, 480), (800, 600), (1280, 960))
-
-
 COUNT = 60
 
 

@@ -74,10 +74,7 @@ def test_codes_are_the_coefficients_in_steps() -> None:
 
 
 CODES = np.random.default_rng(5).integers(-128, 128, (3, 50, 8, 8)).astype(float)
-
-
 ORACLE = dctn(CODES, type=2, norm="ortho", axes=(-2, -1))
-
 
 ALLOWED = {
     # Two roundings to an eighth, the first mixed by a second pass of unit rows.

@@ -20,8 +20,6 @@ from simulations.models.compression.chroma_upsampling import GRAIN_CODES, KERNEL
 from simulations.pictures.balloon import balloon
 
 PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
-
-
 PHOTO = skimage.data.astronaut()[:128, 160:288]
 
 
@@ -104,8 +102,6 @@ def test_cells_are_averaged_as_by_scikit_image(factor: tuple[int, int]) -> None:
 
 
 FACTORS = [(1, 1), (1, 2), (2, 1), (2, 2)]
-
-
 RANDOM = np.random.default_rng(0)
 
 

@@ -102,8 +102,6 @@ def test_far_points_go_to_infinity_with_the_signs_of_their_direction(
 
 
 RADII = np.stack((np.linspace(0.01, 0.9, 50), np.zeros(50)), axis=-1)
-
-
 SCATTERED = np.random.default_rng(0).uniform(-0.5, 0.5, (200, 2))
 
 

@@ -120,8 +120,6 @@ def test_the_inverse_returns_the_radius_to_all_digits(profile: RadialProfile, re
 
 
 FOLDS_AT_1, IDENTITY = RadialProfile((-1 / 3,)), RadialProfile((0.0,))
-
-
 NAN, INF = math.nan, math.inf
 
 
@@ -160,10 +158,8 @@ def test_close_to_a_pole_every_image_has_its_radius(numerator: float) -> None:
 
 LONGEST_FOCAL_PX = 2000.0
 
-
 FURTHEST = 1.2
 """Ideal radius, 50° off the axis, to which lenses without a fold are tried."""
-
 
 LENSES = {
     "slight barrel": Distortion(k1=-0.05),
@@ -225,7 +221,6 @@ def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all
 
 BARREL, PINCUSHION, HARDLY = (RadialProfile((k,)) for k in (-1 / 3, 1 / 3, 1e-6))
 """The first folds at f² = 4/9, the inverse of the second bends most at −4/9, the third nowhere."""
-
 
 CASES = [(BARREL, 1.0), (BARREL, 0.25), (PINCUSHION, 1.0), (PINCUSHION, 64.0), (HARDLY, 2.0)]
 

@@ -14,17 +14,9 @@ from simulations.models.geometry import transforms
 from simulations.models.geometry.transforms import apply_homography
 
 CORNERS = np.array([(0.0, 0.0), (640.0, 0.0), (640.0, 480.0), (0.0, 480.0)])
-
-
 KEYSTONE = transforms.projective([[1.1, 0.2, 30], [-0.1, 0.9, 5], [1e-3, 2e-4, 1]])
-
-
 TO_MM, TO_KM = np.diag([1e3, 1e3, 1]), np.diag([1e-3, 1e-3, 1])
-
-
 KEYSTONE_CONDITION = algebra.condition_number(KEYSTONE)
-
-
 ONE_UNKNOWN = np.array([[1.0, math.nan, 0], [0, 1, 0], [0, 0, 1]])
 
 
@@ -94,8 +86,6 @@ def test_the_parts_are_taken_off_in_the_order_that_is_stated() -> None:
 
 
 RNG = np.random.default_rng(7)
-
-
 SEEN = np.array([(32.0, 15.0), (610.0, 60.0), (580.0, 500.0), (-12.0, 430.0)])
 
 
@@ -151,8 +141,6 @@ def test_two_points_determine_a_similarity_three_an_affine_map_and_four_a_homogr
 
 
 FIVE = np.array([(-3.0, 0.0), (-2.0, 1.0), (1.0, 0.0), (2.0, 1.0), (3.0, -1.0)])
-
-
 THREE_ON_A_LINE = np.array([(0.0, 0), (1, 0), (2, 0), (0, 1)])
 
 

@@ -18,11 +18,7 @@ from simulations.models.geometry.lines_and_planes import (
 )
 
 coordinate = st.floats(-100.0, 100.0)
-
-
 point = st.tuples(coordinate, coordinate)
-
-
 RNG = np.random.default_rng(0)
 
 

@@ -19,11 +19,7 @@ from simulations.models.geometry.quaternion_blends import (
 )
 
 RNG = np.random.default_rng(1)
-
-
 RANDOM = Rotation.random(200, rng=RNG)
-
-
 TINY_TO_TURN = [0.0, 1e-300, 1e-9, 1e-4, 1.0, math.pi - 1e-9, math.pi]
 
 
@@ -61,11 +57,7 @@ def test_the_canonical_quaternion_has_its_first_entry_that_is_not_zero_positive(
 
 
 PROPER = ["xyx", "xzx", "yxy", "yzy", "zxz", "zyz"]
-
-
 TAIT_BRYAN = ["xyz", "xzy", "yxz", "yzx", "zxy", "zyx"]
-
-
 SEQUENCES = [letters for s in PROPER + TAIT_BRYAN for letters in (s, s.upper())]
 
 
@@ -129,8 +121,6 @@ def test_slerp_goes_on_past_its_ends_at_the_same_speed() -> None:
 
 
 SHARES = np.linspace(0.0, 1.0, 41)
-
-
 AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
 
 

@@ -94,7 +94,6 @@ SEGMENTS = np.array(
     dtype=float,
 )
 
-
 RUNGS = {
     "translation": (transforms.translation(3, 1), set()),
     "rigid": (transforms.rigid(0.4, 3, 1), {"turn_rad"}),
@@ -138,11 +137,7 @@ def test_a_projective_map_changes_what_is_known_of_a_rectangle() -> None:
 
 
 R = rotations.exponential([0.3, -0.5, 0.8])
-
-
 POINTS = np.random.default_rng(4).uniform(-2, 2, (30, 3))
-
-
 A = np.array([[1.0, 0.5, 0.0], [0.0, 2.0, 0.3], [0.1, 0.0, -0.5]])
 
 

@@ -124,8 +124,6 @@ def test_rays_end_where_the_glass_does() -> None:
 
 
 LENS = Singlet(1 / 50, -1 / 50, 6.0, 1.5)
-
-
 SLOPES = np.linspace(0.02, 0.3, 15)
 
 

@@ -16,8 +16,6 @@ from simulations.models.light.edge_coverage import (
 )
 
 ANGLES = st.floats(0, 2 * np.pi)
-
-
 PIXEL = np.array([[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]])
 
 

@@ -57,11 +57,7 @@ def test_light_opposite_to_the_eye_gives_no_highlight(shininess: float, slant_de
 
 
 NONE, ALONG = np.zeros(3), np.array([1.0, 0, 0])
-
-
 ABOVE_ONE = np.array([1 + np.finfo(np.float32).eps, 0, 0], np.float32)
-
-
 SIDE, SLANTED = np.array([0, 1.0, 0]), np.array([math.sin(1), 0, math.cos(1)])
 
 
@@ -134,8 +130,6 @@ def test_the_usual_highlights_are_half_as_bright_as_white_and_fourfold_for_blinn
 
 
 SATIN = Material(0.5, 0.3, 0.4)
-
-
 RNG = np.random.default_rng(2)
 
 
@@ -147,8 +141,6 @@ def directions(count: int) -> NDArray[np.float64]:
 
 
 LIGHTS, EYES = directions(200), directions(200)
-
-
 N_L, N_V, L_V = LIGHTS[:, 2], EYES[:, 2], np.sum(LIGHTS * EYES, axis=1)
 
 
@@ -195,8 +187,6 @@ def test_what_is_sent_back_is_scipys_integral(model: str, roughness: float, angl
 
 
 OPENINGS = [np.radians(angle) for angle in (40.0, 90.0, 140.0)]
-
-
 PLACES = np.array([0.02, 0.3, 1.0])
 
 

@@ -16,14 +16,8 @@ from simulations.models.projection.level_ground import (
 )
 
 K = pinhole.intrinsics((400.0, 410.0), (320.0, 240.0), skew=2.0)
-
-
 POSE = pose_above_ground(1.7, 0.4, 0.3, -0.2)
-
-
 RNG = np.random.default_rng(5)
-
-
 FLOOR = RNG.uniform((-2, 3), (4, 9), (20, 2))
 
 

@@ -18,11 +18,7 @@ from simulations.models.projection.affine_cameras import (
 from simulations.models.projection.pinhole import intrinsics, project
 
 K = pinhole.intrinsics((400.0, 410.0), (320.0, 240.0), skew=2.0)
-
-
 POSE = pinhole.look_at((3.0, -2.0, -6.0), (0.5, 0.2, 1.0), (0.0, -1.0, 0.0))
-
-
 NOWHERE = (math.nan, math.nan)
 
 
@@ -108,8 +104,6 @@ def test_the_inverse_pose_holds_the_camera_centre() -> None:
 
 
 SKEWED = intrinsics((800.0, 820.0), (320.0, 240.0), skew=3.0)
-
-
 POINTS = np.random.default_rng(0).uniform([-2, -2, 4], [2, 2, 9], (40, 3))
 
 

@@ -22,7 +22,6 @@ from simulations.models.projection.vanishing_lines import (
 
 POSE = pose_above_ground(1.5, 0.6, 0.3, 0.05)
 
-
 EXACT = 1e-3
 """Error of ends that were drawn without noise, so small that nothing known beforehand counts."""
 
@@ -102,8 +101,6 @@ def test_two_directions_with_one_vanishing_point_are_refused() -> None:
 
 
 OTHER_POSE = pose_above_ground(HEIGHT, 0.6, 0.3, 0.05)
-
-
 VIEW = fit_view(*drawn(OTHER_POSE, np.random.default_rng(1)), SIZE, 1e-3)
 
 

@@ -24,23 +24,11 @@ from simulations.models.projection.view_homographies import (
 )
 
 FIRST = pinhole.intrinsics((800.0, 780.0), (320.0, 240.0), 1.5)
-
-
 SECOND = pinhole.intrinsics(500.0, (300.0, 200.0))
-
-
 R = rotations.exponential([0.1, -0.3, 0.05])
-
-
 T = np.array([-0.4, 0.1, 0.2])
-
-
 F = fundamental_matrix(FIRST, SECOND, R, T)
-
-
 RNG = np.random.default_rng(3)
-
-
 POINTS = RNG.uniform((-1, -1, 3), (1, 1, 9), (40, 3))
 
 
@@ -108,8 +96,6 @@ def test_an_exact_disparity_leaves_no_depth_in_doubt_and_a_wrong_one_all_of_infi
 
 
 POSE = pinhole.rigid_pose(R, [0.4, -0.1, 0.2])
-
-
 DRAWS = np.random.default_rng(8)
 
 

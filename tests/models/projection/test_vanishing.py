@@ -16,11 +16,7 @@ from simulations.models.projection.vanishing_lines import (
 )
 
 K = pinhole.intrinsics((400.0, 410.0), (320.0, 240.0), skew=2.0)
-
-
 RNG = np.random.default_rng(2)
-
-
 NOWHERE = (math.nan, math.nan)
 
 

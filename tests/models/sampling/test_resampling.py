@@ -24,11 +24,7 @@ from simulations.models.sampling.resampling import (
 )
 
 RNG = np.random.default_rng(3)
-
-
 PICTURE = RNG.random((40, 50)).astype(np.float32)
-
-
 ANYWHERE = RNG.uniform(-0.5, 39.5, (300, 2))
 
 
@@ -107,8 +103,6 @@ def test_a_picture_made_ready_once_is_read_as_the_picture_is(kernel: str) -> Non
 
 
 DRAWS = np.random.default_rng(4)
-
-
 NORMAL = DRAWS.normal(size=(33, 41))
 
 
@@ -127,14 +121,8 @@ def test_heights_are_scipy_s_where_the_border_is_far(order: Literal["C", "F"]) -
 
 
 UNIFORM = np.random.default_rng(11)
-
-
 HEIGHT, WIDTH = 23, 31
-
-
 PLANES = UNIFORM.random((3, HEIGHT, WIDTH)).astype(np.float32)
-
-
 X, Y = UNIFORM.uniform(1, WIDTH - 2, (9, 14)), UNIFORM.uniform(1, HEIGHT - 2, (9, 14))
 
 

@@ -37,7 +37,6 @@ type Lens = Callable[[Floats], Floats]
 ANGLES = (2.0, 5.0, 9.5, 14.036, 18.435, 26.565, 33.69, 40.0)
 """Among them those whose tangents are 1/4, 1/3, 1/2 and 2/3, at which rows repeat each other."""
 
-
 TO_NYQUIST = FREQUENCIES <= 0.5
 
 
@@ -164,10 +163,7 @@ def step(distance: Floats, sigma: float = 1.0) -> Floats:
 
 
 X, Y = centred(80), centred(80)[:, None]
-
-
 ACROSS = X + 0.087 * Y
-
 
 REFUSED: dict[str, tuple[str, Floats]] = {
     "upright": (REPEATED, gaussian_edge(80, 80, 0.0)),

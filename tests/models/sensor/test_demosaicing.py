@@ -50,7 +50,6 @@ ORACLES: dict[str, Callable[[Floats, str], Floats]] = {
     "menon-encoded": menon_on_encoded_values,
 }
 
-
 BORDER = {"bilinear": 1, "malvar": 2, "menon-unrefined": 6, "menon": 6, "menon-encoded": 6}
 """Pixels at the border where conventions differ."""
 
@@ -115,11 +114,7 @@ def test_a_line_copies_the_nearest_sample_and_greys_what_it_lacks() -> None:
 
 
 D65 = daylight(D65_K)
-
-
 CURVES = camera_curves(WAVELENGTHS_NM)
-
-
 PATCHES = np.stack([chart_patch(name) for name in CHART])
 
 

@@ -151,14 +151,10 @@ def test_half_of_all_tries_exceed_the_chance_gap(distributions: int, samples: in
 
 
 STEPS = 400_000
-
-
 PROBABILITY = (np.arange(STEPS) + 0.5) / STEPS
-
 
 EVEN = stats.norm.ppf(PROBABILITY)
 """Deviates that cut the normal into equal parts: what they give is a distribution, not a sample."""
-
 
 MEANS = (1e-12, 1e-6, 1e-3, 0.05, 0.3, 1.0, 3.0, 9.999, 10.0, 30.0, 1e2, 1e3, 1e4, 1e5)
 
