@@ -62,7 +62,7 @@ def test_programs_get_the_fields_that_are_promised(
         ("demo: k1: 9 is out of range; legal: -1 to 1", "-1 to 1"),
     ],
 )
-def test_a_proposal_is_told_from_the_rest_of_a_message(
+def test_a_proposal_is_parted_from_the_rest_of_a_message(
     message: str, suggestion: str | None
 ) -> None:
     assert suggestion_of(message) == suggestion
@@ -208,7 +208,9 @@ def test_the_hook_runs_the_check_and_refuses_a_commit_with_a_mistake(run: Run) -
         ("assert height < 0", "AssertionError"),
     ],
 )  # fmt: skip
-def test_an_exception_is_told_in_words_with_its_place(line: str, says: str, tmp_path: Path) -> None:
+def test_an_exception_is_reported_in_words_with_its_place(
+    line: str, says: str, tmp_path: Path
+) -> None:
     source = f"import math\nheight = 3\n\ndef draw():\n    {line}\n"
     with small_package(tmp_path, {"scene": source}):
         draw = import_module(f"{PACKAGE}.scene").draw
@@ -217,7 +219,7 @@ def test_an_exception_is_told_in_words_with_its_place(line: str, says: str, tmp_
         assert cause(raised.value) == f"{says}, at simulations/small/scene.py:5"
 
 
-def test_a_module_that_cannot_be_imported_is_told_with_its_place(tmp_path: Path) -> None:
+def test_a_module_that_cannot_be_imported_is_reported_with_its_place(tmp_path: Path) -> None:
     sources = {
         "unread": "def draw(:\n    pass\n",
         "ended": "import os\nos._exit(3)\n",

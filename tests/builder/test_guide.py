@@ -90,7 +90,7 @@ def test_every_question_of_it_replies_to_a_press_of_its_button(
             expect(form.locator(".feedback")).not_to_be_empty()
 
 
-def test_a_guide_written_again_leaves_what_is_the_same(tmp_path: Path) -> None:
+def test_a_guide_written_again_keeps_unchanged_files(tmp_path: Path) -> None:
     write_guide(tmp_path)
     (tmp_path / "content" / "old.md").write_text("Left over.", encoding="utf-8")
     before = {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*.toml")}

@@ -134,7 +134,7 @@ def test_pages_say_how_they_are_cited(pages: Mapping[str, Page]) -> None:
     ]
 
 
-def test_robots_are_told_only_at_the_root_of_a_host(
+def test_only_a_site_at_the_root_of_a_host_has_a_file_for_robots(
     make_book: MakeBook, site: Mapping[str, bytes]
 ) -> None:
     at_root = rendered(replace(make_book(), address="https://host.example/"))
@@ -143,7 +143,7 @@ def test_robots_are_told_only_at_the_root_of_a_host(
     assert "robots.txt" not in site
 
 
-def test_without_an_address_nothing_is_told_outside(make_book: MakeBook) -> None:
+def test_a_site_without_an_address_has_nothing_for_other_sites(make_book: MakeBook) -> None:
     site = rendered(make_book("Text.\n", {"content/news.toml": NEWS}))
     outside = {"sitemap.xml", "feed.xml", "robots.txt", "card.png", "cards/first.png"}
     assert not outside & set(site)

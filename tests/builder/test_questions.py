@@ -111,7 +111,7 @@ def test_a_number_has_its_tolerance_its_unit_and_the_replies_to_known_mistakes(
     assert [each.text for each in question.iter("unit_name")] == ["mm"]
 
 
-def test_a_question_about_a_figure_leads_to_it_and_tells_the_marker_a_solution(
+def test_a_question_about_a_figure_leads_to_it_and_has_a_solution_for_the_marker(
     moodle: dict[str, Element],
 ) -> None:
     question = moodle["set-it"]

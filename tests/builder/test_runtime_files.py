@@ -172,7 +172,7 @@ def test_a_package_comes_with_all_that_it_needs_but_numpy_or_is_refused() -> Non
             needed([name], LISTED)
 
 
-def test_a_wheel_has_its_licences_and_its_page_and_versions_that_differ_are_told(
+def test_a_wheel_has_its_licences_and_its_page_and_different_versions_are_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     told = "Name: lens\nVersion: 1.0\nLicense-Expression: MIT\nProject-URL: A, https://a.b/c\n"

@@ -3,7 +3,8 @@
 A case begins with ``======== what it shows``. Its text is the first chapter of a little book, below
 the front matter. ``++++++++ FILE`` begins another file of that book, and ``++++++++ end of FILE``
 more lines of a file that the book has. A line ``^^^ MESSAGE`` stands below the line of which that
-is reported, and is the beginning of the message; any other report fails the test.
+is reported, and is the beginning of the message, behind ``warning:`` where it fails nothing; any
+other report fails the test.
 
 Behind ``--------`` follows what comes out: the outline of the chapter, and after ``-------- PART``
 that of another page, or the chapter on ``paper``, as a ``notebook`` or in the ``search``.
@@ -87,7 +88,8 @@ def as_it_is_now(case: Case, make_book: Callable[..., Options]) -> str:
     options = make_book(files={"content/book.toml": OUTLINE, **packages, **files})
     reports: dict[str, dict[int, list[str]]] = {}
     for one in diagnostics(options):
-        reports.setdefault(one.path, {}).setdefault(one.line, []).append(one.message)
+        message = one.message if one.fails else f"warning: {one.message}"
+        reports.setdefault(one.path, {}).setdefault(one.line, []).append(message)
     now: list[str] = []
     for name, text in case.files.items():
         found = reports.pop(name.removeprefix("end of "), {})
