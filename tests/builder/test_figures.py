@@ -146,6 +146,15 @@ def test_a_label_outside_its_panel_is_a_warning(
     assert warned == [True] * (not is_seen)
 
 
+def test_an_illustration_that_fails_is_reported(
+    make_book: MakeBook, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("support.little_book.draw", raising)
+    body = ":::{illustration} similar-triangles\nTwo triangles.\n:::\n"
+    (found,) = diagnostics(make_book(body, {"content/book.toml": OUTLINE}))
+    assert found.message.startswith("illustration 'similar-triangles' cannot be drawn: ")
+
+
 def coloured(make_book: MakeBook, more: str) -> Options:
     """A figure, a sentence and a formula in the colour of heat."""
     panel = Panel("picture", "Picture", 400, 300, overlay=line((0, 0), (9, 9), "heat"))
