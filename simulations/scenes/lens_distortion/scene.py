@@ -1,11 +1,12 @@
 """Lens Distortion Simulator: a grid and a picture through a lens with k₁ and k₂."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
@@ -20,9 +21,11 @@ from simulations.models.distortion.lens_model import (
 )
 from simulations.models.distortion.radial_profile import evaluate
 from simulations.scenes.lens_distortion.drawing import (
+    CENTRE,
     INNER,
     OUTER,
     SAMPLE,
+    UNITS_PER_RADIUS,
     VIEW_HEIGHT,
     VIEW_WIDTH,
     grid_lines,
@@ -142,7 +145,17 @@ def marked(name: str, label: str, ideal: tuple[float, float], drives: str) -> Ha
         hidden = settings.correct or math.hypot(*ideal) >= fold_radius(lens)
         return None if hidden else held(ideal, lens)
 
-    return Handle(name, "picture", label, (drives,), at, role="image")
+    def pull(settings: Settings, place: Point) -> Mapping[str, Value]:
+        """The coefficient that images the point nearest to the place; at the border a search would
+        find no change. r (1 + k₁ r² + k₂ r⁴) is solved for it."""
+        square = ideal[0] ** 2 + ideal[1] ** 2
+        across, down = ((place[i] - CENTRE[i]) / UNITS_PER_RADIUS for i in (0, 1))
+        growth = (across * ideal[0] + down * ideal[1]) / square - 1.0
+        if drives == "k1":
+            return {"k1": growth / square - settings.k2 * square}
+        return {"k2": growth / square**2 - settings.k1 / square}
+
+    return Handle(name, "picture", label, (drives,), at, pull, role="image")
 
 
 def crossing_at(settings: Settings, _outputs: Outputs) -> Point | None:
