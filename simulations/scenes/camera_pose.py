@@ -81,8 +81,8 @@ class Standpoint:
         depth = 20.0
         aside = depth * math.tan(FIELD_RAD / 2.0)
         wedge = np.array([(0.0, 0.0, 0.0), (-aside, 0.0, depth), (aside, 0.0, depth)])
-        plan = ((wedge - self.t) @ self.rotation)[:, [0, 2]]
-        plan = clip_to_rectangle(plan, WALLS[0, [0, 2]], WALLS[2, [0, 2]])
+        ahead = ((wedge - self.t) @ self.rotation)[:, [0, 2]]
+        plan = clip_to_rectangle(ahead, WALLS[0, [0, 2]], WALLS[2, [0, 2]])
         return np.insert(plan, 1, 0.0, axis=1)
 
     def seen(self, points: Floats) -> Floats:

@@ -3,6 +3,7 @@
 import json
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -42,7 +43,7 @@ def readings(count: int, *, size: tuple[int, int] = SIZE, first: int = 0) -> Rea
     )
 
 
-def with_facts(given: Readings, *facts: dict[str, object]) -> Readings:
+def with_facts(given: Readings, *facts: Mapping[str, object]) -> Readings:
     pairs = zip(given, facts, strict=False)
     return tuple(replace(each, data={**each.data, "facts": own}) for each, own in pairs)
 
