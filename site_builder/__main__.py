@@ -20,7 +20,7 @@ from site_builder.document.book import Book
 from site_builder.output.writer import advice, write_site
 from site_builder.sandbox.loading import import_figures
 from site_builder.sandbox.pool import Limits, limited
-from site_builder.settings.addresses import site_address, source_address
+from site_builder.settings.declared import site_address, source_address
 
 ROOT = Path.cwd()
 """The book's folder."""
@@ -97,16 +97,14 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             composed = compose(Options(ROOT, runtime=False, warn=warn))
             written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
         case "notebooks":
-            from site_builder.editions.notebooks.folder import REQUIREMENTS, make_notebooks
+            from site_builder.editions.notebooks.notebook import REQUIREMENTS, make_notebooks
 
             address = site_address(given.address)
             checked = check_site(Options(ROOT, runtime=False, warn=warn, address=address))
             write_site(make_notebooks(checked, ROOT), given.out, known_by=REQUIREMENTS)
             print(f"{given.out}: {len(checked.book.chapters)} notebooks")
         case "questions":
-            from site_builder.editions.questions.asked import left_out
-            from site_builder.editions.questions.moodle import make_moodle
-            from site_builder.editions.questions.qti import make_qti
+            from site_builder.editions.questions.export import left_out, make_moodle, make_qti
 
             address = site_address(given.address)
             book = check_site(Options(ROOT, runtime=False, warn=warn, address=address)).book

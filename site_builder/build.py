@@ -35,8 +35,6 @@ from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
 from site_builder.files.engine import static_files
 from site_builder.files.folders import file_hash
-from site_builder.offline.manifest import MANIFEST, manifest
-from site_builder.offline.release import no_release, release_files
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
@@ -44,13 +42,12 @@ from site_builder.pages.page import Site
 from site_builder.pages.render import render_pages, render_translation
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.compressed import compressed_copies
-from site_builder.publishing.hosting import host_files
-from site_builder.publishing.icons import make_icons
-from site_builder.publishing.listings import make_listings
+from site_builder.publishing.hosting import host_files, make_listings
+from site_builder.publishing.offline import MANIFEST, manifest, no_release, release_files
+from site_builder.publishing.vector import make_icons
 from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
-from site_builder.search.index import make_indices
-from site_builder.search.library import SearchLibrary
+from site_builder.search.index import SearchLibrary, make_indices
 from site_builder.sources.book import read_book
 from site_builder.sources.translated_book import read_translations
 

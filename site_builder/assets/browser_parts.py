@@ -16,7 +16,7 @@ from site_builder.programs.node import NodeError
 from site_builder.raw.decoder import RawDecoder, fetch_decoder
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import Versions
-from site_builder.search.library import SearchLibrary, fetch_library
+from site_builder.search.index import SearchLibrary, fetch_library
 
 RUNTIME_NOW = "runtime/now/"
 """Folder of the browser's Python while the book is written: a changed scene changes only the pages

@@ -11,16 +11,13 @@ from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import static_files
 from site_builder.files.folders import folder_files, integrity
 from site_builder.languages.words import load_words
-from site_builder.markdown.files.content_files import PICTURES
+from site_builder.markdown.content_files import PICTURES
 from site_builder.output.assets import Content, content_bytes, hashed_folder
-from site_builder.output.book_files import book_css, book_script
-from site_builder.output.colour_rules import colour_rules
-from site_builder.output.font_faces import MATHS_FACES, face_rule
-from site_builder.output.fonts import subset_fonts
-from site_builder.output.scripts import Bundle, bundle_scripts
-from site_builder.output.style_sheets import join_style_sheets, without_comments
+from site_builder.output.fonts import MATHS_FACES, face_rule, subset_fonts
+from site_builder.output.scripts import Bundle, book_css, book_script, bundle_scripts
+from site_builder.output.style_sheets import colour_rules, join_style_sheets, without_comments
 from site_builder.pages.kind_files import kind_files
-from site_builder.settings.reading import read_settings
+from site_builder.settings.model import read_settings
 
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""

@@ -13,12 +13,11 @@ from site_builder.files.engine import ENGINE
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.runtime.freeze import MissingModuleError
-from site_builder.runtime.modules import Modules
+from site_builder.runtime.imports import Modules
 from site_builder.runtime.pack import RuntimeBundle, pack_runtime
 from site_builder.runtime.packages import PackageError, differing
 from site_builder.runtime.store import is_whole
-from site_builder.settings.model import FILE_NAME
-from site_builder.settings.reading import read_settings
+from site_builder.settings.model import FILE_NAME, read_settings
 
 RUNTIME = Path(__file__).parents[1] / "runtime"
 """What makes it, with programs for other interpreters."""

@@ -14,7 +14,7 @@ from site_builder.document.blocks import Block
 from site_builder.document.book import Book
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.markdown.directives.illustration import Drawn
+from site_builder.markdown.directives.pictures import Drawn
 
 MOST_PIXELS, MOST_LETTERS = 4_000_000, 1_000_000
 """Of a panel, which a slider draws anew at every step."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from site_builder.checks.svg import read_svg
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.folders import folder_files
-from site_builder.markdown.files.content_files import PICTURES
+from site_builder.markdown.content_files import PICTURES
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -5,10 +5,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import PurePosixPath
 
-from site_builder.checks.figure_questions import check_figure_questions
-from site_builder.checks.glossary import check_glossary, check_order
-from site_builder.checks.questions import check_questions
-from site_builder.checks.symbols import check_symbols
+from site_builder.checks.questions import check_figure_questions, check_questions
+from site_builder.checks.terms import check_glossary, check_order, check_symbols
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import contents
 from site_builder.document.book import Book, Chapter

@@ -26,8 +26,7 @@ from site_builder.document.questions import Prediction, Quiz
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.references.bibliography import EMPTY, Bibliography
 from site_builder.references.news import News
-from site_builder.settings.declared import key
-from site_builder.settings.kinds import TEXT, texts
+from site_builder.settings.declared import TEXT, key, texts
 from site_builder.settings.model import FILE_NAME, Settings
 
 OUTLINE = FILE_NAME

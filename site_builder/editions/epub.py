@@ -10,15 +10,24 @@ from urllib.parse import quote, unquote
 from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
-from site_builder.document.book import Book
+from site_builder.document.book import Book, Colours
 from site_builder.editions.compose import Composed, Section
-from site_builder.editions.epub_style import book_style
-from site_builder.editions.links import Place, bind_links, is_external
-from site_builder.editions.plain_markup import plain
-from site_builder.editions.tree import elements, first, parse, xhtml
+from site_builder.editions.tree import (
+    Place,
+    bind_links,
+    classes,
+    elements,
+    first,
+    is_external,
+    parse,
+    xhtml,
+)
 from site_builder.figures.frames import as_png
-from site_builder.files.archive import archive_of
+from site_builder.files.engine import own_or_engine
+from site_builder.files.folders import archive_of
 from site_builder.output.assets import content_bytes
+from site_builder.output.fonts import MATHS_FACES, face_rule
+from site_builder.output.style_sheets import style_of_drawings
 from site_builder.pages.environment import render_template
 
 MEDIA = {
@@ -168,3 +177,69 @@ def _packed(book: Book, files: Mapping[str, bytes]) -> bytes:
         **{FOLDER + name: content for name, content in files.items()},
     }
     return archive_of(members, stored=["mimetype"])
+
+
+OWN = Path(__file__).with_name("epub.css")
+FACE = re.compile(r"^@font-face \{\n(?:(?!\}).*\n)*?  src: url\((?:.*\n)*?\}\n", re.MULTILINE)
+FAMILIES = {"--serif": '"Book Serif", serif', "--sans": '"Book Sans", sans-serif'}
+
+
+def book_style(root: Path, colours: Colours) -> str:
+    """``root`` is the book's folder, ``colours`` are its own. Variables are resolved, to the light
+    theme."""
+    fonts = own_or_engine(root, "static/css/fonts.css").read_text(encoding="utf-8")
+    faces = "".join((*FACE.findall(fonts), *map(face_rule, MATHS_FACES)))
+    own = OWN.read_text(encoding="utf-8")
+    return faces + style_of_drawings(root, own, FAMILIES, colours)
+
+
+PLAIN = {
+    "simulation-figure": "div",
+    "ladder-bench": "div",
+    "form": "div",
+    "fieldset": "div",
+    "output": "span",
+}
+
+UNITS_PER_EM = 16
+"""So that labels of illustrations are as large as on the site."""
+
+
+def plain(root: Element) -> Element:
+    """``root``, changed."""
+    for element in elements(root):
+        if element.tag in PLAIN:
+            element.set("class", f"{element.get('class', '')} {element.tag}".strip())
+            element.tag = PLAIN[element.tag]
+        if element.tag == "math":
+            element.attrib.pop("aria-label", None)  # EPUB has `alttext` for it
+        if "panel-view" in classes(element):
+            _draw_in_one(element)
+        if "drawing" in classes(element):
+            _, _, width, _ = next(elements(element, "svg")).get("viewBox", "").split()
+            element.set("style", f"max-width: {float(width) / UNITS_PER_EM:g}em")
+        for name in ("data-count", "data-label"):
+            element.attrib.pop(name, None)
+    return root
+
+
+def _draw_in_one(view: Element) -> None:
+    """The picture goes into the drawing over it, so that they cannot part."""
+    drawings, pictures = elements(view, "svg"), elements(view, "img")
+    drawing, picture = next(drawings), next(pictures, None)
+    if picture is not None:
+        _, _, width, height = drawing.get("viewBox", "").split()
+        image = Element(
+            "image",
+            {
+                "href": picture.get("src", ""),
+                "width": width,
+                "height": height,
+                "preserveAspectRatio": "none",
+            },
+        )
+        if "pixelated" in classes(picture):
+            image.set("style", "image-rendering: pixelated")
+        drawing.insert(0, image)
+        view.remove(picture)
+    view.attrib.pop("style", None)

@@ -11,7 +11,7 @@ from simulations.engine.frame import Panel
 from site_builder.document.book import Book
 from site_builder.figures.frames import Picture, StaticFrame, pixels, static_frame
 from site_builder.figures.initial_frames import InitialFrame, InitialFrames
-from site_builder.figures.main_control import main_control
+from site_builder.figures.prerendered_frames import main_control
 from site_builder.languages.words import Words
 from site_builder.pages.views.control import value_text
 

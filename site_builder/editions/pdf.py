@@ -1,19 +1,98 @@
-"""The book as a PDF, printed by Chromium: once for the page numbers, then with them."""
+"""The book as a PDF: printed by Chromium once for the page numbers, then with them."""
 
 import io
 import mimetypes
+import re
 from collections.abc import Callable, Mapping
 from copy import deepcopy
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
 from site_builder.assets.pages import Files
-from site_builder.editions.compose import Composed
-from site_builder.editions.page_numbers import fill
-from site_builder.editions.tree import xhtml
-from site_builder.editions.volume import volume
+from site_builder.editions.compose import Composed, Section
+from site_builder.editions.tree import Place, bind_links, elements, first, parse, xhtml
 from site_builder.output.assets import content_bytes
+from site_builder.pages.back_matter import BACK_MATTER
+from site_builder.pages.environment import render_template
 from site_builder.programs.chromium import launch_arguments, require_chromium
+
+PAGE_OF = "data-page-of"
+"""Names the element whose page is to be printed here."""
+PAGE_AS = "data-page-as"
+"""In which words, with ``{page}`` for the number."""
+UNKNOWN = "000"
+"""Stands for a number while none is known: as wide as most."""
+
+
+class PageNumberError(ValueError):
+    """A place to which a number leads is on no page."""
+
+
+def page_number(anchor: str, kind: str, words: str = "{page}") -> Element:
+    """Where a number is to be printed in these words: ``kind`` is its class."""
+    return Element("span", {"class": kind, PAGE_OF: anchor, PAGE_AS: words})
+
+
+def fill(root: Element, pages: Mapping[str, int] | None) -> None:
+    """Print the page of each anchor; before pages are known, what is as wide.
+
+    Raises `PageNumberError` naming the anchors that are on no page.
+    """
+    asked = [element for element in elements(root) if PAGE_OF in element.attrib]
+    missing = {element.get(PAGE_OF, "") for element in asked} - set(pages or ())
+    if pages is not None and missing:
+        raise PageNumberError(f"anchors on no page: {', '.join(sorted(missing))}")
+    for element in asked:
+        number = str(pages[element.get(PAGE_OF, "")]) if pages else UNKNOWN
+        element.text = element.get(PAGE_AS, "{page}").replace("{page}", number)
+
+
+BEYOND_ASCII = re.compile(r"[^\x21-\x7e]")
+
+
+def anchor(place: Place) -> str:
+    """Id in the whole of a place on a page; in ASCII, as names in a PDF have no encoding."""
+    id = f"{place.page}.{place.id}" if place.id else place.page
+    return BEYOND_ASCII.sub(lambda found: f"_{ord(found[0]):x}", id)
+
+
+def volume(composed: Composed) -> Element:
+    """The document, its page numbers still to be filled in."""
+    frame = render_template(
+        "editions/volume.html",
+        composed.book,
+        composed=composed,
+        anchor=lambda page, id: anchor(Place(page, id)),
+        stylesheet=f"{composed.assets}css/book.css",
+    )
+    document = parse(frame)
+    for entry in [item for item in elements(document) if "data-entry" in item.attrib]:
+        entry.append(page_number(entry.attrib.pop("data-entry"), "toc-page"))
+    body = first(document, "body")
+    for section in composed.sections:
+        body.append(_bound(section, composed))
+    return document
+
+
+def _bound(section: Section, composed: Composed) -> Element:
+    """A section as part of the whole. Behind links into other sections their page is printed."""
+    content = deepcopy(section.article)
+    for element in content.iter():
+        if "id" in element.attrib:
+            element.set("id", anchor(Place(section.id, element.attrib["id"])))
+        if element.get("src", "").startswith("../"):
+            element.set("src", element.attrib["src"].removeprefix("../"))
+    on_page = composed.book.words("edition.on_page", page="{page}")
+    links = bind_links(content, section.id, composed.ids, lambda place: f"#{anchor(place)}")
+    for parent, link, place in links:
+        if place.page not in (section.id, *BACK_MATTER):
+            number = page_number(anchor(place), "page-ref", on_page)
+            parent.insert(list(parent).index(link) + 1, number)
+            number.tail, link.tail = link.tail, "\N{NO-BREAK SPACE}"
+    content.set("id", section.id)
+    content.set("style", f"page: {section.id}")
+    return content
+
 
 SITE = "http://book.invalid/"
 """Addresses are answered from memory: nothing is served, nothing fetched."""

@@ -1,8 +1,10 @@
-"""Pages for paper as trees of XML: changed, and written as XHTML."""
+"""Pages for paper as trees of XML, written as XHTML; and what their links lead to."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Collection, Iterator
 from copy import deepcopy
+from dataclasses import dataclass
+from urllib.parse import unquote, urljoin
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
@@ -64,3 +66,58 @@ def xhtml(root: Element) -> bytes:
     head = b'<?xml version="1.0" encoding="utf-8"?>\n<!DOCTYPE html>\n'
     written: bytes = ElementTree.tostring(root, encoding="utf-8")
     return head + written
+
+
+ABSOLUTE = re.compile(r"[a-z][a-z0-9+.-]*:", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A page of the book, or an element in it."""
+
+    page: str
+    """Its id: a chapter's, or ``references``."""
+    id: str
+    """Element id; nothing for the page as a whole."""
+
+
+def is_external(address: str) -> bool:
+    return ABSOLUTE.match(address) is not None
+
+
+def on_site(href: str, page: str) -> str:
+    """Where a link of a page leads from outside the book; nothing where it leads nowhere, as
+    ``page``, the address of the page, is nothing for a book without an address."""
+    if is_external(href):
+        return href
+    return urljoin(page, href) if href and page else ""
+
+
+def place_of(address: str, page: str, pages: Collection[str]) -> Place | None:
+    """The target of ``address`` on ``page``; None where that is none of ``pages``.
+
+    The settings in a link to a figure are left out.
+    """
+    path, _, fragment = address.partition("#")
+    target = urljoin(f"{page}/", path.partition("?")[0]).strip("/")
+    return Place(target, unquote(fragment)) if target in pages else None
+
+
+def bind_links(
+    content: Element, page: str, pages: Collection[str], address_of: Callable[[Place], str]
+) -> list[tuple[Element, Element, Place]]:
+    """Give the links of a page to places in the book their address there; those to places that are
+    not in it become plain text. Returns each link with its parent and its place."""
+    bound = []
+    for parent, link in [(each, child) for each in content.iter() for child in each]:
+        address = link.get("href")
+        if link.tag != "a" or address is None or is_external(address):
+            continue
+        place = place_of(address, page, pages)
+        if place is None:
+            link.tag = "span"
+            link.attrib.pop("href", None)
+        else:
+            link.set("href", address_of(place))
+            bound.append((parent, link, place))
+    return bound

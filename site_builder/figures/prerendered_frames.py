@@ -5,12 +5,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.controls import Choice, Control, Slider, Value
+from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, Value
 from simulations.engine.frame import to_json
 from simulations.engine.settings import values_of
 from site_builder.document.blocks import Simulation
 from site_builder.figures.frames import small_frames
-from site_builder.figures.main_control import main_control
+
+
+def main_control(figure: Simulation) -> Control | None:
+    """The first whose values can be shown side by side. A menu that chooses a picture shows
+    less than a slider."""
+    controls = figure.scene.controls
+    ordered = [*(c for c in controls if isinstance(c, Slider)), *controls]
+    if controls and isinstance(controls[0], Choice):
+        ordered.insert(0, controls[0])
+    return next((c for c in ordered if not isinstance(c, Action | Toggle)), None)
+
 
 FRAMES = 11
 """Of a slider, from end to end."""

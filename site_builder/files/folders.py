@@ -2,7 +2,10 @@
 
 import base64
 import hashlib
+import io
 import os
+import zipfile
+from collections.abc import Collection, Mapping
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -52,3 +55,14 @@ def folder_files(folder: Path) -> dict[str, Path]:
         paths = (f"{place}/{name}" for name in files if not name.startswith("."))
         names += [path[start:] for path in paths if os.path.isfile(path)]  # noqa: PTH113  (fast)
     return {name: folder / name for name in sorted(names)}
+
+
+def archive_of(members: Mapping[str, bytes], stored: Collection[str] = ()) -> bytes:
+    """Compressed but for those named in ``stored``, in their order and without times: equal members
+    give equal bytes."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for path, content in members.items():
+            how = zipfile.ZIP_STORED if path in stored else zipfile.ZIP_DEFLATED
+            archive.writestr(zipfile.ZipInfo(path), content, how)
+    return buffer.getvalue()

@@ -11,7 +11,7 @@ from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.questions.kinds import KINDS
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
-from site_builder.settings.described import settings_table
+from site_builder.settings.model import settings_table
 
 MEASURED = """\
 ## Colours that are measured

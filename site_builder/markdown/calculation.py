@@ -10,7 +10,9 @@ the text claims; expressions below it use both. The block itself is not shown.
 
 import ast
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
 from math import isfinite
 from types import ModuleType
 from typing import Any
@@ -22,11 +24,32 @@ from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate, evaluate_node
 from simulations.engine.frame import power_of_ten
 from site_builder.benchmarks.measurements import SIDES
+from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import CodeError, raised_by_code
 from site_builder.diagnostics.diagnostic import cause, unknown
-from site_builder.markdown.model_functions import ModelFunction
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.sandbox.loading import imported
+from site_builder.sandbox.pool import run_limited
+
+
+@dataclass(frozen=True, slots=True)
+class ModelFunction:
+    """A function of the author's, called in the sandbox: one that never ends, fills the memory or
+    opens a file is a mistake at the line of the expression."""
+
+    function: Callable[..., Any]
+
+    def __call__(self, *given: object, **named: object) -> Any:
+        """Raises whatever the function does, and `LimitError`."""
+        return _called(self.function, given, named)
+
+
+@cached
+def _called(
+    function: Callable[..., Any], given: tuple[object, ...], named: Mapping[str, object]
+) -> Any:
+    return run_limited(partial(function, *given, **named))
+
 
 BLOCK = "calc"
 LEGAL = "legal: 'from simulations.… import name', 'name = expression', 'assert condition'"

@@ -9,8 +9,8 @@ from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.document.book import Chapter
 from site_builder.document.places import Formula, Need, Target
 from site_builder.markdown.blocks import read_blocks
-from site_builder.markdown.files.front_matter import FrontMatter, read_front_matter
-from site_builder.markdown.glossary_links.terms import mark_terms
+from site_builder.markdown.front_matter import FrontMatter, read_front_matter
+from site_builder.markdown.glossary import mark_terms
 from site_builder.markdown.inline import annotate, inline_passage
 from site_builder.markdown.numbering import number_targets
 from site_builder.markdown.parse_context import PAGE_IDS, ParseContext

@@ -5,12 +5,26 @@ import unicodedata
 from collections.abc import Sequence
 from itertools import pairwise
 
+from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
 from site_builder.document.passage import passage
 from site_builder.document.places import Heading
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import plain_text
+
+GIVEN = re.compile(r"\s*(?<!\\)\{#([^\s{}]+)\}\s*$")
+
+
+def heading_ids_rule(state: StateCore) -> None:
+    """Take the id from the end of each heading's words into the ``meta`` of its opening token."""
+    for opening, inline in zip(state.tokens, state.tokens[1:], strict=False):
+        last = inline.children[-1] if opening.type == "heading_open" and inline.children else None
+        if last is None or last.type != "text" or not (found := GIVEN.search(last.content)):
+            continue
+        opening.meta["id"] = found[1]
+        last.content = last.content[: found.start()]
+        inline.content = GIVEN.sub("", inline.content)
 
 
 def list_headings(tokens: Sequence[Token], context: ParseContext) -> None:

@@ -18,9 +18,9 @@ from site_builder.markdown.questions.draws import BODY, draw
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import UnknownLanguageError, check_language
-from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
 from site_builder.markdown.text.tokens import located, plain_text
+from site_builder.markdown.text.typography import displayed_parts, glue_formulae
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
 BARE_ROLE = re.compile(r"\{([\w-]+)\}(?!`)")

@@ -5,8 +5,8 @@ from dataclasses import replace
 from typing import Any
 
 from site_builder.diagnostics.diagnostic import unknown
+from site_builder.markdown.content_files import fault_of_file
 from site_builder.markdown.directive import Directive, DirectiveCall, OptionLine, OptionValue
-from site_builder.markdown.files.content_files import fault_of_file
 from site_builder.markdown.parse_context import ParseContext
 
 

@@ -4,19 +4,155 @@ Cutting takes seconds, hence a cache keyed by everything it depends on.
 """
 
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from importlib.util import find_spec
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import fontTools
 import platformdirs
 
-from site_builder.output.font_faces import FACES, Face
 from site_builder.runtime.store import made_once, sha256
 
 if TYPE_CHECKING:
     from fontTools.ttLib import TTFont
+
+
+def _span(*bounds: tuple[int, int]) -> frozenset[int]:
+    return frozenset(code for first, last in bounds for code in range(first, last + 1))
+
+
+def _each(characters: str) -> frozenset[int]:
+    return frozenset(map(ord, characters))
+
+
+LATIN = _span((0x20, 0x7E), (0xA0, 0x17F))
+GREEK = _span((0x391, 0x3A1), (0x3A3, 0x3C9)) | _each("ϑϕϵ")
+SPACES = _span((0x2002, 0x200A), (0x202F, 0x202F))
+PUNCTUATION = SPACES | _each("‐‑–—‘’‚“”„†‡•…‰′″‹›€№™")
+INLINE_MATHS = _each("←↑→↓↔⇒−×÷±·∙√∞≈≠≤≥∂∆∏∑∫∈∥⟂ℓ°⁻⁺ⁿ⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉½⅓⅔¼¾✓✗")
+TEXT = LATIN | GREEK | PUNCTUATION | INLINE_MATHS
+FORMULAE = (
+    _span((0x20, 0x7E), (0xA0, 0xFF))
+    | GREEK
+    | PUNCTUATION
+    | INLINE_MATHS
+    | _span(
+        (0x2C6, 0x2DD),  # accents: hat, caron, breve, dot, ring, tilde
+        (0x300, 0x308),  # the same, combining
+        (0x2016, 0x2016),  # ‖
+        (0x2032, 0x2037),  # primes
+        (0x203E, 0x203E),  # overline
+        (0x2061, 0x2064),  # invisible operators
+        (0x20D7, 0x20D7),  # vector arrow
+        (0x2190, 0x21FF),  # arrows
+        (0x2200, 0x22FF),  # operators
+        (0x2308, 0x230B),  # ceiling and floor
+        (0x23B4, 0x23B5),
+        (0x23DC, 0x23E1),  # braces over and under
+        (0x27E6, 0x27EB),  # angle brackets
+        (0x27F5, 0x27FC),  # long arrows
+        (0x1D400, 0x1D56B),  # alphabets: bold, italic, bold italic, script, Fraktur, double-struck
+        (0x1D5A0, 0x1D5D3),  # sans serif
+        (0x1D6A4, 0x1D755),  # dotless; Greek bold, italic, bold italic
+        (0x1D7CE, 0x1D7E1),  # bold and double-struck digits
+    )
+    | _each("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
+)
+
+ALWAYS_WITH_FORMULAE = FORMULAE & (
+    _span((0x20, 0x7E))
+    | GREEK
+    | SPACES
+    | _span(
+        (0x2C6, 0x2DD),  # accents
+        (0x300, 0x308),
+        (0x2061, 0x2064),
+        (0x1D400, 0x1D467),  # Latin: bold, italic, the first of bold italic
+        (0x1D6E2, 0x1D71B),  # Greek: italic
+        (0x1D7CE, 0x1D7D7),  # bold digits
+    )
+    | _each("()/[]\\_{}|‖√∣∥∏∐∑∫∬∭∮⋀⋁⋂⋃⌈⌉⌊⌋⟨⟩⏜⏝⏞⏟⎴⎵‾¯")  # what stretches
+    | _each("←→↔⟶⇒⇔↑↓∈∉⊂⊆∪∩∀∃∧∨¬⊕⊗⟂⊤⊥⋅∘∙·×÷±∓−≈≠≤≥≲≳≪≫∗≡≃≅∼∝∂∇∞∆…⋯⋮⋱°′″⁻⁺\u2011\xa0µϵℎℓℝ𝜹\u20d7")
+)
+"""What the face that formulae need first holds: letters, common signs, and every sign that
+stretches. Browsers draw roots, fences, braces and big operators from the first face of a family
+only, even where no character of the text names them. Text takes its rarer signs from it too."""
+
+BASIC_FEATURES = ("ccmp", "kern", "liga", "lnum", "locl", "mark", "mkmk", "onum", "pnum", "tnum")
+SMALL_CAPITALS = ("c2sc", "smcp")
+FORMULA_FEATURES = ("ccmp", "dtls", "flac", "kern", "mark", "mkmk", "ssty")
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """One web font: its source and its subset."""
+
+    file: str
+    """Name of the woff2 file, as the style sheet refers to it."""
+    package: str
+    """Installed package that carries the source."""
+    source: str
+    """Path of the source inside the package, or the folder."""
+    family: str
+    """Family name written into the cut face."""
+    style: str
+    """Style name written into the cut face."""
+    characters: frozenset[int] = TEXT
+    """Code points of the subset, where the source has them."""
+    features: tuple[str, ...] = BASIC_FEATURES
+    """OpenType features of the subset."""
+
+
+def _serif(file: str, source: str, style: str, *extra_features: str) -> Face:
+    source_path = f"files/SourceSerifPro-{source}.ttf"
+    features = BASIC_FEATURES + extra_features
+    return Face(file, "font_source_serif_pro", source_path, "Book Serif", style, TEXT, features)
+
+
+def _sans(file: str, source: str, style: str) -> Face:
+    source_path = f"files/SourceSansPro-{source}.ttf"
+    return Face(file, "font_source_sans_pro", source_path, "Book Sans", style)
+
+
+def _maths(file: str, characters: frozenset[int]) -> Face:
+    source = "fonts/STIXTwoMath-Regular.ttf"
+    return Face(file, "ziamath", source, "Book Maths", "Regular", characters, FORMULA_FEATURES)
+
+
+FACES = (
+    _serif("serif-regular.woff2", "Regular", "Regular", *SMALL_CAPITALS),
+    _serif("serif-italic.woff2", "It", "Italic"),
+    _serif("serif-semibold.woff2", "Semibold", "Semibold"),
+    _serif("serif-semibold-italic.woff2", "SemiboldIt", "Semibold Italic"),
+    _sans("sans-regular.woff2", "Regular", "Regular"),
+    _sans("sans-italic.woff2", "It", "Italic"),
+    _sans("sans-semibold.woff2", "Semibold", "Semibold"),
+    _maths("maths.woff2", ALWAYS_WITH_FORMULAE),
+    _maths("maths-rare.woff2", FORMULAE - ALWAYS_WITH_FORMULAE),
+)
+
+MATHS_FACES = FACES[-2:]
+"""Formulae: common signs, and rare ones, which a browser fetches only for a page that shows one."""
+
+
+def face_rule(face: Face) -> str:
+    """The rule that has a browser fetch the face for its characters alone."""
+    codes = ", ".join(f"U+{first:X}-{last:X}" for first, last in _spans(face.characters))
+    return (
+        f'@font-face {{\n  font-family: "{face.family}";\n  font-display: swap;\n'
+        f'  src: url("../fonts/{face.file}") format("woff2");\n  unicode-range: {codes};\n}}\n'
+    )
+
+
+def _spans(codes: Iterable[int]) -> Iterator[tuple[int, int]]:
+    """First and last of each run of neighbours."""
+    for _, run in groupby(enumerate(sorted(codes)), lambda item: item[1] - item[0]):
+        found = [code for _, code in run]
+        yield found[0], found[-1]
+
 
 RECIPE = 3
 """Counts changes of `cut`, so that a cache filled by an earlier version is not used."""

@@ -7,17 +7,67 @@ from pathlib import Path
 from markupsafe import Markup
 
 from site_builder.document.blocks import Block, Simulation
-from site_builder.document.book import Book, Chapter
+from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.figures.initial_frames import InitialFrames, describing
-from site_builder.markdown.directives.illustration import Drawn as Illustration
+from site_builder.markdown.directives.pictures import Drawn as Illustration
 from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.pages.environment import book_context, template_environment
-from site_builder.pages.outside import card_path, origin, page_address
-from site_builder.pages.reading_time import reading_minutes
 from site_builder.pages.versions import Version, versions_of
 from site_builder.pages.views.simulation import SimulationView, view_simulation
+from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.references.glossary import FILE as GLOSSARY
+from site_builder.references.symbols import FILE as SYMBOLS
 from site_builder.render.paper import paper_renderer
-from site_builder.sources.translations.labels import figure_markup
+from site_builder.render.sections import Describe, sections_of
+from site_builder.settings.declared import PATH
+from site_builder.sources.lecture_plan import FILE as LECTURE_PLAN
+from site_builder.sources.translations.files import figure_markup
+
+BOOK_CARD = "card.png"
+CARDS = "cards"
+MODULES = "source/"
+MADE_FROM = {
+    "index.html": OUTLINE,
+    "licences/index.html": "LICENSE",
+    "references/index.html": BIBLIOGRAPHY,
+    "lecture-plan/index.html": LECTURE_PLAN,
+    "glossary/index.html": GLOSSARY,
+    "symbols/index.html": SYMBOLS,
+    "index-of-terms/index.html": GLOSSARY,
+}
+"""Pages other than those of chapters and modules, and their source files."""
+
+
+def page_address(path: str) -> str:
+    """Of a file of the site, from the site's root: ``lens-distortion/``."""
+    return path.removesuffix("index.html")
+
+
+def card_path(chapter: Chapter | None) -> str:
+    """Where the card of a chapter is, from the site's root; the book's for what is no chapter."""
+    return f"{CARDS}/{chapter.id}.png" if chapter else BOOK_CARD
+
+
+def origin(book: Book, path: str, chapter: Chapter | None) -> str:
+    """Where the source of a page can be read; nothing where that is not known."""
+    if chapter:
+        file = chapter.path
+    elif path.startswith(MODULES):
+        file = f"{path.removeprefix(MODULES).removesuffix('/index.html')}.py"
+    else:
+        file = MADE_FROM.get(path, "")
+    return book.source.replace(PATH, file) if file else ""
+
+
+WORDS_A_MINUTE = 180
+"""Of a text with formulae, read with care."""
+
+
+def reading_minutes(chapter: Chapter, describe: Describe) -> int:
+    """Of its text, captions and questions: figures are played with by those who like."""
+    words = sum(section.count_words() for section in sections_of(chapter.body, describe))
+    return max(1, round(words / WORDS_A_MINUTE))
+
 
 FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
 """Of what a reader meets first: text, and the line above it."""

@@ -6,7 +6,10 @@ of formulae do. WebKit reports directives that it does not know, such as `manife
 `default-src` says goes for the manifest.
 """
 
+import json
 from collections.abc import Sequence
+
+from markupsafe import Markup
 
 from site_builder.files.folders import integrity
 
@@ -50,3 +53,9 @@ def page_policy(
 
 def _inline(texts: Sequence[str], raw_html: bool) -> list[str]:
     return [ANYTHING_INLINE] if raw_html else [f"'{integrity(text.encode())}'" for text in texts]
+
+
+def json_for_html(data: object) -> Markup:
+    """JSON that cannot end the script element it stands in."""
+    text = json.dumps(data, ensure_ascii=False, allow_nan=False)
+    return Markup(text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026"))

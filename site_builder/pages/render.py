@@ -15,15 +15,14 @@ from site_builder.document.places import Heading
 from site_builder.files.engine import own_or_engine
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
-from site_builder.pages.back_matter import back_matter_pages, titled
-from site_builder.pages.embedding import json_for_html
+from site_builder.pages.back_matter import back_matter_pages, card, titled
 from site_builder.pages.embeds import embeds
 from site_builder.pages.environment import FOLDERS
 from site_builder.pages.licences import Licence
 from site_builder.pages.page import Site, render_page
-from site_builder.pages.term_lists import card
-from site_builder.pages.views.class_page import class_data
-from site_builder.pages.views.thumbnail import thumbnail
+from site_builder.pages.policy import json_for_html
+from site_builder.pages.views.question import class_data
+from site_builder.pages.views.simulation import thumbnail
 from site_builder.references.bibliography import EMPTY
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from site_builder.document.book import Book, Chapter
 from site_builder.languages.words import load_words
-from site_builder.sources.translations.languages import folder_of
+from site_builder.sources.translations.files import folder_of
 
 ANOTHER_PAGE = re.compile(r'href="\.\./([^"/]+)/([^"]*)"')
 

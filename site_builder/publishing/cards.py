@@ -4,18 +4,21 @@ from base64 import b64encode
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from simulations.engine.frame import Panel
 from site_builder.document.blocks import Simulation, contents
 from site_builder.document.book import Book, Chapter, Colours
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
-from site_builder.output.light_theme import style_of_drawings
+from site_builder.markdown.directives.pictures import Drawn as DrawnIllustration
+from site_builder.output.style_sheets import style_of_drawings
 from site_builder.pages.environment import render_template
-from site_builder.pages.outside import BOOK_CARD, card_path
-from site_builder.publishing.title_lines import set_title
+from site_builder.pages.page import BOOK_CARD, card_path
 from site_builder.publishing.vector import Fonts, png_of, whole_fonts
+
+if TYPE_CHECKING:
+    from PIL.ImageFont import FreeTypeFont
 
 WIDTH, HEIGHT = 1200, 630
 TITLE_WIDTH = 440
@@ -101,3 +104,38 @@ def _placed(panel: Panel, picture: str) -> Placed:
     scale = min(width / panel.width, height / panel.height)
     w, h = panel.width * scale, panel.height * scale
     return Placed(panel, picture, left + (width - w) / 2, top + (height - h) / 2, w, h)
+
+
+SIZES = (68, 60, 52, 46, 40, 34)
+MOST_LINES = 4
+
+
+def set_title(title: str, width: float, font: Path) -> tuple[int, list[str]]:
+    """Size in pixels, and the lines, in the face of the file ``font``. A title that is too long at
+    any size ends in ``…``."""
+    for size in SIZES:
+        face = _face(font, size)
+        lines = break_lines(title, width, face)
+        if len(lines) <= MOST_LINES and all(face.getlength(line) <= width for line in lines):
+            return size, lines
+    if len(lines) > MOST_LINES:
+        lines = [*lines[: MOST_LINES - 1], f"{lines[MOST_LINES - 1]} …"]
+    return size, lines
+
+
+def break_lines(words: str, width: float, face: "FreeTypeFont") -> list[str]:
+    """Each no wider than ``width`` pixels, but for a word that is wider alone."""
+    lines: list[str] = []
+    for word in words.split():
+        if lines and face.getlength(f"{lines[-1]} {word}") <= width:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return lines
+
+
+def _face(font: Path, size: int) -> "FreeTypeFont":
+    from PIL import ImageFont  # not every book has cards
+
+    # The basic layout is in every Pillow; the other one depends on what else is installed.
+    return ImageFont.truetype(font, size, layout_engine=ImageFont.Layout.BASIC)

@@ -1,13 +1,15 @@
-"""Drawings as PNG, with the book's own faces: no browser, and the same bytes on every machine."""
+"""Drawings as PNG: the icons of the site, and pictures for editions and cards."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import resvg_py
 
-from site_builder.output.font_faces import FACES, Face
-from site_builder.output.fonts import source_file
+from site_builder.cache.results import cached
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
+from site_builder.files.engine import own_or_engine
+from site_builder.output.fonts import FACES, Face, source_file
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,3 +52,23 @@ def _family(file: Path) -> str:
 
     with TTFont(file, lazy=True) as font:
         return str(font["name"].getBestFamilyName())
+
+
+FILE = "static/images/favicon.svg"
+SIZES = {"images/favicon.png": 32, "images/touch-icon.png": 180}
+"""File among the assets to its width in pixels."""
+
+
+def make_icons(root: Path) -> Mapping[str, bytes]:
+    """From the book's icon, or the engine's. Raises `BuildError` where it is no drawing."""
+    file = own_or_engine(root, FILE)
+    try:
+        return _drawn(file.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise BuildError([Diagnostic(FILE, 1, f"{error}; legal: a drawing in SVG")]) from error
+
+
+@cached
+def _drawn(svg: str) -> dict[str, bytes]:
+    fonts = whole_fonts()
+    return {name: png_of(svg, width, fonts) for name, width in SIZES.items()}

@@ -16,8 +16,7 @@ from pathlib import Path
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.files.text import read_toml
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.settings.declared import Reader, key
-from site_builder.settings.kinds import TEXT, texts
+from site_builder.settings.declared import TEXT, Reader, key, texts
 
 FILE = "content/glossary.toml"
 NAMES = texts('["one", "another"]')

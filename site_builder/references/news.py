@@ -11,8 +11,7 @@ from pathlib import Path
 
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.files.text import read_toml
-from site_builder.settings.declared import Reader, key
-from site_builder.settings.kinds import DAY, TEXT
+from site_builder.settings.declared import DAY, TEXT, Reader, key
 
 FILE = "content/news.toml"
 ENTRY = "entry"

@@ -12,7 +12,7 @@ from markdown_it.tree import SyntaxTreeNode
 
 from site_builder.document.passage import Passage
 from site_builder.document.places import Target
-from site_builder.formulae.tex import plain_tex
+from site_builder.formulae.temml import plain_tex
 
 SPECIAL = re.compile(r"([\\`*_\[\]<$~])")
 AT_START = re.compile(r"^(?=(?:[-+>]|#+|=+)(?:\s|$))|^(?<=)(\d+)(?=[.)]\s)", re.MULTILINE)

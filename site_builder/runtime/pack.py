@@ -8,12 +8,11 @@ from types import MappingProxyType
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.cache.results import cached_result
-from site_builder.files.archive import archive_of
 from site_builder.files.engine import ENGINE, is_engine
-from site_builder.files.folders import file_hash, integrity
+from site_builder.files.folders import archive_of, file_hash, integrity
 from site_builder.programs.node import Package
 from site_builder.runtime import store as stores
-from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.downloads import fetch_runtime
 from site_builder.runtime.freeze import (
     DRIVER,
     INTERPRETER,
@@ -25,8 +24,18 @@ from site_builder.runtime.freeze import (
     freeze_libraries,
     libraries_of,
 )
-from site_builder.runtime.imports import Table, imports_of, module_files, outside, reach
-from site_builder.runtime.modules import CORE, ENTRY, Modules, cut, sources_of
+from site_builder.runtime.imports import (
+    CORE,
+    ENTRY,
+    Modules,
+    Table,
+    cut,
+    imports_of,
+    module_files,
+    outside,
+    reach,
+    sources_of,
+)
 from site_builder.runtime.packages import fetch_packages
 from site_builder.runtime.pinned import (
     NUMPY_WHEEL,

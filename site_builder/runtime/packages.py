@@ -11,7 +11,7 @@ from zipfile import ZipFile
 
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.programs.node import Package
-from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.downloads import fetch_runtime
 from site_builder.runtime.pinned import RELEASE_LOCK, RuntimeFile
 
 NUMPY = "numpy"

@@ -7,8 +7,7 @@ from pathlib import Path
 
 from site_builder import __version__
 from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, own_or_engine
-from site_builder.scaffold.files import HERE, SUFFIX, filled
-from site_builder.scaffold.names import ScaffoldError, read_name
+from site_builder.scaffold.files import HERE, SUFFIX, ScaffoldError, filled, read_name
 
 WORKFLOW = ".github/workflows/publish.yml"
 """Publishes this repository's book, and any other."""

@@ -2,8 +2,8 @@
 
 import json
 import subprocess
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 from site_builder.cache.results import cached_result
@@ -11,10 +11,49 @@ from site_builder.document.book import Book
 from site_builder.files.engine import STATIC
 from site_builder.files.folders import file_hash
 from site_builder.languages.words import Words
-from site_builder.programs.node import NODE
+from site_builder.programs.node import NODE, Package, installed_packages, read_package
 from site_builder.render.sections import Describe
-from site_builder.search.library import HERE, SearchLibrary
 from site_builder.search.records import PageRecords, Record, make_records, translated_records
+
+HERE = Path(__file__).parent
+SEARCH = "minisearch/dist/es/index.js"
+STEMMERS = {"en": "stemmer/index.js", "de": "@orama/stemmers/dist/de.js"}
+"""By language; where the packages have what is shipped: modules that import nothing."""
+LICENCES = {
+    "minisearch": "LICENSE.txt",
+    "stemmer": "license",
+    "@orama/stemmers": "LICENSE.md",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class SearchLibrary:
+    """The scripts of the library by name; none where they could not be had."""
+
+    scripts: Mapping[str, Path]
+    packages: tuple[Package, ...] = ()
+    stemmers: Mapping[str, str] = field(default_factory=dict)
+    """Names of scripts by language."""
+
+
+def fetch_library(*languages: str) -> SearchLibrary:
+    """The library for pages in these. Raises `NodeError` where it cannot be had."""
+    packages = installed_packages(HERE) / "node_modules"
+    stemmers = {language: f"stemmer-{language}.js" for language in languages}
+    shipped = {
+        "minisearch.js": SEARCH,
+        **{name: STEMMERS[language] for language, name in stemmers.items()},
+    }
+    return SearchLibrary(
+        {name: packages / path for name, path in shipped.items()},
+        tuple(
+            read_package(packages / name, licence)
+            for name, licence in LICENCES.items()
+            if any(path.startswith(f"{name}/") for path in shipped.values())
+        ),
+        stemmers,
+    )
+
 
 NAMES = tuple(each.name for each in fields(Record))
 SHARED = ("js/search/ranking.ts", "js/search/words.ts")

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from itertools import count
 
 from site_builder.document.book import Book
-from site_builder.pages.views.symbols import introductions
+from site_builder.pages.back_matter import introductions
 from site_builder.render.sections import Describe, Section, chapter_sections, glossary_sections
 from site_builder.render.words import plain_words
 

@@ -10,8 +10,7 @@ import uvicorn
 
 from site_builder.files.engine import ENGINE, STATIC
 from site_builder.server.app import make_app
-from site_builder.server.builds import Builds, is_code
-from site_builder.server.changes import changes
+from site_builder.server.builds import Builds, changes, is_code
 from site_builder.server.news import News
 
 LOOPBACK = "127.0.0.1"

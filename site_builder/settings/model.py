@@ -2,13 +2,16 @@
 these classes."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
+from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.text import Toml, read_toml
 from site_builder.languages.words import languages
-from site_builder.settings.declared import key
-from site_builder.settings.kinds import (
+from site_builder.settings.declared import (
     BOOLEAN,
     DAY,
     DOI,
@@ -18,7 +21,11 @@ from site_builder.settings.kinds import (
     SITE,
     SOURCE,
     TEXT,
+    Key,
+    Reader,
     entries,
+    key,
+    keys_of,
     one_of,
     table,
     texts,
@@ -181,3 +188,46 @@ class Settings:
     publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
     runtime: Runtime = key(table(Runtime), "what figures are computed with", Runtime())
     trust: Trust = key(table(Trust), "what goes into the pages unchecked", Trust())
+
+
+def read_settings(root: Path, problems: Diagnostics) -> tuple[Settings, Toml]:
+    """The settings and their places in the file; a mistake is reported, and its default holds."""
+    there = (root / FILE_NAME).is_file()
+    read = read_toml(root, FILE_NAME, problems) if there else Toml()
+    if read is None or not read.text.strip():
+        if read is not None:
+            required = ", ".join(item.name for item in keys_of(Settings) if item.required)
+            problems.add(FILE_NAME, 1, f"no outline; legal: a file with {required}")
+        return Settings("", "", "", ()), Toml()
+    return Reader(FILE_NAME, read, problems).table(Settings, read.table), read
+
+
+def storage_prefix(settings: Settings) -> str:
+    """Begins the names of all that a browser stores for the book: books may share a host."""
+    made = re.sub(r"[^a-z0-9]+", "-", settings.title.lower()).strip("-")
+    return settings.storage or made or "book"
+
+
+def settings_table() -> str:
+    """A Markdown table with a line for each key, those of tables after their table's name."""
+    rows = [f"| {name} | {doc} | {default} |" for name, doc, default in _rows(Settings, "")]
+    return "\n".join(["| Key | Sets | Default |", "|---|---|---|", *rows])
+
+
+def _rows(of: type[Any], prefix: str) -> Iterator[tuple[str, str, str]]:
+    for item in keys_of(of):
+        name = f"{prefix}{item.name}"
+        if item.kind.table:
+            yield from _rows(item.kind.table, f"{name}.")
+        else:
+            expected = item.kind.expected
+            legal = f"`{expected}`" if expected[0] in '"[' else expected
+            yield f"`{name}`", f"{item.doc}: {legal}", _default(item)
+
+
+def _default(item: Key) -> str:
+    if item.required:
+        return "required"
+    if item.without or item.default == ():
+        return item.without or "none"
+    return f"`{item.default}`"

@@ -19,7 +19,7 @@ from site_builder.files.folders import file_hash, folder_files, folder_hash
 from site_builder.files.text import read_text
 from site_builder.languages.words import languages
 from site_builder.markdown.chapter import find_targets
-from site_builder.markdown.glossary_links.definitions import read_definitions, read_meanings
+from site_builder.markdown.glossary import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
@@ -37,7 +37,7 @@ from site_builder.references.symbols import read_symbols
 from site_builder.sources.chapters import Page, targets_state
 from site_builder.sources.lecture_plan import read_lecture_plan
 from site_builder.sources.outline import Outline, check_addresses, read_outline
-from site_builder.sources.translations.languages import find_languages, folder_of
+from site_builder.sources.translations.files import find_languages, folder_of
 
 SCENE_FILE = re.compile(r"scenes/([^_/]\w*)[/.]")
 """A file of one scene: a module, or part of a package. Shared code is in modules and packages whose

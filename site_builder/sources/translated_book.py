@@ -15,20 +15,22 @@ from site_builder.document.places import Position
 from site_builder.files.text import read_text
 from site_builder.languages.words import load_words
 from site_builder.markdown.chapter import find_targets
-from site_builder.markdown.glossary_links.definitions import read_definitions
+from site_builder.markdown.glossary import read_definitions
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.targets import Targets
 from site_builder.references.glossary import read_glossary
 from site_builder.sources.book import list_pages, read_hero_caption, read_shared, read_starts
 from site_builder.sources.chapters import Page, targets_state
-from site_builder.sources.outline import Outline, positions, read_outline
-from site_builder.sources.parts import check_parts
-from site_builder.sources.translations.agreement import check_contents, check_places
-from site_builder.sources.translations.glossary import glossary_of, translated_glossary
-from site_builder.sources.translations.labels import read_labels
-from site_builder.sources.translations.languages import folder_of
-from site_builder.sources.translations.settings import file_of, translated_settings
-from site_builder.sources.translations.shared import with_shared
+from site_builder.sources.outline import Outline, check_parts, positions, read_outline
+from site_builder.sources.translations.agreement import check_contents, check_places, with_shared
+from site_builder.sources.translations.files import (
+    file_of,
+    folder_of,
+    glossary_of,
+    read_labels,
+    translated_glossary,
+    translated_settings,
+)
 
 
 def read_translations(

@@ -30,7 +30,7 @@ from support.static_server import serving
 
 from simulations.registry import scene_module
 from site_builder.benchmarks.record import significant
-from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.downloads import fetch_runtime
 from site_builder.runtime.imports import imports_of, reach
 from site_builder.runtime.pack import book_modules, chunk_archive
 from site_builder.runtime.pinned import LOCK_INFO, NUMPY_WHEEL, VERSIONS

@@ -11,8 +11,7 @@ from fontTools.ttLib import TTFont
 from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 from support.places import ROOT
 
-from site_builder.output.font_faces import FACES, FORMULAE, MATHS_FACES, TEXT, Face
-from site_builder.output.fonts import cut, subset_fonts
+from site_builder.output.fonts import FACES, FORMULAE, MATHS_FACES, TEXT, Face, cut, subset_fonts
 
 FONTS_CSS = ROOT / "static" / "css" / "fonts.css"
 TEXT_FACES = [face.file for face in FACES if face not in MATHS_FACES]

@@ -12,7 +12,7 @@ from support.engine import Engine, build_wheel, new_engine, run
 from support.places import ROOT
 
 from site_builder.checks.skeletons import PLACEHOLDERS
-from site_builder.scaffold.names import ScaffoldError, read_name
+from site_builder.scaffold.files import ScaffoldError, read_name
 from site_builder.scaffold.new_book import make_book
 from site_builder.scaffold.pieces import PIECES, make_new
 

@@ -1,24 +1,172 @@
 """The cells of each directive."""
 
+import json
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
+from pathlib import PurePosixPath
+from string import ascii_uppercase
 from typing import Any
+from urllib.parse import quote
 
-from site_builder.document.blocks import Block, Prose, Source, walk
+from simulations.engine.frame import Panel
+from site_builder.document.blocks import Block, Prose, Simulation, Source, contents, walk
 from site_builder.document.passage import Passage
-from site_builder.document.questions import Prediction, Reveal
-from site_builder.editions.notebooks.cells import Code, Part, Text, wrapped
-from site_builder.editions.notebooks.figures import audio, figure, illustration, simulation, video
-from site_builder.editions.notebooks.page import Page, folded, named
-from site_builder.editions.notebooks.questions import predict, quiz, right
+from site_builder.document.questions import OTHERWISE, Option, Prediction, Question, Quiz, Reveal
+from site_builder.editions.notebooks.cells import Code, Page, Part, Text, folded, named, wrapped
 from site_builder.editions.notebooks.tables import extremes, ladder, ladder_table, stage_costs
-from site_builder.markdown.directives.callout import Callout
-from site_builder.markdown.directives.data_sheet import DataSheet
-from site_builder.markdown.directives.download import Download
-from site_builder.markdown.directives.example import Example
+from site_builder.figures.frames import pixels
+from site_builder.markdown.directives.callout import Callout, Example
+from site_builder.markdown.directives.download import DataSheet, Download
+from site_builder.markdown.directives.pictures import Drawn, Figure
+from site_builder.markdown.directives.recordings import Audio, Video
 from site_builder.markdown.directives.table import Table
+from site_builder.markdown.questions.kinds import kind_of
+from site_builder.pages.environment import render_template
 from site_builder.render.markdown import code, escaped, fenced, link, quoted
+
+LONGEST = 80
+"""Characters of a call on one line."""
+
+
+def simulation(figure: Simulation, block: Block, page: Page) -> Iterator[Part]:
+    """The cell, then its caption."""
+    still = page.still(figure)
+    panels = [
+        replace(panel, raster=pixels(page.checked.pictures[picture.file]))
+        if (picture := still.pictures.get(panel.name))
+        else panel
+        for panel in still.frame.panels
+    ]
+    yield Code(call(figure), page.picture(panels), still.frame.description)
+    about = page.markdown(figure.about)
+    yield Text(f"{named(block.target)}{page.markdown(figure.caption)}\n\n{about}".strip())
+
+
+def call(figure: Simulation) -> str:
+    """``figure("lens-distortion", k1=-0.2)``."""
+    values: Mapping[str, object] = figure.values
+    if figure.tier != figure.scene.default_tier:
+        values = {"tier": figure.tier, **values}
+    given = [json.dumps(figure.scene.id), *(f"{k}={_written(v)}" for k, v in values.items())]
+    line = f"figure({', '.join(given)})"
+    if len(line) <= LONGEST:
+        return line
+    return "figure(\n" + "".join(f"    {each},\n" for each in given) + ")"
+
+
+def _written(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
+
+
+def illustration(drawn: Drawn, block: Block, page: Page) -> Iterator[Part]:
+    name = f"{block.target.id if block.target else 'illustration'}.png"
+    picture = page.picture(drawn.illustration.panels)
+    yield _pictured(block, page, drawn.description, {name: picture}, drawn.caption)
+
+
+def figure(shown: Figure, block: Block, page: Page) -> Iterator[Part]:
+    yield _pictured(block, page, shown.alt, _file(shown.file, page), shown.caption)
+
+
+def video(film: Video, block: Block, page: Page) -> Iterator[Part]:
+    """Its still, and a link to the film, which lies beside the notebook."""
+    yield _pictured(block, page, film.alt, _file(film.poster, page), film.caption)
+    yield Text(link(escaped(film.alt), f"content/{film.file}"))
+
+
+def audio(recording: Audio, block: Block, page: Page) -> Iterator[Part]:
+    """The recording lies beside the notebook; its transcript is folded."""
+    licence = f" ({escaped(recording.licence)})" if recording.licence else ""
+    parts = (
+        f'<audio controls src="content/{quote(recording.file)}"></audio>',
+        f"{named(block.target)}{escaped(recording.title)}{licence}",
+        folded(page.words("figure.transcript"), page.markdown(recording.transcript)),
+    )
+    yield Text("\n\n".join(parts))
+
+
+def _pictured(
+    block: Block, page: Page, alt: str, picture: Mapping[str, bytes], caption: Passage
+) -> Text:
+    (name,) = picture
+    shown = f"![{escaped(' '.join(alt.split()))}](attachment:{name})"
+    return Text(f"{shown}\n\n{named(block.target)}{page.markdown(caption)}", picture)
+
+
+def _file(path: str, page: Page) -> Mapping[str, bytes]:
+    """A picture of the author's, by its name."""
+    name = PurePosixPath(path).name.replace(" ", "-")
+    return {name: (page.content / path).read_bytes()}
+
+
+DRAWING = re.compile(
+    r'<svg class="overlay" viewBox="0 0 ([\d.]+) ([\d.]+)"[^>]*>(.*?)</svg>', re.DOTALL
+)
+
+
+def quiz(question: Quiz, block: Block, page: Page) -> Iterator[Part]:
+    asked = (f"{named(block.target)}{page.markdown(question.prompt)}", _offered(question, page))
+    answers = "\n".join(_answers(question, page))
+    yield Text("\n\n".join((*filter(None, asked), folded(page.words("question.answer"), answers))))
+
+
+def predict(question: Prediction, block: Block, page: Page) -> Iterator[Part]:
+    """What is right begins the `answer`; where none follows, it stands here."""
+    title = f"{named(block.target)}{escaped(page.words('predict.title'))}"
+    asked = (title, page.markdown(question.prompt), _offered(question, page))
+    yield Text("\n\n".join(filter(None, asked)))
+    answers = contents(page.chapter.body, Reveal)
+    if question.id not in (each.prediction for each in answers):
+        yield from wrapped(right(question, page), partial(folded, page.words("question.answer")))
+
+
+def right(question: Prediction, page: Page) -> Iterator[Text]:
+    """The right option, number or curve."""
+    yield from (Text(_answer(option, page)) for option in question.options if option.correct)
+    if drawing := _drawing(question, page):
+        name = f"{question.id}.png"
+        shown = f"![{escaped(page.words('predict.computed_curve'))}](attachment:{name})"
+        yield Text(shown, {name: page.picture([drawing])})
+
+
+def _offered(question: Question, page: Page) -> str:
+    """What can be chosen, or ordered."""
+    lines = zip(ascii_uppercase, kind_of(question).offered(question), strict=False)
+    return "\n".join(f"- {letter}: {page.markdown(option.words)}" for letter, option in lines)
+
+
+def _answers(question: Quiz, page: Page) -> Iterator[str]:
+    """A line for each answer, with its explanation."""
+    kind = kind_of(question)
+    if kind.needs_page:  # its other answers are settings that only a page can judge
+        yield from (f"- {page.markdown(o.explanation)}" for o in question.options if o.correct)
+        if solution := kind.view(question, page.chapter.simulations):
+            yield f"- {escaped(page.words('edition.one_way', settings=solution))}"
+        return
+    for place, option in enumerate(question.options, 1):
+        verdict = page.words("question.right" if option.correct else "question.wrong")
+        yield f"{f'{place}.' if kind.numbered else f'- **{verdict}:**'} {_answer(option, page)}"
+
+
+def _answer(option: Option, page: Page) -> str:
+    otherwise = page.words("question.otherwise") if option.text == OTHERWISE else ""
+    said = otherwise or page.markdown(option.words)
+    return "  \n  ".join(filter(None, (said, page.markdown(option.explanation))))
+
+
+def _drawing(question: Prediction, page: Page) -> Panel | None:
+    """Axes and the true curve of what is to be drawn; None where nothing is."""
+    template = "editions/notebook-drawing.html"
+    if not kind_of(question).drawn:
+        return None
+    html = render_template(template, page.book, question=question, chapter=page.chapter)
+    found = DRAWING.search(html)
+    assert found  # the template has one
+    width, height, marks = found.groups()
+    return Panel("field", "", float(width), float(height), overlay=marks)
 
 
 def parts_of(blocks: Iterable[Block], page: Page) -> Iterator[Part]:

@@ -5,12 +5,9 @@ from collections.abc import Iterable, Iterator
 from simulations.engine.frame import Panel
 from site_builder.benchmarks.quantities import milliseconds, quantity
 from site_builder.document.blocks import Block
-from site_builder.editions.notebooks.cells import Part, Text
-from site_builder.editions.notebooks.page import Page, folded, named
+from site_builder.editions.notebooks.cells import Page, Part, Text, folded, named
 from site_builder.markdown.directives.extremes import HardCaseRow, HardCaseTable
-from site_builder.markdown.directives.ladder import LadderFigure
-from site_builder.markdown.directives.ladder_table import LadderTable
-from site_builder.markdown.directives.stage_costs import StageCostTable
+from site_builder.markdown.directives.ladder import LadderFigure, LadderTable, StageCostTable
 from site_builder.pages.views.ladder import (
     LadderView,
     TierRow,

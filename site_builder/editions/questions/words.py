@@ -13,9 +13,8 @@ from markdown_it.token import Token
 from markupsafe import Markup
 
 from site_builder.document.passage import Passage
-from site_builder.editions.links import on_site
-from site_builder.editions.tree import MATHML, elements, parse
-from site_builder.formulae.tex import plain_tex
+from site_builder.editions.tree import MATHML, elements, on_site, parse
+from site_builder.formulae.temml import plain_tex
 from site_builder.render.screen import RULES, PassageRenderer, mathml_of, renderer_with
 
 KEPT = frozenset({"href", "start", "colspan", "rowspan"})

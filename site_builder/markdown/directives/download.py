@@ -1,4 +1,4 @@
-"""``{download} data/file.csv``: a file of ``content/`` for the reader to keep."""
+"""``{download}``, a file of ``content/``, and ``{data-sheet}``, the results of instruments."""
 
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
@@ -68,4 +68,27 @@ DOWNLOAD = Directive(
     read=read_download,
     template="download",
     plain=lambda download: Plain((download.name, download.words)),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class DataSheet:
+    """Where the results stand."""
+
+    words: Passage
+    """May be empty."""
+
+
+def read_data_sheet(_call: DirectiveCall, words: Passage, _context: ParseContext) -> DataSheet:
+    return DataSheet(words)
+
+
+DATA_SHEET = Directive(
+    name="data-sheet",
+    doc="the results of the instruments of a page",
+    argument=None,
+    body=CAPTION,
+    read=read_data_sheet,
+    template="data-sheet",
+    plain=lambda sheet: Plain((sheet.words,)),
 )

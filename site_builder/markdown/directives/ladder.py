@@ -1,13 +1,22 @@
-"""``{ladder} id``: a measured ladder: chart, table, and buttons to measure it in the browser."""
+"""``{ladder}``, ``{ladder-table}`` and ``{stage-costs}``: charts and tables of measurements."""
 
 from dataclasses import dataclass
 
+from site_builder.benchmarks.costs import StageCostError, StageCosts, read_stage_costs
 from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
 from site_builder.document.passage import Passage, Plain
-from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered, OptionLine
+from site_builder.markdown.bodies import CAPTION, NO_BODY
+from site_builder.markdown.directive import (
+    LABEL,
+    Argument,
+    Directive,
+    DirectiveCall,
+    Numbered,
+    OptionLine,
+)
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.scenes import find_scene
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,4 +78,68 @@ LADDER = Directive(
     template="ladder",
     numbered=Numbered("Figure", lambda call: f"ladder-{call.argument}", again=True),
     plain=_plain,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class LadderTable:
+    """All measured ladders, a line each."""
+
+    rows: tuple[MeasuredLadder, ...]
+    caption: Passage
+
+
+def read_ladder_table(
+    call: DirectiveCall, _body: None, context: ParseContext
+) -> LadderTable | None:
+    try:
+        rows = context.shared.measurements.all()
+    except MeasurementError as error:
+        context.problem(call.line, str(error))
+        return None
+    return LadderTable(rows, inline_passage(call.argument, call.line, context))
+
+
+LADDER_TABLE = Directive(
+    name="ladder-table",
+    doc="all measured ladders",
+    argument=Argument("Caption", lacks="has no caption"),
+    options=(LABEL,),
+    body=NO_BODY,
+    read=read_ladder_table,
+    template="ladder-table",
+    numbered=Numbered("Table", lambda _use: "table-ladders"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class StageCostTable:
+    """What each moved control costs of a whole frame of one scene."""
+
+    costs: StageCosts
+    caption: Passage
+
+
+def read_stage_cost_table(
+    call: DirectiveCall, caption: Passage, context: ParseContext
+) -> StageCostTable | None:
+    scene = find_scene(call.argument, call.line, context)
+    if scene is None:
+        return None
+    try:
+        return StageCostTable(read_stage_costs(context.shared.root, scene), caption)
+    except StageCostError as error:
+        context.problem(call.line, str(error))
+        return None
+
+
+STAGE_COSTS = Directive(
+    name="stage-costs",
+    doc="what each control of a scene costs",
+    argument=Argument("scene-id", lacks="names no scene"),
+    options=(LABEL,),
+    body=CAPTION,
+    read=read_stage_cost_table,
+    template="stage-costs",
+    numbered=Numbered("Table", lambda call: f"table-costs-{call.argument}"),
 )

@@ -1,14 +1,8 @@
 """Every role, one file each or one for a family: ``{name}`words``` in running text."""
 
-from site_builder.markdown.roles.calc import CALC
-from site_builder.markdown.roles.cite import CITES
-from site_builder.markdown.roles.colours import COLOURS
-from site_builder.markdown.roles.cost import COST
-from site_builder.markdown.roles.index import INDEX
-from site_builder.markdown.roles.measured import MEASURED
-from site_builder.markdown.roles.readout import READOUT
-from site_builder.markdown.roles.ref import REF
+from site_builder.markdown.roles.numbers import CALC, COST, MEASURED, READOUT
+from site_builder.markdown.roles.references import CITES, REF
 from site_builder.markdown.roles.set import SET
-from site_builder.markdown.roles.term import TERM
+from site_builder.markdown.roles.words import COLOURS, INDEX, TERM
 
 ROLES = (*COLOURS, REF, *CITES, TERM, INDEX, MEASURED, CALC, COST, READOUT, SET)

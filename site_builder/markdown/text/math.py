@@ -7,8 +7,7 @@ from simulations.engine import frame
 from site_builder.cache.results import cached
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.files.folders import file_hash
-from site_builder.formulae.temml import SOURCES, TexError, set_tex
-from site_builder.formulae.tex import common_tex
+from site_builder.formulae.temml import SOURCES, TexError, common_tex, set_tex
 
 COLOURS = (*frame.ROLES[1:], "muted")
 """Roles of colours that a formula may name; frames also have the empty role."""

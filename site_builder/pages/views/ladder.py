@@ -21,7 +21,7 @@ from site_builder.benchmarks.quantities import (
 )
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directives.ladder import LadderFigure
-from site_builder.pages.embedding import json_for_html
+from site_builder.pages.policy import json_for_html
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,11 +11,12 @@ from simulations.engine.message import Message
 from simulations.engine.photograph import Whole
 from simulations.registry import tier_labels
 from site_builder.document.blocks import Simulation
-from site_builder.figures.initial_frames import InitialFrame
+from site_builder.document.book import Chapter
+from site_builder.figures.initial_frames import InitialFrame, InitialFrames, PictureFile
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.pages.embedding import json_for_html
+from site_builder.pages.policy import json_for_html
 from site_builder.pages.views.control import Cell, control_cells, readouts_in_sight, value_text
-from site_builder.sources.translations.labels import figure_text
+from site_builder.sources.translations.files import figure_text
 
 SECOND = 0.53
 """Width of a panel beside one that leads, as a share of that one's (``static/css/figure.css``)."""
@@ -233,3 +234,22 @@ def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:
     for stage in stages:
         counts[stage.status] += 1
     return words("script.stage_report.count", **counts)
+
+
+@dataclass(frozen=True, slots=True)
+class Thumbnail:
+    """A panel of a figure, without handles."""
+
+    panel: Panel
+    picture: PictureFile | None
+    """Its pixels; None of a pure drawing."""
+
+
+def thumbnail(chapter: Chapter, initial_frames: InitialFrames) -> Thumbnail | None:
+    """The main panel of the chapter's first figure with a picture there, else of its first; None
+    where it has no figure."""
+    stills = (initial_frames[figure.path, figure.line] for figure in chapter.simulations)
+    shown = [
+        Thumbnail(still.main_panel, still.pictures.get(still.main_panel.name)) for still in stills
+    ]
+    return next((each for each in shown if each.picture), next(iter(shown), None))

@@ -17,11 +17,11 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
 from site_builder.benchmarks.costs import DATA as COSTS
-from site_builder.benchmarks.costs import CostError, read_costs
+from site_builder.benchmarks.costs import STAGE_DATA as DATA
+from site_builder.benchmarks.costs import CostError, StageCostError, read_costs, read_stage_costs
 from site_builder.benchmarks.measurements import COMMAND, MeasurementError
-from site_builder.benchmarks.stage_costs import DATA, StageCostError, read_stage_costs
 from site_builder.build import Options
-from site_builder.markdown.roles.measured import LEGAL, measured_text
+from site_builder.markdown.roles.numbers import LEGAL, measured_text
 
 type MakeBook = Callable[..., Options]
 

@@ -8,8 +8,13 @@ from site_builder.document.questions import Option
 from site_builder.markdown.calculation import truth
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.answers import Answer, check_parts, read_answer, split_body
-from site_builder.markdown.questions.checks import check_answers
+from site_builder.markdown.questions.answers import (
+    Answer,
+    check_answers,
+    check_parts,
+    read_answer,
+    split_body,
+)
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 
 SEVERAL = "multiple"

@@ -10,11 +10,13 @@ from site_builder.document.passage import Passage
 from site_builder.document.questions import OTHERWISE, Option, Question
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.answers import check_parts, read_answer, split_body
-from site_builder.markdown.questions.checks import (
+from site_builder.markdown.questions.answers import (
     check_answers,
     check_otherwise,
+    check_parts,
+    read_answer,
     report_not_coded,
+    split_body,
 )
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 

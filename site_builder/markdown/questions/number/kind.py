@@ -17,14 +17,12 @@ from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import (
     Answer,
     Item,
-    check_parts,
-    read_answer,
-    split_body,
-)
-from site_builder.markdown.questions.checks import (
     check_answers,
     check_otherwise,
+    check_parts,
+    read_answer,
     report_not_coded,
+    split_body,
 )
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 

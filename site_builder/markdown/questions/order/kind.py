@@ -9,8 +9,12 @@ from site_builder.document.blocks import Simulation
 from site_builder.document.questions import Option, Question
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.answers import check_parts, read_answer, split_body
-from site_builder.markdown.questions.checks import check_answers
+from site_builder.markdown.questions.answers import (
+    check_answers,
+    check_parts,
+    read_answer,
+    split_body,
+)
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 
 

@@ -1,10 +1,32 @@
-"""``{term}`two stops <stop>```: a term of the glossary that is not found by its words, or a
-second use to be marked. ``{term}`the stop sign <none>```: words that are no term.
-"""
+"""``{ray}`the ray```: words in the colour of their idea, as in the figures."""
 
+from site_builder.markdown.headings import slug
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Linked, Role
+from site_builder.markdown.text.math import COLOURS as NAMES
 from site_builder.references.glossary import Term
+
+COLOURS = tuple(
+    Role(name=name, form="words", doc="the words in the colour of their idea, as in the figures")
+    for name in NAMES
+)
+"""One for each colour that a formula may name with ``\\role``."""
+
+
+def indexed(words: str, given: str | None, line: int, context: ParseContext) -> Linked:
+    """The words with an id, and the entry to list them under."""
+    entry = words if given is None else given
+    name = context.free_id(f"index-{slug(entry)}", line)
+    return Linked({"id": name}, meta={"index": entry})
+
+
+INDEX = Role(
+    name="index",
+    form="WORDS` or `WORDS <ENTRY>",
+    doc="the words, listed in the index of terms",
+    link=indexed,
+)
+
 
 NONE = "none"
 

@@ -11,6 +11,8 @@ tiers, beaten                   how many there are of all ladders
 processor, python, numpy, …     what it was measured on
 """
 
+from simulations.engine.expressions import ExpressionError
+from site_builder.benchmarks.costs import Cost, CostError, read_costs
 from site_builder.benchmarks.judgements import efficiency, frame_percent, nanoseconds_each
 from site_builder.benchmarks.measurements import (
     SIDES,
@@ -25,8 +27,10 @@ from site_builder.benchmarks.quantities import (
     quantity,
     with_unit,
 )
+from site_builder.benchmarks.readouts import ReadoutError
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.languages.words import ENGLISH, Words
+from site_builder.markdown.calculation import number_text
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role
 
@@ -120,4 +124,61 @@ MEASURED = Role(
     doc="a number from the file that `python -m site_builder bench` writes",
     text=_text,
     refuses=MeasurementError,
+)
+
+
+CALC = Role(
+    name="calc",
+    form="EXPRESSION` or `EXPRESSION:FORMAT",
+    doc=(
+        "the number that an expression comes to, in Python's format (`:.2f`); in formulae "
+        r"`\calc{EXPRESSION:FORMAT}`. A code block `calc`, which is not shown, imports functions "
+        "of the models, names values for the expressions below it, and checks what the text claims "
+        "by `assert CONDITION`"
+    ),
+    text=number_text,
+    refuses=ExpressionError,
+)
+
+
+def _cost(asked: str, context: ParseContext) -> str:
+    found = read_costs(context.shared.root).find(asked)
+    if not isinstance(found, Cost):
+        return found
+    exact = found.unit in ("", "KB", "MB")
+    number = quantity(found.value, 3 if exact and found.value >= 10 else 2)
+    text = milliseconds(found.value) if found.unit == "ms" else number
+    return with_unit(context.shared.words.numeral(text), found.unit)
+
+
+COST = Role(
+    name="cost",
+    form="NAME … NAME",
+    doc="a number from the file that `make bench` writes",
+    text=_cost,
+    refuses=CostError,
+)
+
+
+FORM = "SCENE READOUT [CONTROL=VALUE …] [tier=ID] [bare]"
+
+
+def readout_text(words: str, context: ParseContext) -> str:
+    """What stands in the text for ``words``. Raises `ReadoutError`."""
+    scene_id, _, rest = words.partition(" ")
+    name, *pairs = rest.split() or [""]
+    bare = pairs[-1:] == ["bare"]
+    settings = dict(pair.split("=", 1) for pair in pairs[: len(pairs) - bare] if "=" in pair)
+    if not name or "=" in name or len(settings) + bare < len(pairs):
+        raise ReadoutError(f"{{readout}} {words!r}; legal: '{FORM}', each control once")
+    shown = context.readouts.text(scene_id, name, settings, bare=bare)
+    return context.shared.words.numeral(shown)
+
+
+READOUT = Role(
+    name="readout",
+    form=FORM,
+    doc="a number that a figure shows at that setting",
+    text=readout_text,
+    refuses=ReadoutError,
 )

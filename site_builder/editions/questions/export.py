@@ -1,11 +1,13 @@
-"""The questions that are exported, chapter by chapter."""
+"""The questions of the book as Moodle XML, and as a package of QTI 2.1."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import groupby
 
 from site_builder.document.book import Book, Chapter
 from site_builder.document.questions import OTHERWISE, Option, Quiz
-from site_builder.editions.questions.words import Text
+from site_builder.editions.questions.words import Text, moodle_text, qti_text
+from site_builder.files.folders import archive_of
 from site_builder.markdown.questions.kind import QuestionKind
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.pages.embeds import embed_address
@@ -85,3 +87,41 @@ def left_out(book: Book) -> int:
     """How many questions are not exported."""
     exported = {asked.quiz.id for asked in asked_in(book)}
     return sum(len(chapter.quizzes) for chapter in book.chapters) - len(exported)
+
+
+def make_moodle(book: Book) -> bytes:
+    categories = [
+        (category, [_question(book, asked) for asked in group])
+        for category, group in groupby(asked_in(book), lambda asked: _category(book, asked))
+    ]
+    return render_template("editions/moodle.xml", book, categories=categories).encode()
+
+
+def _category(book: Book, asked: Asked) -> str:
+    """A path, in which a slash of a name is written twice."""
+    path = [book.title, f"{asked.chapter.name}. {asked.chapter.title}"]
+    if asked.drawn_from:
+        path.append(asked.drawn_from)
+    return "/".join(["$course$", "top", *(name.replace("/", "//") for name in path)])
+
+
+def _question(book: Book, asked: Asked) -> str:
+    return written(book, asked, "moodle", moodle_text(asked.page, book.settings.macros))
+
+
+def make_qti(book: Book) -> bytes:
+    """The archive. The same book is the same bytes."""
+    asked = list(asked_in(book))
+    chapters = [
+        (chapter, [(name, list(some)) for name, some in groupby(group, lambda a: a.drawn_from)])
+        for chapter, group in groupby(asked, lambda a: a.chapter)
+    ]
+    files = {
+        "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=asked),
+        "test.xml": render_template("editions/qti-test.xml", book, chapters=chapters),
+        **{
+            f"items/{item.id}.xml": written(book, item, "qti", qti_text(item.page))
+            for item in asked
+        },
+    }
+    return archive_of({name: content.encode() for name, content in files.items()})

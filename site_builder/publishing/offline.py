@@ -1,4 +1,4 @@
-"""The release that ``static/js/offline/service_worker.ts`` caches: its files and its name."""
+"""What the service worker stores: the files of a release, and the manifest of the app."""
 
 import json
 from collections.abc import Mapping
@@ -7,6 +7,25 @@ from site_builder.files.folders import integrity
 from site_builder.output.assets import Content, content_bytes
 from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.raw.decoder import FOLDER
+
+MANIFEST = "manifest.webmanifest"
+
+
+def manifest(title: str, subtitle: str, assets: str, language: str = "en") -> bytes:
+    """The manifest, all addresses relative to the book's root."""
+    icon = {"src": f"{assets}images/favicon.svg", "sizes": "any", "type": "image/svg+xml"}
+    data = {
+        "lang": language,
+        "name": title,
+        "short_name": title,
+        "description": subtitle,
+        "start_url": "./",
+        "scope": "./",
+        "display": "minimal-ui",
+        "icons": [icon],
+    }
+    return json.dumps(data, ensure_ascii=False, indent=1).encode()
+
 
 LIST = "offline.json"
 WORKER = "sw.js"

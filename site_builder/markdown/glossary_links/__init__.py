@@ -1,1 +1,0 @@
-"""The terms and symbols that a text uses, and what they mean."""

@@ -1,1 +1,0 @@
-"""The book without a network: the release that the reader's browser caches."""

@@ -1,0 +1,196 @@
+"""The files of a translation beside its chapters: settings, glossary, and the labels of figures."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from types import MappingProxyType
+
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.document.book import Languages
+from site_builder.document.places import chapter_id
+from site_builder.files.text import Toml, read_toml
+from site_builder.languages.words import Words, languages
+from site_builder.references.glossary import EMPTY, NAMES, Glossary, Term, check_names
+from site_builder.settings.declared import TEXT, Reader, entries, key, table, texts
+from site_builder.settings.model import Labels, Settings, storage_prefix
+
+
+def find_languages(root: Path, settings: Settings) -> Languages:
+    """A folder that is called as a language holds its translation."""
+    names = (*settings.chapters, *settings.appendices)
+    found = {
+        tag: frozenset(
+            chapter_id(name) for name in names if (root / f"content/{tag}/{name}.md").is_file()
+        )
+        for tag in languages()
+        if tag != settings.language and (root / "content" / tag).is_dir()
+    }
+    return {settings.language: frozenset(map(chapter_id, names)), **found} if found else {}
+
+
+def folder_of(language: str) -> str:
+    """
+    >>> folder_of("de")
+    'de/'
+    """
+    return f"{language}/"
+
+
+NUMBER = re.compile(r"[−-]?\d+(?:\.\d+)?")
+LABELLED = re.compile(r"(?<=>)[^<>]+(?=<)")
+UNFIT = re.compile(r'[<>&"\\]')
+"""In a label: it becomes part of markup and of data."""
+SPOKEN = re.compile(
+    r'((?:aria-(?:label|description|valuetext)|alt|data-hint|"label"):?[= ]")([^"]+)(?=")'
+)
+"""Attributes of elements, and labels in the data of a figure."""
+
+
+def read_labels(root: Path, language: str, problems: Diagnostics) -> Mapping[str, str]:
+    path = f"content/{language}/labels.toml"
+    toml = read_toml(root, path, problems) if (root / path).is_file() else None
+    labels: dict[str, str] = {}
+    for text, label in toml.table.items() if toml else ():
+        if NUMBER.search(text):
+            expected = f"{NUMBER.sub('#', text)!r}, '#' for each number"
+        elif not isinstance(label, str) or label.count("#") != text.count("#"):
+            expected = f"a text with {text.count('#')} '#'"
+        elif UNFIT.search(label):
+            expected = 'a text without < > & " \\'
+        else:
+            labels[text] = label
+            continue
+        problems.add(path, toml.line(text) if toml else 1, f"{text!r}; legal: {expected}")
+    return labels
+
+
+def figure_text(text: str, words: Words) -> str:
+    """In the language of the page, where that has it."""
+    label = words.figures.get(NUMBER.sub("#", text.strip()))
+    if label is None:
+        return text
+    numbers = iter(NUMBER.findall(text))
+    return re.sub("#", lambda _: words.numeral(next(numbers)), label)
+
+
+def figure_markup(html: str, words: Words) -> str:
+    """A figure with its texts and spoken names in the language of the page."""
+    if not words.figures:
+        return html
+    html = LABELLED.sub(lambda found: figure_text(found[0], words), html)
+    return SPOKEN.sub(lambda found: found[1] + figure_text(found[2], words), html)
+
+
+@dataclass(frozen=True, slots=True)
+class TranslatedTerm:
+    """One entry."""
+
+    name: str = key(TEXT)
+    says: str = key(TEXT)
+    """Its definition, as Markdown."""
+    also: tuple[str, ...] = key(NAMES, default=())
+    words: tuple[str, ...] = key(NAMES, default=())
+
+
+def glossary_of(language: str) -> str:
+    """
+    >>> glossary_of("de")
+    'content/de/glossary.toml'
+    """
+    return f"content/{language}/glossary.toml"
+
+
+def translated_glossary(
+    root: Path, words: Words, original: Glossary, problems: Diagnostics
+) -> Glossary:
+    """The terms that the file translates; the others, as no definition is translated by itself,
+    are unknown to the translation."""
+    path = glossary_of(words.language)
+    toml = read_toml(root, path, problems) if (root / path).is_file() else None
+    if toml is None:
+        return EMPTY
+    reader, terms = Reader(path, toml, problems), []
+    for name, entry in toml.table.items():
+        line, term = toml.line(name), original.terms.get(name)
+        if term is None:
+            problems.add(path, line, unknown("term", name, original.terms))
+        else:
+            own = reader.table(TranslatedTerm, entry, (name,))
+            terms.append(_translated(term, own, line, words))
+    glossary = Glossary({term.name: term for term in terms})
+    check_names(glossary, path, problems)
+    return glossary
+
+
+def _translated(term: Term, own: TranslatedTerm, line: int, words: Words) -> Term:
+    return replace(
+        term,
+        name=own.name,
+        says=own.says,
+        also=own.also,
+        words=own.words,
+        related=(),
+        line=line,
+        endings=tuple(words("language.plural_endings").split()),
+        original=term.name,
+    )
+
+
+AS_ORIGINAL = "the original's"
+
+
+@dataclass(frozen=True, slots=True)
+class TranslatedSettings:
+    """The whole file; empty what holds as in the original."""
+
+    title: str = key(TEXT, "what the book is called", "", without=AS_ORIGINAL)
+    subtitle: str = key(TEXT, "what it is about, in a sentence", "", without=AS_ORIGINAL)
+    prerequisites: str = key(TEXT, "what its reader should know", "", without=AS_ORIGINAL)
+    hero_caption: str = key(
+        TEXT, "a sentence about the figure of the title page", "", without=AS_ORIGINAL
+    )
+    made_by: str = key(TEXT, "who made it, in a sentence", "", without=AS_ORIGINAL)
+    search_examples: tuple[str, ...] = key(
+        texts('["one", "another"]'), "what one may search for", (), without=AS_ORIGINAL
+    )
+    parts: Mapping[str, str] = key(
+        entries('a table of titles with first chapters, "Geometry" = "chapter"'),
+        "headings of the contents, each with the chapter that begins it",
+        MappingProxyType({}),
+        without=AS_ORIGINAL,
+    )
+    labels: Labels = key(table(Labels), "what numbered things are called", Labels())
+    starts: Mapping[str, str] = key(
+        entries('a table of texts with places, "Begin here" = "chapter#figure-id"'),
+        "where the title page invites to start",
+        MappingProxyType({}),
+        without=AS_ORIGINAL,
+    )
+
+
+def file_of(language: str) -> str:
+    """
+    >>> file_of("de")
+    'content/de/book.toml'
+    """
+    return f"content/{language}/book.toml"
+
+
+def translated_settings(
+    root: Path, language: str, original: Settings, problems: Diagnostics
+) -> tuple[Settings, Toml]:
+    """The original's, with the words of the translation, and their places in its file. What a
+    browser stores is the same."""
+    path = file_of(language)
+    toml = (read_toml(root, path, problems) if (root / path).is_file() else None) or Toml()
+    own = Reader(path, toml, problems).table(TranslatedSettings, toml.table)
+    given = {name: getattr(own, name) for name in TranslatedSettings.__slots__}
+    settings = replace(
+        original,
+        **{name: value for name, value in given.items() if value and name != "labels"},
+        labels=own.labels if any(asdict(own.labels).values()) else Labels(),
+        language=language,
+        storage=storage_prefix(original),
+    )
+    return settings, toml
