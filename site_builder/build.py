@@ -30,11 +30,12 @@ from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
 from site_builder.checks.skeletons import check_skeletons
 from site_builder.checks.whole_book import check_book, check_translation
-from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, Diagnostics
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
 from site_builder.files.engine import static_files
 from site_builder.files.folders import file_hash
+from site_builder.files.text import Sources
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
@@ -106,7 +107,7 @@ class LoadedBook(NamedTuple):
     """The book as it was read, and the mistakes so far."""
 
     book: Book
-    problems: Diagnostics
+    sources: Sources
     translations: tuple[Book, ...] = ()
 
 
@@ -154,21 +155,22 @@ def check_site(options: Options) -> CheckedBook:
 
 
 def load(options: Options) -> LoadedBook:
-    problems = Diagnostics()
-    measurements = read_measurements(options.root, problems, options.load_ladder)
-    book = read_book(options.root, problems, options.load_scene, measurements)
-    translations = read_translations(options.root, book, problems, options.load_scene, measurements)
-    return LoadedBook(book, problems, translations)
+    sources = Sources(options.root)
+    measurements = read_measurements(sources, options.load_ladder)
+    book = read_book(sources, options.load_scene, measurements)
+    translations = read_translations(sources, book, options.load_scene, measurements)
+    return LoadedBook(book, sources, translations)
 
 
 def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     """Raises `BuildError` with all mistakes found."""
-    book, problems, translations = loaded
+    book, sources, translations = loaded
+    problems = sources.problems
     check_book(book, problems)
-    check_skeletons(options.root, book, problems)
+    check_skeletons(sources, book)
     for translation in translations:
         check_translation(translation, problems)
-    check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
+    check_pictures(sources, trusted=book.settings.trust.raw_html)
     initial_frames, pictures = render_initial_frames(
         book, problems, prerendered=options.runtime and not options.reload
     )

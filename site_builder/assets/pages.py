@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import static_files
 from site_builder.files.folders import folder_files, integrity
+from site_builder.files.text import Sources
 from site_builder.languages.words import load_words
 from site_builder.markdown.content_files import PICTURES
 from site_builder.output.assets import Content, content_bytes, hashed_folder
@@ -127,7 +127,7 @@ def write_scripts(root: Path, site: Path, modules: Iterable[str]) -> None:
     """Single scripts, such as ``page/text``, each with what it imports, into ``js/`` of a site.
 
     Pages load them bundled; the bench and the tests load one alone."""
-    settings, _ = read_settings(root, Diagnostics())
+    settings, _ = read_settings(Sources(root))
     book = book_script(settings, load_words(settings.language))
     scripts = {**static_files(root), **kind_files()}
     sources = {name: file for name, file in scripts.items() if name.endswith((".ts", ".js"))}

@@ -6,11 +6,12 @@ from pathlib import Path
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.cache.results import cached_result
 from site_builder.diagnostics.blame import place_of
-from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, Diagnostics
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.blocks import contents
 from site_builder.document.book import Book
 from site_builder.files.engine import ENGINE
 from site_builder.files.folders import folder_hash
+from site_builder.files.text import Sources
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.runtime.freeze import MissingModuleError
 from site_builder.runtime.imports import Modules
@@ -59,7 +60,7 @@ def pack_for_browser(
 
 def _about_packages(root: Path, message: str, *, fails: bool = True) -> Diagnostic:
     """A message about the packages that the outline asks for."""
-    _, toml = read_settings(root, Diagnostics())
+    _, toml = read_settings(Sources(root))
     return Diagnostic(FILE_NAME, toml.line("runtime", "packages"), message, fails=fails)
 
 

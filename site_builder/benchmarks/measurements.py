@@ -18,13 +18,13 @@ no longer fits the ladders' code is refused when a page asks for it.
 import json
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
 from simulations.registry import load_ladder
 from site_builder.diagnostics.blame import CodeError
-from site_builder.diagnostics.diagnostic import Diagnostics, cause
+from site_builder.diagnostics.diagnostic import cause
+from site_builder.files.text import Sources
 from site_builder.sandbox.loading import loaded
 
 DATA = "content/measurements.json"
@@ -167,19 +167,18 @@ class Measurements:
 
 
 def read_measurements(
-    root: Path, problems: Diagnostics, load: Callable[[str], Ladder] = load_ladder
+    sources: Sources, load: Callable[[str], Ladder] = load_ladder
 ) -> Measurements:
-    """The file below ``root``; none where it does not exist. Mistakes go to ``problems``."""
-    file = root / DATA
-    if not file.is_file():
+    """The measurements in the file; none where there is no such file. Mistakes are reported."""
+    if not sources.has(DATA):
         return Measurements(load_ladder=load)
     try:
-        data = json.loads(file.read_text(encoding="utf-8"))
+        data = json.loads(sources.text(DATA))
         return Measurements(data["machine"], data["ladders"], load)
     except json.JSONDecodeError as error:
-        problems.add(DATA, error.lineno, f"malformed JSON: {error.msg}; run `{COMMAND}`")
+        sources.problems.add(DATA, error.lineno, f"malformed JSON: {error.msg}; run `{COMMAND}`")
     except (KeyError, TypeError):
-        problems.add(DATA, 1, f"no 'machine' or no 'ladders'; run `{COMMAND}`")
+        sources.problems.add(DATA, 1, f"no 'machine' or no 'ladders'; run `{COMMAND}`")
     return Measurements(load_ladder=load)
 
 

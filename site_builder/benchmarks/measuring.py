@@ -34,7 +34,7 @@ from site_builder.benchmarks.record import (
     merge,
     write,
 )
-from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.text import Sources
 from site_builder.programs.chromium import launch_arguments, require_chromium
 from site_builder.runtime.pack import pack_runtime
 
@@ -100,7 +100,7 @@ def bench(root: Path, chosen: Sequence[str], write_scripts: WriteScripts) -> int
 
 def misplaced_defaults(root: Path, ladder_ids: Sequence[str]) -> list[str]:
     """What the new measurements say against the ladders' defaults."""
-    measured = read_measurements(root, Diagnostics())
+    measured = read_measurements(Sources(root))
     return [said for name in ladder_ids if (said := off_the_front(measured.find(name)))]
 
 

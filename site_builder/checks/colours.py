@@ -3,12 +3,10 @@ on the page."""
 
 import re
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 
 from site_builder.checks.frames import known_classes
-from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.engine import own_or_engine, static_files
-from site_builder.files.text import Toml
+from site_builder.files.text import Sources, Toml
 from site_builder.markdown.roles import ROLES
 from site_builder.settings.model import FILE_NAME
 
@@ -21,14 +19,12 @@ LEAST_CONTRAST = 4.5
 type Rgb = tuple[float, float, float]
 
 
-def check_colours(
-    colours: Mapping[str, str], root: Path, toml: Toml, problems: Diagnostics
-) -> None:
+def check_colours(colours: Mapping[str, str], sources: Sources, toml: Toml) -> None:
     """Report names that are taken, values that are no pairs, and pairs that are hard to read."""
     if not colours:
         return
-    taken = known_classes(static_files(root)) | {role.name for role in ROLES}
-    tokens = own_or_engine(root, "static/css/tokens.css").read_text(encoding="utf-8")
+    taken = known_classes(static_files(sources.root)) | {role.name for role in ROLES}
+    tokens = own_or_engine(sources.root, "static/css/tokens.css").read_text(encoding="utf-8")
     grounds = GROUND.findall(tokens)
     for name, text in colours.items():
         pair = PAIR.fullmatch(text)
@@ -41,7 +37,7 @@ def check_colours(
             message = f"colour {name!r} has a contrast of {least:.2f}; legal: {legal}"
         else:
             continue
-        problems.add(FILE_NAME, toml.line("colours", name), message)
+        sources.problems.add(FILE_NAME, toml.line("colours", name), message)
 
 
 def contrast(one: Rgb, other: Rgb) -> float:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from site_builder.checks.svg import read_svg
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.folders import folder_files
+from site_builder.files.text import Sources
 from site_builder.markdown.content_files import PICTURES
 
 if TYPE_CHECKING:
@@ -21,11 +22,11 @@ GPS = 0x8825
 MOST_PIXELS, MOST_BYTES = 40_000_000, 20_000_000
 
 
-def check_pictures(root: Path, problems: Diagnostics, *, trusted: bool = False) -> None:
-    """All that would be published, shown or not; ``trusted``: SVG may do what it likes."""
-    for name, file in folder_files(root / "content").items():
+def check_pictures(sources: Sources, *, trusted: bool = False) -> None:
+    """Check all that would be published, shown or not. In a ``trusted`` book SVG may run code."""
+    for name, file in folder_files(sources.root / "content").items():
         if file.suffix in PICTURES.suffixes:
-            _check_picture(file, f"content/{name}", problems, trusted)
+            _check_picture(file, f"content/{name}", sources.problems, trusted)
 
 
 def _check_picture(file: Path, path: str, problems: Diagnostics, trusted: bool) -> None:

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.document.book import OUTLINE, Book
+from site_builder.files.text import Sources
 
 PLACEHOLDERS = (
     "What this book is about, in a sentence.",
@@ -23,14 +23,14 @@ ROOMS = ("scenes", "ladders", "models")
 """Folders of ``simulations`` in which ``new`` writes."""
 
 
-def check_skeletons(root: Path, book: Book, problems: Diagnostics) -> None:
-    """Warn of each in the book at ``root``."""
-    for path in _written(root, book):
-        data = (root / path).read_bytes()
+def check_skeletons(sources: Sources, book: Book) -> None:
+    """Warn of each such sentence."""
+    for path in _written(sources.root, book):
+        data = (sources.root / path).read_bytes()
         for sentence in PLACEHOLDERS:
             if (place := data.find(sentence.encode())) >= 0:
                 said = f"{sentence.lstrip(': ')!r} is still as `new` wrote it; better: your own"
-                problems.warn(path, data.count(b"\n", 0, place) + 1, said)
+                sources.problems.warn(path, data.count(b"\n", 0, place) + 1, said)
 
 
 def _written(root: Path, book: Book) -> Iterator[str]:

@@ -47,44 +47,57 @@ class Toml:
         return first + self.text.count("\n", start, place)
 
 
-def read_text(root: Path, path: str, problems: Diagnostics) -> str:
-    """The file below ``root``, with or without the mark that some editors put before the text."""
-    data = (root / path).read_bytes()
-    if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
-        problems.add(path, 1, "UTF-16; legal: UTF-8")
-        data = data.decode("utf-16", errors="replace").encode()
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        problems.add(path, line, f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8")
-        text = data.decode("utf-8-sig", errors="replace")
-    text = text.replace("\r\n", "\n")
-    if len(data) > MOST_BYTES:
-        expected = f"at most {MOST_BYTES / 1e6:g} MB"
-        problems.add(path, 1, f"{len(data) / 1e6:.1f} MB of text; legal: {expected}")
-        text = text.partition("\n\n")[0] + "\n\n…\n"
-    return _without_controls(text, path, problems)
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """The files of a book, and the mistakes and warnings found while they are read."""
 
+    root: Path
+    """The book's folder: holds ``content/`` and ``simulations/``."""
+    problems: Diagnostics = field(default_factory=Diagnostics)
 
-def _without_controls(text: str, path: str, problems: Diagnostics) -> str:
-    """No page can show such a character, and an e-book with one in it cannot be opened."""
-    for found in CONTROL.finditer(text):
-        line = text.count("\n", 0, found.start()) + 1
-        problems.add(path, line, f"control character U+{ord(found[0]):04X}; legal: visible text")
-    return CONTROL.sub(" ", text)
+    def aside(self) -> "Sources":
+        """The same files, with diagnostics of their own."""
+        return Sources(self.root)
 
+    def has(self, path: str) -> bool:
+        return (self.root / path).is_file()
 
-def read_toml(root: Path, path: str, problems: Diagnostics) -> Toml | None:
-    """What the file below ``root`` holds; None where it is no TOML, which is reported."""
-    text = read_text(root, path, problems)
-    try:
-        return Toml(tomllib.loads(text), dict(_places(text)), text)
-    except tomllib.TOMLDecodeError as error:
-        place = re.search(r"line (\d+)", str(error))
-        end = text.rstrip("\n").count("\n") + 1
-        problems.add(path, int(place[1]) if place else end, f"malformed TOML: {error}")
-        return None
+    def text(self, path: str) -> str:
+        """The text of a file, without the mark that some editors put before it."""
+        data = (self.root / path).read_bytes()
+        if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+            self.problems.add(path, 1, "UTF-16; legal: UTF-8")
+            data = data.decode("utf-16", errors="replace").encode()
+        try:
+            text = data.decode("utf-8-sig")
+        except UnicodeDecodeError as error:
+            line = data.count(b"\n", 0, error.start) + 1
+            message = f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8"
+            self.problems.add(path, line, message)
+            text = data.decode("utf-8-sig", errors="replace")
+        text = text.replace("\r\n", "\n")
+        if len(data) > MOST_BYTES:
+            expected = f"at most {MOST_BYTES / 1e6:g} MB"
+            self.problems.add(path, 1, f"{len(data) / 1e6:.1f} MB of text; legal: {expected}")
+            text = text.partition("\n\n")[0] + "\n\n…\n"
+        for found in CONTROL.finditer(text):  # no page can show one; it breaks an e-book
+            line = text.count("\n", 0, found.start()) + 1
+            message = f"control character U+{ord(found[0]):04X}; legal: visible text"
+            self.problems.add(path, line, message)
+        return CONTROL.sub(" ", text)
+
+    def toml(self, path: str) -> Toml | None:
+        """The content of a file; None where there is none, or where it is no TOML."""
+        if not self.has(path):
+            return None
+        text = self.text(path)
+        try:
+            return Toml(tomllib.loads(text), dict(_places(text)), text)
+        except tomllib.TOMLDecodeError as error:
+            place = re.search(r"line (\d+)", str(error))
+            end = text.rstrip("\n").count("\n") + 1
+            self.problems.add(path, int(place[1]) if place else end, f"malformed TOML: {error}")
+            return None
 
 
 def _places(text: str) -> Iterator[tuple[Keys, int]]:

@@ -7,12 +7,11 @@ found by its reader.
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from string import ascii_lowercase
 from typing import Any
 
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.files.text import read_text
+from site_builder.files.text import Sources
 from site_builder.languages.words import ENGLISH, Words
 
 FILE = "content/references.bib"
@@ -134,15 +133,15 @@ def _listed(*parts: str | None) -> str:
     return ", ".join(part for part in parts if part)
 
 
-def read_bibliography(root: Path, problems: Diagnostics, words: Words = ENGLISH) -> Bibliography:
-    """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
-    if not (root / FILE).is_file():
+def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Bibliography:
+    """The works in the file; none where there is no such file. Mistakes are reported."""
+    if not sources.has(FILE):
         return EMPTY
     # Here and below: slow to import, and not needed while the bibliography is cached.
     from pybtex.database import BibliographyDataError, parse_string
     from pybtex.scanner import PybtexSyntaxError
 
-    text = read_text(root, FILE, problems)
+    text, problems = sources.text(FILE), sources.problems
     try:
         entries = parse_string(text, "bibtex").entries
     except PybtexSyntaxError as error:

@@ -11,10 +11,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import groupby
-from pathlib import Path
 
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.files.text import read_toml
+from site_builder.files.text import Sources
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.settings.declared import TEXT, Reader, key, texts
 
@@ -110,12 +109,12 @@ def _spelt(name: str) -> str:
     return first + rest.replace("’", "['’]").replace(r"\ ", "[ \u00a0]")
 
 
-def read_glossary(root: Path, problems: Diagnostics, words: Words = ENGLISH) -> Glossary:
-    """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
-    toml = read_toml(root, FILE, problems) if (root / FILE).is_file() else None
+def read_glossary(sources: Sources, words: Words = ENGLISH) -> Glossary:
+    """The terms in the file; none where there is no such file. Mistakes are reported."""
+    toml = sources.toml(FILE)
     if toml is None:
         return EMPTY
-    reader = Reader(FILE, toml, problems)
+    reader = Reader(FILE, toml, sources.problems)
     endings = tuple(words("language.plural_endings").split())
     terms = [
         reader.table(Term, entry, (name,), name=name, line=toml.line(name), endings=endings)
@@ -123,7 +122,7 @@ def read_glossary(root: Path, problems: Diagnostics, words: Words = ENGLISH) -> 
     ]
     terms.sort(key=lambda term: term.name.casefold())
     glossary = Glossary({term.name: term for term in terms})
-    check_names(glossary, FILE, problems)
+    check_names(glossary, FILE, sources.problems)
     return glossary
 
 

@@ -7,10 +7,9 @@ where it is about one. Newest first.
 import re
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
-from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.files.text import read_toml
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.files.text import Sources
 from site_builder.settings.declared import DAY, TEXT, Reader, key
 
 FILE = "content/news.toml"
@@ -34,12 +33,12 @@ class News:
         return f"{self.date}-{re.sub(r'[^a-z0-9]+', '-', self.title.lower()).strip('-')}"
 
 
-def read_news(root: Path, chapters: Collection[str], problems: Diagnostics) -> tuple[News, ...]:
-    """All entries; nothing where there is no such file. Mistakes go to ``problems``."""
-    toml = read_toml(root, FILE, problems) if (root / FILE).is_file() else None
+def read_news(sources: Sources, chapters: Collection[str]) -> tuple[News, ...]:
+    """All entries; none where there is no such file. Mistakes are reported."""
+    toml = sources.toml(FILE)
     if toml is None:
         return ()
-    reader = Reader(FILE, toml, problems)
+    reader = Reader(FILE, toml, sources.problems)
     news = reader.tables(News, ENTRY) or ()
     _check(news, chapters, reader)
     return news

@@ -6,10 +6,8 @@ out of a pure number. The table ``book`` has what holds in every chapter that sa
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
-from site_builder.diagnostics.diagnostic import Diagnostics
-from site_builder.files.text import read_toml
+from site_builder.files.text import Sources
 
 FILE = "content/symbols.toml"
 BOOK = "book"
@@ -32,11 +30,9 @@ type Symbols = Mapping[str, tuple[Symbol, ...]]
 """By the chapter for which they are declared, or `BOOK`."""
 
 
-def read_symbols(root: Path, problems: Diagnostics) -> Symbols:
-    """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
-    if not (root / FILE).is_file():
-        return {}
-    read = read_toml(root, FILE, problems)
+def read_symbols(sources: Sources) -> Symbols:
+    """The symbols in the file; none where there is no such file. Mistakes are reported."""
+    read, problems = sources.toml(FILE), sources.problems
     if read is None:
         return {}
     found: dict[str, tuple[Symbol, ...]] = {}

@@ -6,9 +6,9 @@ from itertools import pairwise
 from pathlib import Path
 
 from site_builder.benchmarks.measurements import COMMAND
-from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.document.book import OUTLINE
 from site_builder.document.places import chapter_id
+from site_builder.files.text import Sources
 from site_builder.languages.words import languages
 from site_builder.markdown.headings import slug
 from site_builder.markdown.parser import make_parser
@@ -22,7 +22,7 @@ def translation(root: Path, text: str) -> tuple[dict[str, str], str]:
     """``de/falling-ball``: language and chapter."""
     language, _, name = text.partition("/")
     files = {chapter_id(file.name): file for file in sorted((root / "content").glob("*.md"))}
-    own = read_settings(root, Diagnostics())[0].language
+    own = read_settings(Sources(root))[0].language
     others = [tag for tag in languages() if tag != own]
     if language not in others or name not in files:
         forms = f"{' or '.join(others)}, a slash, and one of {', '.join(files)}"

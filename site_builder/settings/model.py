@@ -4,12 +4,10 @@ these classes."""
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from site_builder.diagnostics.diagnostic import Diagnostics
-from site_builder.files.text import Toml, read_toml
+from site_builder.files.text import Sources, Toml
 from site_builder.languages.words import languages
 from site_builder.settings.declared import (
     BOOLEAN,
@@ -190,16 +188,15 @@ class Settings:
     trust: Trust = key(table(Trust), "what goes into the pages unchecked", Trust())
 
 
-def read_settings(root: Path, problems: Diagnostics) -> tuple[Settings, Toml]:
+def read_settings(sources: Sources) -> tuple[Settings, Toml]:
     """The settings and their places in the file; a mistake is reported, and its default holds."""
-    there = (root / FILE_NAME).is_file()
-    read = read_toml(root, FILE_NAME, problems) if there else Toml()
+    read = sources.toml(FILE_NAME) if sources.has(FILE_NAME) else Toml()
     if read is None or not read.text.strip():
         if read is not None:
             required = ", ".join(item.name for item in keys_of(Settings) if item.required)
-            problems.add(FILE_NAME, 1, f"no outline; legal: a file with {required}")
+            sources.problems.add(FILE_NAME, 1, f"no outline; legal: a file with {required}")
         return Settings("", "", "", ()), Toml()
-    return Reader(FILE_NAME, read, problems).table(Settings, read.table), read
+    return Reader(FILE_NAME, read, sources.problems).table(Settings, read.table), read
 
 
 def storage_prefix(settings: Settings) -> str:

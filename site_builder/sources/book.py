@@ -16,7 +16,7 @@ from site_builder.document.book import OUTLINE, Book
 from site_builder.document.passage import Passage
 from site_builder.files.engine import ENGINE
 from site_builder.files.folders import file_hash, folder_files, folder_hash
-from site_builder.files.text import read_text
+from site_builder.files.text import Sources
 from site_builder.languages.words import languages
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary import read_definitions, read_meanings
@@ -47,24 +47,23 @@ WORDS = re.compile(r"\{ref\}`[^`]*`|(\w+)")
 
 
 def read_book(
-    root: Path,
-    problems: Diagnostics,
+    sources: Sources,
     load_scene: Callable[[str], Scene[Any]],
     measurements: Measurements | None = None,
 ) -> Book:
-    """The whole book; mistakes go to ``problems`` and reading goes on. Raises `BuildError` where
-    there is no outline: all else that is reported then would be untrue."""
-    outline = read_outline(root, problems)
+    """The whole book; mistakes are reported and reading goes on. Raises `BuildError` where there
+    is no outline: all else that is reported then would be untrue."""
+    outline, problems = read_outline(sources), sources.problems
     if not outline.chapters and problems:
         raise BuildError(problems.found)
     settings, words = outline.settings, outline.words
-    glossary_terms = read_glossary(root, problems, words)
-    shared = read_shared(root, outline, glossary_terms, load_scene, measurements, problems)
-    pages = list(list_pages(outline, shared, problems))
+    terms = read_glossary(sources, words)
+    shared = read_shared(sources, outline, terms, load_scene, measurements)
+    pages = list(list_pages(outline, shared, sources))
     targets = find_targets([page.survey() for page in pages], problems)
     known = targets_state(targets)
     check_addresses(outline, problems)
-    _check_unlisted(root, outline, problems)
+    _check_unlisted(sources, outline)
 
     glossary = ParseContext(GLOSSARY, shared, problems, targets=targets)
     symbols = ParseContext(SYMBOLS, shared, problems, targets=targets)
@@ -74,38 +73,37 @@ def read_book(
         prerequisites=settings.prerequisites,
         address=settings.address,
         source=settings.source,
-        news=read_news(root, targets.chapters, problems),
+        news=read_news(sources, targets.chapters),
         settings=settings,
         words=words,
         hero=_read_hero(outline, shared, problems),
         starts=tuple(read_starts(outline, targets, problems)),
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
-        lecture_plan=read_lecture_plan(root, targets, problems),
+        lecture_plan=read_lecture_plan(sources, targets),
         glossary=read_definitions(glossary),
-        symbols=read_meanings(read_symbols(root, problems), symbols),
-        languages=find_languages(root, settings),
+        symbols=read_meanings(read_symbols(sources), symbols),
+        languages=find_languages(sources.root, settings),
     )
 
 
 def read_shared(
-    root: Path,
+    sources: Sources,
     outline: Outline,
     glossary: Glossary,
     load_scene: Callable[[str], Scene[Any]],
     measurements: Measurements | None,
-    problems: Diagnostics,
 ) -> Shared:
     """What the chapters of an outline are read with."""
     settings, words = outline.settings, outline.words
     bibliography = cached_reading(
         BIBLIOGRAPHY,
-        (file_hash(root / BIBLIOGRAPHY), words),
-        problems,
-        lambda own: read_bibliography(root, own, words),
+        (file_hash(sources.root / BIBLIOGRAPHY), words),
+        sources.problems,
+        lambda own: read_bibliography(Sources(sources.root, own), words),
     )
     return Shared(
-        root,
+        sources.root,
         load_scene,
         make_parser(words),
         words,
@@ -118,17 +116,17 @@ def read_shared(
     )
 
 
-def list_pages(outline: Outline, shared: Shared, problems: Diagnostics) -> Iterator[Page]:
+def list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[Page]:
     """The chapters' files, those of a translation where there are any."""
-    root, state_of = shared.root, _states(shared.root, outline)
+    problems, state_of = sources.problems, _states(sources.root, outline)
     for name, line, position in outline.chapters:
         path, own = f"content/{name}.md", f"content/{outline.folder}{name}.md"
-        if not (root / path).is_file():
-            problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(root)))
+        if not sources.has(path):
+            problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(sources.root)))
             continue
         _check_name(name, line, problems)
-        path = own if (root / own).is_file() else path
-        yield Page(path, read_text(root, path, problems), position, shared, state_of(path))
+        path = own if sources.has(own) else path
+        yield Page(path, sources.text(path), position, shared, state_of(path))
 
 
 def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
@@ -170,21 +168,22 @@ def _check_name(name: str, line: int, problems: Diagnostics) -> None:
         problems.add(OUTLINE, line, f"chapter {name!r}; legal: 'NN-slug'")
 
 
-def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
+def _check_unlisted(sources: Sources, outline: Outline) -> None:
+    content = sources.root / "content"
     tags = [tag for tag in languages() if tag != outline.settings.language]
     names = [name for name, _, _ in outline.chapters]
     listed = {
         f"content/{folder}{name}.md" for name in names for folder in ("", *map(folder_of, tags))
     }
-    for file in sorted((root / "content").rglob("*.md")):
-        path = file.relative_to(root).as_posix()
+    for file in sorted(content.rglob("*.md")):
+        path = file.relative_to(sources.root).as_posix()
         if not listed or not file.is_file() or path in listed:
             continue
         message = f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'"
         if file.stem in names:
-            folder = file.parent.relative_to(root / "content").as_posix()
+            folder = file.parent.relative_to(content).as_posix()
             message = unknown("language of a translation", folder, tags)
-        problems.add(path, 1, message)
+        sources.problems.add(path, 1, message)
 
 
 def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:

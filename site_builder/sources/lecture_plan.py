@@ -5,12 +5,10 @@ The file only names sections. Their figures and questions are found in the chapt
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from pathlib import Path
 
-from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.document.book import LecturePlan, Lesson, Taught
 from site_builder.document.places import Target
-from site_builder.files.text import read_toml
+from site_builder.files.text import Sources
 from site_builder.markdown.targets import Targets
 from site_builder.settings.declared import Reader
 
@@ -19,12 +17,12 @@ END = "questions"
 """Id of the section that closes a chapter."""
 
 
-def read_lecture_plan(root: Path, targets: Targets, problems: Diagnostics) -> LecturePlan | None:
-    """The plan; None where there is no such file. Mistakes go to ``problems``."""
-    toml = read_toml(root, FILE, problems) if (root / FILE).is_file() else None
+def read_lecture_plan(sources: Sources, targets: Targets) -> LecturePlan | None:
+    """The plan; None where there is no such file. Mistakes are reported."""
+    toml = sources.toml(FILE)
     if toml is None:
         return None
-    reader = Reader(FILE, toml, problems)
+    reader = Reader(FILE, toml, sources.problems)
     read = reader.tables(Lesson, "section", ("intro",))
     if read is None:
         return None

@@ -3,14 +3,13 @@
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from pathlib import Path
 from string import ascii_uppercase
 
 from site_builder.checks.colours import check_colours
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.book import OUTLINE
 from site_builder.document.places import Position, chapter_id
-from site_builder.files.text import Toml
+from site_builder.files.text import Sources, Toml
 from site_builder.languages.words import Words, languages, load_words
 from site_builder.markdown.text.math import Macros
 from site_builder.settings.model import FILE_NAME, Settings, read_settings
@@ -73,11 +72,12 @@ class Outline:
     """Of a translation, below ``content/`` and below the site's root: ``de/``."""
 
 
-def read_outline(root: Path, problems: Diagnostics) -> Outline:
-    """The book's; mistakes are reported."""
-    settings, toml = read_settings(root, problems)
+def read_outline(sources: Sources) -> Outline:
+    """The outline of the original; mistakes are reported."""
+    problems = sources.problems
+    settings, toml = read_settings(sources)
     words = load_words(settings.language).labelled(asdict(settings.labels))
-    check_colours(settings.colours, root, toml, problems)
+    check_colours(settings.colours, sources, toml)
     check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
     return Outline(
         settings,

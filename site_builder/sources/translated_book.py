@@ -3,7 +3,6 @@ those of the original."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, replace
-from pathlib import Path
 from typing import Any
 
 from simulations.engine.scene import Scene
@@ -12,7 +11,7 @@ from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Position
-from site_builder.files.text import read_text
+from site_builder.files.text import Sources
 from site_builder.languages.words import load_words
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary import read_definitions
@@ -34,23 +33,22 @@ from site_builder.sources.translations.files import (
 
 
 def read_translations(
-    root: Path,
+    sources: Sources,
     original: Book,
-    problems: Diagnostics,
     load_scene: Callable[[str], Scene[Any]],
     measurements: Measurements | None = None,
 ) -> tuple[Book, ...]:
-    """All of them; mistakes go to ``problems`` and reading goes on."""
-    known = Diagnostics()  # those of the original are reported already
-    outline = read_outline(root, known)
-    terms = read_glossary(root, known, original.words)
+    """All translations; mistakes are reported and reading goes on."""
+    known = sources.aside()  # mistakes of the original are reported already
+    outline, problems = read_outline(known), sources.problems
+    terms = read_glossary(known, original.words)
 
     def read(language: str) -> Book:
-        own = _outline(root, language, outline, problems)
-        glossary = translated_glossary(root, own.words, terms, problems)
-        shared = read_shared(root, own, glossary, load_scene, measurements, known)
+        own = _outline(sources, language, outline)
+        glossary = translated_glossary(sources, own.words, terms)
+        shared = read_shared(known, own, glossary, load_scene, measurements)
         pages = list(list_pages(own, shared, known))
-        targets = find_targets([page.survey() for page in pages], known)
+        targets = find_targets([page.survey() for page in pages], known.problems)
         chapters = _chapters(pages, targets, original, own, problems)
         definitions = ParseContext(glossary_of(language), shared, problems, targets=targets)
         return replace(
@@ -72,19 +70,19 @@ def read_translations(
     return tuple(read(language) for language in list(original.languages)[1:])
 
 
-def _outline(root: Path, language: str, original: Outline, problems: Diagnostics) -> Outline:
-    settings, toml = translated_settings(root, language, original.settings, problems)
+def _outline(sources: Sources, language: str, original: Outline) -> Outline:
+    settings, toml = translated_settings(sources, language, original.settings)
     words = replace(
         load_words(language).labelled(asdict(settings.labels)),
-        figures=read_labels(root, language, problems),
+        figures=read_labels(sources, language),
     )
     if toml.table.get("parts"):
         begun, path = [*original.settings.parts.values()], file_of(language)
-        check_parts(settings.parts, begun, toml, problems, path)
+        check_parts(settings.parts, begun, toml, sources.problems, path)
         for chapter in begun:
             if chapter not in settings.parts.values():
                 message = f"no part begins with {chapter!r}; legal: the parts of {original.path}"
-                problems.add(path, toml.line("parts"), message)
+                sources.problems.add(path, toml.line("parts"), message)
     places: Mapping[str, Position] = dict(positions(settings, words))
     return replace(
         original,
@@ -112,7 +110,7 @@ def _chapters(
             yield replace(first, position=page.position)
             continue
         chapter = page.read(targets, state, problems)
-        text = read_text(page.shared.root, first.path, Diagnostics())
+        text = Sources(page.shared.root).text(first.path)
         survey = Page(first.path, text, page.position, page.shared, page.state).survey()
         check_places(first, survey.inside, chapter, targets.inside[chapter.id], problems)
         check_contents(first, chapter, problems)

@@ -6,10 +6,10 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 
-from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.book import Languages
 from site_builder.document.places import chapter_id
-from site_builder.files.text import Toml, read_toml
+from site_builder.files.text import Sources, Toml
 from site_builder.languages.words import Words, languages
 from site_builder.references.glossary import EMPTY, NAMES, Glossary, Term, check_names
 from site_builder.settings.declared import TEXT, Reader, entries, key, table, texts
@@ -47,9 +47,9 @@ SPOKEN = re.compile(
 """Attributes of elements, and labels in the data of a figure."""
 
 
-def read_labels(root: Path, language: str, problems: Diagnostics) -> Mapping[str, str]:
+def read_labels(sources: Sources, language: str) -> Mapping[str, str]:
     path = f"content/{language}/labels.toml"
-    toml = read_toml(root, path, problems) if (root / path).is_file() else None
+    toml = sources.toml(path)
     labels: dict[str, str] = {}
     for text, label in toml.table.items() if toml else ():
         if NUMBER.search(text):
@@ -61,7 +61,7 @@ def read_labels(root: Path, language: str, problems: Diagnostics) -> Mapping[str
         else:
             labels[text] = label
             continue
-        problems.add(path, toml.line(text) if toml else 1, f"{text!r}; legal: {expected}")
+        sources.problems.add(path, toml.line(text) if toml else 1, f"{text!r}; legal: {expected}")
     return labels
 
 
@@ -101,13 +101,11 @@ def glossary_of(language: str) -> str:
     return f"content/{language}/glossary.toml"
 
 
-def translated_glossary(
-    root: Path, words: Words, original: Glossary, problems: Diagnostics
-) -> Glossary:
+def translated_glossary(sources: Sources, words: Words, original: Glossary) -> Glossary:
     """The terms that the file translates; the others, as no definition is translated by itself,
     are unknown to the translation."""
     path = glossary_of(words.language)
-    toml = read_toml(root, path, problems) if (root / path).is_file() else None
+    toml, problems = sources.toml(path), sources.problems
     if toml is None:
         return EMPTY
     reader, terms = Reader(path, toml, problems), []
@@ -178,13 +176,13 @@ def file_of(language: str) -> str:
 
 
 def translated_settings(
-    root: Path, language: str, original: Settings, problems: Diagnostics
+    sources: Sources, language: str, original: Settings
 ) -> tuple[Settings, Toml]:
     """The original's, with the words of the translation, and their places in its file. What a
     browser stores is the same."""
     path = file_of(language)
-    toml = (read_toml(root, path, problems) if (root / path).is_file() else None) or Toml()
-    own = Reader(path, toml, problems).table(TranslatedSettings, toml.table)
+    toml = sources.toml(path) or Toml()
+    own = Reader(path, toml, sources.problems).table(TranslatedSettings, toml.table)
     given = {name: getattr(own, name) for name in TranslatedSettings.__slots__}
     settings = replace(
         original,
