@@ -9,7 +9,7 @@ import pytest
 from simulations.engine.frame import ROLES
 from site_builder.checks.colours import Rgb, contrast, rgb
 from site_builder.languages.words import ENGLISH
-from site_builder.output.book_files import STYLE
+from site_builder.output.scripts import STYLE
 
 STYLES = Path(__file__).parents[2] / "static" / "css"
 SHEETS = {path.name: path.read_text(encoding="utf-8") for path in STYLES.glob("*.css")}
