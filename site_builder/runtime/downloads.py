@@ -5,6 +5,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from site_builder.diagnostics.progress import announce
 from site_builder.programs.node import installed_packages
 from site_builder.runtime import store as stores
 from site_builder.runtime.pinned import PYODIDE_VERSION, RUNTIME_FILES, RuntimeFile
@@ -103,6 +104,8 @@ def fetch_runtime(
     folder = store or stores.default_store()
     missing = [file for file in files if not stores.is_intact(folder, file)]
     problems: list[str] = []
+    if missing:
+        announce("fetching Pyodide and numpy")
     for label, source in sources:
         if not missing:
             break

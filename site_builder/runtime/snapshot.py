@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from site_builder.diagnostics.progress import announce
 from site_builder.runtime import store as stores
 from site_builder.runtime.data_module import changed_runs, data_module
 from site_builder.runtime.freeze import INTERPRETER, LOCK, Files, run_in_pyodide
@@ -65,6 +66,7 @@ def make_snapshot(
     recipe = json.dumps(["snapshot", hashes, [*libraries], [*modules], folder, LOCK])
 
     def make() -> Mapping[str, bytes]:
+        announce("starting Python once, for a snapshot of its memory")
         order = {
             "folder": folder,
             "libraries": {path: str(file) for path, file in libraries.items()},

@@ -14,6 +14,7 @@ from pathlib import Path
 from watchfiles import Change, awatch
 
 from site_builder.assets.pages import NOW, STYLE_SHEET
+from site_builder.diagnostics.progress import END
 from site_builder.files.engine import ENGINE, STATIC
 from site_builder.files.folders import folder_files
 from site_builder.output.writer import replace_file
@@ -73,6 +74,9 @@ def _inodes(folders: Collection[Path]) -> Inodes:
     return found
 
 
+MOST_BYTES = 1 << 20
+"""Of a line that a build prints."""
+
 type Files = dict[str, tuple[int, int]]
 """Time of change and size of files, by name."""
 
@@ -99,10 +103,9 @@ class Builds:
         self._sheets = dict(style_sheets(self.root))
         process, self._next = self._next or await self._start(), None
         try:
-            output = await process.communicate(b"\n")
+            printed, problems = await _output(process)
         finally:
             await end(process)
-        printed, problems = (part.decode(errors="replace") for part in output)
         if process.returncode:
             self.news.fail(problems or f"the build ended with exit code {process.returncode}")
             print(self.news.state.mistakes, flush=True)
@@ -128,6 +131,7 @@ class Builds:
         return await asyncio.create_subprocess_exec(
             sys.executable, "-m", "site_builder", "build", "--reload", "--wait",
             "--out", self.out, *runtime, stdin=PIPE, stdout=PIPE, stderr=PIPE,
+            limit=MOST_BYTES,
             cwd=self.root, start_new_session=True,
         )  # fmt: skip
 
@@ -149,6 +153,25 @@ class Builds:
         self._files = files_in(self.out)
         self.news.succeed([NOW + STYLE_SHEET])
         return True
+
+
+async def _output(process: Process) -> tuple[str, str]:
+    """What a build prints once it is sent a line, and its problems. Progress is shown at once."""
+    assert process.stdin
+    assert process.stdout
+    assert process.stderr
+    process.stdin.write(b"\n")
+    process.stdin.close()
+    problems = []
+    async for data in process.stderr:
+        line = data.decode(errors="replace")
+        if line.rstrip().endswith(END) and ": " not in line:  # no diagnostic
+            print(line, end="", flush=True)
+        else:
+            problems.append(line)
+    printed = await process.stdout.read()
+    await process.wait()
+    return printed.decode(errors="replace"), "".join(problems)
 
 
 def is_code(path: Path) -> bool:
