@@ -75,7 +75,7 @@ class Options:
     load_scene: Callable[[str], Scene[Any]] = load_scene
     load_ladder: Callable[[str], Ladder] = load_ladder
     warn: Warn = ignore
-    """Told each warning once, in the order of files and lines."""
+    """Called once with each warning, in the order of files and lines."""
     search: bool = True
     """Whether pages can be searched."""
     address: str = ""
@@ -117,7 +117,7 @@ class CheckedBook(NamedTuple):
     book: Book
     initial_frames: InitialFrames
     pictures: Mapping[str, bytes]
-    """Those of the initial frames, by file name."""
+    """Pictures of the initial frames, by file name."""
     translations: tuple[Book, ...] = ()
 
 

@@ -19,7 +19,7 @@ from site_builder.languages.words import ENGLISH, Words
 
 type Point = tuple[float, float]
 type Segment = tuple[Point, Point]
-type Place = Callable[[MeasuredTier, str], Point]
+type TierPoint = Callable[[MeasuredTier, str], Point]
 """Where a tier stands on one side."""
 
 WIDTH, HEIGHT = 420, 320
@@ -177,7 +177,9 @@ def _spread(item: MeasuredTier, side: str, y: float, time: ChartAxis) -> tuple[P
     return (low, y), (high, y)
 
 
-def _names(measured: MeasuredLadder, at: Place, lines: Sequence[Segment], grey: set[str]) -> str:
+def _names(
+    measured: MeasuredLadder, at: TierPoint, lines: Sequence[Segment], grey: set[str]
+) -> str:
     """A name beside the browser's dot of each tier."""
     dots = [at(item, side) for item in measured.tiers for side in SIDES]
     taken = [Rectangle(x - RADIUS, y - RADIUS, x + RADIUS, y + RADIUS) for x, y in dots]

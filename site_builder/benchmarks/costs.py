@@ -76,14 +76,14 @@ class MoveCost:
     """One control moved by a step."""
 
     label: str
-    """Of the control."""
+    """Label of the control."""
     again: tuple[str, ...]
     """Stages that are computed again."""
     reused: int
     skipped: int
     milliseconds: float
     share: float
-    """Of the time of a whole frame."""
+    """Its share of the time of a whole frame."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -38,8 +38,8 @@ class UnhashableError(TypeError):
 
 
 def hash_of(*values: object) -> bytes:
-    """Of plain data, arrays, dataclasses, scenes, ladders and functions, the same in every process.
-    Raises `UnhashableError`."""
+    """The hash of plain data, arrays, dataclasses, scenes, ladders and functions, the same in every
+    process. Raises `UnhashableError`."""
     digest = hashlib.blake2b(digest_size=SIZE)
     _add(values, digest.update)
     return digest.digest()
@@ -103,8 +103,8 @@ def module_of(value: object) -> str | None:
 
 @functools.cache
 def source_hash(module: str) -> bytes:
-    """Of the sources of ``module`` and all of ours that it imports, however indirectly, and of the
-    versions of Python and the installed packages."""
+    """The hash of the sources of ``module`` and all our modules that it imports, also indirectly,
+    and of the versions of Python and the installed packages."""
     found: dict[str, bytes] = {}
     waiting = [module]
     while waiting:

@@ -14,7 +14,7 @@ NAME = re.compile(r"[a-z]+")
 PAIR = re.compile(r"(#[0-9a-f]{6}) (#[0-9a-f]{6})")
 GROUND = re.compile(r"--(?:paper|raised|sunken): light-dark\((#[0-9a-f]{6}), (#[0-9a-f]{6})\)")
 LEAST_CONTRAST = 4.5
-"""Of text (WCAG 2.2, success criterion 1.4.3)."""
+"""Least contrast of text (WCAG 2.2, success criterion 1.4.3)."""
 
 type Rgb = tuple[float, float, float]
 

@@ -14,10 +14,10 @@ from site_builder.document.blocks import Block
 from site_builder.document.book import Book
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.markdown.directives.pictures import Drawn
+from site_builder.markdown.directives.pictures import DrawnIllustration
 
 MOST_PIXELS, MOST_LETTERS = 4_000_000, 1_000_000
-"""Of a panel, which a slider draws anew at every step."""
+"""Limit for a panel, which a slider draws anew at every step."""
 LETTER = 16.0
 """The height of a letter, in units of the view box."""
 CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
@@ -61,7 +61,7 @@ def check_frames(
             _check(still.figure.scene.id, panel, pixels, known, (path, line), problems)
     for chapter in book.chapters:
         for block in _all(chapter.body):
-            if isinstance(block.content, Drawn):
+            if isinstance(block.content, DrawnIllustration):
                 line = block.target.line if block.target else 1
                 for panel in block.content.illustration.panels:
                     _check("illustration", panel, 0, known, (chapter.path, line), problems)

@@ -18,7 +18,7 @@ PLACEHOLDERS = (
     ": which law this is, in a sentence.",
     ": what is computed here in several ways.",
 )
-"""Of the templates in ``scaffold/``."""
+"""Sentences of the templates in ``scaffold/``."""
 ROOMS = ("scenes", "ladders", "models")
 """Folders of ``simulations`` in which ``new`` writes."""
 

@@ -141,7 +141,7 @@ class _Reader(ContentHandler):
     classes: set[str] = field(default_factory=set)
     labels: list[Label] = field(default_factory=list)
     moved: list[bool] = field(default_factory=list)
-    """Of each element that is open, whether it, or one around it, has a transform."""
+    """Whether each open element, or one around it, has a transform."""
     inside: list[str] = field(default_factory=list)
     style: str = ""
     """The text of the present ``<style>`` so far."""

@@ -63,7 +63,7 @@ def place_of(error: BaseException) -> str:
 
 @contextmanager
 def at_settings(settings: Mapping[str, object]) -> Iterator[None]:
-    """Whatever is raised within is told with these settings."""
+    """Add these settings to the message of whatever is raised within."""
     try:
         yield
     except Exception as error:
@@ -91,5 +91,5 @@ def _relative(file: Path) -> str:
 
 
 def _folders() -> list[Path]:
-    """Of ``simulations``: the book's, and the engine's."""
+    """Folders of ``simulations``: the book's, and the engine's."""
     return [Path(folder).resolve() for folder in simulations.__path__]

@@ -26,7 +26,7 @@ class Diagnostic:
     fails: bool = True
     """Whether the book cannot be built with it; else it is a warning."""
     met: str = field(default="", compare=False)
-    """Of an exception of an author's code, where it was met first: it is told once."""
+    """Where an exception of an author's code was met first; it is reported once."""
 
     def __str__(self) -> str:
         word = "" if self.fails else "warning: "

@@ -61,7 +61,7 @@ class Chapter:
     """In the order of the page."""
     index_marks: tuple[IndexMark, ...] = ()
     formulae: tuple[Formula, ...] = ()
-    """Of text and questions, in the order in which they were read."""
+    """Formulae of text and questions, in the order in which they were read."""
     files: frozenset[str] = frozenset()
     """Files below ``content/`` that it hands out, besides pictures."""
     before: tuple[Need, ...] = ()
@@ -173,9 +173,9 @@ class Book:
     symbols: Mapping[str, tuple[Meaning, ...]] = field(default_factory=dict)
     """By the chapter for which they are declared, or `BOOK`."""
     settings: Settings = UNSET
-    """Of ``book.toml``."""
+    """Settings in ``book.toml``."""
     words: Words = ENGLISH
-    """Those of the interface."""
+    """Words of the interface."""
     address: str = ""
     """Where the site will be, a slash at the end; nothing where that is not known."""
     source: str = ""
@@ -183,7 +183,7 @@ class Book:
     news: tuple[News, ...] = ()
     """Newest first."""
     languages: Languages = field(default_factory=dict)
-    """Those that it can be read in."""
+    """Languages that it can be read in."""
     folder: str = ""
     """Where the pages of a translation lie below the site's root, ``de/``; chapters that are not
     translated are the original's."""

@@ -37,7 +37,7 @@ class Plain:
 
 
 def passage(tokens: Sequence[Token]) -> Passage:
-    """Of tokens without directives; copies, without what only reading needed."""
+    """A passage of tokens without directives; copies, without what only reading needed."""
     return Passage(tuple(_copy(token) for token in tokens if not _is_empty(token)))
 
 

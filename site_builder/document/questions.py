@@ -44,7 +44,7 @@ class Question:
     others: tuple[Self, ...] = ()
     """The same question with the other numbers that it may draw."""
     answered_as: str = ""
-    """Of a translation, the edition of its original: the two share their answers."""
+    """In a translation, the edition of its original: the two share their answers."""
 
     @property
     def variants(self) -> tuple[Self, ...]:

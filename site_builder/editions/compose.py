@@ -27,7 +27,7 @@ class Section:
     """A chapter, or what follows the last."""
 
     id: str
-    """Of a chapter; else ``answers``, or one of `BACK_MATTER`."""
+    """Id of a chapter; else ``answers``, or one of `BACK_MATTER`."""
     title: str
     number: str
     """``Chapter 4``, ``Appendix A``; nothing for what follows."""

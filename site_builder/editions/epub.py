@@ -13,7 +13,7 @@ from xml.etree.ElementTree import Element
 from site_builder.document.book import Book, Colours
 from site_builder.editions.compose import Composed, Section
 from site_builder.editions.tree import (
-    Place,
+    LinkTarget,
     bind_links,
     classes,
     elements,
@@ -73,7 +73,7 @@ def make_epub(composed: Composed, root: Path) -> bytes:
 def _part(section: Section, composed: Composed) -> Element:
     """One file of the book's text."""
 
-    def address(place: Place) -> str:
+    def address(place: LinkTarget) -> str:
         file = "" if place.page == section.id and place.id else f"{place.page}.xhtml"
         return f"{file}#{place.id}" if place.id else file
 

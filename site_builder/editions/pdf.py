@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element
 
 from site_builder.assets.pages import Files
 from site_builder.editions.compose import Composed, Section
-from site_builder.editions.tree import Place, bind_links, elements, first, parse, xhtml
+from site_builder.editions.tree import LinkTarget, bind_links, elements, first, parse, xhtml
 from site_builder.output.assets import content_bytes
 from site_builder.pages.back_matter import BACK_MATTER
 from site_builder.pages.environment import render_template
@@ -50,7 +50,7 @@ def fill(root: Element, pages: Mapping[str, int] | None) -> None:
 BEYOND_ASCII = re.compile(r"[^\x21-\x7e]")
 
 
-def anchor(place: Place) -> str:
+def anchor(place: LinkTarget) -> str:
     """Id in the whole of a place on a page; in ASCII, as names in a PDF have no encoding."""
     id = f"{place.page}.{place.id}" if place.id else place.page
     return BEYOND_ASCII.sub(lambda found: f"_{ord(found[0]):x}", id)
@@ -62,7 +62,7 @@ def volume(composed: Composed) -> Element:
         "editions/volume.html",
         composed.book,
         composed=composed,
-        anchor=lambda page, id: anchor(Place(page, id)),
+        anchor=lambda page, id: anchor(LinkTarget(page, id)),
         stylesheet=f"{composed.assets}css/book.css",
     )
     document = parse(frame)
@@ -79,7 +79,7 @@ def _bound(section: Section, composed: Composed) -> Element:
     content = deepcopy(section.article)
     for element in content.iter():
         if "id" in element.attrib:
-            element.set("id", anchor(Place(section.id, element.attrib["id"])))
+            element.set("id", anchor(LinkTarget(section.id, element.attrib["id"])))
         if element.get("src", "").startswith("../"):
             element.set("src", element.attrib["src"].removeprefix("../"))
     on_page = composed.book.words("edition.on_page", page="{page}")

@@ -37,7 +37,7 @@ def classes(element: Element) -> set[str]:
 
 
 def elements(root: Element, name: str = "", kind: str = "") -> Iterator[Element]:
-    """Those of a name, a class or both, the root included; a list, so that they may be changed."""
+    """Elements of a name, a class or both, with the root; a list, so that they may be changed."""
     yield from [
         element
         for element in root.iter(name or None)
@@ -72,7 +72,7 @@ ABSOLUTE = re.compile(r"[a-z][a-z0-9+.-]*:", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class LinkTarget:
     """A page of the book, or an element in it."""
 
     page: str
@@ -93,19 +93,19 @@ def on_site(href: str, page: str) -> str:
     return urljoin(page, href) if href and page else ""
 
 
-def place_of(address: str, page: str, pages: Collection[str]) -> Place | None:
+def place_of(address: str, page: str, pages: Collection[str]) -> LinkTarget | None:
     """The target of ``address`` on ``page``; None where that is none of ``pages``.
 
     The settings in a link to a figure are left out.
     """
     path, _, fragment = address.partition("#")
     target = urljoin(f"{page}/", path.partition("?")[0]).strip("/")
-    return Place(target, unquote(fragment)) if target in pages else None
+    return LinkTarget(target, unquote(fragment)) if target in pages else None
 
 
 def bind_links(
-    content: Element, page: str, pages: Collection[str], address_of: Callable[[Place], str]
-) -> list[tuple[Element, Element, Place]]:
+    content: Element, page: str, pages: Collection[str], address_of: Callable[[LinkTarget], str]
+) -> list[tuple[Element, Element, LinkTarget]]:
     """Give the links of a page to places in the book their address there; those to places that are
     not in it become plain text. Returns each link with its parent and its place."""
     bound = []

@@ -167,7 +167,7 @@ def png(raster: Raster) -> bytes:
 
 
 def pixels(picture: bytes) -> Raster:
-    """Those of a picture's file."""
+    """The pixels of a picture's file."""
     from PIL import Image
 
     with Image.open(io.BytesIO(picture)) as image:

@@ -23,7 +23,7 @@ def main_control(figure: Simulation) -> Control | None:
 
 
 FRAMES = 11
-"""Of a slider, from end to end."""
+"""Number of frames of a slider, from end to end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +37,9 @@ class PrerenderedFrames:
 
 
 def prerender(page: str, figure: Simulation) -> PrerenderedFrames | None:
-    """Those of a figure; None where it has no control that can be shown so. Raises whatever the
-    scene does, and `LimitError`."""
+    """The frames of a figure; None where it has no control that can be shown so.
+
+    Raises whatever the scene does, and `LimitError`."""
     control = main_control(figure)
     if control is None:
         return None

@@ -44,7 +44,7 @@ def static_files(root: Path) -> dict[str, Path]:
 
 
 def hidden_parts(root: Path) -> list[str]:
-    """What of the book at ``root`` would hide a part of the engine: a sentence for each."""
+    """A sentence for each part of the book at ``root`` that would hide a part of the engine."""
     if root == ENGINE:
         return []
     hiding = [f"{folder}/__init__.py" for folder in SHARED]

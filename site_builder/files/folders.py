@@ -23,7 +23,7 @@ def integrity(data: bytes) -> str:
 
 
 def file_hash(file: Path | str) -> bytes | None:
-    """Of its bytes; None where there is no such file."""
+    """The hash of its bytes; None where there is no such file."""
     name = os.fspath(file)
     try:
         stat = os.stat(name)  # noqa: PTH116  (asked of every file in every build)
@@ -39,7 +39,7 @@ def file_hash(file: Path | str) -> bytes | None:
 
 
 def folder_hash(folder: Path, pattern: str = "*") -> bytes:
-    """Of the names and bytes of all files below it that fit, but for compiled code."""
+    """The hash of the names and bytes of all matching files below it, without compiled code."""
     digest = hashlib.blake2b(digest_size=SIZE)
     for name, file in folder_files(folder).items():
         if fnmatch(name, pattern) and (found := file_hash(file)):

@@ -15,7 +15,7 @@ HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
 CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 MOST_BYTES = 1_000_000
-"""Of a file of text: twice a book."""
+"""Most bytes of a file of text: twice a book."""
 QUOTES = re.compile(r"\"\"\"|'''")
 
 type Keys = tuple[str | int, ...]

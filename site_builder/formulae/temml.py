@@ -1,4 +1,4 @@
-"""Temml, which sets TeX as MathML, and the Speech Rule Engine, which says it in words: a process of
+"""Temml, which sets TeX as MathML, and the Speech Rule Engine, which puts it in words: a process of
 Node that answers line by line.
 
 It starts with the first formula that is not cached. Each process of a build has its own.
@@ -86,7 +86,7 @@ def set_tex(tex: str, *, display: bool, spoken: bool, macros: Mapping[str, str])
 
 @cache
 def _process(_owner: int) -> subprocess.Popen[str]:
-    """Of the process ``_owner``: a fork must not talk to its parent's."""
+    """Temml for the process ``_owner``: a fork must not use its parent's."""
     try:
         packages = installed_packages(HERE)
     except NodeError as error:

@@ -96,7 +96,7 @@ def read_examples(folder: Path) -> dict[str, str]:
 
 
 def question_examples(directive: str) -> list[str]:
-    """Those of the kinds of questions that this directive asks, or asks first."""
+    """Names of the kinds of questions that this directive asks, or asks first."""
     return [
         kind.file("md").read_text(encoding="utf-8").strip()
         for kind in KINDS

@@ -62,7 +62,7 @@ def _without_links(markdown: str, line: int, what: str, context: ParseContext) -
 
 
 def meanings_in(book: Book, chapter: Chapter) -> Sequence[Meaning]:
-    """Those of a chapter: its own, then those of the book that it leaves as they are."""
+    """Meanings in a chapter: its own, then those of the book that it leaves as they are."""
     own = book.symbols.get(chapter.id, ())
     taken = {spelt(item.symbol.tex) for item in own}
     shared = book.symbols.get(BOOK, ())

@@ -18,7 +18,7 @@ from site_builder.document.places import Target
 from site_builder.markdown.directive import LABEL, Directive, DirectiveCall
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.headings import slug
-from site_builder.markdown.parse_context import ParseContext, Place
+from site_builder.markdown.parse_context import FigurePlace, ParseContext
 from site_builder.markdown.text.tokens import plain_text
 
 LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
@@ -71,7 +71,7 @@ class _Numbering:
         )
         if directive is SIMULATION:
             first, last = token.map or (0, 0)
-            self.context.figures.append(Place(name, call.argument, (first + 1, last + 1)))
+            self.context.figures.append(FigurePlace(name, call.argument, (first + 1, last + 1)))
 
     def equation(self, token: Token, *, inside: bool) -> None:
         """``inside`` of a question or caption it carries no number: it belongs to that."""

@@ -46,7 +46,7 @@ PAGE_IDS = ("main", "contents", "progress-title", "keys-title")
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class FigurePlace:
     """Where a figure stands in its file."""
 
     id: str
@@ -63,7 +63,7 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class Variant:
     """The body of a question with one combination of the numbers that it draws."""
 
     named: str
@@ -82,7 +82,7 @@ class Shared:
     load_scene: Callable[[str], Scene[Any]]
     parser: MarkdownIt
     words: Words = ENGLISH
-    """Those of the interface, in the book's language."""
+    """Words of the interface, in the book's language."""
     measurements: Measurements = field(default_factory=Measurements)
     """Where numbers about speed and accuracy come from."""
     raw_html: bool = False
@@ -117,11 +117,11 @@ class ParseContext:
     """Links that lead out of the book."""
     ids: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PAGE_IDS, 0))
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
-    figures: list[Place] = field(default_factory=list)
+    figures: list[FigurePlace] = field(default_factory=list)
     """All of the page, in order, found before its text is read, which may refer to them."""
     placed: dict[int, Target] = field(default_factory=dict)
     """Numbered directives of the page, by the line that opens them."""
-    drawn: dict[int, Sequence["Drawn"]] = field(default_factory=dict)
+    drawn: dict[int, Sequence["Variant"]] = field(default_factory=dict)
     """Bodies of questions that draw numbers, once with each combination, by the line that opens
     the question."""
     introduced: set[str] = field(default_factory=set)

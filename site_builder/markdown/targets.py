@@ -10,7 +10,7 @@ from site_builder.document.places import Target
 
 @dataclass(frozen=True, slots=True)
 class Targets:
-    """Those of the whole book."""
+    """Targets of the whole book."""
 
     chapters: Mapping[str, Target] = field(default_factory=dict)
     """By their ids, in the order of the book."""

@@ -63,7 +63,7 @@ class Bundle:
 
     files: Mapping[str, bytes]
     at_once: tuple[str, ...]
-    """Of the files those that the entry imports, itself or through others: nearest first. Named in
+    """The files that the entry imports, itself or through others: nearest first. Named in
     the head of a page, they are fetched side by side and not in a chain."""
     beside: frozenset[str]
     """Files that scripts name by ``new URL("…", import.meta.url)``."""

@@ -31,7 +31,7 @@ class Card:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class TermLink:
     """A link: its address, and the chapter and heading that it names."""
 
     address: str
@@ -54,13 +54,13 @@ class Atlas:
     chapter: Chapter
     card: Card
     words: Mapping[str, Passage]
-    """Of its headings, by element id."""
+    """Its headings, by element id."""
 
-    def place(self, section: str, element: str, *, explains: bool = False) -> Place:
+    def place(self, section: str, element: str, *, explains: bool = False) -> TermLink:
         """Of an element below the heading ``section``; of the heading without an element."""
         anchor = element or section
         address = f"{self.card.url}#{anchor}" if anchor else self.card.url
-        return Place(address, self.card, self.words.get(section, Passage()), explains)
+        return TermLink(address, self.card, self.words.get(section, Passage()), explains)
 
 
 def atlas(chapter: Chapter) -> Atlas:
@@ -99,8 +99,8 @@ class Entry:
     """A term with its places."""
 
     definition: Definition
-    explained: Place | None
-    uses: tuple[Place, ...]
+    explained: TermLink | None
+    uses: tuple[TermLink, ...]
     """The first in each chapter."""
     related: tuple[Definition, ...]
 
@@ -125,7 +125,7 @@ def view_glossary(book: Book) -> Letters[Entry]:
 def _entry(
     definition: Definition,
     places: Mapping[str, Atlas],
-    uses: Sequence[Place],
+    uses: Sequence[TermLink],
     by_name: Mapping[str, Definition],
 ) -> Entry:
     target, explained = definition.explained, None
@@ -136,11 +136,11 @@ def _entry(
     return Entry(definition, explained, tuple(uses), others)
 
 
-def _first_uses(chapters: Sequence[Atlas]) -> Mapping[str, Sequence[Place]]:
+def _first_uses(chapters: Sequence[Atlas]) -> Mapping[str, Sequence[TermLink]]:
     """By term and chapter, the use that is marked or, where none is, the first."""
-    found: dict[str, list[Place]] = {}
+    found: dict[str, list[TermLink]] = {}
     for places in chapters:
-        first: dict[str, Place] = {}
+        first: dict[str, TermLink] = {}
         for use in sorted(places.chapter.term_uses, key=lambda use: not use.element):
             if use.term not in first:
                 first[use.term] = places.place(use.section, use.element)
@@ -158,14 +158,14 @@ class IndexEntry:
     """A line of the index."""
 
     name: str
-    places: tuple[Place, ...]
+    places: tuple[TermLink, ...]
     see: str = ""
     """The name that has the places of this one; nothing where they are here."""
 
 
 def view_index(book: Book) -> Letters[IndexEntry]:
     """Terms with the sections that use them, their other names, and what authors marked."""
-    places: dict[str, list[Place]] = {item.term.name: [] for item in book.glossary}
+    places: dict[str, list[TermLink]] = {item.term.name: [] for item in book.glossary}
     explained = {item.term.name: item.explained for item in book.glossary}
     chapters = [atlas(chapter) for chapter in book.chapters]
     for chapter in chapters:
@@ -184,8 +184,10 @@ def view_index(book: Book) -> Letters[IndexEntry]:
     return by_letter((entry.name, entry) for entry in entries)
 
 
-def _sections(places: Atlas, explained: Mapping[str, Target | None]) -> Iterator[tuple[str, Place]]:
-    """Of the chapter, those that explain a term or use it often."""
+def _sections(
+    places: Atlas, explained: Mapping[str, Target | None]
+) -> Iterator[tuple[str, TermLink]]:
+    """Links in the chapter to places that explain a term or use it often."""
     uses = Counter((use.term, use.section) for use in places.chapter.term_uses)
     for (name, section), count in uses.items():
         if name not in explained:
@@ -219,7 +221,7 @@ class Row:
     """A symbol, what it means, and the section in which it is introduced."""
 
     meaning: Meaning
-    introduced: Place
+    introduced: TermLink
 
 
 def view_symbols(book: Book) -> list[tuple[Card, list[Row]]]:

@@ -16,7 +16,7 @@ ROOT = "../../../"
 
 
 def embed_address(chapter: Chapter, figure: str) -> str:
-    """Of the page of a figure, by its element id, from the site's root."""
+    """Address of the page of a figure, by its element id, from the site's root."""
     return f"{FOLDER}{chapter.url}{figure}/"
 
 

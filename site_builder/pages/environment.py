@@ -42,7 +42,7 @@ def passage_html(context: Context, passage: Passage) -> Markup:
 
 @pass_context
 def spoken_html(context: Context, passage: Passage) -> Markup:
-    """Of words that name something; paper has formulae without labels."""
+    """Markup of words that name something; paper has formulae without labels."""
     html = passage_html(context, passage)
     return html if context.get("paper") else named(html)
 

@@ -15,8 +15,8 @@ from site_builder.pages.views.control import FOLDER as CONTROL_FOLDER
 
 
 def kind_files(book: Book | None = None) -> dict[str, bytes | Path]:
-    """Of all kinds of controls, and of the kinds of questions that the book asks: their scripts,
-    the modules that list these, and their style sheets joined; by the paths from ``static/``.
+    """Files of all kinds of controls, and of the kinds of questions that the book asks: scripts,
+    modules that list these, and their style sheets joined; by the paths from ``static/``.
     ``.ci/web/book.d.ts`` has the types of the modules."""
     asked = {
         kind_of(question).folder
@@ -38,7 +38,7 @@ def kind_files(book: Book | None = None) -> dict[str, bytes | Path]:
 
 
 def _scripts(table: str, kinds: Mapping[Path, Iterable[str]]) -> dict[str, bytes | Path]:
-    """Those of the kinds in these folders, and the module ``table`` with each by its names."""
+    """Scripts of the kinds in these folders, and the module ``table`` with each by its names."""
     lines: list[str] = []
     entries: dict[str, str] = {}
     for at, (folder, names) in enumerate(kinds.items()):

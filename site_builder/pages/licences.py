@@ -69,7 +69,7 @@ def gather_licences(
 
 
 def _of_the_engine(words: Words) -> Iterator[Licence]:
-    """Of a wheel; the book in the engine's repository is under one licence with it."""
+    """The licence of an installed wheel; in the engine's repository it is also the book's."""
     if PACKED.is_dir():
         text = _packaged_text(DISTRIBUTION, "licenses/LICENSE")
         terms = text[max(text.find("MIT License\n"), 0) :]  # what is before is of another book

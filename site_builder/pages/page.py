@@ -9,7 +9,7 @@ from markupsafe import Markup
 from site_builder.document.blocks import Block, Simulation
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.figures.initial_frames import InitialFrames, describing
-from site_builder.markdown.directives.pictures import Drawn as Illustration
+from site_builder.markdown.directives.pictures import DrawnIllustration
 from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
 from site_builder.pages.environment import book_context, template_environment
 from site_builder.pages.versions import Version, versions_of
@@ -39,7 +39,7 @@ MADE_FROM = {
 
 
 def page_address(path: str) -> str:
-    """Of a file of the site, from the site's root: ``lens-distortion/``."""
+    """Address of a file of the site, from the site's root: ``lens-distortion/``."""
     return path.removesuffix("index.html")
 
 
@@ -60,17 +60,17 @@ def origin(book: Book, path: str, chapter: Chapter | None) -> str:
 
 
 WORDS_A_MINUTE = 180
-"""Of a text with formulae, read with care."""
+"""Words a minute in a text with formulae, read with care."""
 
 
 def reading_minutes(chapter: Chapter, describe: Describe) -> int:
-    """Of its text, captions and questions: figures are played with by those who like."""
+    """Minutes for its text, captions and questions, without its figures."""
     words = sum(section.count_words() for section in sections_of(chapter.body, describe))
     return max(1, round(words / WORDS_A_MINUTE))
 
 
 FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
-"""Of what a reader meets first: text, and the line above it."""
+"""Part that a reader meets first: text, and the line above it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +101,7 @@ class Site:
     """The style sheet, with addresses relative to its folder, which each page holds;
     nothing where pages link to it."""
     hashes: Mapping[str, str] = field(default_factory=dict)
-    """Of assets that pages name, as in W3C Subresource Integrity."""
+    """Hashes of assets that pages name, as in W3C Subresource Integrity."""
 
 
 def render_page(
@@ -135,7 +135,7 @@ def render_page(
             target=block.target,
             chapter=chapter,
         )
-        is_figure = isinstance(block.content, Simulation | Illustration)
+        is_figure = isinstance(block.content, Simulation | DrawnIllustration)
         return Markup(figure_markup(html, site.book.words) if is_figure else html)
 
     def integrity(name: str) -> Markup:

@@ -17,13 +17,13 @@ class Version:
 
     language: str
     name: str
-    """Of the language, in itself."""
+    """Name of the language, in itself."""
     url: str
     """Relative to the site's root."""
 
 
 def versions_of(book: Book, chapter: Chapter | None) -> tuple[Version, ...]:
-    """Those of a chapter, or of the title page, the original's first; none where there is one."""
+    """Versions of a chapter, or of the title page, the original first; none of only one."""
     found = tuple(
         _version(language, folder_of(language) if place else "", chapter)
         for place, (language, translated) in enumerate(book.languages.items())

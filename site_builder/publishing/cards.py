@@ -11,7 +11,7 @@ from site_builder.document.blocks import Simulation, contents
 from site_builder.document.book import Book, Chapter, Colours
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.markdown.directives.pictures import Drawn as DrawnIllustration
+from site_builder.markdown.directives.pictures import DrawnIllustration
 from site_builder.output.style_sheets import style_of_drawings
 from site_builder.pages.environment import render_template
 from site_builder.pages.page import BOOK_CARD, card_path

@@ -33,7 +33,7 @@ PACKERS: Mapping[str, Callable[[bytes], bytes]] = {".br": brotlied, ".gz": gzipp
 
 
 def compressed_copies(files: Mapping[str, Content]) -> dict[str, bytes]:
-    """Of each file that they make smaller, its copies: ``NAME.br`` and ``NAME.gz``."""
+    """Copies, ``NAME.br`` and ``NAME.gz``, of each file that they make smaller."""
     copies = {}
     for name, content in files.items():
         if PurePosixPath(name).suffix in PACKED:

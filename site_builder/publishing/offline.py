@@ -30,7 +30,7 @@ def manifest(title: str, subtitle: str, assets: str, language: str = "en") -> by
 LIST = "offline.json"
 WORKER = "sw.js"
 SCRIPT = "js/offline/service_worker.js"
-"""Of the worker, among the assets."""
+"""Path of the worker, among the assets."""
 LEFT_OUT = (FOLDER,)
 """Folders of the assets that few readers need. These come from the network when they are."""
 

@@ -12,7 +12,7 @@ FOLDER = "raw/"
 """Below the assets; `static/js/raw/worker.ts` names it."""
 FILES = ("libraw.js", "libraw.wasm")
 LICENCE = "CDDL 1.0"
-"""Of the two of LibRaw. The package's own, ISC, is that of the bindings."""
+"""One of LibRaw's two licences. The package's own, ISC, is that of the bindings."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,7 +46,7 @@ class Work:
     letter: str = ""
     """Tells works apart that have the same authors and year: ``a``."""
     words: Words = ENGLISH
-    """Those of the book that cites it."""
+    """Words of the book that cites it."""
 
     @property
     def year(self) -> str:
@@ -164,7 +164,7 @@ def _lines(text: str) -> dict[str, int]:
 
 
 def _line_of(message: str, text: str) -> int:
-    """Of the last entry whose key the message names."""
+    """Line of the last entry whose key the message names."""
     named = [line for key, line in _lines(text).items() if key in message]
     return max(named, default=1)
 

@@ -35,13 +35,13 @@ class Term:
     words: tuple[str, ...] = key(NAMES, default=())
     line: int = 1
     endings: tuple[str, ...] = ("s", "es")
-    """Of plurals, in the language of the book."""
+    """Endings of plurals, in the language of the book."""
     original: str = ""
     """Its name in the glossary that this entry is translated from; nothing in that."""
 
     @property
     def id(self) -> str:
-        """Of its entry, among the ids of the glossary."""
+        """Id of its entry, among the ids of the glossary."""
         return re.sub(r"[^\w]+", "-", (self.original or self.name).lower()).strip("-")
 
     @property

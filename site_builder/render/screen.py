@@ -153,4 +153,4 @@ RULES: Rules = {
     "heading_open": heading_open,
     "table_close": table_close,
 }
-"""Those of every medium in HTML."""
+"""Rules of every medium in HTML."""

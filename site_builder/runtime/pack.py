@@ -67,7 +67,7 @@ class RuntimeBundle:
     snapshot_error: str = ""
     """Why there is no snapshot for Python to begin with, where there should be one."""
     packages: tuple[Package, ...] = ()
-    """Those that the book asks for, and all that they need."""
+    """Packages that the book asks for, and all that they need."""
 
     @property
     def sources(self) -> str:

@@ -34,11 +34,11 @@ class Limits:
     """What one call may take."""
 
     seconds: float = 10.0
-    """Of computing: on a busy machine, the clock runs faster."""
+    """Seconds of computing: on a busy machine, the clock runs faster."""
     wall_seconds: float = 60.0
     """By the clock, for code that sleeps or waits."""
     bytes: int = 4_000_000_000
-    """Of memory, beside what its process has at the start."""
+    """Bytes of memory, beside what its process has at the start."""
 
 
 class LimitError(RuntimeError):
@@ -132,7 +132,7 @@ def _result(pickled: bytes, limits: Limits, sandbox: _Sandbox) -> Any:
 
 
 def _make_pool(limits: Limits) -> ProcessPool:
-    """Of fresh processes, which share no thread or lock with this one."""
+    """A pool of fresh processes, which share no thread or lock with this one."""
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload([*PRELOADED])
     return ProcessPool(_cores(), initializer=_fence, initargs=(limits.bytes,), context=context)

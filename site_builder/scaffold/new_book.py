@@ -44,7 +44,7 @@ def make_book(folder: Path) -> list[str]:
 
 
 def _requirement() -> str:
-    """The engine that runs, as pip is told of it: this repository or, where it is installed, what
+    """The engine that runs, as pip reads it: this repository or, where it is installed, what
     it came from."""
     if not PACKED.is_dir():
         return f"{DISTRIBUTION} @ {ENGINE.as_uri()}"

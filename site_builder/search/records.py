@@ -1,4 +1,4 @@
-"""What of the book can be found: a record for each section of each page that is searched."""
+"""What the search finds: a record for each section of each page that is searched."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -64,7 +64,7 @@ class Records:
 
 
 type PageRecords = tuple[tuple[Record, ...], ...]
-"""Of each page, in the order of the pages."""
+"""Number of each page, in the order of the pages."""
 
 
 def make_records(book: Book, describe: Describe) -> PageRecords:
@@ -81,7 +81,7 @@ def make_records(book: Book, describe: Describe) -> PageRecords:
 
 
 def translated_records(book: Book, describe: Describe) -> PageRecords:
-    """Those of the chapters that a translation has; the others are found in the original's."""
+    """Records of the chapters that a translation has; the others are in the original's."""
     records = Records(explained_terms(book))
     return tuple(
         records.of_page(f"{chapter.url}index.html", chapter_sections(chapter, describe))

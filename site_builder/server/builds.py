@@ -62,7 +62,7 @@ async def changes(folders: Collection[Path], made: Path) -> AsyncIterator[set[Pa
 
 
 def _inodes(folders: Collection[Path]) -> Inodes:
-    """Of the folders, and of what links in them lead to, with its time of change."""
+    """Inodes of the folders, and of the targets of links in them with their times of change."""
     found: dict[Path, tuple[int, int]] = {}
     for folder in folders:
         if folder.is_dir():

@@ -11,7 +11,7 @@ class State:
     """The builds so far."""
 
     number: int = 0
-    """Of the last good build; 0 before the first."""
+    """Number of the last good build; 0 before the first."""
     changed: tuple[str, ...] = ()
     """Files that the last good build changed, relative to the site."""
     mistakes: str = ""

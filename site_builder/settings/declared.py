@@ -54,7 +54,7 @@ class Kind:
     convert: Callable[[Any], Any] = lambda value: value
     """The value as the builder has it. Raises `ValueError` where it is not legal after all."""
     table: type[Any] | None = None
-    """Of a table, the class that declares its keys."""
+    """The class that declares the keys of a table."""
 
     def read(self, value: object) -> Any:
         """Raises `ValueError` where the value is not legal."""

@@ -34,7 +34,7 @@ FILE_NAME = "content/book.toml"
 WORD = "the language's word"
 ORCID = re.compile(r"\b\d{4}-\d{4}-\d{4}-\d{3}[\dX]$")
 HOSTS = ("apache", "netlify", "nginx")
-"""Those of static sites that a configuration can be written for."""
+"""Hosts of static sites that a configuration can be written for."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,7 +34,7 @@ from site_builder.references.glossary import Glossary, read_glossary
 from site_builder.references.news import read_news
 from site_builder.references.symbols import FILE as SYMBOLS
 from site_builder.references.symbols import read_symbols
-from site_builder.sources.chapters import Page, targets_state
+from site_builder.sources.chapters import ChapterFile, targets_state
 from site_builder.sources.lecture_plan import read_lecture_plan
 from site_builder.sources.outline import Outline, check_addresses, read_outline
 from site_builder.sources.translations.files import find_languages, folder_of
@@ -116,7 +116,7 @@ def read_shared(
     )
 
 
-def list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[Page]:
+def list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[ChapterFile]:
     """The chapters' files, those of a translation where there are any."""
     problems, state_of = sources.problems, _states(sources.root, outline)
     for name, line, position in outline.chapters:
@@ -126,7 +126,7 @@ def list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[P
             continue
         _check_name(name, line, problems)
         path = own if sources.has(own) else path
-        yield Page(path, sources.text(path), position, shared, state_of(path))
+        yield ChapterFile(path, sources.text(path), position, shared, state_of(path))
 
 
 def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:

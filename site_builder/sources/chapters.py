@@ -13,7 +13,7 @@ from site_builder.markdown.targets import Targets
 
 
 @dataclass(slots=True)
-class Page:
+class ChapterFile:
     """A chapter's file."""
 
     path: str

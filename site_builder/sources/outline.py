@@ -66,10 +66,10 @@ class Outline:
     start_lines: Mapping[str, int]
     """By the words of the link."""
     macros: Macros
-    """Those whose names are legal."""
+    """Macros whose names are legal."""
     path: str = OUTLINE
     folder: str = ""
-    """Of a translation, below ``content/`` and below the site's root: ``de/``."""
+    """Folder of a translation, below ``content/`` and below the site's root: ``de/``."""
 
 
 def read_outline(sources: Sources) -> Outline:

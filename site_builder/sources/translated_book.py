@@ -19,7 +19,7 @@ from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.targets import Targets
 from site_builder.references.glossary import read_glossary
 from site_builder.sources.book import list_pages, read_hero_caption, read_shared, read_starts
-from site_builder.sources.chapters import Page, targets_state
+from site_builder.sources.chapters import ChapterFile, targets_state
 from site_builder.sources.outline import Outline, check_parts, positions, read_outline
 from site_builder.sources.translations.agreement import check_contents, check_places, with_shared
 from site_builder.sources.translations.files import (
@@ -97,7 +97,7 @@ def _outline(sources: Sources, language: str, original: Outline) -> Outline:
 
 
 def _chapters(
-    pages: list[Page],
+    pages: list[ChapterFile],
     targets: Targets,
     original: Book,
     outline: Outline,
@@ -111,7 +111,7 @@ def _chapters(
             continue
         chapter = page.read(targets, state, problems)
         text = Sources(page.shared.root).text(first.path)
-        survey = Page(first.path, text, page.position, page.shared, page.state).survey()
+        survey = ChapterFile(first.path, text, page.position, page.shared, page.state).survey()
         check_places(first, survey.inside, chapter, targets.inside[chapter.id], problems)
         check_contents(first, chapter, problems)
         yield with_shared(chapter, first, outline.folder)

@@ -15,12 +15,20 @@ from simulations.engine.frame import Panel
 from site_builder.document.blocks import Block, Prose, Simulation, Source, contents, walk
 from site_builder.document.passage import Passage
 from site_builder.document.questions import OTHERWISE, Option, Prediction, Question, Quiz, Reveal
-from site_builder.editions.notebooks.cells import Code, Page, Part, Text, folded, named, wrapped
+from site_builder.editions.notebooks.cells import (
+    ChapterPage,
+    Code,
+    Part,
+    Text,
+    folded,
+    named,
+    wrapped,
+)
 from site_builder.editions.notebooks.tables import extremes, ladder, ladder_table, stage_costs
 from site_builder.figures.frames import pixels
 from site_builder.markdown.directives.callout import Callout, Example
 from site_builder.markdown.directives.download import DataSheet, Download
-from site_builder.markdown.directives.pictures import Drawn, Figure
+from site_builder.markdown.directives.pictures import DrawnIllustration, Figure
 from site_builder.markdown.directives.recordings import Audio, Video
 from site_builder.markdown.directives.table import Table
 from site_builder.markdown.questions.kinds import kind_of
@@ -31,7 +39,7 @@ LONGEST = 80
 """Characters of a call on one line."""
 
 
-def simulation(figure: Simulation, block: Block, page: Page) -> Iterator[Part]:
+def simulation(figure: Simulation, block: Block, page: ChapterPage) -> Iterator[Part]:
     """The cell, then its caption."""
     still = page.still(figure)
     panels = [
@@ -61,23 +69,23 @@ def _written(value: object) -> str:
     return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
 
 
-def illustration(drawn: Drawn, block: Block, page: Page) -> Iterator[Part]:
+def illustration(drawn: DrawnIllustration, block: Block, page: ChapterPage) -> Iterator[Part]:
     name = f"{block.target.id if block.target else 'illustration'}.png"
     picture = page.picture(drawn.illustration.panels)
     yield _pictured(block, page, drawn.description, {name: picture}, drawn.caption)
 
 
-def figure(shown: Figure, block: Block, page: Page) -> Iterator[Part]:
+def figure(shown: Figure, block: Block, page: ChapterPage) -> Iterator[Part]:
     yield _pictured(block, page, shown.alt, _file(shown.file, page), shown.caption)
 
 
-def video(film: Video, block: Block, page: Page) -> Iterator[Part]:
+def video(film: Video, block: Block, page: ChapterPage) -> Iterator[Part]:
     """Its still, and a link to the film, which lies beside the notebook."""
     yield _pictured(block, page, film.alt, _file(film.poster, page), film.caption)
     yield Text(link(escaped(film.alt), f"content/{film.file}"))
 
 
-def audio(recording: Audio, block: Block, page: Page) -> Iterator[Part]:
+def audio(recording: Audio, block: Block, page: ChapterPage) -> Iterator[Part]:
     """The recording lies beside the notebook; its transcript is folded."""
     licence = f" ({escaped(recording.licence)})" if recording.licence else ""
     parts = (
@@ -89,14 +97,14 @@ def audio(recording: Audio, block: Block, page: Page) -> Iterator[Part]:
 
 
 def _pictured(
-    block: Block, page: Page, alt: str, picture: Mapping[str, bytes], caption: Passage
+    block: Block, page: ChapterPage, alt: str, picture: Mapping[str, bytes], caption: Passage
 ) -> Text:
     (name,) = picture
     shown = f"![{escaped(' '.join(alt.split()))}](attachment:{name})"
     return Text(f"{shown}\n\n{named(block.target)}{page.markdown(caption)}", picture)
 
 
-def _file(path: str, page: Page) -> Mapping[str, bytes]:
+def _file(path: str, page: ChapterPage) -> Mapping[str, bytes]:
     """A picture of the author's, by its name."""
     name = PurePosixPath(path).name.replace(" ", "-")
     return {name: (page.content / path).read_bytes()}
@@ -107,13 +115,13 @@ DRAWING = re.compile(
 )
 
 
-def quiz(question: Quiz, block: Block, page: Page) -> Iterator[Part]:
+def quiz(question: Quiz, block: Block, page: ChapterPage) -> Iterator[Part]:
     asked = (f"{named(block.target)}{page.markdown(question.prompt)}", _offered(question, page))
     answers = "\n".join(_answers(question, page))
     yield Text("\n\n".join((*filter(None, asked), folded(page.words("question.answer"), answers))))
 
 
-def predict(question: Prediction, block: Block, page: Page) -> Iterator[Part]:
+def predict(question: Prediction, block: Block, page: ChapterPage) -> Iterator[Part]:
     """What is right begins the `answer`; where none follows, it stands here."""
     title = f"{named(block.target)}{escaped(page.words('predict.title'))}"
     asked = (title, page.markdown(question.prompt), _offered(question, page))
@@ -123,7 +131,7 @@ def predict(question: Prediction, block: Block, page: Page) -> Iterator[Part]:
         yield from wrapped(right(question, page), partial(folded, page.words("question.answer")))
 
 
-def right(question: Prediction, page: Page) -> Iterator[Text]:
+def right(question: Prediction, page: ChapterPage) -> Iterator[Text]:
     """The right option, number or curve."""
     yield from (Text(_answer(option, page)) for option in question.options if option.correct)
     if drawing := _drawing(question, page):
@@ -132,13 +140,13 @@ def right(question: Prediction, page: Page) -> Iterator[Text]:
         yield Text(shown, {name: page.picture([drawing])})
 
 
-def _offered(question: Question, page: Page) -> str:
+def _offered(question: Question, page: ChapterPage) -> str:
     """What can be chosen, or ordered."""
     lines = zip(ascii_uppercase, kind_of(question).offered(question), strict=False)
     return "\n".join(f"- {letter}: {page.markdown(option.words)}" for letter, option in lines)
 
 
-def _answers(question: Quiz, page: Page) -> Iterator[str]:
+def _answers(question: Quiz, page: ChapterPage) -> Iterator[str]:
     """A line for each answer, with its explanation."""
     kind = kind_of(question)
     if kind.needs_page:  # its other answers are settings that only a page can judge
@@ -151,13 +159,13 @@ def _answers(question: Quiz, page: Page) -> Iterator[str]:
         yield f"{f'{place}.' if kind.numbered else f'- **{verdict}:**'} {_answer(option, page)}"
 
 
-def _answer(option: Option, page: Page) -> str:
+def _answer(option: Option, page: ChapterPage) -> str:
     otherwise = page.words("question.otherwise") if option.text == OTHERWISE else ""
     said = otherwise or page.markdown(option.words)
     return "  \n  ".join(filter(None, (said, page.markdown(option.explanation))))
 
 
-def _drawing(question: Prediction, page: Page) -> Panel | None:
+def _drawing(question: Prediction, page: ChapterPage) -> Panel | None:
     """Axes and the true curve of what is to be drawn; None where nothing is."""
     template = "editions/notebook-drawing.html"
     if not kind_of(question).drawn:
@@ -169,7 +177,7 @@ def _drawing(question: Prediction, page: Page) -> Panel | None:
     return Panel("field", "", float(width), float(height), overlay=marks)
 
 
-def parts_of(blocks: Iterable[Block], page: Page) -> Iterator[Part]:
+def parts_of(blocks: Iterable[Block], page: ChapterPage) -> Iterator[Part]:
     """All cells of ``blocks``, in order; directives of which nothing is left have none."""
     for block in blocks:
         for part in PARTS[block.template](block.content, block, page):
@@ -177,7 +185,7 @@ def parts_of(blocks: Iterable[Block], page: Page) -> Iterator[Part]:
                 yield part
 
 
-def prose(content: Prose, _block: Block, page: Page) -> Iterator[Part]:
+def prose(content: Prose, _block: Block, page: ChapterPage) -> Iterator[Part]:
     """A cell for each section, which begins with its heading."""
     tokens = content.words.tokens
     starts = [at for at, token in enumerate(tokens) if token.type == "heading_open"]
@@ -185,19 +193,19 @@ def prose(content: Prose, _block: Block, page: Page) -> Iterator[Part]:
         yield Text(page.markdown(Passage(tokens[start:end])))
 
 
-def callout(content: Callout, block: Block, page: Page) -> Iterator[Part]:
+def callout(content: Callout, block: Block, page: ChapterPage) -> Iterator[Part]:
     return _quoted(f"**{page.markdown(content.title)}**", block, page)
 
 
-def example(content: Example, block: Block, page: Page) -> Iterator[Part]:
+def example(content: Example, block: Block, page: ChapterPage) -> Iterator[Part]:
     return _quoted(f"{named(block.target)}{page.markdown(content.title)}", block, page)
 
 
-def _quoted(title: str, block: Block, page: Page) -> Iterator[Part]:
+def _quoted(title: str, block: Block, page: ChapterPage) -> Iterator[Part]:
     return wrapped([Text(title), *parts_of(block.inside, page)], quoted)
 
 
-def answer(content: Reveal, block: Block, page: Page) -> Iterator[Part]:
+def answer(content: Reveal, block: Block, page: ChapterPage) -> Iterator[Part]:
     """Named after its prediction, as cells may lie between the two; what is right comes first."""
     asked, name = _prediction(content.prediction, page)
     summary = f"{name}: {page.words('question.answer')}"
@@ -205,7 +213,7 @@ def answer(content: Reveal, block: Block, page: Page) -> Iterator[Part]:
     return wrapped(parts, partial(folded, summary))
 
 
-def _prediction(id: str, page: Page) -> tuple[Prediction, str]:
+def _prediction(id: str, page: ChapterPage) -> tuple[Prediction, str]:
     """The one of that id, and its name."""
     for block in walk(page.chapter.body):
         if isinstance(block.content, Prediction) and block.content.id == id and block.target:
@@ -213,7 +221,7 @@ def _prediction(id: str, page: Page) -> tuple[Prediction, str]:
     raise LookupError(f"no prediction {id!r}")  # which a check reports
 
 
-def source(content: Source, _block: Block, page: Page) -> Iterator[Part]:
+def source(content: Source, _block: Block, page: ChapterPage) -> Iterator[Part]:
     """The code to read, and a cell that imports it to be tried."""
     address = page.address(f"../source/{content.path.removesuffix('.py')}/#L{content.first_line}")
     where = (
@@ -224,23 +232,23 @@ def source(content: Source, _block: Block, page: Page) -> Iterator[Part]:
     yield Code(f"from {content.module} import {content.name.partition('.')[0]}")
 
 
-def table(content: Table, block: Block, page: Page) -> Iterator[Part]:
+def table(content: Table, block: Block, page: ChapterPage) -> Iterator[Part]:
     caption = f"{named(block.target)}{page.markdown(content.caption)}"
     yield Text(f"{caption}\n\n{page.markdown(content.table)}")
 
 
-def download(content: Download, _block: Block, page: Page) -> Iterator[Part]:
+def download(content: Download, _block: Block, page: ChapterPage) -> Iterator[Part]:
     """The file lies beside the notebook."""
     given = f"{link(escaped(content.name), f'content/{content.file}')} ({content.size})"
     yield Text(f"{given}\n\n{page.markdown(content.words)}".strip())
 
 
-def data_sheet(content: DataSheet, _block: Block, page: Page) -> Iterator[Part]:
+def data_sheet(content: DataSheet, _block: Block, page: ChapterPage) -> Iterator[Part]:
     """Its words alone: a notebook measures no photographs."""
     yield Text(page.markdown(content.words))
 
 
-type Maker = Callable[[Any, Block, Page], Iterable[Part]]
+type Maker = Callable[[Any, Block, ChapterPage], Iterable[Part]]
 PARTS: Mapping[str, Maker] = {
     "answer": answer,
     "audio": audio,

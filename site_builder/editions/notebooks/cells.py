@@ -80,11 +80,11 @@ def cell_of(part: Part, id: str) -> Any:
 
 
 PX_PER_UNIT = 1.25
-"""Of a picture: labels of 13 units become as large as the text around it."""
+"""Scale of a picture: labels of 13 units become as large as the text around it."""
 
 
 @dataclass(frozen=True)
-class Page:
+class ChapterPage:
     """One chapter."""
 
     checked: CheckedBook

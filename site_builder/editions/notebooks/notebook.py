@@ -10,7 +10,7 @@ from nbformat import v4
 from site_builder.build import CheckedBook
 from site_builder.document.book import Colours
 from site_builder.editions.notebooks.blocks import parts_of
-from site_builder.editions.notebooks.cells import Code, Page, Part, Text, cell_of
+from site_builder.editions.notebooks.cells import ChapterPage, Code, Part, Text, cell_of
 from site_builder.output.assets import Content
 from site_builder.output.style_sheets import style_of_drawings
 from site_builder.publishing.vector import Fonts, whole_fonts
@@ -21,7 +21,7 @@ from site_builder.runtime.pack import book_modules
 SETUP = "from simulations.notebook.live import figure"
 
 
-def make_notebook(page: Page) -> bytes:
+def make_notebook(page: ChapterPage) -> bytes:
     """The file. The same chapter is the same bytes."""
     cells = [cell_of(part, f"cell-{place}") for place, part in enumerate(_parts(page))]
     metadata = {
@@ -35,7 +35,7 @@ def make_notebook(page: Page) -> bytes:
     return f"{nbformat.writes(notebook)}\n".encode()
 
 
-def _parts(page: Page) -> Iterator[Part]:
+def _parts(page: ChapterPage) -> Iterator[Part]:
     yield Text(_head(page))
     if page.chapter.simulations:
         yield Text(page.words("edition.notebook"))
@@ -45,7 +45,7 @@ def _parts(page: Page) -> Iterator[Part]:
         yield Text(_references(page))
 
 
-def _head(page: Page) -> str:
+def _head(page: ChapterPage) -> str:
     """What the chapter is about, what it takes and what it gives, and under which terms it is."""
     chapter, words, licence = page.chapter, page.words, page.book.settings.licence
     parts = [f"# {escaped(chapter.name)}. {escaped(chapter.title)}", escaped(chapter.summary)]
@@ -67,7 +67,7 @@ def _head(page: Page) -> str:
     return "\n\n".join(parts)
 
 
-def _references(page: Page) -> str:
+def _references(page: ChapterPage) -> str:
     works = page.book.bibliography.works
     cited = dict.fromkeys(citation.key for citation in page.chapter.citations)
     lines = [
@@ -90,7 +90,9 @@ def make_notebooks(checked: CheckedBook, root: Path) -> dict[str, Content]:
     style = notebook_style(root, fonts, checked.book.colours)
     asked_for = "".join(f"{name}\n" for name in checked.book.settings.runtime.packages)
     content = root / "content"
-    pages = [Page(checked, chapter, content, style, fonts) for chapter in checked.book.chapters]
+    pages = [
+        ChapterPage(checked, chapter, content, style, fonts) for chapter in checked.book.chapters
+    ]
     modules = book_modules(root / "simulations")
     handed_out = {name for chapter in checked.book.chapters for name in chapter.files}
     return {

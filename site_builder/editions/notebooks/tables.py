@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from simulations.engine.frame import Panel
 from site_builder.benchmarks.quantities import milliseconds, quantity
 from site_builder.document.blocks import Block
-from site_builder.editions.notebooks.cells import Page, Part, Text, folded, named
+from site_builder.editions.notebooks.cells import ChapterPage, Part, Text, folded, named
 from site_builder.markdown.directives.extremes import HardCaseRow, HardCaseTable
 from site_builder.markdown.directives.ladder import LadderFigure, LadderTable, StageCostTable
 from site_builder.pages.views.ladder import (
@@ -18,7 +18,7 @@ from site_builder.pages.views.ladder import (
 from site_builder.render.markdown import LEFT, RIGHT, code, escaped, table
 
 
-def extremes(shown: HardCaseTable, block: Block, page: Page) -> Iterator[Part]:
+def extremes(shown: HardCaseTable, block: Block, page: ChapterPage) -> Iterator[Part]:
     words, name = page.words, block.target.name if block.target else ""
     summary = words("extremes.summary", table=name, title=shown.title, count=len(shown.rows))
     head = [words(f"extremes.{key}") for key in ("asked", "this_book", "others")]
@@ -33,14 +33,14 @@ def extremes(shown: HardCaseTable, block: Block, page: Page) -> Iterator[Part]:
     yield Text(folded(summary, table(head, rows)))
 
 
-def _others(row: HardCaseRow, page: Page) -> str:
+def _others(row: HardCaseRow, page: ChapterPage) -> str:
     naive = (page.words("extremes.formula"), row.naive, row.naive_answer)
     library = (page.words("extremes.library"), row.library, row.library_answer)
     asked = [each for each in (naive, library) if each[1]]
     return _lines(*(_lines(f"{who} {code(call)}", code(said)) for who, call, said in asked))
 
 
-def ladder(figure: LadderFigure, block: Block, page: Page) -> Iterator[Part]:
+def ladder(figure: LadderFigure, block: Block, page: ChapterPage) -> Iterator[Part]:
     """Chart, choice and table; then the caption."""
     view, measured, words = view_ladder(figure, page.words), figure.measured, page.words
     chart, ladder = view.chart, measured.ladder
@@ -58,7 +58,7 @@ def ladder(figure: LadderFigure, block: Block, page: Page) -> Iterator[Part]:
     yield Text("\n\n".join(filter(None, parts)), pictures)
 
 
-def _choice(figure: LadderFigure, view: LadderView, page: Page) -> str:
+def _choice(figure: LadderFigure, view: LadderView, page: ChapterPage) -> str:
     words, choice = page.words, view.choice
     if choice is None:
         return ""
@@ -77,7 +77,7 @@ def _choice(figure: LadderFigure, view: LadderView, page: Page) -> str:
     return " ".join(said)
 
 
-def _tiers(figure: LadderFigure, view: LadderView, page: Page) -> str:
+def _tiers(figure: LadderFigure, view: LadderView, page: ChapterPage) -> str:
     words, metrics = page.words, view.metrics
     head = [
         *(words(f"ladder.{key}") for key in ("tier", "work")),
@@ -92,7 +92,7 @@ def _tiers(figure: LadderFigure, view: LadderView, page: Page) -> str:
     return table(_escaped(head), rows, [LEFT, LEFT, *[RIGHT] * (len(metrics) + 2), LEFT])
 
 
-def _tier(row: TierRow, default: bool, page: Page) -> list[str]:
+def _tier(row: TierRow, default: bool, page: ChapterPage) -> list[str]:
     tier, times = row.measured.tier, row.measured.times
     label = f"**{escaped(tier.label)}**" if default else escaped(tier.label)
     took = (page.words.numeral(milliseconds(times[side].ms)) for side in ("native", "browser"))
@@ -100,7 +100,7 @@ def _tier(row: TierRow, default: bool, page: Page) -> list[str]:
     return [label, work, *_escaped((*row.errors, *took, row.verdict))]
 
 
-def ladder_table(shown: LadderTable, block: Block, page: Page) -> Iterator[Part]:
+def ladder_table(shown: LadderTable, block: Block, page: ChapterPage) -> Iterator[Part]:
     words = page.words
     keys = ("ladder", "tiers", "span", "default", "time", "error", "beaten")
     rows = [
@@ -124,7 +124,7 @@ def ladder_table(shown: LadderTable, block: Block, page: Page) -> Iterator[Part]
     yield Text(f"{caption}\n\n{table(head, rows, rules)}")
 
 
-def stage_costs(shown: StageCostTable, block: Block, page: Page) -> Iterator[Part]:
+def stage_costs(shown: StageCostTable, block: Block, page: ChapterPage) -> Iterator[Part]:
     words, costs = page.words, shown.costs
     head = [words(f"costs.{key}") for key in ("moved", "again", "stages", "time", "share")]
     moves = sorted(costs.moves, key=lambda move: move.share)

@@ -57,8 +57,8 @@ class Asked:
 
 
 def asked_in(book: Book) -> Iterator[Asked]:
-    """Those that can be asked elsewhere: without the book's address, none that needs a figure. One
-    that draws numbers is there with each combination."""
+    """Questions that can be asked elsewhere: without the book's address, none that needs a figure.
+    One that draws numbers is there with each combination."""
     for chapter in book.chapters:
         for name, quiz in numbered_quizzes(chapter.body):
             if not book.address and kind_of(quiz).needs_page:

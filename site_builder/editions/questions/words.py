@@ -62,7 +62,7 @@ def _plain(root: Element, page: str) -> Element:
 
 
 def _plain_formula(element: Element) -> None:
-    """Of MathML 2, which QTI 2.1 has: without classes, and a length has a unit."""
+    """MathML 2, which QTI 2.1 has: without classes, and a length has a unit."""
     for name in ("class", "style"):
         element.attrib.pop(name, None)
     for name in LENGTHS:

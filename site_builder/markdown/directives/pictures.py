@@ -77,7 +77,7 @@ MODULES = found("illustrations")
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class DrawnIllustration:
     """An illustration with its caption."""
 
     illustration: Illustration
@@ -85,7 +85,9 @@ class Drawn:
     caption: Passage
 
 
-def read_illustration(call: DirectiveCall, caption: Passage, context: ParseContext) -> Drawn | None:
+def read_illustration(
+    call: DirectiveCall, caption: Passage, context: ParseContext
+) -> DrawnIllustration | None:
     what = f"illustration {call.argument!r}"
     try:
         illustration = illustration_of(imported(MODULES[call.argument]).draw)
@@ -98,7 +100,7 @@ def read_illustration(call: DirectiveCall, caption: Passage, context: ParseConte
         return None
     if not caption:
         context.problem(call.line, f"{what} has no caption; legal: one to three sentences")
-    return Drawn(illustration, call.text("alt") or illustration.description, caption)
+    return DrawnIllustration(illustration, call.text("alt") or illustration.description, caption)
 
 
 @cached

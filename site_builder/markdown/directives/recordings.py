@@ -88,7 +88,7 @@ class Video:
     alt: str
     poster: str
     size: Size | None
-    """Of the still, so that the page reserves its space."""
+    """Size of the still, so that the page reserves its space."""
     captions: str
     """Nothing for a film without words."""
     language: str

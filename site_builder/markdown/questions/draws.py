@@ -17,7 +17,7 @@ from simulations.engine.expressions import ExpressionError
 from site_builder.diagnostics.blame import raised_by_code
 from site_builder.markdown.calculation import numbers
 from site_builder.markdown.directive import DirectiveCall, OptionLine
-from site_builder.markdown.parse_context import Drawn, ParseContext
+from site_builder.markdown.parse_context import ParseContext, Variant
 from site_builder.markdown.text.tokens import end_of_element
 
 DRAW = OptionLine(
@@ -53,7 +53,7 @@ def _draws(token: Token) -> bool:
     return directive is not None and DRAW in directive.options and DRAW.name in call.options
 
 
-def draw(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> tuple[Drawn, ...]:
+def draw(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> tuple[Variant, ...]:
     """The body with each combination, the first of each name first; nothing, and a report, where
     mistakes leave none. What the first collects of links and formulae is the page's."""
     option = call.options[DRAW.name]
@@ -67,11 +67,11 @@ def draw(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> t
         what = f"{call.name} {call.argument!r} draws from {count} combinations"
         context.problem(option.line, f"{what}; legal: 2 to {MOST}")
         return ()
-    made: list[Drawn] = []
+    made: list[Variant] = []
     for values in product(*columns.values()):
         given = dict(zip(columns, values, strict=True))
         named = "; ".join(f"{name} = {value:g}" for name, value in given.items())
-        made.append(Drawn(named, deepcopy(body), context.reading(given, again=bool(made))))
+        made.append(Variant(named, deepcopy(body), context.reading(given, again=bool(made))))
     return tuple(made)
 
 
@@ -96,7 +96,7 @@ def _is_name(word: str) -> bool:
     return word.isidentifier() and not iskeyword(word)
 
 
-def report_first(drawn: Sequence[Drawn], context: ParseContext) -> bool:
+def report_first(drawn: Sequence[Variant], context: ParseContext) -> bool:
     """Report the mistakes of the first combination that has any; whether one has."""
     for each in drawn:
         own = each.context.problems

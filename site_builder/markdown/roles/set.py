@@ -14,7 +14,7 @@ from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.markdown.directive import OptionValue
-from site_builder.markdown.parse_context import ParseContext, Place
+from site_builder.markdown.parse_context import FigurePlace, ParseContext
 from site_builder.markdown.role import Linked, Role
 from site_builder.markdown.scenes import read_settings
 from site_builder.sandbox.loading import loaded
@@ -54,7 +54,7 @@ def _parts(given: str) -> tuple[str, list[str]]:
     return ("", [first, *others]) if "=" in first else (first, others)
 
 
-def _find_figure(name: str, line: int, context: ParseContext) -> Place | None:
+def _find_figure(name: str, line: int, context: ParseContext) -> FigurePlace | None:
     """The figure of that name; without one the nearest, the one before where two are as near."""
     if not context.figures:
         context.problem(line, "{set} on a page without a figure; legal: on the page of a figure")
@@ -69,7 +69,7 @@ def _find_figure(name: str, line: int, context: ParseContext) -> Place | None:
     return places[name]
 
 
-def _load(figure: Place, context: ParseContext) -> Scene[Any] | None:
+def _load(figure: FigurePlace, context: ParseContext) -> Scene[Any] | None:
     """None where it cannot be loaded, which its directive reports."""
     try:
         return loaded("simulation", figure.scene_id, context.shared.load_scene, LookupError)

@@ -80,7 +80,7 @@ def covers(declared: str, symbol: str) -> bool:
 
 
 def _kind(index: str) -> str:
-    """Of an index that counts; nothing of one that names."""
+    """The part of an index that counts; nothing of one that names."""
     inner = index.strip("{}")
     if re.fullmatch(r"\d+", inner):
         return "digits"

@@ -121,7 +121,7 @@ def _unit_cost(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> st
 
 
 def default_error(measured: MeasuredLadder, words: Words) -> str:
-    """That of the default tier, with its unit where it has an error."""
+    """Error of the default tier, with its unit where it has an error."""
     unit, value = measured.metric.unit, measured.default.errors[measured.metric.id]
     text = error_text(value, unit, words)
     return text if is_none(value, unit) else f"{text}{'' if unit == '°' else ' '}{unit}"

@@ -57,7 +57,7 @@ def _solution(call: DirectiveCall, context: ParseContext) -> dict[str, str]:
 
 
 def conditions(question: Question) -> list[str]:
-    """Of the answers, in their order; whatever meets none is the last one's."""
+    """Conditions of the answers, in order; a state that meets none gets the last answer."""
     return [option.text for option in question.options if option.text != OTHERWISE]
 
 

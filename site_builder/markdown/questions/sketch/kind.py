@@ -18,7 +18,7 @@ LEFT, RIGHT, TOP, BOTTOM = 52.0, 384.0, 32.0, 206.0
 PLACES = 9
 """Points that the reader moves."""
 STEPS = 100
-"""Of each point, from the foot of the axis to its top."""
+"""Height of each point, from the foot of the axis to its top."""
 
 
 @dataclass(frozen=True, slots=True)
