@@ -29,8 +29,14 @@ from site_builder.programs.node import NodeError, Package, installed_packages, r
 from site_builder.raw import decoder as raw
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import VERSIONS
-from site_builder.search.index import Means, index_of, indexing
-from site_builder.search.library import STEMMERS, SearchLibrary, fetch_library
+from site_builder.search.index import (
+    STEMMERS,
+    Means,
+    SearchLibrary,
+    fetch_library,
+    index_of,
+    indexing,
+)
 from site_builder.search.records import Record
 
 

@@ -24,17 +24,30 @@ from simulations.engine.drawing import line
 from simulations.engine.frame import Frame
 from simulations.engine.stages import Outputs
 from site_builder.editions.compose import compose
-from site_builder.editions.epub import FOLDER, make_epub
-from site_builder.editions.epub_style import book_style
-from site_builder.editions.links import Place, is_external, place_of
+from site_builder.editions.epub import FOLDER, book_style, make_epub
 from site_builder.editions.multiples import shown_values
-from site_builder.editions.page_numbers import PageNumberError, fill
-from site_builder.editions.pdf import UnsettledError, anchor_pages, make_pdf, settle
-from site_builder.editions.tree import elements, first, parse, words
-from site_builder.editions.volume import anchor, volume
+from site_builder.editions.pdf import (
+    PageNumberError,
+    UnsettledError,
+    anchor,
+    anchor_pages,
+    fill,
+    make_pdf,
+    settle,
+    volume,
+)
+from site_builder.editions.tree import (
+    LinkTarget,
+    elements,
+    first,
+    is_external,
+    parse,
+    place_of,
+    words,
+)
 from site_builder.figures import prerendered_frames
 from site_builder.languages.words import ENGLISH, load_words
-from site_builder.output.light_theme import resolve
+from site_builder.output.style_sheets import resolve
 from site_builder.pages.environment import render_template
 from site_builder.programs import chromium
 
@@ -254,17 +267,17 @@ PAGES = ("first", "second", "references")
 @pytest.mark.parametrize(
     ("address", "place"),
     [
-        ("#here", Place("first", "here")),
-        ("../second/", Place("second", "")),
-        ("../second/#there", Place("second", "there")),
-        ("?figure.k1=1#figure", Place("first", "figure")),
-        ("../second/?figure.k1=1#figure", Place("second", "figure")),
-        ("../second/#moir%C3%A9", Place("second", "moiré")),
+        ("#here", LinkTarget("first", "here")),
+        ("../second/", LinkTarget("second", "")),
+        ("../second/#there", LinkTarget("second", "there")),
+        ("?figure.k1=1#figure", LinkTarget("first", "figure")),
+        ("../second/?figure.k1=1#figure", LinkTarget("second", "figure")),
+        ("../second/#moir%C3%A9", LinkTarget("second", "moiré")),
         ("../source/simulations/x/#L3", None),
     ],
 )
 def test_a_link_on_paper_leads_to_a_place_of_the_book_or_to_none(
-    address: str, place: Place | None
+    address: str, place: LinkTarget | None
 ) -> None:
     assert place_of(address, "first", PAGES) == place
 
@@ -272,7 +285,7 @@ def test_a_link_on_paper_leads_to_a_place_of_the_book_or_to_none(
 def test_addresses_with_a_scheme_lead_out_of_the_book_and_anchors_beyond_ascii_differ() -> None:
     external = [is_external(each) for each in ("https://doi.org/1", "mailto:a@b", "../x/")]
     assert external == [True, True, False]
-    moire, moira = (anchor(Place("page", f"moir{letter}")) for letter in "éá")
+    moire, moira = (anchor(LinkTarget("page", f"moir{letter}")) for letter in "éá")
     assert moire.isascii()
     assert moire != moira
 

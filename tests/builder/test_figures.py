@@ -23,8 +23,7 @@ from site_builder.checks import frames as frame_checks
 from site_builder.document.blocks import Simulation
 from site_builder.document.passage import Passage
 from site_builder.figures.initial_frames import InitialFrame
-from site_builder.output.colour_rules import colour_rules
-from site_builder.output.light_theme import style_of_drawings
+from site_builder.output.style_sheets import colour_rules, style_of_drawings
 from site_builder.pages.views.control import ControlView, control_cells, readouts_in_sight
 
 STYLES = ".overlay .ray { stroke: red }\n.world {}\n"

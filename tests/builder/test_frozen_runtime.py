@@ -16,10 +16,9 @@ from support.places import GERMAN_BOOK, LADDERS, SCENES
 from site_builder.cache.results import Cache, using
 from site_builder.runtime import pack, store
 from site_builder.runtime.data_module import changed_runs, data_module
-from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.downloads import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError, Frozen, freeze_libraries
-from site_builder.runtime.imports import imports_of, outside, reach
-from site_builder.runtime.modules import ENTRY
+from site_builder.runtime.imports import ENTRY, imports_of, outside, reach
 from site_builder.runtime.pack import (
     SITE_PACKAGES,
     RuntimeBundle,

@@ -11,11 +11,11 @@ from support.html_outline import read_html
 from support.static_server import serving
 
 from site_builder.files.engine import STATIC
-from site_builder.guide.book import guide_files, write_guide
 from site_builder.guide.classes import read_classes
+from site_builder.guide.command import guide_files, write_guide
 from site_builder.guide.pages import NoExampleError, directive_page
 from site_builder.markdown.directives import DIRECTIVES
-from site_builder.markdown.directives.quiz import QUIZ
+from site_builder.markdown.directives.questions import QUIZ
 from site_builder.markdown.questions.kinds import KINDS
 from site_builder.markdown.roles import ROLES
 

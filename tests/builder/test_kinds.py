@@ -14,9 +14,9 @@ from simulations.engine.controls import Control
 from site_builder.build import Options, render_site
 from site_builder.editions.notebooks.blocks import PARTS
 from site_builder.files.engine import ENGINE
-from site_builder.guide.book import SCENE, guide_files
+from site_builder.guide.command import SCENE, guide_files
 from site_builder.markdown.directives import DIRECTIVES
-from site_builder.markdown.fences import OPENING
+from site_builder.markdown.parser import OPENING
 from site_builder.markdown.questions.kind import HERE, QuestionKind
 from site_builder.markdown.questions.kinds import KINDS, names_of_kinds
 from site_builder.markdown.role import USE

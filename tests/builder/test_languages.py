@@ -14,7 +14,7 @@ from support.little_book import MakeBook, diagnostics, rendered
 from support.places import ROOT
 
 from site_builder.languages.words import ENGLISH, SCRIPT, Words, languages, load_words
-from site_builder.sources.translations.labels import figure_markup
+from site_builder.sources.translations.files import figure_markup
 
 GERMAN = load_words("de")
 PLACEHOLDER = re.compile(r"\{(\w+)\}")

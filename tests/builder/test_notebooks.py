@@ -13,7 +13,7 @@ from support.little_book import MakeBook
 
 from site_builder.build import check_site, load
 from site_builder.document.blocks import Prose, contents
-from site_builder.editions.notebooks.folder import make_notebooks
+from site_builder.editions.notebooks.notebook import make_notebooks
 from site_builder.output.assets import content_bytes
 from site_builder.render.markdown import MarkdownRenderer, code, quoted, table
 

@@ -16,11 +16,11 @@ from support.html_outline import Page, read_html
 from support.little_book import FIXTURES, OUTLINE, SHOWN, MakeBook, rendered
 
 from site_builder.build import check_site, render_site
+from site_builder.markdown.content_files import picture_size
 from site_builder.markdown.directives.download import size_words
-from site_builder.markdown.files.content_files import picture_size
 from site_builder.output.assets import Content, content_bytes
 from site_builder.pages.licences import gather_licences
-from site_builder.pages.reading_time import reading_minutes
+from site_builder.pages.page import reading_minutes
 from site_builder.runtime.pinned import VERSIONS
 
 ADDRESS = "https://host.example/"

@@ -20,11 +20,10 @@ from support.little_book import OUTLINE, MakeBook, rendered
 from support.places import ROOT
 
 from site_builder.diagnostics.diagnostic import BuildError
-from site_builder.offline.release import LIST, WORKER, no_release, release_files
-from site_builder.publishing.icons import FILE, SIZES, make_icons
-from site_builder.publishing.title_lines import MOST_LINES, set_title
-from site_builder.publishing.vector import whole_fonts
-from site_builder.settings.addresses import site_address, source_address
+from site_builder.publishing.cards import MOST_LINES, set_title
+from site_builder.publishing.offline import LIST, WORKER, no_release, release_files
+from site_builder.publishing.vector import FILE, SIZES, make_icons, whole_fonts
+from site_builder.settings.declared import site_address, source_address
 
 ADDRESS = "https://host.example/books/small/"
 SOURCE = "https://host.example/sources/{path}"

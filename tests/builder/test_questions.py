@@ -19,9 +19,7 @@ from support.qti import QTI, answered
 
 from site_builder.build import Options, load
 from site_builder.document.book import Book
-from site_builder.editions.questions.asked import asked_in, left_out
-from site_builder.editions.questions.moodle import make_moodle
-from site_builder.editions.questions.qti import make_qti
+from site_builder.editions.questions.export import asked_in, left_out, make_moodle, make_qti
 from site_builder.render.words import plain_words
 
 SITE = "https://host/book/"
@@ -39,7 +37,7 @@ def options(make_book: MakeBook) -> Options:
 @pytest.fixture
 def book(options: Options) -> Book:
     loaded = load(options)
-    assert not loaded.problems.found
+    assert not loaded.sources.problems.found
     return replace(loaded.book, address=SITE)
 
 

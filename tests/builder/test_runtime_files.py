@@ -24,18 +24,19 @@ from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.programs.node import Package
 from site_builder.runtime import packages, store
-from site_builder.runtime.downloads import Source
-from site_builder.runtime.fetch import RuntimeFetchError, fetch_runtime
+from site_builder.runtime.downloads import RuntimeFetchError, Source, fetch_runtime
 from site_builder.runtime.freeze import Frozen
 from site_builder.runtime.imports import (
+    CORE,
+    ENTRY,
     Table,
+    cut,
     imports_of,
     module_files,
     outside,
     reach,
     read_imports,
 )
-from site_builder.runtime.modules import CORE, ENTRY, cut
 from site_builder.runtime.pack import (
     book_modules,
     chunk_archive,

@@ -14,10 +14,9 @@ from starlette.testclient import TestClient
 from support.engine import Engine
 from support.places import GERMAN_BOOK
 
-from site_builder.server import changes as module
+from site_builder.server import builds as module
 from site_builder.server.app import make_app
-from site_builder.server.builds import Builds
-from site_builder.server.changes import changes
+from site_builder.server.builds import Builds, changes
 from site_builder.server.command import listen
 from site_builder.server.news import News, State
 

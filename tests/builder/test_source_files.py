@@ -10,8 +10,8 @@ from support.little_book import OUTLINE, MakeBook, diagnostics
 from support.places import ROOT
 
 from site_builder.diagnostics.diagnostic import Diagnostics
-from site_builder.files.text import Toml, read_toml
-from site_builder.settings.reading import read_settings, storage_prefix
+from site_builder.files.text import Sources, Toml
+from site_builder.settings.model import read_settings, storage_prefix
 
 type Files = Mapping[str, bytes | Callable[[Path], object] | None]
 
@@ -98,7 +98,7 @@ def test_keys_are_found_where_they_stand(tmp_path: Path) -> None:
     )
     tomllib.loads(text)
     (tmp_path / "x.toml").write_text(text)
-    read = read_toml(tmp_path, "x.toml", Diagnostics())
+    read = Sources(tmp_path).toml("x.toml")
     assert read
     keys = (("a",), ("b",), ("b", "k = 1"), ("b", "c", "d"), ("b", "x.y", "last"))
     entries = (("s", 0, "n"), ("s", 1, "n"))
@@ -109,7 +109,7 @@ def test_keys_are_found_where_they_stand(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("file", sorted((ROOT / "content").glob("*.toml")), ids=lambda f: f.name)
 def test_every_key_of_the_book_has_its_place(file: Path) -> None:
-    read = read_toml(ROOT, f"content/{file.name}", Diagnostics())
+    read = Sources(ROOT).toml(f"content/{file.name}")
     assert read
     lines = read.text.split("\n")
     for table, entries in read.table.items():
@@ -136,11 +136,11 @@ def test_settings_are_those_of_the_outline_or_their_defaults(tmp_path: Path) -> 
     (tmp_path / "content").mkdir()
     (tmp_path / BOOK).write_text(OUTLINE.replace('"T"', '"Small Book"'), encoding="utf-8")
     problems = Diagnostics()
-    default, _ = read_settings(tmp_path, problems)
+    default, _ = read_settings(Sources(tmp_path, problems))
     assert (default.language, default.first_number, default.licence.code) == ("en", 0, "MIT")
     assert storage_prefix(default) == "small-book"
     (tmp_path / BOOK).write_text(f'{OUTLINE}storage = "mine"\n{SAID}', encoding="utf-8")
-    said, _ = read_settings(tmp_path, problems)
+    said, _ = read_settings(Sources(tmp_path, problems))
     assert problems.found == []
     assert (said.language, said.first_number, storage_prefix(said)) == ("de", 1, "mine")
     assert (said.licence.text, said.labels.figure) == ("CC0", "Picture")

@@ -22,9 +22,9 @@ from site_builder.assets import pages as site_assets
 from site_builder.build import Options, check_site, render_site
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.editions.compose import compose
-from site_builder.editions.notebooks.folder import make_notebooks
+from site_builder.editions.notebooks.notebook import make_notebooks
 from site_builder.figures.initial_frames import describing
-from site_builder.markdown.directives import extremes, illustration
+from site_builder.markdown.directives import extremes, pictures
 from site_builder.output.assets import Content, content_bytes
 from site_builder.output.scripts import Bundle
 from site_builder.search.index import SHARED
@@ -77,7 +77,7 @@ def bundled() -> Iterator[pytest.MonkeyPatch]:
 
     with pytest.MonkeyPatch.context() as monkeypatch:
         monkeypatch.setattr(site_assets, "bundle_scripts", as_written)
-        monkeypatch.setitem(illustration.MODULES, "similar-triangles", __name__)
+        monkeypatch.setitem(pictures.MODULES, "similar-triangles", __name__)
         monkeypatch.setitem(extremes.FILES, "halves", FIXTURES / "hard_cases" / "halves.toml")
         yield monkeypatch
 
