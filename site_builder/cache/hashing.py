@@ -51,28 +51,17 @@ def _add(value: Any, update: Callable[[bytes], None]) -> None:
     def put(kind: str, data: bytes) -> None:
         update(f"{kind} {len(data)} ".encode() + data)
 
-    match value:
-        case None | bool() | int() | float() | complex():
-            put(type(value).__name__, repr(value).encode())
-        case Enum():
-            put("enum", f"{type(value).__qualname__}.{value.name}".encode())
+    match value:  # the most frequent first; abstract classes, slow to ask about, last
         case str() | Path():
             put(type(value).__name__, str(value).encode("utf-8", "surrogatepass"))
+        case None | bool() | int() | float() | complex():
+            put(type(value).__name__, repr(value).encode())
         case bytes():
             put("bytes", value)
+        case Enum():
+            put("enum", f"{type(value).__qualname__}.{value.name}".encode())
         case np.ndarray() | np.generic():
             put(f"array {value.dtype.str} {value.shape}", value.tobytes())
-        case Mapping():
-            put("mapping", str(len(value)).encode())
-            for key, item in value.items():
-                _add(key, update)
-                _add(item, update)
-        case Set():
-            put("set", b"".join(sorted(hash_of(item) for item in value)))
-        case Sequence():
-            put("sequence", str(len(value)).encode())
-            for item in value:
-                _add(item, update)
         case functools.partial():
             _add((value.func, value.args, value.keywords), update)
         case Scene() | Ladder() | FunctionType():
@@ -81,14 +70,32 @@ def _add(value: Any, update: Callable[[bytes], None]) -> None:
                 raise UnhashableError(f"{value!r} belongs to no module")
             put("code", f"{module} {getattr(value, '__qualname__', '')} ".encode())
             put("sources", source_hash(module))
+        case tuple() | list():
+            put("sequence", str(len(value)).encode())
+            for item in value:
+                _add(item, update)
         case _ if getattr(value, "cache_key", b""):
             put("cached", value.cache_key)
-        case _ if is_dataclass(value):
+        case _ if is_dataclass(value) and not isinstance(value, type):
             put("dataclass", type(value).__qualname__.encode())
-            for each in fields(value):
-                _add(getattr(value, each.name), update)
+            for name in _field_names(type(value)):
+                _add(getattr(value, name), update)
+        case Mapping():
+            put("mapping", str(len(value)).encode())
+            for key, item in value.items():
+                _add(key, update)
+                _add(item, update)
+        case Set():
+            put("set", b"".join(sorted(hash_of(item) for item in value)))
+        case Sequence():
+            _add(tuple(value), update)
         case _:
             raise UnhashableError(f"{type(value).__qualname__}; legal: plain data")
+
+
+@functools.cache
+def _field_names(kind: type[Any]) -> tuple[str, ...]:
+    return tuple(each.name for each in fields(kind))
 
 
 def module_of(value: object) -> str | None:
@@ -97,8 +104,18 @@ def module_of(value: object) -> str | None:
     name = HOLDERS.get(type(value))
     if name is None:
         return getattr(value, "__module__", None)
+    known = sys.modules.get(_holders.get(id(value), ""))
+    if known and vars(known).get(name) is value:
+        return known.__name__
     modules = [module for module in [*sys.modules.values()] if module is not None]
-    return next((each.__name__ for each in modules if vars(each).get(name) is value), None)
+    found = next((each.__name__ for each in modules if vars(each).get(name) is value), None)
+    if found:
+        _holders[id(value)] = found
+    return found
+
+
+_holders: dict[int, str] = {}
+"""Modules that held a value when it was last looked for, by its identity."""
 
 
 @functools.cache

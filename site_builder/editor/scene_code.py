@@ -81,7 +81,7 @@ def _closure(keys: Iterable[str]) -> dict[str, dict[str, object]]:
     while waiting:
         key = waiting.pop(0)
         if key not in found:
-            uses = list(uses_of(key))
+            uses = uses_of(key)
             found[key] = {**_told(key), "uses": uses}
             waiting += uses
     return found
@@ -100,16 +100,17 @@ def _told(key: str) -> dict[str, object]:
     }
 
 
-def uses_of(key: str) -> Iterator[str]:
+def uses_of(key: str) -> list[str]:
     """The definitions of editable modules that a definition names, each once, in order."""
+    return [*_uses_of(key, import_module(key.partition(":")[0]))]
+
+
+@cache
+def _uses_of(key: str, _imported: ModuleType) -> tuple[str, ...]:
     name, _, own = key.partition(":")
     module = read_module(name)
-    seen = {key}
-    for mention in module.mentions[own]:
-        used = _resolve(module, mention)
-        if used and used not in seen:
-            seen.add(used)
-            yield used
+    used = dict.fromkeys(_resolve(module, mention) for mention in module.mentions[own])
+    return tuple(use for use in used if use not in ("", key))
 
 
 def _resolve(module: Module, mention: str) -> str:

@@ -10,6 +10,7 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
+from hashlib import blake2b
 from pathlib import Path
 
 from markupsafe import Markup
@@ -33,6 +34,12 @@ class Words:
     texts: Mapping[str, Text]
     figures: Mapping[str, str] = field(default_factory=dict)
     """Texts of figures in this language, by the texts that the scenes draw."""
+    cache_key: bytes = field(init=False, repr=False, compare=False)
+    """The hash of all texts, which the cache takes for that of the words."""
+
+    def __post_init__(self) -> None:
+        texts = repr((self.language, [*self.texts.items()], [*self.figures.items()]))
+        object.__setattr__(self, "cache_key", blake2b(texts.encode(), digest_size=20).digest())
 
     def __call__(self, key: str, **values: object) -> str:
         """The text with its placeholders filled. Raises `KeyError` where there is none."""

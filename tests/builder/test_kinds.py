@@ -73,7 +73,7 @@ def test_nothing_but_the_list_imports_a_kind_or_its_script(kind: QuestionKind) -
         if file.suffix in SOURCES and (HERE / kind.folder) not in file.parents
         if any(name in file.read_text(encoding="utf-8") for name in named)
     }
-    own_checks = {"site_builder/checks/figure_questions.py"}
+    own_checks = {"site_builder/checks/questions.py"}
     assert found - own_checks == {"site_builder/markdown/questions/kinds.py"}
 
 
