@@ -120,6 +120,8 @@ def _places(text: str) -> Iterator[tuple[Keys, int]]:
 
 def _keys(dotted: str) -> Keys:
     """``('a', 'b.c')`` of ``a."b.c"``."""
+    if re.fullmatch(r"[\w-]+", dotted):
+        return (dotted,)
     try:
         found: Any = tomllib.loads(f"{dotted} = 0")
     except tomllib.TOMLDecodeError:  # within a list that looks like one
