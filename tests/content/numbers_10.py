@@ -17,13 +17,13 @@ from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes._still_life_camera.rays import PITCH_MM
 from simulations.scenes.camera import scene as camera
 from site_builder.benchmarks.measurements import Measurements, read_measurements
-from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.text import Sources
 
 CHAPTER = "10-speed-and-accuracy"
 
 
 def measurements() -> Measurements:
-    return read_measurements(CONTENT.parent, Diagnostics())
+    return read_measurements(Sources(CONTENT.parent))
 
 
 def the_slope_of_the_fixed_point_s_map() -> Says:

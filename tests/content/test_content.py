@@ -19,13 +19,14 @@ from support.worked_numbers import CONTENT, Calculation, source
 
 from simulations.registry import LADDER_MODULES, load_ladder, load_scene
 from simulations.scenes.formation_pipeline.scene import SCENE as PIPELINE
+from site_builder.benchmarks.costs import read_stage_costs
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import Measurements, read_measurements
 from site_builder.benchmarks.record import close, finite
-from site_builder.benchmarks.stage_costs import read_stage_costs
 from site_builder.checks.questions import FEW_LETTERS
 from site_builder.diagnostics.diagnostic import Diagnostics
-from site_builder.sources.translations.labels import NUMBER, TEXT, read_labels
+from site_builder.files.text import Sources
+from site_builder.sources.translations.files import LABELLED, NUMBER, read_labels
 
 ROOT = CONTENT.parent
 CHAPTERS = sorted(file.stem for file in CONTENT.glob("*.md"))
@@ -107,7 +108,7 @@ def test_no_question_gives_its_answer_away_by_the_length_of_the_key(chapter: str
 @pytest.fixture(scope="module")
 def measured() -> Measurements:
     problems = Diagnostics()
-    found = read_measurements(ROOT, problems)
+    found = read_measurements(Sources(ROOT, problems))
     assert not problems, problems.found
     return found
 
@@ -155,11 +156,11 @@ SAME = {"Pose", "Sensor", "# · sRGB(# / #) = #"}
 
 
 def test_every_text_of_the_translated_figure_is_translated() -> None:
-    labels = read_labels(ROOT, "de", Diagnostics())
+    labels = read_labels(Sources(ROOT), "de")
     said: set[str] = set()
     for station, again in product(range(8), range(4)):
         frame = frame_of(PIPELINE, station=float(station), again=again)
-        drawn = chain.from_iterable(TEXT.findall(panel.overlay) for panel in frame.panels)
+        drawn = chain.from_iterable(LABELLED.findall(panel.overlay) for panel in frame.panels)
         said |= {NUMBER.sub("#", text.strip()) for text in (frame.description, *drawn)}
     assert {text for text in said if any(map(str.isalpha, text))} <= labels.keys() | SAME
     assert sum("Chance" in text for text in said) == 2, "errors of reading of either sign"

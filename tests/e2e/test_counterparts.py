@@ -29,8 +29,7 @@ from site_builder.benchmarks.charts import linear_axis, log_axis
 from site_builder.benchmarks.quantities import milliseconds, with_unit
 from site_builder.languages.words import ENGLISH
 from site_builder.markdown.text.math import to_mathml
-from site_builder.output.font_faces import MATHS_FACES
-from site_builder.output.fonts import cut, source_file
+from site_builder.output.fonts import MATHS_FACES, cut, source_file
 from site_builder.pages.views.control import value_text
 from site_builder.pages.views.simulation import count_stages, reason_text
 
