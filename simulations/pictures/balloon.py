@@ -61,7 +61,7 @@ def balloon(window: Window = WHOLE) -> NDArray[np.float32]:
 
 
 def _sky(picture: Floats, x: Floats, y: Floats) -> None:
-    """From deep blue to a warm haze, with the glow of a low sun at the left."""
+    """A sky from deep blue to a warm haze, with the glow of a low sun at the left."""
     down = np.clip(y[..., :1] / HORIZON, 0, 1)[..., None]
     picture[:] = (1 - down) * _colour("#3f7fc9") + down * _colour("#ffe3b8")
     from_sun = (x - 42) ** 2 + (y - 96) ** 2

@@ -41,8 +41,7 @@ CHART = (0.35, 1.12, 1.9, 1.3)
 """Test chart on the wall: x and z of its centre, width, height; metres."""
 
 OCCLUSION_REACH = 6.0
-"""In radii: beyond this distance a ball hides less than 1/36 of the surroundings, which is
-ignored."""
+"""Radii beyond which a ball hides less than 1/36 of the surroundings, which is ignored."""
 
 FLOOR_LIGHT, FLOOR_DARK = np.array([0.60, 0.55, 0.47]), np.array([0.17, 0.13, 0.11])
 WALL, GROOVE = np.array([0.33, 0.42, 0.43]), np.array([0.20, 0.26, 0.27])
@@ -170,9 +169,8 @@ def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> 
 def windows_between(
     points: Floats, corners: Iterable[tuple[Floats, Floats]]
 ) -> Iterator[Window | None]:
-    """For each pair of corners (low, high), the rows and columns of the points (H, W, 3) whose x
-    and y are between them. A comparison with the bounds of all points comes first, as it is
-    fast."""
+    """Rows and columns of the points (H, W, 3) whose x and y are between two corners (low, high),
+    for each pair. A comparison with the bounds of all points comes first, as it is fast."""
     x, y = points[..., 0], points[..., 1]
     left, right, front, back = x.min(), x.max(), y.min(), y.max()
     for low, high in corners:

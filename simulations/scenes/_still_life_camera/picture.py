@@ -121,5 +121,5 @@ def enlarge(overlaid: Planes, reduction: float) -> Planes:
 
 
 def in_focus(largest_blur: float) -> str:
-    """Why the picture needs no blur if its widest disc is ``largest_blur`` pixels; else empty."""
+    """The reason to leave out the blur, if the widest disc is ``largest_blur`` px; else empty."""
     return f"no disc is wider than {SHARP_PX} px" if largest_blur <= SHARP_PX else ""

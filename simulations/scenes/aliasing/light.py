@@ -130,7 +130,7 @@ class OwnLight:
     grey: Floats
     """(H, W) luminance."""
     detail: Floats
-    """As in `Own`."""
+    """(m,) the spectrum: see `Own`."""
 
 
 @dataclass(frozen=True, slots=True)

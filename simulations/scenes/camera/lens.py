@@ -125,7 +125,7 @@ class LensMap:
 def lens_map(
     straight: Rays, focal_length: float, focus: float, k1: float, reduction: int
 ) -> LensMap:
-    """Where each pixel of the sensor finds its light in the picture that ``straight`` rays make."""
+    """Place of each pixel's light in the picture that ``straight`` rays make."""
     rows, columns = (size * reduction for size in straight.valid.shape)
     pitch = PITCH_MM / principal_mm(focal_length, focus)
     x, y = (np.arange(COLUMNS // 2) + 0.5) * pitch, (np.arange(ROWS // 2) + 0.5) * pitch

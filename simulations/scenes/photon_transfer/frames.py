@@ -112,7 +112,7 @@ def read_cells(mosaic: Mosaic, facts: Facts) -> Mapping[str, Any]:
 
 
 def middle_of[T: np.generic](codes: NDArray[T]) -> NDArray[T]:
-    """From an even row and column on, so that the cells of a mosaic keep their names."""
+    """The middle, from an even row and column on, so that cells of a mosaic keep their names."""
     top, left = (max(side - KEPT_SIDE, 0) // 4 * 2 for side in codes.shape[:2])
     return np.ascontiguousarray(codes[top : top + KEPT_SIDE, left : left + KEPT_SIDE])
 
@@ -137,7 +137,7 @@ class Kept:
     highest: int = HIGHEST
     """The largest code."""
     black: Mapping[str, float] = field(default_factory=dict)
-    """Code without light of each plane, if the file says."""
+    """Code without light of each plane, if the file gives it."""
 
 
 def kept_of(reading: Reading) -> Kept:
@@ -166,9 +166,9 @@ class Frames:
 
     planes: Mapping[str, tuple[Pair, ...]]
     names: tuple[tuple[str, str], ...]
-    """Of the two files of each pair."""
+    """Names of the two files of each pair."""
     numbers: tuple[tuple[int, int], ...]
-    """Of the two photographs of each pair; none are simulated."""
+    """Numbers of the two photographs of each pair; none if they are simulated."""
     left_over: int
     """Photographs without a partner."""
     highest: int
@@ -176,7 +176,7 @@ class Frames:
     response: Floats | None
     """(highest + 1,) light of each code in DN; ``None`` if they are in proportion."""
     black: Mapping[str, float]
-    """Code without light of each plane, where the files say."""
+    """Code without light of each plane, where the files give it."""
 
     @property
     def is_simulated(self) -> bool:
@@ -197,7 +197,7 @@ class Measured:
 
     levels: tuple[Level, ...]
     black_dn: float
-    """Code without light: 0 in an sRGB file, in a raw file what that says, and otherwise the mean
+    """Code without light: 0 in an sRGB file, in a raw file as stated there, and otherwise the mean
     of the darkest pair."""
     span_dn: float
     """Codes above black."""

@@ -28,7 +28,7 @@ HEAD = (
 
 
 def estimates_of(sensor: SensorEstimate) -> Mapping[str, Estimate]:
-    """By the names of the readouts."""
+    """Estimates by the names of the readouts."""
     return {
         "gain": sensor.gain,
         "read": sensor.read_noise,

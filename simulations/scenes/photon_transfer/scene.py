@@ -97,7 +97,7 @@ def pattern(measured: Measured, estimate: SensorEstimate, simulated: bool) -> It
 
 
 def plot_of(measured: Measured, values: Floats, highest: float) -> Plot:
-    """From 0 to the highest value, or a fixed one."""
+    """Axes from 0 to the highest value, or to a fixed one."""
     if not highest:
         highest = float(np.max(values, initial=0.0)) or 1.0
     return Plot(Axis(0.0, measured.span_dn, LEFT, RIGHT), Axis(0.0, highest, FOOT, TOP))

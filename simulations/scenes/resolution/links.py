@@ -42,12 +42,12 @@ class Settings:
 
     @property
     def nyquist(self) -> float:
-        """In cycles/mm."""
+        """Nyquist frequency of the pixels, cycles/mm."""
         return nyquist_per_mm(self.pitch)
 
     @property
     def cutoff(self) -> float:
-        """In cycles/mm."""
+        """Cut-off frequency of the lens, cycles/mm."""
         return diffraction.cutoff_per_mm(self.wavelength / 1000.0, self.aperture)
 
     @property
@@ -91,7 +91,7 @@ def links(settings: Settings, lens: Lens, frequency_per_mm: Floats | float) -> L
 
 
 def mtf50(settings: Settings, lens: Lens) -> float:
-    """In cycles/mm."""
+    """Frequency at which half of the contrast is left, cycles/mm."""
     return first_fall(FINE, np.abs(links(settings, lens, FINE).together), 0.5)
 
 

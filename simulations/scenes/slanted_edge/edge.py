@@ -84,7 +84,7 @@ class Box:
     per_unit: float
     """Pixels of the picture per unit of the panel."""
     corner: tuple[float, float]
-    """Where the picture's upper left corner is in the panel."""
+    """Place of the picture's upper left corner in the panel."""
 
     @property
     def size(self) -> tuple[int, int]:
@@ -124,7 +124,7 @@ class Sharpness:
     error: Floats
     """(51,) its standard error."""
     refusal: str = ""
-    """What is wrong with the rectangle; empty if nothing is."""
+    """The fault of the rectangle; empty if there is none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,7 +193,7 @@ def chosen_box(codes: Codes, x: float, y: float, width: float, height: float) ->
 
 
 def edge_pixels(codes: Codes, box: Box, response: str) -> EdgePixels | str:
-    """The pixels of the edge in the rectangle, or what is wrong with it."""
+    """The pixels of the edge in the rectangle, or the fault of the rectangle."""
     cut = codes[box.top : box.bottom, box.left : box.right]
     try:
         return locate_edge(light_of_codes(cut, srgb=response == "srgb"))

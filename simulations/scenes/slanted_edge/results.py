@@ -109,7 +109,7 @@ def lines_of(
 
 
 def pitch_by_file(photograph: Photograph | None) -> Iterable[Readout]:
-    """For a photograph whose file gives the focal length and its full-frame equivalent."""
+    """The pixel pitch, if the file gives the focal length and its full-frame equivalent."""
     names = ("focal_mm", "focal_35mm_mm", "full_width", "full_height")
     facts = {} if photograph is None else photograph.facts
     given = [float(facts[name]) for name in names if name in facts]

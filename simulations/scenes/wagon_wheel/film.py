@@ -56,7 +56,7 @@ class Settings:
 
     @property
     def turn_per_frame(self) -> float:
-        """In radians."""
+        """Turn of the wheel, radians."""
         return 2 * math.pi * self.speed / self.frame_rate
 
     @property
