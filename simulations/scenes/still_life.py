@@ -22,18 +22,16 @@ from simulations.models.projection import pinhole
 from simulations.pictures.still_life.depth import depth_met
 from simulations.pictures.still_life.light import LitScene
 from simulations.pictures.still_life.things import THINGS, thing_depth
-from simulations.scenes._still_life_camera.focus_plane import (
+from simulations.scenes._still_life_camera import (
     HANDLE_TANGENT,
-    floor_tangent,
-    line_on_floor,
-)
-from simulations.scenes._still_life_camera.picture import (
+    Rays,
     blur_layers,
     find_surfaces,
+    floor_tangent,
     light_surfaces,
+    line_on_floor,
     overlay,
 )
-from simulations.scenes._still_life_camera.rays import Rays
 
 DRAFT = "draft"  # the picture while a control moves
 COLUMNS, DRAFT_COLUMNS = 800, 400  # pixels across; half as many down

@@ -13,7 +13,7 @@ from simulations.models.lens.thin_lens import (
     principal_distance_mm,
 )
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
-from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS, sensor_rays
+from simulations.scenes._still_life_camera import COLUMNS, PITCH_MM, ROWS, sensor_rays
 from simulations.scenes.camera.lens import bend_rays
 from simulations.scenes.depth_of_field.stages import sharpness
 

@@ -14,7 +14,7 @@ from simulations.models.distortion.lens_model import (
 )
 from simulations.models.light.raycasting import Sphere
 from simulations.pictures.still_life.things import THINGS, thing_depth
-from simulations.scenes._still_life_camera.rays import PITCH_MM
+from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.camera import scene as camera
 from site_builder.benchmarks.measurements import Measurements, read_measurements
 from site_builder.files.text import Sources

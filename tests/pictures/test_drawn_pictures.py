@@ -19,7 +19,7 @@ from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
 from simulations.pictures.still_life.depth import depth_met
 from simulations.pictures.still_life.surfaces import surfaces
 from simulations.pictures.still_life.things import view
-from simulations.scenes._still_life_camera.rays import COLUMNS, ROWS, sensor_rays
+from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
 
 
 def test_it_is_drawn_once_for_all_figures_and_cannot_be_written_to() -> None:

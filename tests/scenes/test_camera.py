@@ -13,8 +13,8 @@ from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
 from simulations.models.sampling.cubic_warp import warp
 from simulations.pictures.still_life import things as still_life
-from simulations.scenes._still_life_camera import rays as camera_rays
-from simulations.scenes._still_life_camera.rays import COLUMNS, PITCH_MM, ROWS, Rays, principal_mm
+from simulations.scenes import _still_life_camera as camera_rays
+from simulations.scenes._still_life_camera import COLUMNS, PITCH_MM, ROWS, Rays, principal_mm
 from simulations.scenes.camera import lens as camera_lens
 from simulations.scenes.camera.lens import SUBJECT_M, LensMap, after_step, blur_of, view_of
 from simulations.scenes.camera.scene import SCENE

@@ -12,7 +12,7 @@ from simulations.engine.stages import StageCache
 from simulations.models.lens import thin_lens
 from simulations.models.lens.depth_of_field import Layer
 from simulations.pictures.still_life.light import LitScene
-from simulations.scenes._still_life_camera.rays import PITCH_MM
+from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.depth_of_field.scene import (
     LARGEST_DRAWN_PX,
     SCENE,

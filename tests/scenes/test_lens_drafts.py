@@ -9,7 +9,7 @@ from support.frames import computed_in, frame_of, pixels_of
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.models.error_measures import root_mean_square
-from simulations.scenes._still_life_camera.picture import SCALED
+from simulations.scenes._still_life_camera import SCALED
 from simulations.scenes.camera.scene import SCENE as CAMERA
 from simulations.scenes.camera.stages import BOWED
 from simulations.scenes.depth_of_field.scene import SCENE as DEPTH_OF_FIELD

@@ -5,7 +5,7 @@ import pytest
 from support.frames import frame_of, outputs_of, pixels_of
 
 from simulations.pictures.still_life.things import THINGS, thing_depth
-from simulations.scenes._still_life_camera.focus_plane import floor_depth, floor_tangent
+from simulations.scenes._still_life_camera import floor_depth, floor_tangent
 from simulations.scenes.still_life import (
     COLUMNS,
     DRAFT,

@@ -18,7 +18,7 @@ from simulations.models.distortion.lens_model import (
 )
 from simulations.models.sampling.cubic_warp import CubicWarp, cubic_warp, warp
 from simulations.pictures.still_life.things import THINGS, thing_depth
-from simulations.scenes._still_life_camera.rays import (
+from simulations.scenes._still_life_camera import (
     COLUMNS,
     PITCH_MM,
     ROWS,

@@ -20,9 +20,9 @@ from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.light.raycasting import Box, Sphere
 from simulations.pictures.still_life.depth import depth_met
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, Thing
-from simulations.scenes._still_life_camera.picture import SCALED
-from simulations.scenes._still_life_camera.rays import (
+from simulations.scenes._still_life_camera import (
     PITCH_MM,
+    SCALED,
     SENSOR_HEIGHT_MM,
     SENSOR_WIDTH_MM,
     principal_mm,

@@ -20,8 +20,12 @@ from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.models.pixel_grid import centred
 from simulations.models.sensor import photon_counting
-from simulations.scenes._still_life_camera.picture import (
+from simulations.scenes._still_life_camera import (
+    COLUMNS,
+    PITCH_MM,
+    ROWS,
     SCALED,
+    Rays,
     defocus,
     drawing_of,
     enlarge,
@@ -30,16 +34,10 @@ from simulations.scenes._still_life_camera.picture import (
     light_surfaces,
     mean_through_lens,
     overlay,
-    through_lens,
-)
-from simulations.scenes._still_life_camera.rays import (
-    COLUMNS,
-    PITCH_MM,
-    ROWS,
-    Rays,
     pinhole_rays,
     principal_mm,
     sensor_rays,
+    through_lens,
 )
 from simulations.scenes.camera import lens
 from simulations.scenes.camera.lens import STRONGEST_BARREL, Settings, after_step, blur_of

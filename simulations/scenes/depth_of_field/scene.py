@@ -20,14 +20,22 @@ from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
 from simulations.pictures.still_life.depth import depth_met
-from simulations.scenes._still_life_camera import rays
-from simulations.scenes._still_life_camera.focus_plane import HANDLE_TANGENT
-from simulations.scenes._still_life_camera.picture import SCALED, drawing_of
+from simulations.scenes._still_life_camera import (
+    COLUMNS,
+    HANDLE_TANGENT,
+    PITCH_MM,
+    ROWS,
+    SCALED,
+    SENSOR_HEIGHT_MM,
+    SENSOR_WIDTH_MM,
+    drawing_of,
+    principal_mm,
+)
 from simulations.scenes.depth_of_field import drawing, stages
 from simulations.scenes.depth_of_field.stages import HEIGHT, WIDTH
 
 LARGEST_DRAWN_PX = 48.0  # largest disc that is drawn: wider ones blur everything and take seconds
-UNLIT = np.full((round(rays.ROWS / stages.FINE), round(rays.COLUMNS / stages.FINE)), 0.35)
+UNLIT = np.full((round(ROWS / stages.FINE), round(COLUMNS / stages.FINE)), 0.35)
 """The picture if the lens forms none."""
 
 
@@ -71,7 +79,7 @@ def parameters(settings: Settings, tier: str) -> dict[str, Value] | None:
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     focal, f_number, focus = settings.focal_length, settings.aperture, settings.focus
-    hyperfocal_m = thin_lens.hyperfocal(focal, f_number, rays.PITCH_MM) / 1000
+    hyperfocal_m = thin_lens.hyperfocal(focal, f_number, PITCH_MM) / 1000
     if not settings.has_image:
         note = text((WIDTH / 2, HEIGHT / 2), "no real image", "strong ground", "middle")
         panels = side_by_side(drawing.virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
@@ -101,9 +109,9 @@ def readouts(sharp: stages.Sharpness | None, hyperfocal_m: float) -> tuple[Reado
     )
     rows = (
         ("near_mm", "Blur of the red ball", near, 3, "mm", "error"),
-        ("near_px", "Blur of the red ball", near / rays.PITCH_MM, 1, "px", "error"),
+        ("near_px", "Blur of the red ball", near / PITCH_MM, 1, "px", "error"),
         ("far_mm", "Blur of the wall", far, 3, "mm", "world"),
-        ("far_px", "Blur of the wall", far / rays.PITCH_MM, 1, "px", "world"),
+        ("far_px", "Blur of the wall", far / PITCH_MM, 1, "px", "world"),
         ("sensor", "Lens to sensor", image, 2, "mm", "camera"),
         ("near_limit", "Sharp from", limits[0], 2, "m", "ray"),
         ("far_limit", "Sharp to", limits[1], 2, "m", "ray"),
@@ -134,10 +142,10 @@ def describe(settings: Settings, sharp: stages.Sharpness) -> str:
     onwards = math.isinf(sharp.far_limit_m)
     reach = f"from {near_limit} m onwards" if onwards else f"from {near_limit} to {far_limit} m"
     near, far = (
-        format_number(blur / rays.PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
+        format_number(blur / PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
     )
     seen = " and ".join(
-        f"the {name} {'sharp' if blur <= rays.PITCH_MM else 'blurred'}"
+        f"the {name} {'sharp' if blur <= PITCH_MM else 'blurred'}"
         for name, blur in (("red ball", sharp.near_blur_mm), ("wall", sharp.far_blur_mm))
     )
     return (
@@ -174,9 +182,9 @@ def aimed(settings: Settings, place: Point) -> dict[str, Value]:
     """Focus on the thing at a place of the picture; not available without an image."""
     if not settings.has_image:
         return {}
-    across = (place[0] / WIDTH - 0.5) * rays.SENSOR_WIDTH_MM
-    down = (place[1] / HEIGHT - 0.5) * rays.SENSOR_HEIGHT_MM
-    principal = rays.principal_mm(settings.focal_length, settings.focus)
+    across = (place[0] / WIDTH - 0.5) * SENSOR_WIDTH_MM
+    down = (place[1] / HEIGHT - 0.5) * SENSOR_HEIGHT_MM
+    principal = principal_mm(settings.focal_length, settings.focus)
     return {"focus": depth_met((across / principal, down / principal, 1.0))}
 
 

@@ -26,26 +26,25 @@ from simulations.models.lens.depth_of_field import blur_by_depth
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life.light import LitScene
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
-from simulations.scenes._still_life_camera.focus_plane import floor_tangent, line_on_floor
-from simulations.scenes._still_life_camera.picture import (
-    SCALED,
-    defocus,
-    enlarge,
-    find_surfaces,
-    in_focus,
-    light_surfaces,
-    mean_through_lens,
-    overlay,
-    through_lens,
-)
-from simulations.scenes._still_life_camera.rays import (
+from simulations.scenes._still_life_camera import (
     PITCH_MM,
+    SCALED,
     SENSOR_WIDTH_MM,
     Rays,
     blur_px,
+    defocus,
+    enlarge,
+    find_surfaces,
+    floor_tangent,
+    in_focus,
     largest_blur_px,
+    light_surfaces,
+    line_on_floor,
+    mean_through_lens,
+    overlay,
     pinhole_rays,
     principal_mm,
+    through_lens,
 )
 
 WIDTH, HEIGHT = 420.0, 280.0  # view box of the picture, and of the lens
