@@ -162,6 +162,8 @@ def test_a_label_makes_room_for_curves_and_other_labels() -> None:
     others = Label((200, 150), "peak", others=[(50, 150)])
     (box,) = boxes([others], taken=[Rectangle(100, 0, 400, 300)])
     assert box.right < 100
+    (box,) = boxes([Label((396, 150), "radius in the image", prefer="above")])
+    assert box.left < 396 < box.right <= 400
 
 
 def test_a_label_that_is_crowded_away_from_its_point_has_a_leader() -> None:
