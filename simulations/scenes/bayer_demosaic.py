@@ -80,6 +80,11 @@ def light(picture: str, photograph: Photograph | None) -> Floats:
     return SUBJECTS[picture].draw(balloon.WHOLE)
 
 
+def through_mosaic(picture: Floats) -> Floats:
+    """The mosaic (H, W), one colour per cell."""
+    return mosaic(picture, PATTERN)
+
+
 def reconstruct(cfa: Floats, method: str) -> Floats:
     """The full picture in linear light, clipped to [0, 1]."""
     return np.clip(demosaicing.demosaic(cfa, PATTERN, method), 0, 1)
@@ -104,6 +109,14 @@ def cells(cfa: Floats) -> Raster:
     return to_rgba8(encode_srgb(through_filters(cfa, PATTERN)))
 
 
+def picture_bytes(shown: Floats) -> Raster:
+    return to_rgba8(shown)
+
+
+def amplified(errors: Errors) -> Raster:
+    return to_rgba8(AMPLIFY * errors.absolute)
+
+
 def wipe(reconstruction: Raster, cells: Raster, split: float) -> Raster:
     return wiped(reconstruction, cells, split)
 
@@ -119,7 +132,7 @@ def no_mosaic(split: float) -> str:
 
 STAGES = (
     Stage("picture", light),
-    Stage("mosaic", lambda picture: mosaic(picture, PATTERN), ("picture",)),
+    Stage("mosaic", through_mosaic, ("picture",)),
     Stage("shown picture", encode_srgb, ("picture",)),
     Stage("shared detail", shared_detail, ("picture",)),
     Stage("demosaic", reconstruct, ("mosaic",)),
@@ -127,10 +140,10 @@ STAGES = (
     Stage("error", compare, ("picture", "demosaic", "shown picture", "display")),
     # As bytes for the page, which stay cached while the loupe moves.
     Stage("bytes of the mosaic", cells, ("mosaic",)),
-    Stage("bytes of the reconstruction", lambda shown: to_rgba8(shown), ("display",)),
+    Stage("bytes of the reconstruction", picture_bytes, ("display",)),
     Stage("wipe", wipe, ("bytes of the reconstruction", "bytes of the mosaic")),
     Stage("doubled", twice, ("wipe",), neutral=no_mosaic),
-    Stage("bytes of the error", lambda errors: to_rgba8(AMPLIFY * errors.absolute), ("error",)),
+    Stage("bytes of the error", amplified, ("error",)),
 )
 
 
