@@ -26,7 +26,7 @@ from simulations.models.sensor.bayer import mosaic, through_filters
 from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures import balloon
 from simulations.pictures.mosaic_subjects import SUBJECTS
-from simulations.scenes._wipe.wipe import over_wipe, wipe_handle, wiped
+from simulations.scenes._wipe import over_wipe, wipe_handle, wiped
 
 PATTERN = "RGGB"
 METHOD_LABELS = {
@@ -252,36 +252,38 @@ def enlarged_pulled(_settings: Settings, place: Point) -> dict[str, float]:
     return {"column": -place[0] / CELL, "row": -place[1] / CELL}
 
 
+PLACE = ("column", "row")
+HANDLES: tuple[Handle[Settings], ...] = (
+    wipe_handle("picture", "split", WIDTH, HEIGHT),
+    Handle(
+        "loupe-picture",
+        "picture",
+        "Loupe",
+        PLACE,
+        loupe_at,
+        loupe_pulled,
+        "press",
+        "camera",
+        ("row",),
+    ),
+    Handle(
+        "enlarged",
+        "loupe",
+        "Picture under the loupe",
+        PLACE,
+        enlarged_at,
+        enlarged_pulled,
+        "drag",
+        reversed=("column",),
+    ),
+)
 SCENE = Scene(
     "bayer-demosaic",
     "Bayer Pattern",
     Settings,
     draw,
     STAGES,
-    (
-        wipe_handle("picture", "split", WIDTH, HEIGHT),
-        Handle(
-            "loupe-picture",
-            "picture",
-            "Loupe",
-            ("column", "row"),
-            loupe_at,
-            loupe_pulled,
-            "press",
-            "camera",
-            ("row",),
-        ),
-        Handle(
-            "enlarged",
-            "loupe",
-            "Picture under the loupe",
-            ("column", "row"),
-            enlarged_at,
-            enlarged_pulled,
-            "drag",
-            reversed=("column",),
-        ),
-    ),
+    HANDLES,
     (balloon.WIDTH, balloon.HEIGHT),
     ladder="demosaicing",
     estimate=estimate,

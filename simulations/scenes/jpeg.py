@@ -40,7 +40,7 @@ from simulations.models.error_measures import psnr_db
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
 from simulations.pictures.balloon import balloon
-from simulations.scenes._wipe.wipe import over_wipe, wipe_handle, wiped
+from simulations.scenes._wipe import over_wipe, wipe_handle, wiped
 
 type Codes = NDArray[np.integer]
 

@@ -220,27 +220,19 @@ def ring_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"frequency": ratio / radius if radius > 0 else math.inf}
 
 
+def wave_at(settings: Settings, _outputs: Outputs) -> Point:
+    return drawing.SPECTRUM.at(settings.frequency, 1.0)
+
+
+def fold_at(settings: Settings, _outputs: Outputs) -> Point:
+    return drawing.SPECTRUM.at(NYQUIST * settings.rate, 0.0)
+
+
+F = ("frequency",)
 # The pulls save a search that would sample a picture for each frequency.
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle(
-        "frequency",
-        "spectrum",
-        "Frequency",
-        ("frequency",),
-        lambda settings, _: drawing.SPECTRUM.at(settings.frequency, 1.0),
-        reach="press",
-        role="world",
-    ),
-    Handle(
-        "crest",
-        "row",
-        "Crest of the wave",
-        ("frequency",),
-        crest_at,
-        crest_pulled,
-        role="world",
-        reversed=("frequency",),
-    ),
+    Handle("frequency", "spectrum", "Frequency", F, wave_at, None, "press", "world"),
+    Handle("crest", "row", "Crest of the wave", F, crest_at, crest_pulled, "mark", "world", F),
     Handle(
         "stripes",
         "picture",
@@ -249,19 +241,11 @@ HANDLES: tuple[Handle[Settings], ...] = (
         stripes_at,
         stripes_pulled,
         "drag",
-        reversed=("phase",),
+        "",
+        ("phase",),
     ),
-    Handle(
-        "ring", "picture", "Ring at Nyquist", ("frequency",), ring_at, ring_pulled, role="camera"
-    ),
-    Handle(
-        "nyquist",
-        "spectrum",
-        "Limit at Nyquist",
-        ("rate",),
-        lambda settings, _: drawing.SPECTRUM.at(NYQUIST * settings.rate, 0.0),
-        role="camera",
-    ),
+    Handle("ring", "picture", "Ring at Nyquist", F, ring_at, ring_pulled, role="camera"),
+    Handle("nyquist", "spectrum", "Limit at Nyquist", ("rate",), fold_at, role="camera"),
 )
 SCENE = Scene(
     "aliasing",

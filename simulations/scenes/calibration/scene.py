@@ -31,7 +31,7 @@ from simulations.models.calibration.bundle_adjustment import descend
 from simulations.models.calibration.exports import Maker, Report
 from simulations.models.calibration.standard_errors import rms_of_each
 from simulations.models.calibration.undistorted import undistorted
-from simulations.scenes._wipe.wipe import wiped
+from simulations.scenes._wipe import wiped
 from simulations.scenes.calibration import drawing
 from simulations.scenes.calibration.boards import LEAST, MOST, Boards, read
 from simulations.scenes.calibration.stages import DRAFT, STAGES, Errors, Result, Shown, Trials

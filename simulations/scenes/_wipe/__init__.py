@@ -1,1 +1,0 @@
-"""A wipe between two pictures, shared by figures that compare them."""
