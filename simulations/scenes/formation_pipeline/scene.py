@@ -15,7 +15,7 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.drafting import swatch
 from simulations.engine.frame import Frame, Panel, readout
-from simulations.engine.handles import Handle
+from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage
@@ -30,7 +30,6 @@ from simulations.scenes.formation_pipeline.stations import (
     travel,
 )
 
-type Point = tuple[float, float]
 type Legs = tuple[tuple[Point, ...], ...]
 
 LAST_STATION = 7.0

@@ -14,15 +14,13 @@ import numpy as np
 
 from simulations.engine.drawing import dot, ellipse, line, path, polygon, rectangle, text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
-from simulations.engine.handles import Handle
+from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import focal_length_mm, lateral_chromatic_scale
 from simulations.scenes.lens_aberrations import stages
-
-type Place = tuple[float, float]
 
 CORNER_PX = 200.0  # from the centre to the corners
 WIDTH, HEIGHT = 400.0, 300.0
@@ -47,7 +45,7 @@ class Settings:
     natural: bool = toggle("Natural vignetting, cos⁴", True)
 
 
-def at(along_mm: float, up_mm: float) -> Place:
+def at(along_mm: float, up_mm: float) -> Point:
     """A place behind the lens and above the axis."""
     return LENS_X + UNITS_PER_MM * along_mm, AXIS_Y - UNITS_PER_MM * up_mm
 
@@ -57,16 +55,16 @@ def opening_mm(f_number: float) -> float:
     return stages.FOCAL_MM / f_number / 2.0
 
 
-def stop_mark(settings: Settings, _outputs: Outputs) -> Place:
+def stop_mark(settings: Settings, _outputs: Outputs) -> Point:
     return at(-settings.stop, BLADE_MM)
 
 
-def opening_mark(settings: Settings, _outputs: Outputs) -> Place:
+def opening_mark(settings: Settings, _outputs: Outputs) -> Point:
     """The lower edge of the opening."""
     return at(-settings.stop, -opening_mm(settings.aperture))
 
 
-def rim_mark(settings: Settings, _outputs: Outputs) -> Place:
+def rim_mark(settings: Settings, _outputs: Outputs) -> Point:
     return at(-settings.stop - settings.rim, -TUBE_MM)
 
 
@@ -113,7 +111,7 @@ def height_at(height: float, stop: float, along: float) -> float:
     return height - stop - along
 
 
-def start(height: float, stop: float) -> Place:
+def start(height: float, stop: float) -> Point:
     """Where a ray enters the drawing: at the top, or at the left."""
     along = max(height - stop - LENS_MM, -LENS_X / UNITS_PER_MM + 1.0)
     return at(along, height_at(height, stop, along))
@@ -132,7 +130,7 @@ def bundle(low: float, high: float, stop: float) -> Iterator[str]:
         yield path(zip(ends, seen, strict=True), "light thin dashed")
 
 
-def refracted(height: float, stop: float, shift: float) -> tuple[Place, Place]:
+def refracted(height: float, stop: float, shift: float) -> tuple[Point, Point]:
     """The light from the lens to the sensor, where light of the d line meets in one point."""
     in_lens = height_at(height, stop, 0.0)
     return at(0.0, in_lens), at(stages.FOCAL_MM, shift * in_lens - stages.FOCAL_MM)
