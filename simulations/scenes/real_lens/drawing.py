@@ -12,6 +12,7 @@ from simulations.engine.drawing import dot, line, path, polygon, polyline, text
 from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.arrays import Floats
 from simulations.models.lens import singlet
+from simulations.models.lens.singlet import Rays, sag_mm
 
 WIDTH, HEIGHT = 400.0, 300.0
 AXIS_Y = HEIGHT / 2
@@ -89,14 +90,12 @@ def fan_heights(opening: float) -> Floats:
     return np.concatenate((-upper[::-1], upper))
 
 
-def is_stopped(height: float, opening: float, ray: singlet.Rays) -> bool:
+def is_stopped(height: float, opening: float, ray: Rays) -> bool:
     """Whether the marked ray reaches the glass but not the opening."""
     return height > opening and bool(ray.fate[0] != singlet.MISSES)
 
 
-def from_side(
-    glass: Glass, fan: singlet.Rays, marked: singlet.Rays, height: float, opening: float
-) -> str:
+def from_side(glass: Glass, fan: Rays, marked: Rays, height: float, opening: float) -> str:
     """The glass, the opening, the fan of rays, and the marked one over them."""
     view, heights = section_for(glass.distance_mm), fan_heights(opening)
     return "".join(
@@ -118,7 +117,7 @@ def from_side(
 
 
 def marked_ray(
-    view: Section, glass: Glass, marked: singlet.Rays, height: float, opening: float
+    view: Section, glass: Glass, marked: Rays, height: float, opening: float
 ) -> Iterator[str]:
     """The marked ray to its end, or to the opening if that stops it, and why it ends."""
     (way,) = ways(view, glass, marked, np.array([height]))
@@ -146,7 +145,7 @@ def surface_mark(
 ) -> tuple[float, float]:
     """The handle of a surface, whose curvature is in 1/m, positive outwards: of the front below
     the axis, of the back above."""
-    along = thickness / 2.0 - float(singlet.sag_mm(bulge / 1000.0, MARK_MM))
+    along = thickness / 2.0 - float(sag_mm(bulge / 1000.0, MARK_MM))
     side = -1.0 if front else 1.0
     return section_for(distance_mm).at(side * along, side * MARK_MM)
 
@@ -160,14 +159,14 @@ def object_mark(distance_mm: float) -> tuple[float, float] | None:
 def outline(view: Section, glass: Glass) -> list[tuple[float, float]]:
     lens, half = glass.lens, glass.lens.thickness_mm / 2.0
     heights = np.linspace(-glass.rim_mm, glass.rim_mm, 41)
-    front = singlet.sag_mm(lens.front_per_mm, heights) - half
-    back = singlet.sag_mm(lens.back_per_mm, heights) + half
+    front = sag_mm(lens.front_per_mm, heights) - half
+    back = sag_mm(lens.back_per_mm, heights) + half
     there = [view.at(x, h) for x, h in zip(front, heights, strict=True)]
     return there + [view.at(x, h) for x, h in zip(back[::-1], heights[::-1], strict=True)]
 
 
 def ways(
-    view: Section, glass: Glass, rays: singlet.Rays, heights: Floats
+    view: Section, glass: Glass, rays: Rays, heights: Floats
 ) -> list[list[tuple[float, float]]]:
     """Each ray from the left to its end, or to the border of the panel."""
     drawn = []
@@ -194,7 +193,7 @@ def at_border(view: Section, place: tuple[float, float], slope: float) -> tuple[
     return x + along, y + slope * along
 
 
-def failures(view: Section, rays: singlet.Rays, heights: Floats, radius: float) -> Iterator[str]:
+def failures(view: Section, rays: Rays, heights: Floats, radius: float) -> Iterator[str]:
     """A mark where a ray ends."""
     for fate, front, back, height in zip(rays.fate, rays.front, rays.back, heights, strict=True):
         if fate != singlet.PASSES:
@@ -203,7 +202,7 @@ def failures(view: Section, rays: singlet.Rays, heights: Floats, radius: float) 
             yield dot(view.at(*place), "error", radius)
 
 
-def normals(view: Section, glass: Glass, marked: singlet.Rays) -> Iterator[str]:
+def normals(view: Section, glass: Glass, marked: Rays) -> Iterator[str]:
     """The normals of the glass at the points where the marked ray is refracted."""
     half = glass.lens.thickness_mm / 2.0
     front = marked.front[0], glass.lens.front_per_mm, -half
@@ -227,7 +226,7 @@ def marks(view: Section, glass: Glass, height: float, opening: float) -> Iterato
         mark = surface_mark(far, bulge, lens.thickness_mm, front=side < 0)
         if glass.rim_mm < MARK_MM:  # the surface from the rim to its handle
             heights = side * np.linspace(glass.rim_mm, MARK_MM, 9)
-            along = side * lens.thickness_mm / 2.0 + singlet.sag_mm(per_mm, heights)
+            along = side * lens.thickness_mm / 2.0 + sag_mm(per_mm, heights)
             beyond = [view.at(x, h) for x, h in zip(along, heights, strict=True)]
             yield polyline(beyond, "camera thin dashed")
         yield dot(mark, "camera", 5)
@@ -261,7 +260,7 @@ def opening_mark(opening: float) -> tuple[float, float]:
     return RIGHT - 10.0, HEIGHTS.place(opening)
 
 
-def close(glass: Glass, fan: singlet.Rays, marked: singlet.Rays | None) -> str:
+def close(glass: Glass, fan: Rays, marked: Rays | None) -> str:
     """The rays around the image; heights are drawn larger than lengths. ``marked`` is None if that
     ray is stopped."""
     plot = plot_of(glass, ASIDE)
@@ -276,9 +275,7 @@ def close(glass: Glass, fan: singlet.Rays, marked: singlet.Rays | None) -> str:
     return "".join(parts)
 
 
-def aberration(
-    glass: Glass, curve: Floats, height: float, marked: singlet.Rays, opening: float
-) -> str:
+def aberration(glass: Glass, curve: Floats, height: float, marked: Rays, opening: float) -> str:
     """Places where rays cross the axis, by their height: a real lens, and the two lines of the
     models."""
     plot = plot_of(glass, HEIGHTS)
@@ -299,7 +296,7 @@ def aberration(
     return "".join(parts)
 
 
-def curve_mark(glass: Glass, marked: singlet.Rays, height: float) -> tuple[float, float]:
+def curve_mark(glass: Glass, marked: Rays, height: float) -> tuple[float, float]:
     """The marked ray in the third panel, on the axis of heights if it does not cross."""
     plot = plot_of(glass, HEIGHTS)
     crosses = crosses_within(plot, marked) if glass.real else None
@@ -333,19 +330,19 @@ def model_images(glass: Glass, plot: Plot) -> Iterator[str]:
             yield text(place, name, f"{role} small ground", "end" if before else "start")
 
 
-def crosses_within(plot: Plot, marked: singlet.Rays) -> float | None:
+def crosses_within(plot: Plot, marked: Rays) -> float | None:
     """The point where the marked ray crosses the axis, if it is within the plot."""
     along = float(marked.crossing_mm[0])
     return along if plot.x.low <= along <= plot.x.high else None
 
 
-def crossing(plot: Plot, marked: singlet.Rays, height: float) -> Iterator[str]:
+def crossing(plot: Plot, marked: Rays, height: float) -> Iterator[str]:
     along = crosses_within(plot, marked)
     if along is not None:
         yield dot(plot.at(along, height), "ray", 5)
 
 
-def behind_lens(glass: Glass, plot: Plot, rays: singlet.Rays, style: str) -> str:
+def behind_lens(glass: Glass, plot: Plot, rays: Rays, style: str) -> str:
     """The part of each ray behind the lens, clipped to the second panel."""
     behind = max(plot.x.low, glass.lens.thickness_mm / 2.0)
     runs = []
