@@ -1,8 +1,9 @@
 """Markdown and what becomes of it: each case in a file of this folder is a test.
 
-A case begins with ``======== what it shows``. Its text is the first chapter of a little book, below
-the front matter. ``++++++++ FILE`` begins another file of that book, and ``++++++++ end of FILE``
-more lines of a file that the book has. A line ``^^^ MESSAGE`` stands below the line of which that
+A case begins with ``======== what it shows``. Its text is the first chapter of a little book.
+``++++++++ FILE`` begins another file of that book, and ``++++++++ end of FILE`` more lines of its
+outline. A chapter without front matter of its own has that of the book, unless it is the ``whole``
+of a file. A line ``^^^ MESSAGE`` stands below the line of which that
 is reported, and is the beginning of the message, behind ``warning:`` where it fails nothing; any
 other report fails the test.
 
@@ -24,7 +25,8 @@ from site_builder.build import Options
 
 HERE = Path(__file__).parent
 CHAPTER = "content/00-first.md"
-BOOK = {CHAPTER: FRONT, "content/book.toml": OUTLINE}
+OTHER = "---\ntitle: Second\nsummary: The second chapter.\n---\n"
+LISTED = re.compile(r"content/\d\d-\S+\.md")
 MARK = re.compile(r"^(={8} .+|\+{8} .+|-{8}(?: .+)?)\n", re.MULTILINE)
 REPORT = "^^^ "
 
@@ -59,9 +61,14 @@ def is_report(line: str) -> bool:
 def written(name: str, text: str) -> tuple[str, int]:
     """A file as the book has it, and how many lines stand before what the case says of it."""
     own = "".join(line for line in text.splitlines(keepends=True) if not is_report(line))
-    begun = name == CHAPTER and not own.startswith("---\n")
-    before = BOOK[name.removeprefix("end of ")] if begun or name.startswith("end of ") else ""
+    before = OUTLINE if name.startswith("end of ") else ""
+    if LISTED.fullmatch(name) and not own.startswith("---\n"):
+        before = FRONT if name == CHAPTER else OTHER
     return before + own, before.count("\n")
+
+
+def path_of(name: str) -> str:
+    return name.removeprefix("end of ").removeprefix("whole ")
 
 
 def with_reports(text: str, before: int, found: Mapping[int, list[str]]) -> str:
@@ -83,7 +90,7 @@ def with_reports(text: str, before: int, found: Mapping[int, list[str]]) -> str:
 def as_it_is_now(case: Case, make_book: Callable[..., Options]) -> str:
     """The case, with what is reported and what comes out in place of what was expected."""
     texts = {name: written(name, text) for name, text in case.files.items()}
-    files = {name.removeprefix("end of "): text for name, (text, _) in texts.items()}
+    files = {path_of(name): text for name, (text, _) in texts.items()}
     packages = {name.replace("scene.py", "__init__.py"): "" for name in files}
     options = make_book(files={"content/book.toml": OUTLINE, **packages, **files})
     reports: dict[str, dict[int, list[str]]] = {}
@@ -92,7 +99,7 @@ def as_it_is_now(case: Case, make_book: Callable[..., Options]) -> str:
         reports.setdefault(one.path, {}).setdefault(one.line, []).append(message)
     now: list[str] = []
     for name, text in case.files.items():
-        found = reports.pop(name.removeprefix("end of "), {})
+        found = reports.pop(path_of(name), {})
         head = f"++++++++ {name}\n" if now or name != CHAPTER else ""
         now.append(head + with_reports(text, texts[name][1], found))
     assert not reports, "reported of files that the case does not show"
