@@ -13,7 +13,15 @@ from pathlib import Path
 import pytest
 from PIL import Image
 from support.html_outline import Page, read_html
-from support.little_book import FIXTURES, OUTLINE, SHOWN, MakeBook, rendered
+from support.little_book import (
+    FIXTURES,
+    OUTLINE,
+    SHOWN,
+    MakeBook,
+    plain_scripts,
+    rendered,
+    write_book,
+)
 
 from site_builder.build import check_site, render_site
 from site_builder.markdown.content_files import picture_size
@@ -28,12 +36,14 @@ POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy" content="([^"]*
 INLINE = {"script-src": r"<script>(.*?)</script>", "style-src": r"<style>(.*?)</style>"}
 
 
-@pytest.fixture
-def site(make_book: MakeBook) -> Mapping[str, bytes]:
-    return rendered(make_book((FIXTURES / "pages.md").read_text(encoding="utf-8")))
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, bytes]:
+    body = (FIXTURES / "pages.md").read_text(encoding="utf-8")
+    with plain_scripts():
+        return rendered(write_book(tmp_path_factory.mktemp("site"), body))
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def pages(site: Mapping[str, bytes]) -> Mapping[str, Page]:
     return {path: read_html(page) for path, page in site.items() if path.endswith(".html")}
 

@@ -16,7 +16,7 @@ from fontTools.ttLib import TTFont
 from PIL import Image
 from support.host import read_rules
 from support.html_outline import Page, read_html
-from support.little_book import OUTLINE, MakeBook, rendered
+from support.little_book import OUTLINE, MakeBook, plain_scripts, rendered, write_book
 from support.places import ROOT
 
 from site_builder.diagnostics.diagnostic import BuildError
@@ -54,14 +54,16 @@ LOCATION = "{http://www.sitemaps.org/schemas/sitemap/0.9}loc"
 HASH = re.compile(r"'sha256-[^']+'")
 
 
-@pytest.fixture
-def site(make_book: MakeBook) -> Mapping[str, bytes]:
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, bytes]:
     body = BODY + "Words. " * 200 + "\n"
-    options = make_book(body, {"content/news.toml": NEWS, "content/book.toml": HOSTED})
-    return rendered(replace(options, source=SOURCE))
+    files = {"content/news.toml": NEWS, "content/book.toml": HOSTED}
+    with plain_scripts():
+        options = write_book(tmp_path_factory.mktemp("site"), body, files)
+        return rendered(replace(options, source=SOURCE))
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def pages(site: Mapping[str, bytes]) -> Mapping[str, Page]:
     return {path: read_html(site[path]) for path in site if path.endswith(".html")}
 

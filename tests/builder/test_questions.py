@@ -14,7 +14,7 @@ import moodle_xml_parser.parser as moodle_reader
 import onyx2moodle.parser as qti_reader
 import pytest
 from onyx2moodle.classifier import classify
-from support.little_book import FIXTURES, OUTLINE, MakeBook, diagnostics, rendered
+from support.little_book import FIXTURES, OUTLINE, MakeBook, diagnostics, rendered, write_book
 from support.qti import QTI, answered
 
 from site_builder.build import Options, load
@@ -28,20 +28,21 @@ MATHML = "{http://www.w3.org/1998/Math/MathML}"
 CP = "{http://www.imsglobal.org/xsd/imscp_v1p1}"
 
 
-@pytest.fixture
-def options(make_book: MakeBook) -> Options:
+@pytest.fixture(scope="module")
+def options(tmp_path_factory: pytest.TempPathFactory) -> Options:
     body = (FIXTURES / "questions.md").read_text(encoding="utf-8")
-    return make_book(body, {"content/book.toml": OUTLINE + MACROS})
+    folder = tmp_path_factory.mktemp("questions")
+    return write_book(folder, body, {"content/book.toml": OUTLINE + MACROS})
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def book(options: Options) -> Book:
     loaded = load(options)
     assert not loaded.sources.problems.found
     return replace(loaded.book, address=SITE)
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def moodle(book: Book) -> dict[str, Element]:
     """Questions by their ids."""
     root = ElementTree.fromstring(make_moodle(book))
@@ -52,7 +53,7 @@ def moodle(book: Book) -> dict[str, Element]:
     }
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def package(book: Book) -> dict[str, str]:
     archive = zipfile.ZipFile(io.BytesIO(make_qti(book)))
     return {name: archive.read(name).decode() for name in archive.namelist()}
@@ -200,6 +201,7 @@ def test_prompt_answers_tolerance_and_replies_are_computed_for_each_combination(
     assert formulae[-2:] == ["N = 2", "50 / 2"], "of the first combination alone"
 
 
+@pytest.mark.usefixtures("bundled")
 def test_the_page_shows_the_first_combination_and_carries_all(options: Options) -> None:
     page = rendered(options)["first/index.html"].decode()
     asked = re.findall(r'id="quiz-how-wide-asked"[^>]*>(.*?)</p>', page, re.DOTALL)

@@ -2,7 +2,9 @@
 
 import json
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -66,8 +68,8 @@ SECOND = "---\ntitle: Second\nsummary: The second chapter.\n---\n\n## A section\
 type MakeBook = Callable[..., Options]
 
 
-@pytest.fixture
-def bundled() -> Iterator[pytest.MonkeyPatch]:
+@contextmanager
+def plain_scripts() -> Iterator[pytest.MonkeyPatch]:
     """Scripts are bundled as they are, which takes no time; this module has an illustration and a
     table of hard cases."""
 
@@ -83,29 +85,37 @@ def bundled() -> Iterator[pytest.MonkeyPatch]:
 
 
 @pytest.fixture
-def make_book(tmp_path: Path, bundled: pytest.MonkeyPatch) -> MakeBook:  # noqa: ARG001
+def bundled() -> Iterator[pytest.MonkeyPatch]:
+    with plain_scripts() as monkeypatch:
+        yield monkeypatch
+
+
+def write_book(
+    root: Path, body: str = "Text.\n", files: Mapping[str, str | None] | None = None
+) -> Options:
     """Writes a book whose first chapter is ``body``; other files by path override the defaults."""
+    sources: dict[str, str | None] = {
+        "content/book.toml": SHOWN,
+        "content/00-first.md": FRONT + body,
+        "content/01-second.md": SECOND,
+        "simulations/models/thing.py": THING,
+        "static/css/book.css": "body {}\n",
+        "static/js/main.ts": "export {};\n",
+        **{f"static/{name}": (STATIC / name).read_text(encoding="utf-8") for name in SHARED},
+        "static/images/favicon.svg": ICON,
+        "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg"/>\n',
+        **(files or {}),
+    }
+    for path, content in sources.items():
+        if content is not None:
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
+            (root / path).write_text(content, encoding="utf-8")
+    return Options(root, runtime=False, search=False, load_scene=load_demo)
 
-    def make(body: str = "Text.\n", files: Mapping[str, str | None] | None = None) -> Options:
-        sources: dict[str, str | None] = {
-            "content/book.toml": SHOWN,
-            "content/00-first.md": FRONT + body,
-            "content/01-second.md": SECOND,
-            "simulations/models/thing.py": THING,
-            "static/css/book.css": "body {}\n",
-            "static/js/main.ts": "export {};\n",
-            **{f"static/{name}": (STATIC / name).read_text(encoding="utf-8") for name in SHARED},
-            "static/images/favicon.svg": ICON,
-            "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg"/>\n',
-            **(files or {}),
-        }
-        for path, content in sources.items():
-            if content is not None:
-                (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-                (tmp_path / path).write_text(content, encoding="utf-8")
-        return Options(tmp_path, runtime=False, search=False, load_scene=load_demo)
 
-    return make
+@pytest.fixture
+def make_book(tmp_path: Path, bundled: pytest.MonkeyPatch) -> MakeBook:  # noqa: ARG001
+    return partial(write_book, tmp_path)
 
 
 def diagnostics(options: Options) -> list[Diagnostic]:
