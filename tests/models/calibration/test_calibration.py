@@ -156,19 +156,13 @@ def near(camera_step: np.ndarray, pose_step: np.ndarray) -> Linearised:
     return linearise(truth.views(0.0), camera, truth.poses.moved(pose_step), FREE)
 
 
-@pytest.mark.parametrize("index", range(len(FREE)))
-def test_derivatives_by_the_camera(index: int) -> None:
-    step = STEP * np.eye(len(FREE))[index]
-    still = np.zeros((3, 6))
-    change = (near(step, still).residual - near(-step, still).residual) / (2.0 * STEP)
-    exact = near(0.0 * step, still).by_camera[..., index]
-    assert change == pytest.approx(exact, rel=1e-6, abs=1e-6)
-
-
-@pytest.mark.parametrize("index", range(6))
-def test_derivatives_by_the_poses(index: int) -> None:
-    step = STEP * np.broadcast_to(np.eye(6)[index], (3, 6))
-    still = np.zeros(len(FREE))
-    change = (near(still, step).residual - near(still, -step).residual) / (2.0 * STEP)
-    exact = near(still, 0.0 * step).by_pose[..., index]
+@pytest.mark.parametrize("index", range(len(FREE) + 6))
+def test_derivatives_are_the_differences_of_residuals(index: int) -> None:
+    """By the parameters of the camera, then by the six of each pose."""
+    count = len(FREE)
+    step = STEP * np.eye(count + 6)[index]
+    camera, pose = step[:count], np.broadcast_to(step[count:], (3, 6))
+    change = (near(camera, pose).residual - near(-camera, -pose).residual) / (2.0 * STEP)
+    here = near(0.0 * camera, 0.0 * pose)
+    exact = (here.by_camera if index < count else here.by_pose)[..., index % count]
     assert change == pytest.approx(exact, rel=1e-6, abs=1e-5)
