@@ -166,7 +166,8 @@ def _lines(content: "list[str | Element]") -> Iterator[str]:
 
 def _plain(words: str) -> str:
     line = " ".join(words.replace("\u00a0", "~").split())
-    return re.sub(r"(<input[^>]*>)(?: \1)+", r"\1 …", line)
+    repeated = re.compile(r"(<input[^>]*>)(?: \1)+")
+    return repeated.sub(lambda found: f"{found[0].count('<input')} × {found[1]}", line)
 
 
 def _attributes(element: Element) -> str:
