@@ -15,6 +15,7 @@ from support.dng import dng
 from support.edges import gaussian_edge, gaussian_half
 from support.engines import ENGINES, HOW_TO
 from support.engines.engine import Engine, wait_for
+from support.limits import limit_ms
 from support.noise_files import (
     BLACK,
     PHOTOGRAPHS,
@@ -209,10 +210,10 @@ def noise() -> bytes:
 
 def wait_stored(reader: Reader, count: int) -> None:
     """Wait until the browser keeps so many photographs."""
-    reader.page.evaluate(STORES, count)
+    assert reader.page.evaluate(STORES, [count, limit_ms()])
 
 
-STORES = """async (count) => {
+STORES = """async ([count, ms]) => {
   const stored = async () => {
     const names = (await indexedDB.databases()).map(({ name }) => name);
     const name = names.find((name) => name.endsWith('photographs'));
@@ -225,7 +226,12 @@ STORES = """async (count) => {
       request.onsuccess = () => { database.close(); resolve(request.result); };
     });
   };
-  while (await stored() !== count) await new Promise((resolve) => setTimeout(resolve, 20));
+  const end = performance.now() + ms;
+  while (await stored() !== count) {
+    if (performance.now() > end) return false;
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  }
+  return true;
 }"""
 
 
