@@ -8,7 +8,15 @@ import numpy as np
 import pytest
 from PIL import Image
 from scipy.fft import dctn, idctn
-from support.frames import estimates_of, frame_of, number_of, outputs_of, pixels_of, texts_of
+from support.frames import (
+    estimates_of,
+    frame_of,
+    number_of,
+    outputs_of,
+    pixels_of,
+    texts_at,
+    texts_of,
+)
 
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
@@ -56,6 +64,19 @@ def test_picture_or_size_differs_from_pillows(
     assert 0.96 * bits < done["size"].bits < 1.005 * bits
     if most is not None:
         assert np.abs(255 * (done["decoded"] - theirs)).mean() < most
+
+
+@pytest.mark.parametrize("subsampling", ["4:4:4", "4:2:0"])
+def test_a_readout_differs_from_the_coded_picture(subsampling: str) -> None:
+    given = {"quality": 40, "subsampling": subsampling, "first": 20}
+    done, shown = outputs(**given), texts_at(SCENE, **given)
+    error = np.rint(255 * done["decoded"]) - 255 * done["original"]
+    rate = done["size"].bits / (240 * 192)
+    kept = sum(np.count_nonzero(codes) for codes in done["used"].planes) / (240 * 192 * 3)
+    assert shown["psnr"] == f"{10 * np.log10(255**2 / np.mean(error**2)):.1f}"
+    assert (shown["rate"], shown["ratio"]) == (f"{rate:.2f}", f"{24 / rate:.1f} : 1")
+    assert shown["kept"] == f"{100 * kept:.1f}"
+    assert shown["block_kept"] == str(np.count_nonzero(done["used"].luma[7, 24]))
 
 
 @pytest.mark.parametrize("row", [0, 23])
