@@ -116,8 +116,8 @@ def test_the_shift_of_corners_from_their_pinhole_places_gives_the_lens() -> None
     assert (found.k1, found.k2) == pytest.approx((lens.k1, lens.k2), rel=1e-9)
 
 
-@pytest.mark.parametrize("sigma_px", [0.0, 0.05, 0.5])
-@pytest.mark.parametrize("lens", ["none", "k1k2", "k3"])
+@pytest.mark.parametrize("sigma_px", [0.0, 0.5])
+@pytest.mark.parametrize("lens", ["none", "k3"])
 @pytest.mark.parametrize(
     "turns",
     [

@@ -39,7 +39,7 @@ LEVELS = {
 
 
 @pytest.mark.parametrize("levels", LEVELS.values(), ids=LEVELS)
-@pytest.mark.parametrize("gain", [0.5, 5.0, 20.0, 50.0, 120.0, 400.0])
+@pytest.mark.parametrize("gain", [0.5, 20.0, 120.0, 400.0])
 def test_a_gain_is_within_a_few_standard_errors_of_the_truth_or_refused(
     gain: float, levels: Floats
 ) -> None:
