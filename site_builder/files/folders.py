@@ -4,6 +4,7 @@ import base64
 import hashlib
 import io
 import os
+import tempfile
 import zipfile
 from collections.abc import Collection, Mapping
 from fnmatch import fnmatch
@@ -66,3 +67,15 @@ def archive_of(members: Mapping[str, bytes], stored: Collection[str] = ()) -> by
             how = zipfile.ZIP_STORED if path in stored else zipfile.ZIP_DEFLATED
             archive.writestr(zipfile.ZipInfo(path), content, how)
     return buffer.getvalue()
+
+
+def replace_file(file: Path, data: bytes) -> None:
+    """Write a file whole: readers have the old one or the new one, also with several writers."""
+    handle, name = tempfile.mkstemp(dir=file.parent, prefix=".new-")
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(data)
+        Path(name).chmod(0o644)
+        Path(name).replace(file)
+    finally:
+        Path(name).unlink(missing_ok=True)

@@ -4,7 +4,6 @@ import errno
 import fcntl
 import os
 import shutil
-import tempfile
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -83,18 +82,6 @@ def advice(error: OSError) -> str:
         return ""
     better = "make room" if full else "choose a folder that can be written, by --out"
     return f"; what was built before is as it was; {better}, and build again"
-
-
-def replace_file(file: Path, data: bytes) -> None:
-    """Write one file of a site: readers of it have the old one or the new one, whole."""
-    handle, name = tempfile.mkstemp(dir=file.parent, prefix=".new-")
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        Path(name).chmod(0o644)
-        Path(name).replace(file)
-    finally:
-        Path(name).unlink(missing_ok=True)
 
 
 @contextmanager

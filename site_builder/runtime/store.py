@@ -2,13 +2,12 @@
 
 import hashlib
 import json
-import os
-import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from platformdirs import user_cache_path
 
+from site_builder.files.folders import replace_file
 from site_builder.runtime.pinned import RuntimeFile
 
 _intact: set[tuple[Path, int, int, int]] = set()
@@ -52,14 +51,7 @@ def put(store: Path, name: str, content: bytes) -> Path:
     """Store ``content``; readers see the whole file or none, even with several writers."""
     target = location(store, RuntimeFile(name, sha256(content)))
     target.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=".partial-")
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(content)
-        Path(temporary).chmod(0o644)
-        Path(temporary).replace(target)
-    finally:
-        Path(temporary).unlink(missing_ok=True)
+    replace_file(target, content)
     return target
 
 

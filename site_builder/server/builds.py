@@ -16,8 +16,7 @@ from watchfiles import Change, awatch
 from site_builder.assets.pages import NOW, STYLE_SHEET
 from site_builder.diagnostics.progress import END
 from site_builder.files.engine import ENGINE, STATIC
-from site_builder.files.folders import folder_files
-from site_builder.output.writer import replace_file
+from site_builder.files.folders import folder_files, replace_file
 from site_builder.server.news import News
 
 DEBOUNCE_MS = 100
