@@ -70,7 +70,7 @@ def scene(root: Path, text: str) -> Made:
     name = read_name("scene", text)
     _refuse_taken(root, "simulations/scenes", name)
     files = {
-        f"simulations/scenes/{name.module}/scene.py": "scene/scene.py",
+        f"simulations/scenes/{name.module}.py": "scene/scene.py",
         f"tests/scenes/test_{name.module}_scene.py": "scene/test.py",
     }
     made = _write(root, name, files)
