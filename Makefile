@@ -96,6 +96,8 @@ bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.start --keep)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.bytes)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.memory || :)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.twins || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.drag || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.slow_phone || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.costs)

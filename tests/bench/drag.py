@@ -35,7 +35,7 @@ MOVES, ROUNDS = 6, 2
 READ_MS = 2000
 """What a reader takes at least before a hand comes: drafts are computed meanwhile."""
 DRAG = "([drag, figure, hand]) => drag.drag({...hand, figure})"
-SCRIPT = Path(__file__).parent / "js" / "drag.js"
+SCRIPTS = Path(__file__).parent / "js"
 CENTRE = """figure => figure.scrollIntoView({block: 'center', behavior: 'instant'})"""
 RESTS = """() => [...document.querySelectorAll('simulation-figure')]
   .every(figure => figure.dataset.state === 'live' && figure.rests)"""
@@ -87,9 +87,9 @@ def open_book(site: Path) -> Iterator[tuple[Page, str]]:
         yield page, server.url
 
 
-def hand_script(page: Page) -> JSHandle:
-    """The module ``js/drag.js`` in the page; it goes with it."""
-    source = SCRIPT.read_text(encoding="utf-8")
+def hand_script(page: Page, name: str = "drag.js") -> JSHandle:
+    """The module ``js/NAME`` in the page; it goes with it."""
+    source = (SCRIPTS / name).read_text(encoding="utf-8")
     return page.evaluate_handle(
         "source => import(URL.createObjectURL(new Blob([source], {type: 'text/javascript'})))",
         source,

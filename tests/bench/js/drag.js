@@ -40,6 +40,30 @@ export async function drag({ figure, name, moves, rounds }) {
 }
 
 /**
+ * Choose one entry of a list again and again, others in between: as many as a figure may have at
+ * hand, so that it draws the one anew.
+ *
+ * @param {{figure: HTMLElement, name: string, value: string, others: string[], rounds: number}} hand
+ * @returns {Promise<{latencies: number[], computes: number[]}>} Of that one, as of `drag`.
+ */
+export async function choose({ figure, name, value, others, rounds }) {
+  const list = /** @type {HTMLSelectElement} */ (figure.querySelector(`select[name="${name}"]`));
+  /** @type {{latencies: number[], computes: number[]}} */
+  const found = { latencies: [], computes: [] };
+  for (let round = 0; round < rounds; round += 1) {
+    for (const entry of [...others, value]) {
+      list.value = entry;
+      const latency = await answered(figure, list, "change");
+      if (entry !== value) continue;
+      found.latencies.push(latency);
+      found.computes.push(Number(figure.dataset.computeMs));
+    }
+  }
+  await resting(figure);
+  return found;
+}
+
+/**
  * Give the event of a control, at the start of an animation frame.
  *
  * @param {HTMLElement} figure
