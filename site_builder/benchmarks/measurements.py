@@ -11,7 +11,7 @@
            "native": {"ms", "low", "high", "samples"},    median and quartiles of
            "browser": {"ms", "low", "high", "samples"}}}}}}    the quietest round
 
-Every number about speed or accuracy in the book comes from here, through this page model. What
+Every number about speed or accuracy in the book is read through this module. What
 no longer fits the ladders' code is refused when a page asks for it.
 """
 

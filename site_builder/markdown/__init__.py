@@ -1,2 +1,2 @@
-"""Markdown to the page model. Start at ``chapter.py``; ``parser.py`` lists the rules, and
+"""Markdown to the document. Start at ``chapter.py``; ``parser.py`` lists the rules, and
 ``directives/`` and ``roles/`` what authors may write beyond Markdown."""

@@ -1,1 +1,1 @@
-"""From the page model to HTML and `book.json`."""
+"""From the document to HTML and `book.json`."""

@@ -65,7 +65,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "script_words": lambda words: json_for_html(script_words(words)),
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
-"""Functions of templates, for what is computed from the page model."""
+"""Functions of templates, for what is computed from the document."""
 
 
 def render_template(template: str, book: Book, **context: object) -> str:

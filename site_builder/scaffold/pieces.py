@@ -114,7 +114,7 @@ def directive(root: Path, text: str) -> Made:
         f"{folder}/{name.module}.py": "directive/directive.py",
         f"site_builder/templates/blocks/{name.text}.html": "directive/block.html",
         f"site_builder/guide/examples/{name.text}.md": "directive/example.md",
-        f"tests/builder/markdown/test_{name.module}_directive.py": "directive/test.py",
+        f"tests/builder/test_{name.module}_directive.py": "directive/test.py",
     }
     made = _write(root, name, files)
     index.write_text(listed, encoding="utf-8")
