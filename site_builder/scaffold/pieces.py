@@ -87,7 +87,9 @@ def model(root: Path, text: str) -> Made:
         "/".join(["tests/models", *folders, f"test_{name.module}.py"]): "model/test.py",
     }
     made = _write(root, name, files, path=".".join([*folders, name.module]))
-    return made, "use it in a scene or a ladder"
+    table = "tests/properties/arguments.toml"  # where a book has one
+    row = f"add its function to {table}; then " if (root / table).is_file() else ""
+    return made, f"{row}use it in a scene or a ladder"
 
 
 def ladder(root: Path, text: str) -> Made:
