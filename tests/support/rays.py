@@ -13,9 +13,3 @@ def unit(vectors: ArrayLike) -> Floats:
     """(..., 3) of length 1."""
     vectors = np.asarray(vectors, float)
     return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-
-
-def rays_around(forward: Floats, spread: float, count: int, seed: int = 0) -> Floats:
-    """(count, 3) unit vectors; ``spread`` is how far each entry may be off."""
-    rng = np.random.default_rng(seed)
-    return unit(np.asarray(forward) + spread * rng.uniform(-1, 1, (count, 3)))
