@@ -27,7 +27,7 @@ _photographs: dict[str, Photograph] = {}
 _readings: dict[str, Readings] = {}
 """What was read of the reader's pictures, by figure."""
 _estimates: dict[str, tuple[object, Iterator[Readout]]] = {}
-"""By figure: what is being estimated, and the estimates to come."""
+"""For each figure: what is being estimated, and the estimates to come."""
 
 
 @dataclass(frozen=True, slots=True)

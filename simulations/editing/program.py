@@ -128,7 +128,7 @@ class _EditedLoader:
         self._source = source
 
     def create_module(self, _spec: ModuleSpec) -> None:
-        """None: the default module is used."""
+        """Return None, so that the default module is used."""
 
     def exec_module(self, module: ModuleType) -> None:
         exec(compile(self._source, module.__name__, "exec", dont_inherit=True), vars(module))

@@ -24,7 +24,7 @@ SHORTER = (("-0.00", "0"), (".00", ""), *((f".{digit}0", f".{digit}") for digit 
 """Replacements that shorten numbers of two decimals; the order matters."""
 
 MOST_POINTS = 50_000
-"""Of one line: a panel is a few hundred units wide."""
+"""Limit of one line: a panel is a few hundred units wide."""
 GROUND_PAD_EM = 0.28
 """Room on both sides of a label on its ground."""
 BEFORE = {"start": 0.0, "middle": 0.5, "end": 1.0}

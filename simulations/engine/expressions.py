@@ -16,9 +16,9 @@ import numpy as np
 from simulations.engine.controls import suggestion
 
 MOST_BITS = 4096
-"""Of a whole number, so that no power or product takes minutes."""
+"""Limit of a whole number, so that no power or product takes minutes."""
 MOST_DIGITS = 400
-"""To which numbers are rounded: no float has more on either side of the point."""
+"""Numbers are rounded to these: no float has more on either side of the point."""
 BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,

@@ -68,7 +68,7 @@ class Photograph:
     scaled down; and from EXIF, where given, ``focal_mm``, ``focal_35mm_mm``, ``make``, ``model``,
     ``lens``, ``exposure_s``, ``f_number`` and ``iso``."""
     mosaic: Mosaic | None = field(default=None, compare=False, repr=False)
-    """Of a raw file, if the scene reads those."""
+    """The cells of a raw file, if the scene reads those."""
 
     def __post_init__(self) -> None:
         codes = self.codes

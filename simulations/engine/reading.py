@@ -23,7 +23,7 @@ class Reading:
     """What is kept of one photograph."""
 
     number: int
-    """By which stages compare it; the `Photograph` of the same picture has the same number."""
+    """Stages compare by it; the `Photograph` of the same picture has the same number."""
     name: str = field(default="", compare=False)
     """Name of the file."""
     data: Mapping[str, Any] = field(default_factory=dict, compare=False)

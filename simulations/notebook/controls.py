@@ -9,7 +9,7 @@ import ipywidgets as widgets
 from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, Value
 
 STEPS_PER_SECOND = 10
-"""Of a slider that a button sweeps."""
+"""Speed of a slider that a button sweeps."""
 
 type Widget = Any
 """ipywidgets has no types."""

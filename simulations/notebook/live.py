@@ -45,7 +45,7 @@ class Figure:
         self.values = values_of(settings)
         self.tier = tier
         self.widgets = self._make_widgets()
-        """By the names of the controls, and ``tier``; setting the value of one moves the figure."""
+        """Widgets by control name, and ``tier``; setting the value of one moves the figure."""
         self._cache = StageCache()
         self._style = STYLE.read_text(encoding="utf-8")
         self._pictures = widgets.GridBox(layout={**PANELS, "align_items": "flex-start"})

@@ -59,7 +59,7 @@ def pack_for_browser(
 
 
 def _about_packages(root: Path, message: str, *, fails: bool = True) -> Diagnostic:
-    """A message about the packages that the outline asks for."""
+    """A message about the packages that the outline declares."""
     _, toml = read_settings(Sources(root))
     return Diagnostic(FILE_NAME, toml.line("runtime", "packages"), message, fails=fails)
 

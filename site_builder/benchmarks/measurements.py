@@ -29,7 +29,7 @@ from site_builder.sandbox.loading import loaded
 
 DATA = "content/measurements.json"
 COMMAND = "python -m site_builder bench"
-"""Which writes it."""
+"""The command that writes it."""
 SIDES = ("native", "browser")
 ROUNDING = 1e-12
 """Errors below this, in the units of any metric, are rounding: none is better than another."""
@@ -75,7 +75,7 @@ class MeasuredLadder:
     metric: Metric
     """The one that the chart shows and that decides what is beaten."""
     machine: Mapping[str, object] = field(default_factory=dict)
-    """What the times are of."""
+    """What is timed."""
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled by the names of its tiers, whose functions may be lambdas."""

@@ -36,7 +36,7 @@ class _Overlay:
 def check_frames(
     book: Book, initial_frames: InitialFrames, static: Mapping[str, Path], problems: Diagnostics
 ) -> None:
-    """Those of the figures as they first appear, and the illustrations."""
+    """Check the figures as they first appear, and the illustrations."""
     known = known_classes(static)
     known |= frozenset(book.colours) if known else known
     roles = (*ROLES, *book.colours)

@@ -29,14 +29,14 @@ class Question:
     id: str
     """Unique in the book among its like: the reader's answer is stored under it."""
     kind: str
-    """As its author calls it."""
+    """The author's name for it."""
     prompt: Passage
     prompt_text: str
     options: tuple[Option, ...]
     path: str
     line: int
     details: Any = None
-    """What only its kind knows."""
+    """Data of its kind alone."""
     decides: object = None
     """What else than the options decides what is right."""
     drawn: str = ""

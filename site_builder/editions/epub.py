@@ -202,7 +202,7 @@ PLAIN = {
 }
 
 UNITS_PER_EM = 16
-"""So that labels of illustrations are as large as on the site."""
+"""Units with which labels of illustrations are as large as on the site."""
 
 
 def plain(root: Element) -> Element:

@@ -175,5 +175,5 @@ def pixels(picture: bytes) -> Raster:
 
 
 def as_png(picture: bytes) -> bytes:
-    """A picture as a PNG, for what knows no other kind."""
+    """A picture as a PNG, for what supports no other kind."""
     return png(pixels(picture))

@@ -19,7 +19,7 @@ def bytes_hash(data: bytes) -> bytes:
 
 
 def integrity(data: bytes) -> str:
-    """As W3C Subresource Integrity writes a hash."""
+    """Hash in the form of W3C Subresource Integrity."""
     return "sha256-" + base64.b64encode(hashlib.sha256(data).digest()).decode()
 
 

@@ -52,7 +52,7 @@ def _names(content: Path, suffixes: Sequence[str]) -> list[str]:
 
 
 def picture_size(file: Path) -> Size | None:
-    """As its file declares it; None where it does not, or cannot be read."""
+    """The size that a file declares; None where it does not, or cannot be read."""
     read: Callable[[Path], Size | None] = _svg_size if file.suffix == ".svg" else _raster_size
     size = read(file)
     return size if size and all(size) else None

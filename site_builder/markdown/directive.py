@@ -56,7 +56,7 @@ class Argument:
     """The words behind the name of a directive."""
 
     form: str
-    """As the author's guide shows it: ``scene-id``."""
+    """Form that the author's guide shows: ``scene-id``."""
     lacks: str = ""
     """The message where it is missing: ``names no scene``. Empty: it is optional."""
     expected: Collection[str] | None = None

@@ -48,7 +48,7 @@ def inline_passage(markdown: str, line: int, context: ParseContext) -> Passage:
 
 
 def _draw_numbers(token: Token, _line: int, context: ParseContext) -> None:
-    """Of a question that draws them: its body is annotated with each combination."""
+    """Annotate the body of a question that draws numbers, with each combination."""
     if BODY in token.meta:
         call: DirectiveCall = token.meta["call"]
         context.drawn[call.line] = draw(call, token.meta[BODY], context)

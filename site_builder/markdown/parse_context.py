@@ -52,7 +52,7 @@ class FigurePlace:
     id: str
     """Element id."""
     scene_id: str
-    """As its author wrote it, known or not."""
+    """The author's spelling, known or not."""
     lines: tuple[int, int]
     """First and last, counted from 1."""
 

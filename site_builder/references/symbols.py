@@ -20,14 +20,14 @@ class Symbol:
 
     tex: str
     means: str
-    """As Markdown."""
+    """Markdown."""
     unit: str
     """Nothing of a pure number."""
     line: int
 
 
 type Symbols = Mapping[str, tuple[Symbol, ...]]
-"""By the chapter for which they are declared, or `BOOK`."""
+"""Symbols by the chapter for which they are declared, or `BOOK`."""
 
 
 def read_symbols(sources: Sources) -> Symbols:

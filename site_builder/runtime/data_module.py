@@ -49,7 +49,7 @@ def data_module(runs: Sequence[tuple[int, bytes]], sections: Mapping[str, bytes]
 
 
 def unsigned(number: int) -> bytes:
-    """As LEB128."""
+    """Encode as LEB128."""
     digits = bytearray()
     while number > 0x7F:
         digits.append(number & 0x7F | 0x80)
@@ -58,7 +58,7 @@ def unsigned(number: int) -> bytes:
 
 
 def signed(number: int) -> bytes:
-    """As signed LEB128."""
+    """Encode as signed LEB128."""
     digits = bytearray()
     while not -0x40 <= number < 0x40:
         digits.append(number & 0x7F | 0x80)

@@ -67,11 +67,11 @@ class RuntimeBundle:
     snapshot_error: str = ""
     """Why there is no snapshot for Python to begin with, where there should be one."""
     packages: tuple[Package, ...] = ()
-    """Packages that the book asks for, and all that they need."""
+    """Packages that the book declares, and all that they need."""
 
     @property
     def sources(self) -> str:
-        """Hash of the simulations, as the worker knows it; nothing where there are none."""
+        """Hash of the simulations, for the worker; nothing where there are none."""
         return self._hash(f"{SIMULATIONS}.zip")
 
     @property

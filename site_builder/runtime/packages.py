@@ -1,4 +1,4 @@
-"""Packages of Pyodide's release that a book asks for, besides numpy."""
+"""Packages of Pyodide's release that a book declares, besides numpy."""
 
 import json
 from collections.abc import Mapping, Sequence

@@ -32,7 +32,7 @@ COMPILED = "__pycache__"
 
 
 def raise_fence() -> None:
-    """From now on, for as long as the process lives."""
+    """Confine the process from now on until it ends."""
     books = (os.path.dirname(folder) for folder in simulations.__path__)  # noqa: PTH120
     folders = {*sys.path, *books, sys.prefix, sys.base_prefix, *SYSTEM}
     legal = tuple(sorted({os.path.realpath(folder) for folder in folders if folder}))

@@ -36,7 +36,7 @@ class Limits:
     seconds: float = 10.0
     """Seconds of computing: on a busy machine, the clock runs faster."""
     wall_seconds: float = 60.0
-    """By the clock, for code that sleeps or waits."""
+    """Limit by the clock, for code that sleeps or waits."""
     bytes: int = 4_000_000_000
     """Bytes of memory, beside what its process has at the start."""
 
@@ -49,9 +49,9 @@ class LimitError(RuntimeError):
 class _Sandbox:
     limits: Limits
     pool: ProcessPool
-    """Which starts with the first job."""
+    """It starts with the first job."""
     failures: dict[bytes, Exception]
-    """By job: what failed once is not tried again, as it may take all its time again."""
+    """Errors by job: what failed is not tried again, as it may take all its time again."""
     running: set[Future[Any]]
 
 

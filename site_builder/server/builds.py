@@ -35,7 +35,7 @@ async def changes(folders: Collection[Path], made: Path) -> AsyncIterator[set[Pa
     """Changed files, time after time. The folder ``made`` is reported once it is gone."""
 
     def is_source(_change: Change, name: str) -> bool:
-        """By its path below the folder, wherever that lies."""
+        """Judged by its path below the folder, wherever that lies."""
         path = Path(name)
         inside = next(
             (path.relative_to(each) for each in folders if path.is_relative_to(each)), path
@@ -74,7 +74,7 @@ def _inodes(folders: Collection[Path]) -> Inodes:
 
 
 MOST_BYTES = 1 << 20
-"""Of a line that a build prints."""
+"""Limit of a line that a build prints."""
 
 type Files = dict[str, tuple[int, int]]
 """Time of change and size of files, by name."""

@@ -44,7 +44,7 @@ class News:
         self._publish(State(self.state.number, self.state.changed, mistakes))
 
     def restart(self) -> None:
-        """As before the first build: what was built is gone."""
+        """Return to the state before the first build: what was built is gone."""
         self._publish(State())
 
     async def events(self) -> AsyncIterator[str]:

@@ -14,7 +14,7 @@ PATH = "{path}"
 
 
 def site_address(given: object) -> str:
-    """As pages begin with it, a slash at the end. Raises `ValueError`."""
+    """The address with a slash at the end. Raises `ValueError`."""
     if given == "":
         return ""
     legal = "legal: 'https://host/' or 'https://host/path/'"

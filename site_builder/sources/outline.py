@@ -93,7 +93,7 @@ def read_outline(sources: Sources) -> Outline:
 
 
 def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
-    """Those that TeX can name; the others are reported."""
+    """Macros that TeX can name; the others are reported."""
     sound = {name: body for name, body in macros.items() if re.fullmatch(r"[A-Za-z]+", name)}
     for name in macros.keys() - sound.keys():
         message = f"macro {name!r} is no name; legal: letters, without a backslash"

@@ -1,4 +1,4 @@
-"""What a reader fetches, packed: until a page is first painted, and until its first figure lives.
+"""What a reader fetches, packed: until a page is first painted, and until its first figure is live.
 ``python -m bench.bytes`` measures the built site, writes the section ``bytes`` of
 ``content/costs.json`` and prints each page."""
 
@@ -23,7 +23,7 @@ NEEDED = re.compile(r'<link rel="(?:preload" as="font|stylesheet)"[^>]* href="([
 """What a head names that the first paint waits for, or is fetched before what it does not."""
 KB = 1000
 KEEP = {"/*": {"Cache-Control": "max-age=600"}}
-"""As GitHub Pages says of every file, so that browsers do not fetch one twice."""
+"""Header of GitHub Pages for every file, so that browsers do not fetch one twice."""
 LIVED = "404.html"
 SETTLED_MS = 500
 """After which all is sent that was asked for until then."""
@@ -36,7 +36,7 @@ TELL = f"""new MutationObserver((changes, observer) => {{
 
 
 def packed_copies(site: Path) -> dict[str, bytes]:
-    """Those of all files."""
+    """Packed copies of all files."""
     with using(Cache()):
         return compressed_copies(folder_files(site))
 
@@ -50,7 +50,7 @@ def first_paint(host: Host, page: str) -> int:
 
 
 def first_live_frame(browser: Browser, host: Host, address: str) -> int:
-    """Bytes sent until the first figure of a page lives, in a browser that has nothing of it."""
+    """Bytes sent until the first figure of a page is live, in a browser that has nothing of it."""
     with browser.new_context(service_workers="block") as context:
         page = context.new_page()
         page.add_init_script(TELL)

@@ -28,7 +28,7 @@ FRAME_MS = 1000 / 60
 BOUND_FRAMES = 2
 """Display frames at the 95th percentile."""
 BOUNDS = {"camera": 3, "depth-of-field": 3, "lens-distortion": 3}
-"""Those of scenes that compute a whole camera."""
+"""Bounds of scenes that compute a whole camera."""
 EARLY_MS = 1.0
 """An animation frame that comes so much late is still that frame."""
 MOVES, ROUNDS = 6, 2

@@ -182,7 +182,7 @@ def measure_plain(start: Start, address: str) -> Run:
 
 
 def opened(browser: BrowserContext, address: str) -> float:
-    """Milliseconds until the first figure of a page lives. The page is the browser's only one."""
+    """Milliseconds until the first figure of a page is live. The page is the browser's only one."""
     page = browser.pages[0]
     page.goto("about:blank")
     page.goto(address)

@@ -78,7 +78,7 @@ class Twin:
     scene: str
     control: str
     function: str
-    """Its name in ``js/twins.js``."""
+    """Name in ``js/twins.js``."""
     panel: str
     given: Mapping[str, Any]
     """Data that are computed once."""

@@ -28,7 +28,7 @@ class Author:
     address: str
     page: Page
     first_title: str
-    """Of the page as it was before the first build."""
+    """Title of the page before the first build."""
 
     def open(self, chapter: str) -> None:
         """A page that listens, and that would not be the same after it was loaded anew."""

@@ -116,7 +116,7 @@ def test_a_module_that_the_browser_lacks_is_reported_with_its_place(tmp_path: Pa
 
 @pytest.fixture(scope="module")
 def bundle(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RuntimeBundle]:
-    """That of the German book; its byte code is kept until the last test."""
+    """Runtime of the German book; its byte code is kept until the last test."""
     with using(Cache(tmp_path_factory.mktemp("cache"))):
         yield pack_runtime(SIMULATIONS, None, SCENES, LADDERS)
 

@@ -164,7 +164,7 @@ def test_html_is_refused_unless_the_author_trusts_it(make_book: MakeBook) -> Non
 
 
 LONGEST_S = 5.0
-"""Of the processor's time, for one chapter."""
+"""Limit of processor time for one chapter."""
 MARKS = (
     *"*_`$[](){}<>|#-:~^\\!&'\"\n\t ",
     "$$", "**", "```", ":::", "::::", "\n\n", "---\n", "- [x] ", "  : ", "{ref}`", "`", "[^1]",

@@ -169,7 +169,7 @@ def test_the_catalogue_lists_chapters_simulations_and_quizzes(site: Mapping[str,
 
 
 def test_licences_of_all_that_is_shipped_are_given_in_full(site: Mapping[str, bytes]) -> None:
-    """Those of the interpreter where it is."""
+    """Licences of the interpreter are where it is."""
     of_the_runtime = (
         "Mozilla Public License Version 2.0",
         "PYTHON SOFTWARE FOUNDATION LICENSE",

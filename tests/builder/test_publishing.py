@@ -1,4 +1,4 @@
-"""A site that knows where it will be, and the files for its host and for use offline."""
+"""A site whose address is declared, and the files for its host and for use offline."""
 
 import gzip
 import io

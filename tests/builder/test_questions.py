@@ -164,7 +164,7 @@ def test_an_item_of_qti_judges_and_replies_as_the_book_does(
 
 
 def test_formulae_of_qti_are_mathml_2(package: dict[str, str]) -> None:
-    """Its schema wants a unit of every length, and knows no classes."""
+    """Its schema wants a unit of every length, and has no classes."""
     item = ElementTree.fromstring(package["items/quiz-one-of-two.xml"])
     formulae = [part for math in item.iter(f"{MATHML}math") for part in math.iter()]
     assert {part.get("lspace") for part in formulae if part.tag == f"{MATHML}mpadded"} == {"0em"}
@@ -174,7 +174,7 @@ def test_formulae_of_qti_are_mathml_2(package: dict[str, str]) -> None:
 def test_other_readers_of_both_formats_find_the_questions(
     book: Book, package: dict[str, str], tmp_path: Path
 ) -> None:
-    """That of QTI knows no orders."""
+    """The schema of QTI has no orders."""
     read = moodle_reader.parse_bytes(make_moodle(book))["multichoice"]
     assert [(one.single, len(one.options)) for one in read] == [(True, 2), (False, 3)]
     found = []

@@ -278,7 +278,7 @@ def test_imports_are_found_with_their_place_however_indirect(package: Path) -> N
 RENDER = "from simulations.browser import render; render('figure', sys.argv[1], '{}', '')"
 TELL = "print(*(name for name, one in sys.modules.items() if getattr(one, '__file__', '')))"
 SAMPLE = ("aliasing", "jpeg", "photon-transfer")
-"""Of them two import parts of numpy that others do without."""
+"""Two of them import parts of numpy that others do without."""
 
 
 def imported_by(code: str, *given: str) -> set[str]:

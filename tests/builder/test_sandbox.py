@@ -50,7 +50,7 @@ def loop() -> None:
 
 
 def ignore_the_alarm() -> None:
-    """As a call into a library does."""
+    """Block the signals, as a call into a library does."""
     signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM, signal.SIGPROF])
     loop()
 

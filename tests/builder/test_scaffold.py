@@ -29,7 +29,7 @@ import sys
 from site_builder.__main__ import main
 sys.exit(any([main(["new", *piece.split()]) for piece in sys.argv[1:]]))
 """
-"""By the command, which is started once for all."""
+"""Program that makes books by the command, which is started once for all."""
 DIRECTIVES = "site_builder/markdown/directives"
 TEST_CACHED = """\
 import sys, pytest
@@ -46,7 +46,7 @@ PARTS = (
     "site_builder",
     "static",
 )
-"""Of the repository: what its wheel is made of."""
+"""The files of the repository that its wheel is made of."""
 
 
 @pytest.fixture(scope="session")

@@ -33,7 +33,7 @@ def stripes_finer_than_the_grid() -> Says:
 
 
 def specks_on_one_ray() -> Says:
-    """Of the four answers only the key has the image of the speck that is asked about."""
+    """Only the key of the four answers has the same image as the speck of the question."""
     x, y = 0.5 / 2.0, -0.2 / 2.0
     yield f"the same $({x:g}, {y:g})$"
     wrong = ((0.5, -0.2, 4.0), (2.5, 1.8, 4.0), (0.25, -0.1, 4.0))

@@ -56,7 +56,7 @@ def averages_of_matrices() -> Says:
 
 
 def the_ladder_in_space() -> Says:
-    """As many freedoms as independent directions in which the matrix can start to move."""
+    """Degrees of freedom are independent directions in which the matrix can start to move."""
 
     def projective(p: np.ndarray) -> np.ndarray:
         H: np.ndarray = np.eye(4) + p.reshape(4, 4)

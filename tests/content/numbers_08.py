@@ -22,7 +22,7 @@ PIXEL_MM = 36 / 264
 
 
 ASIDE = 0.30 / 1.90
-"""Of the point whose way is told: its tangent to the optical axis."""
+"""Tangent to the optical axis of the point that the text follows."""
 LENS = Distortion(k1=-0.2)
 
 

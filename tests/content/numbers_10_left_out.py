@@ -67,7 +67,7 @@ def with_fifth_power(corner_px: float) -> Floats:
 
 
 def gaussian_excess(mean: float) -> float:
-    """Of a Gaussian's counts, rounded and cut off at 0: how much the mean is too large."""
+    """Excess of the mean of a Gaussian's counts, rounded and cut off at 0."""
     counts = np.arange(int(mean + 12 * np.sqrt(mean) + 20))
     above, below = (norm.cdf((counts + side - mean) / np.sqrt(mean)) for side in (0.5, -0.5))
     chances = above - np.where(counts == 0, 0, below)

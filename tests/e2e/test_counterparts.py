@@ -114,7 +114,7 @@ def numerals_of_the_language() -> Pairs:
 
 
 def places_on_axes() -> Pairs:
-    """Of times, errors and decibels."""
+    """Places of times, errors and decibels."""
     for axis, nothing in (
         (log_axis([0.02, 30.0], 48.0, 408.0), ()),
         (log_axis([1e-9, 1e-3], 270.0, 34.0, none=290.0), (0.0,)),
@@ -170,7 +170,7 @@ OVERLAYS = """async ([sequences, look]) => {
 
 
 def drawings(scene: Scene[Any]) -> list[list[str]]:
-    """Of each panel: at the default, with every slider at its ends, and at the default again."""
+    """Panels at the default, with every slider at its ends, and at the default again."""
     sliders = [control for control in scene.controls if isinstance(control, Slider)]
     low = {slider.name: slider.minimum for slider in sliders}
     high = {slider.name: slider.maximum for slider in sliders}

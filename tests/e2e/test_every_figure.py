@@ -204,7 +204,7 @@ def click(reader: Reader, element: Locator, control: Any, attempt: int) -> None:
 def test_many_moves_end_at_the_last_one_under_the_pointer_and_leave_nothing_behind(
     visitor: Reader, book: Any
 ) -> None:
-    """Of a handle, then of a slider."""
+    """Move a handle, then a slider."""
     figure = visitor.turn_to_figure(book, "lambertian-shading")
     grip = figure.locator('[data-handle="probe"]')
     visitor.bring(grip)
@@ -322,7 +322,7 @@ class Walk:
     complained: int = 0
 
     def go_to(self, chapter: str, scene: str) -> None:
-        """To a figure that lives, as its page has put it."""
+        """Turn to a live figure, as its page has put it."""
         address = self.root + chapter
         if not self.engine.ask(HERE, address):
             self.engine.ask(OFFER, address)
@@ -350,7 +350,7 @@ class Walk:
         return not start["shown"]
 
     def complaints(self) -> list[str]:
-        """Those since the last call."""
+        """Complaints since the last call."""
         known, complaints = self.complained, self.engine.complaints()
         self.complained = len(complaints)
         return complaints[known:]

@@ -49,7 +49,7 @@ STEADY_CLOCK = """() => {
 
 
 def set_slider(figure: Locator, name: str, value: float, *, release: bool) -> None:
-    """As a hand does: ``input`` events while it holds the knob, ``change`` when it lets go."""
+    """Send ``input`` events as a hand on the knob does, and ``change`` as it lets go."""
     figure.locator(f"input[name={name}]").evaluate(
         """(input, [value, release]) => {
           input.value = value;
@@ -210,7 +210,7 @@ def test_words_bring_their_figure_into_view_and_a_press_leads_back(
 
 
 def open_at(visitor: Reader, **settings: str) -> Locator:
-    """The chapter's first figure, at an address that asks for ``settings``."""
+    """The chapter's first figure, at an address with ``settings``."""
     query = "&".join(f"{ID}.{name}={value}" for name, value in settings.items())
     visitor.turn_to_unlinked(f"{CHAPTER}?{query}#{ID}")
     return visitor.figure("lens-distortion")

@@ -444,5 +444,5 @@ def test_photographs_and_raw_files_are_measured_in_other_engines(
 
 
 def choose(engine: Engine, files: dict[str, bytes]) -> None:
-    """As by the picker of files, which no driver can open."""
+    """Choose files without the picker, which no driver can open."""
     engine.ask(CHOOSE, {name: b64encode(data).decode() for name, data in files.items()})

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.browser
 PAGE, OTHER = "glossary/", "references/"
 """Without figures; in these the turn of releases is tried."""
 FILM = "film.bin"
-"""That a page could show."""
+"""A film that a page could show."""
 NEW = "A sentence of the next release."
 
 

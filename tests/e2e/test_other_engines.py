@@ -67,7 +67,7 @@ def moves_a_figure(engine: Engine) -> None:
 
 
 def edits_its_python(engine: Engine) -> None:
-    """And has it run, in an interpreter of its own."""
+    """Run it in an interpreter of its own."""
     click(engine, middle(engine, f"{FIGURE} .open-python"))
     wait_for(engine, "(part) => Boolean(document.querySelector(part))", PART)
     click(engine, middle(engine, PART))
@@ -100,7 +100,7 @@ def searches(engine: Engine) -> None:
 
 
 def middle(engine: Engine, selector: str) -> tuple[float, float]:
-    """Of an element, which is brought into the window and rests there."""
+    """Middle of an element, which is brought into the window and rests there."""
     x, y = engine.ask(MIDDLE, selector)
     return x, y
 

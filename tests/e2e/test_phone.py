@@ -204,7 +204,7 @@ SLOW_CLOCK = """() => {
   globalThis.usualTimeout = setTimeout;
   setTimeout = (then, ms, ...rest) => usualTimeout(then, 100 * ms, ...rest);
 }"""
-"""To the page, a finger is quick on the busiest machine."""
+"""A finger is quick for the page even on the busiest machine."""
 
 
 def test_a_finger_sketches_a_curve_that_falls(live_phone: Reader) -> None:

@@ -230,7 +230,7 @@ WHY_NOT = "JSON.stringify(performance.getEntriesByType('navigation')[0].notResto
 
 
 def requests_under_way(page: Page) -> set[Request]:
-    """Those that are not answered, at any later moment."""
+    """Requests that are not answered, at any later moment."""
     under_way: set[Request] = set()
     page.on("request", lambda request: under_way.add(request))
     page.on("requestfinished", lambda request: under_way.discard(request))

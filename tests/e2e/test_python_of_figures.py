@@ -84,7 +84,7 @@ HAS_RESULT = """(figure) => {
 
 @pytest.fixture
 def workshops(visitor: Reader) -> tuple[Workshop, Workshop]:
-    """Of two figures of one chapter."""
+    """Workshops of two figures of one chapter."""
     visitor.turn_to(CHAPTER)
     return Workshop(visitor, "figure-lens-distortion"), Workshop(visitor, "figure-two-coefficients")
 

@@ -225,7 +225,7 @@ def test_after_two_lost_tabs_the_third_start_waits_to_be_asked(
 
 
 def open_live(reader: Reader) -> None:
-    """Open the chapter, until its first figure lives; others may lack what they need."""
+    """Open the chapter, until its first figure is live; others may lack what they need."""
     reader.open(CHAPTER, live=False)
     expect(reader.figure(SCENE)).to_have_attribute("data-state", "live")
 
@@ -287,7 +287,7 @@ def assert_told_and_asked_again(reader: Reader, uncached: StaticServer, name: st
 
 
 def assert_starts_plainly(reader: Reader) -> None:
-    """And the page says nothing of it."""
+    """The page reports nothing of it."""
     fetched = reader.note_parts()
     open_live(reader)
     assert {*BUILT_ON} <= {*fetched}
@@ -338,7 +338,7 @@ def a_chapter(book: Any, table: Any, wanted: Callable[[set[str]], bool]) -> tupl
 
 
 def of_libraries(parts: Iterable[str]) -> set[str]:
-    """Those that hold nothing of ours."""
+    """Parts that hold nothing of ours."""
     return {part for part in parts if not part.startswith(("scene-", "ladder-"))}
 
 
@@ -378,7 +378,7 @@ CALL = """async ([name, payload]) => {
 def test_a_part_that_cannot_be_had_stops_its_figures_and_is_asked_for_again_at_the_next_try(
     reader: Reader, server: StaticServer, book: Any, table: Any
 ) -> None:
-    """The table lists none: each is fetched when Python asks for it."""
+    """The table lists none: each is fetched when Python imports it."""
     reader.page.add_init_script(FRUGAL)
     fetched = reader.note_parts()
     address, parts = a_chapter(book, table, bool)

@@ -26,7 +26,7 @@ def right_value(quiz: Any) -> float:
 
 
 def url_of(book: Any, item: Any) -> str:
-    """Of the chapter of a question."""
+    """Address of the chapter of a question."""
     return str(next(c["url"] for c in book["chapters"] if c["id"] == item["chapter"]))
 
 
@@ -99,7 +99,7 @@ def assert_all_numbers_are_judged(form: Locator, quiz: Any) -> None:
 
 
 def right_guess(item: Any) -> str | None:
-    """The number or the place of the option; of a curve only the page knows."""
+    """The number or the place of the option; only the page has that of a curve."""
     match item["kind"]:
         case "number":
             return repr(next(option["value"] for option in item["options"] if option["correct"]))

@@ -420,7 +420,7 @@ def test_the_index_is_fetched_by_a_hand_near_the_button_and_again_where_it_did_n
 
 
 def test_no_answer_of_a_question_is_in_the_index(built_site: Path, book: Any) -> None:
-    """Of those that are long enough to be told from other sentences."""
+    """Only answers long enough to differ from other sentences count."""
     index = (built_site / "search" / "index.json").read_text(encoding="utf-8")
     chapters = [
         (built_site / chapter["url"] / "index.html").read_text(encoding="utf-8")

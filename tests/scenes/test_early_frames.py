@@ -19,7 +19,7 @@ from site_builder.figures import prerendered_frames
 def test_each_frame_says_and_draws_what_its_scene_does(
     scene: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Those at the ends, so that none is drawn between."""
+    """Only the ends are prepared, so that none is drawn between."""
     monkeypatch.setattr(prerendered_frames, "FRAMES", 2)
     of: Scene[Any] = load_scene(scene)
     start = values_of(of.check({}))

@@ -48,7 +48,7 @@ def test_each_line_of_the_ledger_follows_from_the_line_above_as_printed(exposure
 
 @pytest.mark.parametrize("distance", [2.0, 4.0, 5.3, 8.0])
 def test_the_places_in_the_ledger_follow_from_one_another(distance: float) -> None:
-    """As printed: each number is good to half of its last digit."""
+    """Printed numbers are good to half of their last digit."""
     lines = [item.numbers.replace("−", "-") for item in stations(travel(distance, 0.6, 0))[:5]]
     room, camera, ideal, bent, pixel = (
         [float(each) for each in parts(r".*?\(([^)]*)\).*", line)[0].split(",")] for line in lines

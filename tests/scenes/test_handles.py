@@ -24,7 +24,7 @@ CACHES = {id_: StageCache() for id_ in SCENES}
 """What no handle moves is computed once."""
 FAR = 1e7
 FINGER = 24 / 267
-"""Of a panel's width: the 24 CSS pixels of WCAG 2.2 (2.5.8) where a phone is 320 pixels wide."""
+"""Share of a panel: the 24 CSS pixels of WCAG 2.2 (2.5.8) where a phone is 320 pixels wide."""
 NOISE = 0.05
 """Units of the view box by which one step may seem nearer than another that is not."""
 

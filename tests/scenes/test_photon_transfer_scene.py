@@ -50,7 +50,7 @@ def raw(number: int, codes: NDArray[np.uint16], black: Black = BLACK) -> Photogr
 
 
 def readings_of(photographs: Sequence[Photograph]) -> Readings:
-    """As the page keeps them."""
+    """Readings in the form in which the page keeps them."""
     kept = [json.loads(json.dumps(read(each))) for each in photographs]
     pairs = zip(photographs, kept, strict=True)
     return tuple(Reading(each.number, each.name, data) for each, data in pairs)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 BYTE, ASCII, SHORT, LONG, RATIONAL, SRATIONAL = 1, 2, 3, 4, 5, 10
 FORMATS = {BYTE: "B", SHORT: "H", LONG: "I", RATIONAL: "II", SRATIONAL: "ii"}
 TO_XYZ = (3.2406, -1.5372, -0.4986, -0.9689, 1.8758, 0.0415, 0.0557, -0.2040, 1.0570)
-"""As if the filters were those of linear sRGB."""
+"""The matrix of filters that are those of linear sRGB."""
 
 type Entry = tuple[int, int, Sequence[float] | str]
 """Tag, type and values."""

@@ -23,12 +23,12 @@ class Engine:
 
     @property
     def wheel(self) -> Path:
-        """That it was made from."""
+        """The wheel that it was made from."""
         (wheel,) = (self.folder / "wheels").glob("*.whl")
         return wheel
 
     def run(self, book: Path, *words: str) -> CompletedProcess[str]:
-        """As ``python …`` in the book's folder."""
+        """Run ``python …`` in the book's folder."""
         return run(book, self.python, *words)
 
     def install(self, wheel: Path) -> CompletedProcess[str]:

@@ -31,7 +31,7 @@ class Sent:
     """An answer."""
 
     name: str
-    """Of the file."""
+    """Name of the file."""
     query: str
     """What stood behind it in the address."""
     size: int
@@ -93,11 +93,11 @@ class Handler(BaseHTTPRequestHandler):
         self.host.sent.append(Sent(name, query, len(body), asked_ms))
 
     def log_message(self, *_: object) -> None:
-        """Who asks has words of their own."""
+        """Print nothing: tests report for themselves."""
 
 
 def read_rules(file: Path) -> Rules:
-    """As such a file says them; none without one."""
+    """Read the rules of such a file; none without one."""
     rules: dict[str, dict[str, str]] = {}
     pattern = ""
     for line in file.read_text(encoding="utf-8").splitlines() if file.is_file() else ():

@@ -17,7 +17,7 @@ PLACEHOLDER = re.compile(r"\{\w+\}")
 
 
 def phrases(words: Words) -> Iterator[tuple[str, str]]:
-    """What of each text stands between placeholders, where that is more than a word."""
+    """Parts of each text between placeholders, where they are more than a word."""
     for key, text in words.texts.items():
         for form in [text] if isinstance(text, str) else text.values():
             for part in PLACEHOLDER.split(form):

@@ -94,7 +94,7 @@ class Reader:
         session.detach()
 
     def begin_anew(self, screen: ViewportSize = DESK) -> None:
-        """As in a fresh profile: nothing kept, and no page but what is loaded next."""
+        """Begin as in a fresh profile: nothing kept, no page but the one loaded next."""
         self.page.set_viewport_size(screen)
         self.page.emulate_media(
             media="null", color_scheme="light", reduced_motion="null", forced_colors="null"
@@ -190,7 +190,7 @@ class Reader:
         return place
 
     def middle(self, element: Locator) -> Place:
-        """Of an element that is shown, in the window."""
+        """Middle of an element that is shown, in the window."""
         place = element.bounding_box()
         assert place, "it is not shown"
         return place["x"] + place["width"] / 2, place["y"] + place["height"] / 2

@@ -1,4 +1,4 @@
-"""Scenes in the order in which the book shows them: whoever visits all of them turns few pages."""
+"""Scenes in the order in which the book shows them: a visit to all turns few pages."""
 
 import re
 from pathlib import Path
@@ -16,8 +16,8 @@ IN_READING_ORDER = tuple(
 """Every scene of the registry; what no chapter shows comes last."""
 
 SAMPLE = ("lens-distortion", "perspective-projection", "wagon-wheel")
-"""Of what browsers try at every scene, `make test` tries these: pixels in tiers, a drawing, a film.
-Python's own answers are tried at all, in `tests/scenes`."""
+"""Scenes that `make test` tries in browsers: pixels in tiers, a drawing, a film.
+Python's own answers are tried for all scenes, in `tests/scenes`."""
 SAMPLED = tuple(
     pytest.param(name, marks=[] if name in SAMPLE else pytest.mark.deep)
     for name in IN_READING_ORDER

@@ -10,5 +10,5 @@ TRUTH = Camera(600.0, 603.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08, p1=6e-4
 
 
 def photographs(count: int, seed: int = 0, camera: Camera = TRUTH) -> Sitting:
-    """Of a board with 9 × 6 inner corners."""
+    """Photographs of a board with 9 × 6 inner corners."""
     return sitting(camera, SIZE, count, Board(), seed)

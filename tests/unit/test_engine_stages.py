@@ -151,7 +151,7 @@ def test_a_report_names_what_a_stage_depends_on_or_what_changed() -> None:
 
 
 def test_a_stage_may_read_less_than_before_under_its_name() -> None:
-    """As where a tier computes the same thing from other parameters."""
+    """A tier may compute the same thing from other parameters."""
     cache = StageCache()
     run((Stage("source", lambda size, factor: size * factor),), values(), cache)
     stage = Stage("source", lambda size, factor=10: size * factor)

@@ -270,4 +270,4 @@ PARTS: Mapping[str, Maker] = {
     "table": table,
     "video": video,
 }
-"""By the names of templates, of which each directive has one."""
+"""Blocks by the name of the template, of which each directive has one."""

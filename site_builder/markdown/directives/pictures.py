@@ -25,7 +25,7 @@ from site_builder.sandbox.pool import run_limited
 
 WIDTH = r"([1-9]\d?|100)%|[1-9]\d{1,3}px"
 ALIKE = 0.01
-"""Of the proportions of a picture and its dark variant, by how much they may differ."""
+"""Largest difference between the proportions of a picture and its dark variant."""
 
 
 @dataclass(frozen=True, slots=True)

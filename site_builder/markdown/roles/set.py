@@ -78,7 +78,7 @@ def _load(figure: FigurePlace, context: ParseContext) -> Scene[Any] | None:
 
 
 def _text(value: Value) -> str:
-    """As ``permalink.js`` writes it."""
+    """The value in the form that ``permalink.js`` writes."""
     match value:
         case bool():
             return str(value).lower()

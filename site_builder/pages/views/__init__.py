@@ -1,1 +1,1 @@
-"""What templates are given of one thing: a figure, a question, a list."""
+"""Data of one thing for its template: a figure, a question, a list."""

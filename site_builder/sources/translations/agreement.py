@@ -92,7 +92,7 @@ def _judged(question: Question) -> tuple[object, ...]:
 
 @dataclass(frozen=True, slots=True)
 class _Shared:
-    """Of the original, by ids."""
+    """Parts of the original, by ids."""
 
     figures: Mapping[str, Simulation]
     quizzes: Mapping[str, Question]

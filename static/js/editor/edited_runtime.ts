@@ -54,7 +54,7 @@ export class EditedRuntime {
     return this.#own?.generation ?? 0;
   }
 
-  /** As of any runtime; frames and their errors are those of the edited code. */
+  /** Calls of any runtime; frames and their errors are those of the edited code. */
   async call<Name extends CallName>(
     name: Name,
     request: Requests[Name],

@@ -8,7 +8,7 @@ interface Definition {
   /** Its first line there. */
   line: number;
   text: string;
-  /** Of the text. */
+  /** Hash of the text. */
   hash: string;
   /** Keys of the definitions that it names. */
   uses: string[];

@@ -72,5 +72,5 @@ async function highlight(event: Event) {
   if (pointed) (await import("./highlight.ts").catch(ignore))?.point(pointed);
 }
 
-/** Nobody has asked for it: nobody is told that it does not arrive. */
+/** Optional work: its failure is not reported. */
 function ignore() {}

@@ -44,7 +44,7 @@ export class LiveFigure {
   /** What the last frame was requested for. */
   #asked = "";
   #sound: Sound | null = null;
-  /** Of an initial frame that was taken for the live one, and is not computed yet. */
+  /** Job of an initial frame that was taken for the live one, and is not computed yet. */
   #uncached: Job | null = null;
 
   /** What the stages of the shown frame did. */
@@ -287,7 +287,7 @@ export class LiveFigure {
     return true;
   }
 
-  /** Of a figure that is near: on a slow device others would keep the hand waiting for seconds. */
+  /** Cache a near figure only: on slow devices others would delay the hand for seconds. */
   #cache() {
     const job = this.#near ? this.#uncached : null;
     if (!job) return;

@@ -14,7 +14,7 @@ export type Chosen = Source & { number: number };
 
 export class OwnPicture {
   #chosen: Chosen | null = null;
-  /** Of the chosen one, until they are handed over: they are many. */
+  /** Pixels of the chosen picture, until they are handed over: they are many. */
   #decoded: Picture | null = null;
   #readings: Reading[] = [];
   /** Counts the sets of readings. */

@@ -27,7 +27,7 @@ export interface Opened {
 export interface Wanted {
   mosaic: boolean;
   megapixels: number;
-  /** Told what takes time. */
+  /** Reports what takes time. */
   say: (text: string) => void;
 }
 

@@ -7,7 +7,7 @@ export function setText(element: Element | null | undefined, text: string) {
   if (element && element.textContent !== text) element.textContent = text;
 }
 
-/** As `setText`, of an attribute. */
+/** Set an attribute, as `setText` sets a text. */
 export function setAttribute(element: Element, name: string, value: string) {
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }

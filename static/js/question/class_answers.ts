@@ -25,7 +25,7 @@ export interface Try {
   right: boolean;
 }
 
-/** Of one student to one question. */
+/** Answers of one student to one question. */
 export interface Tried {
   who: string;
   first: Try;

@@ -8,7 +8,7 @@ import { KINDS } from "./book_kinds.js";
 import { forms, type Given, questionOf } from "./question.ts";
 
 interface Draft {
-  /** Of the question: what is asked. */
+  /** Edition of the question. */
   edition: string;
   /** The verdict on what was sent before, if anything was. */
   sent: string;

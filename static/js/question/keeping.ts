@@ -1,6 +1,6 @@
 /**
  * The buttons below a chapter's questions: forget the answers, save them, read them again. What
- * shows answers on the page hears of it by the events `answers-forgotten` and `answers-read`. And the
+ * shows answers on the page follows the events `answers-forgotten` and `answers-read`. And the
  * page on which the saved answers of a class are merged.
  */
 

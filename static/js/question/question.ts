@@ -44,7 +44,7 @@ export interface Kind<Q extends Question = any, G extends Given = any> {
   judge: (question: Q, given: G) => Verdict;
   /** Mark what is right and what is wrong; null where nothing is given. */
   mark?: (form: HTMLFormElement, question: Q, given: G | null) => void;
-  /** Of a prediction, to stand side by side: what was given, if anything, and what is right. */
+  /** What was given to a prediction, if anything, and what is right, to stand side by side. */
   compare?: (form: HTMLFormElement, question: Q, given: G | null) => [Shown | null, Shown];
 }
 

@@ -18,7 +18,7 @@ export interface LibRaw {
 export type Settings = Record<string, number | number[] | boolean>;
 
 export interface Metadata {
-  /** Of the upright picture. */
+  /** Width of the upright picture. */
   width: number;
   height: number;
   /** How it is made upright: from 5 on, width and height are exchanged. */

@@ -83,7 +83,7 @@ function decode(
   return { ...told, picture };
 }
 
-/** Those that the file has, if any; some have developed colours only. */
+/** The cells that the file has, if any; some have developed colours only. */
 function wholeCells(libraw: LibRaw, about: Metadata) {
   const cells = libraw.rawImageData();
   if (cells && isCutOff(about, cells)) throw new Refused("damaged");
@@ -99,7 +99,7 @@ function opened(libraw: LibRaw, file: Uint8Array, settings: object): Metadata {
   return libraw.metadata(true);
 }
 
-/** Of a file opened for `LINEAR`. */
+/** Cells of a file opened for `LINEAR`. */
 function cellsOf(libraw: LibRaw, about: Metadata) {
   if (!isBayer(about)) throw new Refused("no_mosaic");
   const linear = required(libraw.imageData(), "damaged");
@@ -114,7 +114,7 @@ function required<T>(value: T | undefined, fault: Fault): T {
   return value;
 }
 
-/** As of a photograph in `simulations/engine/photograph.py`. */
+/** Facts of a photograph, as in `simulations/engine/photograph.py`. */
 function factsOf(about: Metadata) {
   const numbers = {
     exposure_s: about.shutter,

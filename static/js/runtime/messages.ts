@@ -38,7 +38,7 @@ export type Readout = { name: string; label: string; text: string; unit: string;
 /** A picture of the reader's, on its way to Python. */
 export interface Picture {
   number: number;
-  /** Of its file. */
+  /** Name of its file. */
   name: string;
   /** Transferred; the worker draws and closes it. */
   bitmap: ImageBitmap;

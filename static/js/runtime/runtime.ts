@@ -32,7 +32,7 @@ export class RuntimeFailure extends Error {
   }
 }
 
-/** Of an interpreter that is ended on purpose. */
+/** Error of an interpreter that is ended on purpose. */
 export function closed() {
   return new RuntimeFailure("lost", words("runtime.closed"));
 }
@@ -55,7 +55,7 @@ interface Call {
   request: Record<string, any>;
   /** Longest wait for an answer, in milliseconds. */
   limit: number;
-  /** Asked when the worker is free: the highest goes first. */
+  /** Compared when the worker is free: the highest goes first. */
   urgency: () => number;
   resolve: (reply: any) => void;
   reject: (reason: RuntimeFailure) => void;

@@ -100,7 +100,7 @@ async function provide(id: number, names: string[]) {
   self.postMessage({ id, fetching: false });
 }
 
-/** Of an exception whose message is a sentence for the reader. */
+/** An exception whose message is a sentence for the reader. */
 const UNFIT = /^simulations\.engine\.reading\.UnfitError: /;
 
 /**

@@ -33,7 +33,7 @@ const BOOST = {
   figures: 1,
   questions: 0.3,
 };
-/** Of words that only begin as asked, or are only similar. */
+/** Weights of words that only begin as the query, or are only similar. */
 const WEIGHTS = { prefix: 0.3, fuzzy: 0.2 };
 /** Long sections are not held against a term that they repeat: they explain it. */
 const BM25 = { k: 2, b: 0.3, d: 0.5 };

@@ -13,9 +13,9 @@ export interface Language {
 export interface Word {
   start: number;
   end: number;
-  /** As it is compared; empty where only its parts are. */
+  /** The form that is compared; empty where only its parts are. */
   whole: string;
-  /** Of `wave-front`, `undistortPoints` or `24x36`; none of a simple word. */
+  /** Parts of `wave-front`, `undistortPoints` or `24x36`; none of a simple word. */
   parts: string[];
 }
 

@@ -19,7 +19,7 @@ from support.engines.engine import call
 from support.limits import limit_ms, limit_s
 
 PACKAGES = ("webkit2gtk-driver", "gir1.2-webkit2-4.1", "python3-gi", "xvfb")
-"""Of Debian."""
+"""Packages of Debian."""
 DRIVER, SCREEN, PYTHON = "WebKitWebDriver", "Xvfb", "/usr/bin/python3"
 WINDOW = Path(__file__).with_name("webkit_window.py")
 KNOWS = "import gi; gi.require_version('WebKit2', '4.1'); gi.require_version('Gtk', '3.0')"

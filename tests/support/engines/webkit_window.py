@@ -1,4 +1,4 @@
-"""A window of WebKitGTK that a driver leads, for ``/usr/bin/python3``, which knows the library.
+"""A window of WebKitGTK that a driver leads, for ``/usr/bin/python3``, which has the library.
 
 Unlike the library's own small browser under a driver, it keeps what it is given for as long as its
 profile lasts, and writes the console of every page to the standard output.

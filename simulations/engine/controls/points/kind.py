@@ -63,7 +63,7 @@ class Points:
     buttons: Mapping[str, str]
     """Handles that a button pulls, and what the button says."""
     default: str = ""
-    """As `PointLists` are written; what no points at all mean is the scene's to say."""
+    """Written like `PointLists`; each scene decides what no points at all mean."""
 
     kind = "points"
     types = (str,)
