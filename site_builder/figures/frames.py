@@ -39,7 +39,7 @@ class StaticFrame:
     frame: Frame
     """Without its pixels."""
     pictures: Mapping[str, Picture]
-    """By panel; of those that have pixels."""
+    """By panel, for panels that have pixels."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -49,7 +49,7 @@ class InitialFrame:
 
 
 type InitialFrames = dict[tuple[str, int], InitialFrame]
-"""By the place of the directive: path and line."""
+"""Frames by the place of the directive: path and line."""
 
 
 def describing(initial_frames: InitialFrames) -> Callable[[Simulation], str]:

@@ -29,7 +29,7 @@ def brotlied(data: bytes) -> bytes:
 
 
 PACKERS: Mapping[str, Callable[[bytes], bytes]] = {".br": brotlied, ".gz": gzipped}
-"""By what the names of the copies end in."""
+"""Packers by the ending of a copy's name."""
 
 
 def compressed_copies(files: Mapping[str, Content]) -> dict[str, bytes]:

@@ -15,7 +15,7 @@ from site_builder.diagnostics.diagnostic import cause
 from site_builder.sandbox.pool import LimitError, run_limited
 
 IMPORT_SECONDS = 15.0
-"""By the clock: an import computes little, and what waits in one waits for ever."""
+"""Limit by the clock: an import computes little, and what waits in one waits for ever."""
 MODULES = {"simulation": SCENE_MODULES, "ladder": LADDER_MODULES}
 
 

@@ -205,7 +205,7 @@ def _fence(more_bytes: int) -> None:
 
 
 def _limit_memory(more: int) -> None:
-    """So many bytes beside what the process has now, where the system can limit it."""
+    """Allow so many bytes more than the process has now, where the system can limit it."""
     if sys.platform != "linux":
         return
     import resource

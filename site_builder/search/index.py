@@ -18,7 +18,7 @@ from site_builder.search.records import PageRecords, Record, make_records, trans
 HERE = Path(__file__).parent
 SEARCH = "minisearch/dist/es/index.js"
 STEMMERS = {"en": "stemmer/index.js", "de": "@orama/stemmers/dist/de.js"}
-"""By language; where the packages have what is shipped: modules that import nothing."""
+"""Shipped modules of packages, by language; they import nothing."""
 LICENCES = {
     "minisearch": "LICENSE.txt",
     "stemmer": "license",

@@ -60,7 +60,7 @@ def the_printed_formulae() -> Says:
 
 
 def turn_to_half_height(model: Callable[..., Floats], shininess: float) -> float:
-    """By how much the camera turns until a highlight of light from head-on is half as bright."""
+    """Turn of the camera until a highlight of light from head-on is half as bright."""
 
     def above_half(turn: float) -> float:
         view = (sin(turn), 0, cos(turn))

@@ -40,7 +40,7 @@ def balloon() -> Floats:
 
 
 def blurred(disc_px: float) -> Floats:
-    """By the transfer function of an even disc, on the picture and its mirror images."""
+    """Blur by the transfer function of an even disc, on the picture and its mirror images."""
     picture = balloon()
     tiled = np.concatenate([picture, picture[::-1]], axis=0)
     tiled = np.concatenate([tiled, tiled[:, ::-1]], axis=1)

@@ -385,7 +385,7 @@ def test_a_silent_worker_is_given_up_but_not_while_it_may_be_at_work_or_all_slep
 
 
 NOT_STORED = {"/sw.js": Fault(status=404)}
-"""So that every file is asked of the host."""
+"""Without it every file is fetched from the host."""
 
 
 @pytest.fixture(

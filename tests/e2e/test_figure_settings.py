@@ -507,7 +507,7 @@ def picture(width: int, height: int, colour: tuple[int, ...], name: str = "own.p
 def test_a_figure_shows_the_reader_s_picture_and_then_the_book_s_again(
     guest: Reader, figure: Locator
 ) -> None:
-    """By its button, and by the menu of pictures; a file that is no picture is refused."""
+    """Use its button, and the menu of pictures; a file that is no picture is refused."""
 
     def choose(file: FilePayload) -> Any:
         with guest.next_frame(figure):

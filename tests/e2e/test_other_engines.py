@@ -51,7 +51,7 @@ def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goe
 
 
 def moves_a_figure(engine: Engine) -> None:
-    """By its slider, by a handle, by the handle's keys."""
+    """Use its slider, a handle, and the handle's keys."""
     x, y = middle(engine, SLIDER)
     start = engine.ask(STATE, SCENE)
     click(engine, (x + 30, y))

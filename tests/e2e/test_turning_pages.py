@@ -230,7 +230,7 @@ def test_keys_turn_the_page_can_be_turned_off_and_are_letters_where_one_types(
 
 
 def test_a_term_shows_its_definition_and_leads_to_the_glossary(plain_reader: Reader) -> None:
-    """By mouse, focus, and a tap; a second tap follows the link."""
+    """Use mouse, focus, and a tap; a second tap follows the link."""
     page = plain_reader.page
     plain_reader.open("full-camera-model/", live=False)
     mark = page.locator("#term-circle-of-confusion")

@@ -180,7 +180,7 @@ def test_two_sided_least_squares_reaches_the_cramer_rao_bound(index: int) -> Non
 def test_least_squares_in_the_second_picture_is_opencvs_refined_estimate(
     index: int, name: str
 ) -> None:
-    """But for what two steps of Gauss–Newton leave, far less than it is off the truth."""
+    """The two differ by far less than the error: two steps of Gauss–Newton leave a little."""
     run = run_of("homography-estimation")
     matches, ours = run.work[index], run.result("one-sided")[index][0]
     H, _ = cv2.findHomography(matches.source[0], matches.target[0], 0)
@@ -350,7 +350,7 @@ def test_blends_are_exact_at_the_corners_of_the_cells() -> None:
 
 
 def sampling_error(run: Any) -> float:
-    """What 99 of 100 samples of the right distribution stay below (Kolmogorov)."""
+    """Bound of 99 of 100 samples of the right distribution (Kolmogorov)."""
     return float(1.63 / np.sqrt(run.module.SAMPLES))
 
 

@@ -63,7 +63,7 @@ def test_the_sky_begins_at_the_horizon() -> None:
 
 
 def test_the_box_covers_the_area_of_its_outline() -> None:
-    """By the shoelace formula on the projected corners of each side that is seen."""
+    """The shoelace formula is applied to the projected corners of each side that is seen."""
     covered = np.zeros((HEIGHT, WIDTH))
     area = 0.0
     for name in BOX.seen_from((0.0, 0.0, 1.6)):

@@ -1,4 +1,4 @@
-"""What every scene with accuracy choices owes to its ladder and to the page."""
+"""Checks of every scene with accuracy choices against its ladder and the page."""
 
 import itertools
 

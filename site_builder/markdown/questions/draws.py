@@ -76,7 +76,7 @@ def draw(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> t
 
 
 def _columns(text: str, context: ParseContext) -> Mapping[str, list[float]]:
-    """By name, the numbers to draw from. Raises `ExpressionError`."""
+    """The numbers to draw from, by name. Raises `ExpressionError`."""
     columns: dict[str, list[float]] = {}
     for part in text.split(";"):
         name, sign, values = (word.strip() for word in part.partition("="))

@@ -12,7 +12,7 @@ import { readValue, writeValue, type Schema } from "./controls.ts";
 const CALM_PAUSE = 1;
 /** Pictures on a way that is too short for whole numbers. */
 const CALM_PICTURES = 4;
-/** On a way of more whole numbers than these, fewer pictures. */
+/** A way of more whole numbers than these has fewer pictures. */
 const MOST_WHOLE = 48;
 const CALM_MOST = 24;
 

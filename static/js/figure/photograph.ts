@@ -86,7 +86,7 @@ export async function open(source: Source, { say, ...wanted }: Wanted): Promise<
   return await openCoded(source, "photograph.unreadable");
 }
 
-/** By the browser itself. */
+/** Decode by the browser itself. */
 async function openCoded(
   { name, file }: Source,
   refusal: "raw.unknown" | "photograph.unreadable",
@@ -157,7 +157,7 @@ function refuseSize(name: string, { width, height }: ImageBitmap) {
   }
 }
 
-/** Its own width and height, unless that is too many pixels. */
+/** The picture's own size, unless that is too many pixels. */
 function fitted({ width, height }: ImageBitmap, most: number) {
   const scale = Math.min(1, Math.sqrt((most * 1e6) / (width * height)));
   return [Math.max(1, Math.floor(width * scale)), Math.max(1, Math.floor(height * scale))];

@@ -7,7 +7,7 @@ import type { DataSheet } from "./data_sheet.ts";
 import type { Instrument } from "./instrument.ts";
 import { keyOf } from "./photo.ts";
 
-/** By the figure that has photographs, or had. */
+/** Instruments by the figure that has photographs, or had. */
 const instruments: WeakMap<SimulationFigure, Promise<Instrument>> = new WeakMap();
 
 /** Called once. */

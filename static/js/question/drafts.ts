@@ -17,7 +17,7 @@ interface Draft {
 
 const KEY = `${STORAGE}unsent`;
 
-/** By page, and in it by form. */
+/** Drafts by page, and in it by form. */
 let drafts: Record<string, Record<string, Draft>> = {};
 /** The draft of each form before the reader changed it. */
 const untouched: WeakMap<HTMLFormElement, string> = new WeakMap();

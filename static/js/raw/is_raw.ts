@@ -12,7 +12,7 @@ const BEGINNINGS = [
   /^\0MRM/, // Minolta MRW
 ];
 
-/** By its content, as names are often wrong. */
+/** Judged by content, as names are often wrong. */
 export async function isRaw(file: Blob): Promise<boolean> {
   const head = new Uint8Array(await file.slice(0, 16).arrayBuffer());
   const text = String.fromCharCode(...head);

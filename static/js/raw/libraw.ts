@@ -10,7 +10,7 @@ export interface LibRaw {
   metadata(full: boolean): Metadata;
   /** @throws For data that cannot be decoded. */
   imageData(): Developed | undefined;
-  /** To be asked after `imageData`. */
+  /** Called after `imageData`. */
   rawImageData(): Cells | undefined;
 }
 

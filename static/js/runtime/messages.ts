@@ -23,7 +23,7 @@ export interface StartRequest {
   url: string;
   /** Hash of `runtime.json`. */
   table?: string;
-  /** Whose chunks are fetched meanwhile. */
+  /** Their chunks are fetched meanwhile. */
   scenes: string[];
   /** Whether the browser may hold copies of the files. */
   cached?: boolean;

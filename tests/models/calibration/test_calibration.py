@@ -158,7 +158,7 @@ def near(camera_step: np.ndarray, pose_step: np.ndarray) -> Linearised:
 
 @pytest.mark.parametrize("index", range(len(FREE) + 6))
 def test_derivatives_are_the_differences_of_residuals(index: int) -> None:
-    """By the parameters of the camera, then by the six of each pose."""
+    """Derivatives by the parameters of the camera, then by the six of each pose."""
     count = len(FREE)
     step = STEP * np.eye(count + 6)[index]
     camera, pose = step[:count], np.broadcast_to(step[count:], (3, 6))

@@ -89,7 +89,7 @@ def test_a_box_is_met_where_its_edges_lie_along_each_axis() -> None:
 def test_a_box_is_the_crossing_of_six_half_spaces(
     angle: float, x: float, z: float, seed: int
 ) -> None:
-    """By walking along the ray in small steps."""
+    """Walk along the ray in small steps."""
     box = Box((0.0, 5.0, 0.0), (1.0, 1.4, 0.6), angle)
     eye = np.array([x, 0.0, z])
     directions = unit(np.array([-x, 5.0, -z]) + np.random.default_rng(seed).uniform(-1, 1, (20, 3)))

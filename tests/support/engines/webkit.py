@@ -126,7 +126,7 @@ def _free_port() -> int:
 
 
 def _wait_for_driver(address: str) -> None:
-    """Until it answers; raises `TimeoutError`."""
+    """Wait until it answers; raises `TimeoutError`."""
     end = time.monotonic() + limit_s()
     while time.monotonic() < end:
         with suppress(URLError), urlopen(f"{address}/status", timeout=3 * limit_s()):

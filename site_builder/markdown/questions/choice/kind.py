@@ -38,7 +38,7 @@ def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContex
 
 
 def _is_right(answer: Answer, context: ParseContext) -> bool | None:
-    """By its mark or its condition; None, and a report, of one that cannot be computed."""
+    """Judge by mark or condition; None, and a report, where it cannot be computed."""
     if answer.mark != "computed":
         return answer.mark == "right"
     if not answer.code:

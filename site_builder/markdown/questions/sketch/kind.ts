@@ -74,7 +74,7 @@ export const kind: Kind<Sketched, number[]> = {
     redraw(form);
   },
 
-  /** By the place where the curves are farthest apart. */
+  /** Judge by the place where the curves are farthest apart. */
   judge({ sketch: { x, y, truth } }, given) {
     const off = truth.map((value, index) => Math.abs(value - given[index]));
     const farthest = Math.max(...off);
@@ -90,7 +90,7 @@ export const kind: Kind<Sketched, number[]> = {
   },
 };
 
-/** To a thousandth of its axis, or finer, with a true minus sign. */
+/** Round to a thousandth of its axis, or finer, with a true minus sign. */
 function short(value: number, [start, end]: [number, number]) {
   const decimals = Math.max(0, 3 - Math.floor(Math.log10(end - start)));
   return numeral(String(Number(value.toFixed(decimals))).replace("-", "\u2212"));
