@@ -28,8 +28,10 @@ export async function attemptTwice(
     await attempt();
     return undefined;
   } catch (error) {
-    const lost = error instanceof RuntimeFailure && error.kind === "lost";
-    if (!(lost || onlineSince > begun)) return error;
+    const { kind, begun: worker } =
+      error instanceof RuntimeFailure ? error : { kind: "page", begun: Infinity };
+    // A request made since then may have joined a start of Python from before.
+    if (kind !== "lost" && onlineSince <= Math.min(begun, worker)) return error;
   }
   figure.dataset.state = "starting";
   if (!isWanted()) return undefined;

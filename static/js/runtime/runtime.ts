@@ -12,6 +12,12 @@ import { findLoadError, type LoadErrorData, type LoadErrorKind } from "./load_er
 import { CALLS, type CallName, type Replies, type Requests } from "./messages.ts";
 import { Watchdog } from "./watchdog.ts";
 
+interface Circumstances {
+  late?: boolean;
+  loadError?: LoadErrorKind;
+  begun?: number;
+}
+
 /**
  * Why a call failed: `python` (our code raised), `start` (no interpreter), `part` (one of its files
  * did not arrive), `lost` (no answer).
@@ -19,16 +25,18 @@ import { Watchdog } from "./watchdog.ts";
 export class RuntimeFailure extends Error {
   readonly late: boolean;
   readonly loadError: string | undefined;
+  readonly begun: number;
 
-  /** @param more Whether it was the time limit; what is wrong with a file. */
+  /** @param more Whether it was the time limit; what is wrong with a file; when its worker began. */
   constructor(
     readonly kind: "python" | "start" | "part" | "lost",
     message: string,
-    { late = false, loadError }: { late?: boolean; loadError?: LoadErrorKind } = {},
+    { late = false, loadError, begun = Infinity }: Circumstances = {},
   ) {
     super(message);
     this.late = late;
     this.loadError = loadError;
+    this.begun = begun;
   }
 }
 
@@ -70,6 +78,8 @@ export class Runtime {
   #watchdog = new Watchdog();
   #lastId = 0;
   #failedStarts = 0;
+  /** When the worker was started. */
+  #begun = 0;
   /** Whether an interpreter that continued from the snapshot broke as it imported its first scene. */
   #plain = false;
   /** Number of the interpreter: a new one has nothing of what was sent to the last. */
@@ -140,6 +150,7 @@ export class Runtime {
 
   #boot() {
     this.generation = ++interpreters;
+    this.#begun = performance.now();
     const script = new URL("./worker.js", import.meta.url);
     const worker = this.early() ?? new Worker(script, { type: "module" });
     this.#worker = worker;
@@ -201,12 +212,17 @@ export class Runtime {
   }
 
   /** The worker is of no more use: end it, reject its call, and go on with a new one. */
-  #lose(message: string, more?: { late?: boolean; loadError?: LoadErrorKind }) {
+  #lose(message: string, more?: Circumstances) {
     const call = this.#active;
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
-    call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, more));
+    call?.reject(
+      new RuntimeFailure(call.name === "start" ? "start" : "lost", message, {
+        ...more,
+        begun: this.#begun,
+      }),
+    );
     this.#next();
   }
 
