@@ -14,7 +14,7 @@ import moodle_xml_parser.parser as moodle_reader
 import onyx2moodle.parser as qti_reader
 import pytest
 from onyx2moodle.classifier import classify
-from support.little_book import FIXTURES, OUTLINE, MakeBook, diagnostics, rendered, write_book
+from support.little_book import FIXTURES, OUTLINE, rendered, write_book
 from support.qti import QTI, answered
 
 from site_builder.build import Options, load
@@ -213,34 +213,6 @@ def test_the_page_shows_the_first_combination_and_carries_all(options: Options) 
     assert all('name="answer"' in text for text in variants)
     assert not any("variants" in each for each in undrawn)
     assert page.count("data-draw") == 1
-
-
-@pytest.mark.parametrize(
-    ("draw", "line", "gist"),
-    [
-        ("f", 4, "'f' draws no number; legal: each name once"),
-        ("f = 1, 2; f = 3, 4", 4, "'f = 3, 4' draws no number; legal: each name once"),
-        ("lambda = 1, 2", 4, "'lambda = 1, 2' draws no number"),
-        ("f = 1, 2, N = 3", 4, "'f = 1, 2, N = 3' draws no number"),
-        ("f = 1, 1", 4, "'f = 1, 1' draws a number twice"),
-        ("f = 1,5", 4, "'1,5'; legal: a decimal point, or a space behind each comma"),
-        ("f = 1, ?", 4, "'1, ?' is no expression"),
-        ("f = 1", 4, "quiz 'q' draws from 1 combinations; legal: 2 to 60"),
-        ("a = 1, 2, 3, 4, 5, 6, 7, 8; f = 1, 2, 3, 4, 5, 6, 7, 8", 4, "from 64 combinations"),
-        ("f = 2, 3; N = 1, 2", 4, "is the same with f = 2; N = 1 and with f = 2; N = 2"),
-        ('f = readout("demo", "k1", k1=0.1), 0', 6, "with f = 0: '1 / f': ZeroDivision"),
-        ("f = 2, 1", 8, "with f = 1: 'f' is 1 and '1 / f' is 1: within 0.01 they cannot be told"),
-    ],
-)
-def test_a_mistake_in_a_draw_is_reported_with_its_combination(
-    make_book: MakeBook, draw: str, line: int, gist: str
-) -> None:
-    body = (
-        f":::{{quiz}} q\n:kind: number\n:within: 1%\n:draw: {draw}\nWhat is {{calc}}`f`?\n"
-        "- [x] `1 / f`\n  : So.\n- [ ] `f`\n  : No.\n- [ ] otherwise\n  : No.\n:::\n"
-    )
-    found = diagnostics(make_book(body, {"content/book.toml": OUTLINE}))
-    assert [each.line - 4 for each in found if gist in each.message] == [line]
 
 
 def test_combinations_are_a_category_of_moodle_and_a_selection_of_qti(

@@ -3,31 +3,39 @@
 A case begins with ``======== what it shows``. Its text is the first chapter of a little book.
 ``++++++++ FILE`` begins another file of that book, and ``++++++++ end of FILE`` more lines of its
 outline. A chapter without front matter of its own has that of the book, unless it is the ``whole``
-of a file. A line ``^^^ MESSAGE`` stands below the line of which that
-is reported, and is the beginning of the message, behind ``warning:`` where it fails nothing; any
-other report fails the test.
+of a file. A line ``^^^ MESSAGE`` stands below the line of which that is reported, and is the
+beginning of the message, behind ``warning:`` where it fails nothing. A row ``TEXT ^^^ MESSAGE`` is
+a paragraph and what is reported of it. Any other report fails the test.
 
 Behind ``--------`` follows what comes out: the outline of the chapter, and after ``-------- PART``
 that of another page, or the chapter on ``paper``, as a ``notebook`` or in the ``search``.
+
+Behind ``-------- changes of FILE`` stand mistakes, ``OLD => NEW ^^^ MESSAGE``. Each is made alone
+where the file has OLD first; ¶ is the end of a line, and … is OLD again. Messages are those that
+are reported in addition: of the line where OLD begins, of another as ``+2 MESSAGE``, or of another
+file as ``PATH:2 MESSAGE``.
 
 A mismatch writes the case as it is now beside its file, as ``…-changed.md``.
 """
 
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
 from support.little_book import FRONT, OUTLINE, diagnostics, part_of
 
 from site_builder.build import Options
+from site_builder.diagnostics.diagnostic import Diagnostic
 
 HERE = Path(__file__).parent
 CHAPTER = "content/00-first.md"
 OTHER = "---\ntitle: Second\nsummary: The second chapter.\n---\n"
 LISTED = re.compile(r"content/\d\d-\S+\.md")
 MARK = re.compile(r"^(={8} .+|\+{8} .+|-{8}(?: .+)?)\n", re.MULTILINE)
+CHANGES = "changes of "
 REPORT = "^^^ "
 
 
@@ -43,6 +51,15 @@ class Case:
     """Outlines by the part that is named."""
 
 
+@dataclass(slots=True)
+class Line:
+    """A line of a file, and what is reported of it."""
+
+    text: str
+    messages: list[str] = field(default_factory=list)
+    is_row: bool = False
+
+
 def read_cases(file: Path) -> Iterator[tuple[str, Case]]:
     """Titles and cases."""
     _, *parts = re.split(r"^={8} (.+)\n", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
@@ -54,13 +71,21 @@ def read_cases(file: Path) -> Iterator[tuple[str, Case]]:
         yield title, Case(source, {CHAPTER: text, **files} if text else files, outlines)
 
 
-def is_report(line: str) -> bool:
-    return line.startswith(REPORT)
+def read_lines(text: str) -> list[Line]:
+    """Lines of a file, the first of which stands for all before it."""
+    lines = [Line("")]
+    for line in text.splitlines():
+        if line.startswith(REPORT):
+            lines[-1].messages.append(line.removeprefix(REPORT))
+        else:
+            own, *messages = line.split(f" {REPORT}")
+            lines.append(Line(own, messages, bool(messages)))
+    return lines
 
 
 def written(name: str, text: str) -> tuple[str, int]:
     """A file as the book has it, and how many lines stand before what the case says of it."""
-    own = "".join(line for line in text.splitlines(keepends=True) if not is_report(line))
+    own = "".join(f"{line.text}\n" + "\n" * line.is_row for line in read_lines(text)[1:])
     before = OUTLINE if name.startswith("end of ") else ""
     if LISTED.fullmatch(name) and not own.startswith("---\n"):
         before = FRONT if name == CHAPTER else OTHER
@@ -71,40 +96,83 @@ def path_of(name: str) -> str:
     return name.removeprefix("end of ").removeprefix("whole ")
 
 
-def with_reports(text: str, before: int, found: Mapping[int, list[str]]) -> str:
-    """The text with what is reported of each line below it, abridged where the case abridges it."""
-    lines = text.splitlines(keepends=True)
-    expected = [line.removeprefix(REPORT).rstrip("\n") for line in lines if is_report(line)]
+def abridged(message: str, expected: list[str]) -> str:
+    """The message, to where one of those that are expected ends or else to its first semicolon."""
+    head = message if "; did you mean" in message else message.partition("; ")[0]
+    return max(filter(message.startswith, expected), key=len, default=head)
 
-    def shown(message: str) -> str:
-        head = message if "; did you mean" in message else message.partition("; ")[0]
-        return max(filter(message.startswith, expected), key=len, default=head)
 
-    own = ["" for _ in range(before)] + [line for line in lines if not is_report(line)]
-    for number in sorted(found):
-        messages = sorted(f"{REPORT}{shown(message)}\n" for message in found[number])
-        own[min(number, len(own)) - 1] += "".join(messages)
-    return "".join(own)
+def said(one: Diagnostic) -> str:
+    return one.message if one.fails else f"warning: {one.message}"
+
+
+def with_reports(text: str, before: int, found: list[Diagnostic]) -> str:
+    """The text, with what is reported of each line."""
+    lines = read_lines(text)
+    places = [line for line in lines for _ in range(1 + line.is_row)]
+    now: dict[int, list[str]] = {}
+    for one in found:
+        line = places[min(max(one.line - before, 0), len(places) - 1)]
+        now.setdefault(id(line), []).append(abridged(said(one), line.messages))
+    told = ""
+    for place, line in enumerate(lines):
+        messages = sorted(now.get(id(line), ()))
+        if line.is_row:
+            told += " ^^^ ".join([line.text, *messages]) + "\n"
+        else:
+            told += f"{line.text}\n" * (place > 0) + "".join(f"^^^ {each}\n" for each in messages)
+    return told
+
+
+def with_changes(
+    rows: str, path: str, files: Mapping[str, str], make_book: Callable[..., Options]
+) -> str:
+    """The changes of a file, each with what is then reported in addition."""
+    options = make_book(files=files)
+    sound = Counter((one.path, one.message) for one in diagnostics(options))
+    text, now = (options.root / path).read_text(encoding="utf-8"), ""
+    for row in rows.splitlines():
+        change, *expected = row.split(f" {REPORT}")
+        old, new = (part.replace("¶", "\n") for part in change.split(" => "))
+        before, found, behind = text.partition(old)
+        assert found, f"not in {path}: {old}"
+        first = before.count("\n") + 1
+        known, messages = sound.copy(), []
+        changed = before + new.replace("…", old) + behind
+        for one in diagnostics(make_book(files={**files, path: changed})):
+            if known[one.path, one.message]:
+                known[one.path, one.message] -= 1
+                continue
+            place = f"{one.line - first:+d} " if one.line != first else ""
+            place = place if one.path == path else f"{one.path}:{one.line} "
+            ends = [each.removeprefix(place) for each in expected]
+            messages.append(place + abridged(said(one), ends))
+        now += " ^^^ ".join([change, *sorted(messages)]) + "\n"
+    return now
 
 
 def as_it_is_now(case: Case, make_book: Callable[..., Options]) -> str:
     """The case, with what is reported and what comes out in place of what was expected."""
     texts = {name: written(name, text) for name, text in case.files.items()}
-    files = {path_of(name): text for name, (text, _) in texts.items()}
-    packages = {name.replace("scene.py", "__init__.py"): "" for name in files}
-    options = make_book(files={"content/book.toml": OUTLINE, **packages, **files})
-    reports: dict[str, dict[int, list[str]]] = {}
-    for one in diagnostics(options):
-        message = one.message if one.fails else f"warning: {one.message}"
-        reports.setdefault(one.path, {}).setdefault(one.line, []).append(message)
+    packages = {path_of(name).replace("scene.py", "__init__.py"): "" for name in texts}
+    files = {"content/book.toml": OUTLINE, **packages}
+    files |= {path_of(name): text for name, (text, _) in texts.items()}
+    options = make_book(files=files)
+    found = diagnostics(options)
     now: list[str] = []
     for name, text in case.files.items():
-        found = reports.pop(path_of(name), {})
+        own = [one for one in found if one.path == path_of(name)]
+        found = [one for one in found if one.path != path_of(name)]
         head = f"++++++++ {name}\n" if now or name != CHAPTER else ""
-        now.append(head + with_reports(text, texts[name][1], found))
-    assert not reports, "reported of files that the case does not show"
-    for part in case.parts:
-        now.append(f"--------{f' {part}' if part else ''}\n{part_of(options, part)}")
+        now.append(head + with_reports(text, texts[name][1], own))
+    assert found == [], "reported of files that the case does not show"
+    for part, text in case.parts.items():
+        if part.startswith(CHANGES):
+            path = part.removeprefix(CHANGES)
+            shown = with_changes(text, path, files, make_book)
+        else:
+            shown = part_of(options, part)
+        now.append(f"--------{f' {part}' if part else ''}\n{shown}")
     return "".join(now)
 
 
