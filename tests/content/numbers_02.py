@@ -5,7 +5,7 @@ from math import cos, exp, radians, sin, tan
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models.geometry import euler, rotations, transforms_3d
+from simulations.models.geometry import euler, rotations
 from simulations.models.geometry.rotation_paths import matrix_blend
 from simulations.models.projection.pinhole import rigid_pose, world_to_camera
 
@@ -63,12 +63,15 @@ def the_ladder_in_space() -> Says:
         H /= np.linalg.norm(H)  # a factor changes nothing
         return H
 
+    def moved(matrix: np.ndarray, offset: np.ndarray) -> np.ndarray:
+        return np.block([[matrix, offset[:, None]], [np.zeros((1, 3)), np.ones((1, 1))]])
+
     turned = rotations.exponential
     rungs = {
-        "Translation": (3, transforms_3d.translation),
-        "Rigid": (6, lambda p: transforms_3d.rigid(turned(p[:3]), p[3:])),
-        "Similarity": (7, lambda p: transforms_3d.similarity(exp(p[6]), turned(p[:3]), p[3:6])),
-        "Affine": (12, lambda p: transforms_3d.affine(np.eye(3) + p[:9].reshape(3, 3), p[9:])),
+        "Translation": (3, lambda p: moved(np.eye(3), p)),
+        "Rigid": (6, lambda p: moved(turned(p[:3]), p[3:])),
+        "Similarity": (7, lambda p: moved(exp(p[6]) * turned(p[:3]), p[3:6])),
+        "Affine": (12, lambda p: moved(np.eye(3) + p[:9].reshape(3, 3), p[9:])),
         "Projective": (16, projective),
     }
     for rung, (parameters, matrix) in rungs.items():

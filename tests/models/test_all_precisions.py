@@ -40,7 +40,7 @@ OF_COLOURS: dict[str, Model] = {
     "adapt": lambda p: chromatic_adaptation.adapt(p, D65_XY, LAMP_XY),
     "xyz_to_xyy": chromaticity.xyz_to_xyy,
     "luminance": cie.luminance,
-    "linear_rgb_to_xyz": cie.linear_rgb_to_xyz,
+    "xyz_to_linear_rgb": cie.xyz_to_linear_rgb,
     "rgb_to_ycbcr": ycbcr.rgb_to_ycbcr,
     "white_balance": lambda p: white_balance(p, (0.5, 1.0, 0.7)),
     "encode_srgb": srgb.encode_srgb,

@@ -9,7 +9,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from simulations.models.arrays import Floats, Mask
-from simulations.models.geometry import homography_algebra, lines_and_planes, transforms_3d
+from simulations.models.geometry import homography_algebra, lines_and_planes
 from simulations.models.geometry.preserved_properties import measure_preservation
 from simulations.models.geometry.transforms import apply_homography, clip_to_visible
 from simulations.models.projection import pinhole
@@ -50,12 +50,6 @@ def test_what_a_homography_keeps_in_sight_and_what_it_changes(
     found, expected = (measure_preservation(c * H, sides) for c in (factor, 1.0))
     for name in found.__slots__:
         assert getattr(found, name) == pytest.approx(getattr(expected, name), abs=1e-9)
-
-
-@given(st.lists(entries, min_size=16, max_size=16), st.sampled_from([-1.0, 2.0, -1e12, -1e-9]))
-def test_a_projective_map_of_space(h: list[float], factor: float) -> None:
-    H = np.reshape(h, (4, 4))
-    agree(transforms_3d.apply_transform(factor * H, SPACE), transforms_3d.apply_transform(H, SPACE))
 
 
 @given(factors)

@@ -20,6 +20,9 @@ import pytest
 from properties.kinds import Kind, kind_of
 
 from simulations import models
+from simulations.registry import hard_case_tables
+from site_builder.runtime.imports import Table, reach
+from site_builder.runtime.pack import page_modules
 
 TABLE = tomllib.loads(Path(__file__).with_name("arguments.toml").read_text("utf-8"))
 
@@ -54,6 +57,17 @@ def test_every_public_function_has_a_row_and_every_row_a_function() -> None:
     assert {name for name in named if not name.endswith(".unchecked")} == found, (
         "arguments.toml needs a row, or a name under `unchecked`, for each function"
     )
+
+
+def test_every_module_is_run_by_a_figure_or_a_ladder_or_in_a_hard_case(
+    imports_of_the_book: Table,
+) -> None:
+    tables = [tomllib.loads(file.read_text("utf-8")) for file in hard_case_tables().values()]
+    named = {path.partition(":")[0] for table in tables for path in table["names"]}
+    asked = [reach(imports_of_the_book, name) for name in named & imports_of_the_book.keys()]
+    walk = pkgutil.walk_packages(models.__path__, f"{models.__name__}.")
+    every = {module.name for module in walk if not module.ispkg}
+    assert every <= page_modules(imports_of_the_book).union(*asked)
 
 
 @dataclasses.dataclass(frozen=True)

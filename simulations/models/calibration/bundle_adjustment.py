@@ -29,11 +29,10 @@ from itertools import islice
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses, predicted
+from simulations.models.calibration.camera import Camera, Poses, predicted
 from simulations.models.calibration.views import Views
-from simulations.models.calibration.zhang import TILT, UndeterminedError, closed_form
+from simulations.models.calibration.zhang import TILT, UndeterminedError
 from simulations.models.distortion.decentring import DecentredLens
-from simulations.models.require import require_one_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,22 +198,6 @@ class Adjusted:
     """Sum of squared residuals, px²."""
     settled: bool = False
     """Whether no further step is worth it."""
-
-
-def calibrate(views: Views, size: tuple[int, int], lens: str = "k3") -> Adjusted:
-    """The camera by least squares, from nothing but corners.
-
-    Parameters
-    ----------
-    views : at least three, of a board seen from different sides.
-    size : width and height of the pictures in px.
-    lens : one of `LENSES`.
-
-    Raises `UndeterminedError` if the photographs do not determine it, saying what to photograph.
-    """
-    require_one_of("lens", lens, LENSES)
-    camera, poses = closed_form(views, size)
-    return refine(views, camera, poses, PINHOLE + LENSES[lens])
 
 
 def refine(

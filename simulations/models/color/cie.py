@@ -45,11 +45,6 @@ _XYZ_FROM_RGB = rgb_to_xyz_matrix()
 _RGB_FROM_XYZ = np.linalg.inv(_XYZ_FROM_RGB)
 
 
-def linear_rgb_to_xyz(linear: ArrayLike) -> Floats:
-    """Linear sRGB to CIE XYZ (D65; white has Y = 1)."""
-    return through_matrix(_XYZ_FROM_RGB, linear)
-
-
 def xyz_to_linear_rgb(xyz: ArrayLike) -> Floats:
     """CIE XYZ to linear sRGB; colours outside the display's triangle get negative parts."""
     return through_matrix(_RGB_FROM_XYZ, xyz)

@@ -121,19 +121,3 @@ def from_planes(planes: Planes) -> Floats:
     luma, blue, red = planes
     ycbcr = np.stack([luma + 128, blue, red], axis=-1) / 255
     return np.clip(ycbcr_to_rgb(ycbcr), 0, 1)
-
-
-def decode(coded: Coded, upsampling: str = "triangle") -> Floats:
-    """(H, W, 3) sRGB in [0, 1]; see `fill_in_colour`."""
-    return from_planes(fill_in_colour(restore(coded), coded.subsampling, upsampling))
-
-
-def compress(srgb: ArrayLike, quality: int, subsampling: str = "4:4:4") -> tuple[Floats, float]:
-    """Encode and decode a picture (H, W, 3) of sRGB values in [0, 1].
-
-    Returns the picture, clipped to [0, 1], and the share of its coefficients that became 0: a
-    measure of the size, as zeros cost almost nothing to store.
-    """
-    coded = encode(to_planes(srgb), quality, subsampling)
-    kept = sum(int(np.count_nonzero(codes)) for codes in coded.planes)
-    return decode(coded), 1 - kept / sum(codes.size for codes in coded.planes)

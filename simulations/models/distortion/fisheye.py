@@ -3,8 +3,6 @@
 Directions are camera-frame vectors (x right, y down, z along the optical axis); image points are in
 units of the focal length. Szeliski, 2nd ed., §2.1.5; J. Kannala and S. Brandt, *A generic camera
 model and calibration method*, 2006.
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 from collections.abc import Callable
@@ -14,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_vectors
-from simulations.models.distortion import radial_profile, radial_table
+from simulations.models.distortion import radial_profile
 from simulations.models.distortion.radial_profile import RadialProfile
 from simulations.models.require import require_one_of
 
@@ -101,17 +99,6 @@ def project_fisheye(directions: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]
     angle, azimuth, valid = _angles(directions)
     valid &= angle < min(np.pi, radial_profile.fold_radius(lens.profile))
     return _on_image(radial_profile.evaluate(lens.profile, angle), azimuth, valid), valid
-
-
-def unproject_fisheye(xy: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]:
-    """Unit directions (..., 3) of image points (..., 2), the inverse of `project_fisheye`.
-
-    Invalid as in `unproject_ideal`.
-    """
-    radius, azimuth, valid = _polar(xy)
-    angle, solved = radial_table.invert(lens.profile, radius)
-    valid &= solved & (angle < np.pi)
-    return _direction(np.where(valid, angle, np.nan), azimuth), valid
 
 
 def _angles(directions: ArrayLike) -> tuple[Floats, Floats, Mask]:

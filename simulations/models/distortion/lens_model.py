@@ -229,15 +229,3 @@ def _undo_surely(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
     radius, valid = radial_inverse.invert_bracketed(profile, seen_radius)
     ratio = np.divide(radius, seen_radius, out=np.ones_like(radius), where=seen_radius > 0.0)
     return seen * ratio[..., None], valid & finite
-
-
-def jacobian(xy: ArrayLike, d: Distortion) -> Floats:
-    """Derivatives of `distort`: (..., 2, 2), rows x_d, y_d and columns x, y.
-
-    Infinite or NaN where the squares of the coordinates overflow.
-    """
-    ideal = as_vectors("xy", xy, 2)
-    lens = DecentredLens(d.radial, d.p1, d.p2)
-    with np.errstate(over="ignore", invalid="ignore"):
-        _, _, xx, mixed, yy = lens.linearised(ideal[..., 0], ideal[..., 1])
-    return np.stack((np.stack((xx, mixed), axis=-1), np.stack((mixed, yy), axis=-1)), axis=-2)

@@ -20,10 +20,9 @@ from functools import lru_cache
 from math import frexp, sqrt
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask
-from simulations.models.distortion.radial_inverse import furthest_radius, invert_bracketed
+from simulations.models.distortion.radial_inverse import furthest_radius
 from simulations.models.distortion.radial_profile import (
     RadialProfile,
     fold_radius,
@@ -115,24 +114,6 @@ class InverseTable:
     """(DEGREE + 1, cells + 1) rising powers of the distance from the cell's centre, in cells."""
     reach: float
     """The squared image radius up to which every cell from the axis outwards has been checked."""
-
-
-def invert(profile: RadialProfile, image_radius: ArrayLike) -> tuple[Floats, Mask]:
-    """`radial_inverse.invert_bracketed`, several times faster for many radii.
-
-    Validity is the same. From `WORTH_A_TABLE` radii on, they differ by `TOLERANCE` at most.
-    """
-    target = np.asarray(image_radius, float)
-    if target.size < WORTH_A_TABLE:
-        return invert_bracketed(profile, target)
-    with np.errstate(over="ignore"):
-        factor, known = shrinkage(profile, target * target)
-    known &= target >= 0.0
-    radius, valid = target * factor, known
-    if not known.all():
-        rest = ~known
-        radius[rest], valid[rest] = invert_bracketed(profile, target[rest])
-    return radius, valid
 
 
 def shrinkage(profile: RadialProfile, image_squared: Floats) -> tuple[Floats, Mask]:

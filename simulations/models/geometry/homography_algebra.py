@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
-from simulations.models.geometry.transforms import affine
 
 SINGULAR = 1e12
 """Condition number from which on an inverse has hardly any digits."""
@@ -104,13 +103,3 @@ def decompose(H: ArrayLike) -> Parts:
     return Parts(
         tx, ty, angle_rad, scale_x, scale_y, shear, (float(vanishing[0]), float(vanishing[1]))
     )
-
-
-def compose(parts: Parts) -> Floats:
-    """The homography with given parts, scaled to h₃₃ = 1: the inverse of `decompose`."""
-    c, s = math.cos(parts.angle_rad), math.sin(parts.angle_rad)
-    stretch = np.array([[parts.scale_x, parts.scale_x * parts.shear], [0.0, parts.scale_y]])
-    A = affine(np.array([[c, -s], [s, c]]) @ stretch, (parts.tx, parts.ty))
-    P = np.eye(3)
-    P[2, :2] = parts.vanishing
-    return A @ P

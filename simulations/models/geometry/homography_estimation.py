@@ -118,17 +118,30 @@ def estimate_rigid(source: ArrayLike, target: ArrayLike) -> Estimate:
 def _procrustes(source: ArrayLike, target: ArrayLike, *, scaled: bool) -> Estimate:
     """In the plane, the best rotation is the angle of a sum of dot and cross products."""
     before, after = _pairs(source, target)
-    centre_before, centre_after = before.mean(axis=0), after.mean(axis=0)
-    a, b = before - centre_before, after - centre_after
+    (a, size_before), (b, size_after) = _spread(before), _spread(after)
     dot = float((a * b).sum())
     cross = float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum())
     spread, spread_after = float((a * a).sum()), float((b * b).sum())
     overlap = math.hypot(dot, cross)
     if not overlap > DEGENERATE * math.sqrt(spread) * math.sqrt(spread_after):
         return _undetermined()
-    scale = overlap / spread if scaled else 1.0
-    H = similarity(scale, math.atan2(cross, dot), 0.0, 0.0)
-    return affine(H[:2, :2], centre_after - H[:2, :2] @ centre_before), True
+    turn = similarity(1.0, math.atan2(cross, dot), 0.0, 0.0)[:2, :2]
+    with np.errstate(over="ignore", invalid="ignore"):
+        A = overlap / spread * (size_after / np.float64(size_before)) * turn if scaled else turn
+        offset = after.mean(axis=0) - A @ before.mean(axis=0)
+    if not (A.any() and np.isfinite(A).all() and np.isfinite(offset).all()):
+        return _undetermined()
+    return affine(A, offset), True
+
+
+def _spread(points: Floats) -> tuple[Floats, float]:
+    """Points about their mean, divided by the largest coordinate, and that coordinate.
+
+    Their squares can then neither overflow nor vanish.
+    """
+    centred = points - points.mean(axis=0)
+    largest = float(np.abs(centred).max())
+    return centred / largest if largest > 0.0 else centred, largest
 
 
 def normalisation(points: Floats) -> Floats | None:

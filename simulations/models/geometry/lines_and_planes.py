@@ -5,8 +5,6 @@ multiple is the same line or plane. The functions return normals of length 1, so
 is a signed distance in the unit of the points.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.1.
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np

@@ -4,8 +4,6 @@ The chief ray of each bundle passes through the centre of the stop. It is traced
 there, forwards and backwards, without a search. Lengths in millimetres, light from the left; the
 object is infinitely far.
 
-Reference: the book explains it; no figure and no ladder runs it.
-
 Kingslake and Johnson, Lens Design Fundamentals, 2nd ed., 2010.
 """
 

@@ -8,8 +8,6 @@ Pixels and frames as in `simulations.models.projection.pinhole`. Use the matrice
 that w is the depth in the second camera over the depth in the first; `in_front` tests its sign.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.4 (mapping from one camera to another), §8.2.3.
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np

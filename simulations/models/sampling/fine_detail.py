@@ -50,14 +50,6 @@ def fine_detail(picture: ArrayLike, truth: ArrayLike, finest: float = FINE) -> F
     )
 
 
-def without_fine_detail(picture: ArrayLike, finest: float = FINE) -> Floats:
-    """A picture (H, W) without its waves of ``finest`` cycles per pixel or more."""
-    values = np.asarray(picture, np.float64)
-    waves = np.fft.fft2(values)
-    waves[_frequency(*values.shape) >= finest] = 0
-    return np.fft.ifft2(waves).real
-
-
 def _band(height: int, width: int, finest: float) -> np.ndarray[tuple[int, ...], np.dtype[np.bool]]:
     frequency = _frequency(height, width)
     return (frequency >= finest) & (frequency <= 0.5)

@@ -5,11 +5,10 @@ from itertools import pairwise
 import cv2
 import numpy as np
 import pytest
-from support.sittings import SIZE, TRUTH, photographs
+from support.sittings import SIZE, TRUTH, calibrate, photographs
 
 from simulations.models.calibration.bundle_adjustment import (
     Linearised,
-    calibrate,
     cost_of,
     descend,
     linearise,
@@ -43,7 +42,7 @@ def in_single_precision(views: Views) -> Views:
 @pytest.mark.parametrize("lens", LENSES)
 def test_minimum_parameters_and_standard_errors_are_those_of_opencv(lens: str) -> None:
     views = in_single_precision(photographs(10, seed=3).views(0.1))
-    ours = calibrate(views, SIZE, lens)
+    ours = calibrate(views, lens)
     free = PINHOLE + LENSES[lens]
     board = [np.c_[b, np.zeros(len(b))].astype(np.float32) for b in views.board]
     found = [p.astype(np.float32) for p in views.pixels]
@@ -71,7 +70,7 @@ def test_minimum_parameters_and_standard_errors_are_those_of_opencv(lens: str) -
 def test_corners_without_error_give_the_camera_back(k1: float) -> None:
     lens = Distortion(k1=k1, k2=0.05, p1=1e-3, p2=-5e-4)
     truth = photographs(6, seed=1, camera=Camera(500.0, 505.0, 330.0, 230.0, lens))
-    fit = calibrate(truth.views(0.0), SIZE)
+    fit = calibrate(truth.views(0.0))
     names = PINHOLE + LENSES["k3"]
     assert rms_px(truth.views(0.0), fit) < 1e-9
     assert fit.camera.values(names) == pytest.approx(truth.camera.values(names), abs=1e-7)
@@ -131,7 +130,7 @@ def test_parallel_boards_are_refused_with_the_advice_to_tilt(
 ) -> None:
     views = sitting_of(turns).views(sigma_px)
     with pytest.raises(UndeterminedError, match="tilt"):
-        uncertainty(views, calibrate(views, SIZE, lens), PINHOLE + LENSES[lens])
+        uncertainty(views, calibrate(views, lens), PINHOLE + LENSES[lens])
 
 
 def test_two_photographs_are_too_few() -> None:

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from support.sittings import SIZE, TRUTH, photographs
+from support.sittings import SIZE, TRUTH, calibrate, photographs
 
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
-from simulations.models.calibration.bundle_adjustment import calibrate, refine
+from simulations.models.calibration.bundle_adjustment import refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera
 from simulations.models.calibration.left_out import growth, left_out_px
 from simulations.models.calibration.model_choice import (
@@ -57,7 +57,7 @@ def test_akaike_charges_two_for_each_parameter() -> None:
 def test_coverage_counts_corners_and_measures_tilt_and_distance() -> None:
     truth = photographs(5)
     views = truth.views(0.0)
-    covered = coverage(views, calibrate(views, SIZE), SIZE)
+    covered = coverage(views, calibrate(views), SIZE)
     assert covered.cells.sum() == views.corners
     assert covered.cells.shape == (6, 8)
     assert covered.tilt_rad == pytest.approx(np.arccos(truth.poses.R[:, 2, 2]), abs=1e-6)
@@ -96,7 +96,7 @@ def errors_in_units(runs: int, count: int, sigma_px: float) -> np.ndarray:
     rows = []
     for run in range(runs):
         views = truth.views(sigma_px, seed=run)
-        fit = calibrate(views, SIZE, "p1p2")
+        fit = calibrate(views, "p1p2")
         stated = np.array(list(uncertainty(views, fit, TANGENTIAL).errors.values()))
         rows.append((fit.camera.values(TANGENTIAL) - TRUTH.values(TANGENTIAL)) / stated)
     return np.array(rows)
@@ -121,23 +121,23 @@ def test_the_truth_lies_within_the_stated_errors_at_the_stated_rate_over_many_ru
 @pytest.mark.parametrize("lens", ["k1k2", "p1p2", "k3"])
 def test_error_on_a_photograph_left_out_is_that_of_a_calibration_without_it(lens: str) -> None:
     views, free = photographs(8, seed=4).views(0.1), PINHOLE + LENSES[lens]
-    fit = calibrate(views, SIZE, lens)
+    fit = calibrate(views, lens)
     quick = left_out_px(views, fit, free)
     for index in range(len(views)):
         rest = [other for other in range(len(views)) if other != index]
-        others = calibrate(views.take(rest), SIZE, lens).camera
+        others = calibrate(views.take(rest), lens).camera
         alone = refine(views.take([index]), others, fit.poses.take(slice(index, index + 1)), ())
         assert quick[index] == pytest.approx(np.sqrt(alone.cost / 54), rel=0.01)
 
 
 def test_growth_is_that_of_calibrations_of_the_first_photographs() -> None:
     views = photographs(10, seed=6).views(0.1)
-    fit = calibrate(views, SIZE, "p1p2")
+    fit = calibrate(views, "p1p2")
     grown = growth(views, fit, TANGENTIAL, 0.1, "fx", 4)
     assert grown.counts == tuple(range(4, 11))
     for count, value, error in zip(grown.counts, grown.value, grown.error, strict=True):
         first = views.take(slice(count))
-        alone = calibrate(first, SIZE, "p1p2")
+        alone = calibrate(first, "p1p2")
         stated = uncertainty(first, alone, TANGENTIAL)
         assert value == pytest.approx(alone.camera.fx, abs=0.1 * error)
         assert error == pytest.approx(0.1 * stated.errors["fx"] / stated.sigma_px, rel=0.03)

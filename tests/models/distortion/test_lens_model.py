@@ -13,7 +13,6 @@ from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
     fold_radius,
-    jacobian,
     largest_distorted_radius,
     undistort,
     undistort_clamped,
@@ -47,15 +46,6 @@ def test_beyond_the_largest_image_radius_nothing_is_valid_and_only_the_border_is
     np.testing.assert_array_equal(border[0], ideal[0])
     fold = fold_radius(lens)
     np.testing.assert_allclose(border[1:], [[fold, 0.0], [0.0, 0.0], [fold, 0.0]], rtol=1e-12)
-
-
-def test_the_jacobian_agrees_with_differences() -> None:
-    step = 1e-6
-    lens = Distortion(k1=0.1, k2=0.02, k3=0.01, p1=0.001, p2=0.002, k4=0.3, k5=0.05, k6=0.01)
-    for axis in (0, 1):
-        shift = step * np.eye(2)[axis]
-        slope = (distort(POINTS + shift, lens) - distort(POINTS - shift, lens)) / (2 * step)
-        np.testing.assert_allclose(jacobian(POINTS, lens)[..., axis], slope, atol=1e-8)
 
 
 @pytest.mark.parametrize("name", ["k1", "k2", "k3", "p1", "p2", "k4", "k5", "k6"])

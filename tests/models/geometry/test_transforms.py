@@ -1,14 +1,11 @@
-"""Transformations of the plane and of space: how they move points, what they cut off, estimates."""
+"""Transformations of the plane: how they move points, what they cut off, what they keep."""
 
 import math
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
-from skimage.transform import EuclideanTransform, SimilarityTransform
 
-from simulations.models.arrays import Floats
-from simulations.models.geometry import rotations, transforms, transforms_3d
+from simulations.models.geometry import transforms
 from simulations.models.geometry.preserved_properties import measure_preservation
 from simulations.models.geometry.transforms import (
     apply_homography,
@@ -16,7 +13,6 @@ from simulations.models.geometry.transforms import (
     clip_to_rectangle,
     clip_to_visible,
 )
-from simulations.models.geometry.transforms_3d import apply_transform, estimate_similarity
 
 TILTED = transforms.projective([1, 0, 0, 0, 1, 0, 1, 0, 1])
 """w = 1 + x: the line x = −1 goes to infinity."""
@@ -134,87 +130,3 @@ def test_a_projective_map_changes_what_is_known_of_a_rectangle() -> None:
     assert measured.angle_rad == pytest.approx(math.pi / 4)
     assert measured.parallel_rad == pytest.approx(math.pi / 4)
     assert measured.bend == pytest.approx(0, abs=1e-12)
-
-
-R = rotations.exponential([0.3, -0.5, 0.8])
-POINTS = np.random.default_rng(4).uniform(-2, 2, (30, 3))
-A = np.array([[1.0, 0.5, 0.0], [0.0, 2.0, 0.3], [0.1, 0.0, -0.5]])
-
-
-@pytest.mark.parametrize(
-    ("H", "expected"),
-    [
-        (transforms_3d.translation([1, 2, 3]), POINTS),
-        (transforms_3d.rigid(R, [1, 2, 3]), POINTS @ R.T),
-        (transforms_3d.similarity(2.5, R, [1, 2, 3]), 2.5 * POINTS @ R.T),
-        (transforms_3d.affine(A, [1, 2, 3]), POINTS @ A.T),
-    ],
-)
-def test_each_rung_moves_points_as_its_equation_says(H: Floats, expected: Floats) -> None:
-    moved, valid = apply_transform(H, POINTS)
-    assert valid.all()
-    np.testing.assert_allclose(moved, np.add(expected, [1, 2, 3]), atol=1e-13)
-
-
-def test_what_is_sent_to_infinity_is_invalid() -> None:
-    H = np.eye(4)
-    H[3] = [0.0, 0.0, 1.0, 0.0]
-    points = [[1.0, 2, 4], [1.0, 2, 0], [1.0, 2, -4], [np.inf, 0, 1], [1e200, 0, 1e-200]]
-    images, valid = apply_transform(H, points)
-    assert valid.tolist() == [True, False, True, False, False]
-    np.testing.assert_array_equal(images[0], [0.25, 0.5, 1.0])
-    np.testing.assert_array_equal(images[2], [-0.25, -0.5, 1.0])
-    assert np.isnan(images[[1, 3, 4]]).all()
-
-
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_w_is_judged_beside_all_the_terms_that_it_is_the_sum_of(sign: float) -> None:
-    """1 − (1 − 1.5e−12) is rounding beside 2, though not beside 1."""
-    H = np.eye(4)
-    H[3] = [sign, 0.0, 0.0, -1.0 + 1.5e-12]
-    assert not apply_transform(H, [sign, 0.0, 0.0])[1]
-    H[3, 3] = -1.0 + 3e-12
-    assert apply_transform(H, [sign, 0.0, 0.0])[1]
-
-
-@pytest.mark.parametrize(
-    ("scaled", "oracle"), [(True, SimilarityTransform), (False, EuclideanTransform)]
-)
-def test_of_noisy_points_the_least_squares_are_those_of_scikit_image(
-    scaled: bool, oracle: type[EuclideanTransform] | type[SimilarityTransform]
-) -> None:
-    rng = np.random.default_rng(1)
-    for _ in range(10):
-        target = rng.uniform(-1, 1, (8, 3))
-        found, valid = estimate_similarity(POINTS[:8], target, scaled=scaled)
-        theirs = oracle.from_estimate(POINTS[:8], target)
-        assert valid
-        np.testing.assert_allclose(found, theirs.params, atol=1e-12)
-
-
-def test_three_points_are_enough_and_mirrored_ones_are_turned_as_near_as_can_be() -> None:
-    found, valid = estimate_similarity(POINTS[:3], POINTS[:3] @ R.T)
-    assert valid
-    np.testing.assert_allclose(found[:3, :3], R, atol=1e-13)
-    mirrored, valid = estimate_similarity(POINTS, POINTS * [1, 1, -1], scaled=False)
-    assert valid
-    assert np.linalg.det(mirrored[:3, :3]) == pytest.approx(1)
-
-
-@pytest.mark.parametrize(
-    ("source", "target"),
-    [
-        ([[0, 0, 0], [1, 1, 1], [2, 2, 2]], [[0, 0, 0], [1, 0, 0], [2, 0, 0]]),
-        (np.ones((4, 3)), POINTS[:4]),
-        (POINTS * 1e-300, POINTS * 1e50),  # a scale beyond all numbers
-        ([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]],) * 2,
-    ],
-)
-def test_points_that_determine_no_rotation_are_told(source: ArrayLike, target: ArrayLike) -> None:
-    target = np.array(target, float)
-    if len(target) == 6:
-        target = -target  # a mirror image in all directions alike
-    found, valid = estimate_similarity(source, target)
-    assert not valid
-    assert np.isnan(found).all()
-    assert found.shape == (4, 4)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from simulations.models.sampling import aliasing, prefilters
-from simulations.models.sampling.fine_detail import FINE, fine_detail, without_fine_detail
+from simulations.models.sampling.fine_detail import FINE, fine_detail
 from simulations.models.sampling.first_fall import first_fall
 
 
@@ -131,10 +131,9 @@ def test_a_wave_s_share_in_place_is_the_cosine_of_how_far_it_moved() -> None:
     assert (detail.present, detail.in_place) == pytest.approx((1, np.cos(np.pi / 4)))
 
 
-def test_without_fine_detail_none_is_present_and_coarse_waves_stay() -> None:
+def test_of_coarse_waves_none_is_fine_detail() -> None:
     x, _ = np.meshgrid(np.arange(64.0), np.arange(64.0))
     coarse, fine = (np.cos(2 * np.pi * f * x) for f in (0.125, 0.25))
-    np.testing.assert_allclose(without_fine_detail(coarse + fine), coarse, atol=1e-12)
     assert fine_detail(coarse, coarse + fine).present == pytest.approx(0, abs=1e-12)
     assert 0.125 < FINE < 0.25
 
