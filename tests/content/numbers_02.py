@@ -1,5 +1,6 @@
 """Chapter 2: rotations and poses."""
 
+from collections.abc import Callable
 from math import cos, exp, radians, sin, tan
 
 import numpy as np
@@ -67,7 +68,7 @@ def the_ladder_in_space() -> Says:
         return np.block([[matrix, offset[:, None]], [np.zeros((1, 3)), np.ones((1, 1))]])
 
     turned = rotations.exponential
-    rungs = {
+    rungs: dict[str, tuple[int, Callable[[np.ndarray], np.ndarray]]] = {
         "Translation": (3, lambda p: moved(np.eye(3), p)),
         "Rigid": (6, lambda p: moved(turned(p[:3]), p[3:])),
         "Similarity": (7, lambda p: moved(exp(p[6]) * turned(p[:3]), p[3:6])),
