@@ -14,6 +14,8 @@ from support.places import ROOT
 from site_builder.benchmarks.costs import DATA
 from site_builder.benchmarks.record import write
 
+SITE = ROOT / "build" / "site"
+"""The built book, which all these tools measure."""
 BUDGETS = Path(__file__).with_name("budgets.toml")
 
 

@@ -27,67 +27,6 @@ KINDS = (
 """Kinds of controls, with a button's effect, in the order in which the book first shows them."""
 
 
-def test_every_chapter_shows_its_figures_and_questions_and_figures_come_alive_in_place(
-    reader: Reader, book: Any
-) -> None:
-    page = reader.page
-    page.add_init_script(HOLD)
-    page.emulate_media(reduced_motion="reduce")  # one plays as it comes into view
-    for number, chapter in enumerate([None, *book["chapters"]]):
-        if number > 1:
-            page.evaluate("window.hold()")
-            reader.turn_to(chapter["url"], live=False)
-        else:
-            reader.open(chapter["url"] if chapter else "", live=False)
-        where = chapter["title"] if chapter else "landing page"
-        if chapter:
-            title, scenes, questions = page.evaluate(CATALOGUED)
-            assert title == where
-            assert {*scenes} == {*chapter["simulations"]}, title
-            assert questions == chapter["quizzes"], title
-        page.evaluate(ARRIVED)
-        still = page.evaluate(STILLS)
-        page.evaluate("window.release()")
-        reader.wait_live()
-        assert page.evaluate(STILLS) == still, where
-        shifts = page.evaluate("window.shifts")
-        assert sum(shift["value"] for shift in shifts) < 0.01, f"{where} moved: {shifts}"
-
-
-ARRIVED = """async () => {
-  await document.fonts.ready;
-  for (let left = 2; left; left -= 1) await new Promise(requestAnimationFrame);
-  window.shifts.length = 0;
-}"""
-"""The page is there with its faces, which move some lines of text on a slow line."""
-CATALOGUED = """() => [
-  document.querySelector('h1').innerText.trim(),
-  [...document.querySelectorAll('simulation-figure')].map((one) => one.dataset.simulation),
-  [...document.querySelectorAll('form.quiz')].map((form) => form.dataset.quiz),
-]"""
-HOLD = """(() => {
-  const send = Worker.prototype.postMessage;
-  let held = [];
-  window.hold = () => {
-    Worker.prototype.postMessage = function (...message) { held.push([this, message]); };
-  };
-  window.release = () => {
-    Worker.prototype.postMessage = send;
-    for (const [worker, message] of held) worker.postMessage(...message);
-    held = [];
-  };
-  window.hold();
-})()"""
-"""Messages to the interpreter wait, so that the page can be looked at as it was served."""
-STILLS = """() => [...document.querySelectorAll('simulation-figure')].map((figure) => ({
-  drawings: [...figure.querySelectorAll('svg.overlay')].map((svg) => svg.innerHTML),
-  readouts: [...figure.querySelectorAll('output')].map((output) => output.textContent),
-  values: [...figure.querySelectorAll('.control-value')].map((text) => text.textContent),
-  description: figure.querySelector('.description').textContent,
-  boxes: [...figure.querySelectorAll('.panel-view')].map((box) => box.offsetHeight),
-}))"""
-
-
 @pytest.mark.parametrize("scene", SAMPLED)
 def test_every_control_and_every_handle_of_a_figure_changes_it(
     guest: Reader, book: Any, scene: str

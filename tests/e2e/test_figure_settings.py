@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 from PIL import Image
 from playwright.sync_api import Browser, FilePayload, Locator, expect
-from support.host import hosting
 from support.page_scripts import SILENT_WORKER
 from support.reader import Reader
+from support.static_server import serving
 
 from site_builder.publishing.hosting import common_policy, frame_rule
 from site_builder.settings.model import Publishing
@@ -390,8 +390,8 @@ def test_an_embedded_figure_lives_in_a_page_of_another_origin(
     requests: list[str] = []
     errors: list[str] = []
     with (
-        hosting(tmp_path) as course,
-        hosting(built_site, rules={"/*": {"Content-Security-Policy": policy}}) as book,
+        serving(tmp_path) as course,
+        serving(built_site, {"Content-Security-Policy": policy}) as book,
         brisk_chromium.new_context(viewport={"width": 1440, "height": 900}) as context,
     ):
         frame = html.replace(guest.root, book.url)

@@ -11,9 +11,8 @@ from urllib.parse import quote
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
-from support.host import hosting
 from support.reader import Reader, visit
-from support.static_server import FAULTS, StaticServer
+from support.static_server import FAULTS, StaticServer, serving
 
 from site_builder.files.folders import integrity
 from site_builder.pages.policy import ANYTHING_INLINE, FOR_TOOLS
@@ -283,8 +282,8 @@ def test_the_strictest_policy_refuses_nothing_of_the_book_and_everything_else(
 ) -> None:
     """Sent as a header: that one holds for workers. A figure lives, its Python opens in the editor
     with its own styles, and formulae need one face."""
-    header = {"/*": {"Content-Security-Policy": published_policy(built_site)}}
-    with hosting(built_site, rules=header) as host, visit(brisk_chromium, host, WATCH) as reader:
+    header = {"Content-Security-Policy": published_policy(built_site)}
+    with serving(built_site, header) as host, visit(brisk_chromium, host, WATCH) as reader:
         page = reader.page
         reader.open("lens-distortion/", live=False)
         figure = page.locator("simulation-figure").first

@@ -20,37 +20,6 @@ SECTIONS = "lens-distortion/"
 """A chapter with many sections."""
 
 
-def test_the_whole_book_is_read_by_next_links_and_heads_turn_with_their_pages(
-    plain_reader: Reader, book: Any
-) -> None:
-    page, chapters = plain_reader.page, book["chapters"]
-    plain_reader.open("", live=False)
-    page.evaluate("window.stays = true")
-    plain_reader.turn_to(chapters[0]["url"], live=False)
-    heads = {}
-    for chapter in chapters[1:]:
-        page.locator('a[rel="next"]').last.click()
-        address = plain_reader.root + chapter["url"]
-        page.wait_for_function("url => location.href === url", arg=address)
-        assert page.evaluate("document.activeElement.id") == "main"
-        assert page.locator("h1").inner_text().strip() == chapter["title"]
-        assert chapter["title"] in page.title()
-        current = page.locator('#contents a[aria-current="page"]').text_content() or ""
-        assert chapter["title"] in current
-        heads[chapter["url"]] = page.evaluate(HEAD)
-    page.evaluate("history.back()")
-    page.wait_for_function("title => document.title.includes(title)", arg=chapters[-2]["title"])
-    assert page.evaluate("window.stays")
-    for chapter in chapters[1:3]:
-        plain_reader.open(chapter["url"], live=False)
-        assert heads[chapter["url"]] == page.evaluate(HEAD)
-
-
-HEAD = """() => [...document.head.querySelectorAll(
-    "link:not([rel=stylesheet], [rel=preload], [rel=modulepreload]), meta:not([http-equiv])")]
-  .map((part) => `${part.rel ?? part.name} ${part.href ?? part.content}`).sort()"""
-
-
 def test_links_arrive_at_their_sections_and_back_and_reloads_return_to_the_place_that_was_left(
     plain_reader: Reader, book: Any
 ) -> None:

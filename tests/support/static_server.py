@@ -1,9 +1,9 @@
-"""A static file server for tests: it can hand out a damaged file in place of the right one."""
+"""A static file server for tests: it can damage files on their way, and send further headers."""
 
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -70,14 +70,16 @@ class QuietServer(ThreadingHTTPServer):
 
 
 class StaticServer:
-    """The folder ``root`` at ``url``; ``damaged`` maps ends of paths to other bytes, ``faults`` to
-    what else is wrong with them. ``uncached``, browsers keep nothing of it.
+    """The folder ``root`` at ``url``, sent with ``headers`` beside the usual ones; ``damaged`` maps
+    ends of paths to other bytes, ``faults`` to what else is wrong with them. ``uncached``, browsers
+    keep nothing of it.
 
     While it is ``gone``, nobody answers.
     """
 
-    def __init__(self, root: Path) -> None:
+    def __init__(self, root: Path, headers: Mapping[str, str]) -> None:
         self.root = root
+        self.headers = headers
         self.gone = False
         self.uncached = False
         self.damaged: dict[str, bytes] = {}
@@ -130,6 +132,8 @@ class Handler(SimpleHTTPRequestHandler):
     def end_headers(self) -> None:
         if self.owner.uncached:
             self.send_header("Cache-Control", "no-store")
+        for name, value in self.owner.headers.items():
+            self.send_header(name, value)
         super().end_headers()
 
     def log_message(self, *_: object) -> None:
@@ -137,20 +141,14 @@ class Handler(SimpleHTTPRequestHandler):
 
 
 @contextmanager
-def running(server: ThreadingHTTPServer) -> Iterator[None]:
-    """Have it answer until the end."""
-    thread = threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True)
+def serving(root: Path, headers: Mapping[str, str] | None = None) -> Iterator[StaticServer]:
+    """The folder's server, which answers until the end."""
+    server = StaticServer(root, headers or {})
+    thread = threading.Thread(target=server.server.serve_forever, args=(0.01,), daemon=True)
     thread.start()
     try:
-        yield
-    finally:
-        server.shutdown()
-        server.server_close()
-        thread.join()
-
-
-@contextmanager
-def serving(root: Path) -> Iterator[StaticServer]:
-    server = StaticServer(root)
-    with running(server.server):
         yield server
+    finally:
+        server.server.shutdown()
+        server.server.server_close()
+        thread.join()
