@@ -98,55 +98,51 @@ SHOWN = """async (figure) => ({
   readouts: [...figure.querySelectorAll('output')].map((output) => output.textContent),
 })"""
 
-TRY_CONTROLS = f"""async (figure, controls) => {{
-  const shown = {SHOWN};
+TRY_CONTROLS = """async (figure, controls) => {
   const frame = () => new Promise(requestAnimationFrame);
-  const rest = async () => {{ do await frame(); while (!figure.rests); }};
   const count = () => Number(figure.dataset.frames);
-  const put = {{
-    slider(input, attempt) {{
-      const share = [0.2, 0.8, 0.4, 0.6][attempt];
+  const put = {
+    slider(input, attempt) {
       const [min, max] = [Number(input.min), Number(input.max)];
-      input.value = min + share * (max - min);
-    }},
-    choice(menu) {{ menu.selectedIndex = (menu.selectedIndex + 1) % menu.options.length; }},
-    toggle(box) {{ box.checked = !box.checked; }},
-  }};
+      input.value = attempt % 2 ? max - 0.2 * (max - min) : min + 0.2 * (max - min);
+    },
+    choice(menu) { menu.selectedIndex = (menu.selectedIndex + 1) % menu.options.length; },
+    toggle(box) { box.checked = !box.checked; },
+  };
   const told = [];
-  for (const control of controls) {{
-    const element = figure.querySelector(`.controls [name="${{control.name}}"]`);
+  for (const {name, kind, effect} of controls) {
+    const element = figure.querySelector(`.controls [name="${name}"]`);
     for (let fold = element; (fold = fold.parentElement.closest('details')); ) fold.open = true;
-    element.scrollIntoView({{block: 'center', behavior: 'instant'}});
-    const {{x, y, width, height}} = element.getBoundingClientRect();
+    element.scrollIntoView({block: 'center', behavior: 'instant'});
+    const {x, y, width, height} = element.getBoundingClientRect();
     const top = document.elementFromPoint(x + width / 2, y + height / 2);
-    element.focus({{preventScroll: true}});
+    element.focus({preventScroll: true});
     const focused = document.activeElement === element && !element.disabled;
-    const [before, frames] = [JSON.stringify(await shown(figure)), count()];
-    let changed = false;
-    for (let attempt = 0; attempt < 4 && !changed; attempt += 1) {{
-      if (control.kind === 'action') {{
+    const frames = count();
+    for (let attempt = 0; attempt < 4 && count() === frames; attempt += 1) {
+      if (kind === 'action') {
         element.click();
-        if (control.effect === 'play') {{
+        if (effect === 'play') {
           for (let waited = 0; count() === frames && waited < 300; waited += 1) await frame();
           if (element.dataset.state === '1') element.click();
-        }}
-      }} else {{
-        put[control.kind](element, attempt);
-        for (const told of ['input', 'change']) {{
-          element.dispatchEvent(new Event(told, {{bubbles: true}}));
-        }}
-      }}
-      await rest();
-      changed = JSON.stringify(await shown(figure)) !== before;
-    }}
-    told.push({{
-      name: control.name, hit: element.contains(top), cover: top?.outerHTML.slice(0, 99), focused,
-      frames: count() - frames, changed,
-    }});
-  }}
+        }
+      } else {
+        put[kind](element, attempt);
+        for (const told of ['input', 'change']) {
+          element.dispatchEvent(new Event(told, {bubbles: true}));
+        }
+      }
+      do await frame(); while (!figure.rests);
+    }
+    told.push({
+      name, hit: element.contains(top), cover: top?.outerHTML.slice(0, 99), focused,
+      frames: count() - frames,
+    });
+  }
   return told;
-}}"""
-"""Moves each control until something else is shown; tells what became of it."""
+}"""
+"""Moves each control until there is a frame; tells what became of it. A script serves every
+engine alike."""
 
 PULLED = """async () => {
   const {inside} = await customElements.whenDefined('simulation-figure');
