@@ -25,8 +25,7 @@ from site_builder.languages.words import ENGLISH, languages
 from site_builder.output.assets import content_bytes
 from site_builder.pages.licences import gather_licences
 from site_builder.programs import node as npm
-from site_builder.programs.node import NodeError, Package, installed_packages, run_node
-from site_builder.raw import decoder as raw
+from site_builder.programs.node import NodeError, Package, installed_packages
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import VERSIONS
 from site_builder.search.index import (
@@ -46,12 +45,6 @@ def test_every_package_is_pinned_by_a_hash_and_no_lock_names_an_address() -> Non
         packages = [item for name, item in locked.items() if name]
         assert all(item["integrity"].startswith("sha512-") for item in packages), lock
         assert not any("resolved" in item for item in packages), lock
-
-
-def test_the_complaint_of_a_program_under_node_is_reported(tmp_path: Path) -> None:
-    (tmp_path / "fails.mjs").write_text("console.error('npm error no way'); process.exit(3)")
-    with pytest.raises(NodeError, match=r"^no way$"):
-        run_node(["fails.mjs"], tmp_path)
 
 
 def test_packages_are_installed_once_and_kept(
@@ -99,18 +92,6 @@ def test_a_licence_that_several_packages_share_is_shown_once_below_their_names()
     (entry,) = (item for item in given if item.part.startswith("CodeMirror"))
     assert entry.name == "ISC and MIT"
     assert entry.text == "a 1.0, b 2.0\n\nOne text.\n\n\nc 3.0\n\nAnother."
-
-
-def test_the_decoder_is_the_package_s_own_under_a_licence_in_full() -> None:
-    decoder = raw.fetch_decoder()
-    packaged = installed_packages(raw.HERE) / "node_modules" / raw.PACKAGE / "dist"
-    assert {*decoder.files.values()} == {packaged / name for name in ("libraw.js", "libraw.wasm")}
-    assert all(file.is_file() for file in decoder.files.values())
-    given = gather_licences(Path(), VERSIONS, decoder=decoder.packages)
-    (licence,) = (one for one in given if one.part == "LibRaw")
-    assert licence.name == "CDDL 1.0"
-    assert "COMMON DEVELOPMENT AND DISTRIBUTION LICENSE" in licence.text
-    assert raw.PACKAGE in licence.use
 
 
 def record(number: int) -> Record:

@@ -20,7 +20,6 @@ from support.little_book import FIXTURES, OUTLINE, MakeBook, rendered
 from support.places import ROOT
 
 from simulations.registry import load_scene
-from site_builder import build
 from site_builder.build import Options, render_site
 from site_builder.cache import hashing
 from site_builder.cache import results as cache
@@ -48,19 +47,6 @@ EDITS = (
     ("content/01-second.md", "{ref}`a-section`", "{ref}`no-section`"),
 )
 """Ways to change the small book; the last is a mistake."""
-
-
-def test_a_mistake_writes_nothing(make_book: MakeBook, tmp_path: Path) -> None:
-    make_book(":::{nope}\n:::\n")
-    written: list[Path] = []
-    with pytest.raises(BuildError):
-        build.build_site(
-            tmp_path,
-            tmp_path / "site",
-            runtime=False,
-            write=lambda _files, out: written.append(out),
-        )
-    assert written == []
 
 
 def test_a_book_without_figures_ships_no_interpreter_and_no_editor(make_book: MakeBook) -> None:

@@ -15,7 +15,6 @@ from xml.etree.ElementTree import Element, fromstring
 import numpy as np
 import pytest
 from pypdf import PdfReader
-from support.interface_words import phrases
 from support.little_book import FIXTURES, OUTLINE, MakeBook
 from support.places import ROOT
 
@@ -39,22 +38,18 @@ from site_builder.editions.pdf import (
 from site_builder.editions.tree import (
     LinkTarget,
     elements,
-    first,
     is_external,
     parse,
     place_of,
     words,
 )
 from site_builder.figures import prerendered_frames
-from site_builder.languages.words import ENGLISH, load_words
 from site_builder.output.style_sheets import resolve
 from site_builder.pages.environment import render_template
 from site_builder.programs import chromium
 
 BODY = (FIXTURES / "pages.md").read_text(encoding="utf-8")
 TOKENS = {"static/css/tokens.css": (ROOT / "static/css/tokens.css").read_text(encoding="utf-8")}
-OPF = "{http://www.idpf.org/2007/opf}"
-NCX = "{http://www.daisy.org/z3986/2005/ncx/}"
 PARTED = OUTLINE + '[parts]\nMotion = "second"\n'
 
 
@@ -63,32 +58,10 @@ def epub(make_book: MakeBook, body: str, files: dict[str, str | None]) -> zipfil
     return zipfile.ZipFile(io.BytesIO(make_epub(compose(options), options.root)))
 
 
-@pytest.fixture
-def book(make_book: MakeBook) -> zipfile.ZipFile:
-    return epub(make_book, BODY, {"content/book.toml": PARTED})
-
-
-def texts(book: zipfile.ZipFile) -> dict[str, Element]:
-    """Parsing them is the test that they are well-formed."""
+def test_every_address_of_an_e_book_leads_to_a_file_and_an_element(make_book: MakeBook) -> None:
+    book = epub(make_book, BODY, {"content/book.toml": PARTED})
     names = [name for name in book.namelist() if name.endswith(".xhtml")]
-    return {name: ElementTree.fromstring(book.read(name)) for name in names}
-
-
-def items(book: zipfile.ZipFile) -> list[Element]:
-    """Files that its package lists."""
-    return list(ElementTree.fromstring(book.read(f"{FOLDER}book.opf")).iter(f"{OPF}item"))
-
-
-def test_the_first_file_of_an_e_book_names_its_type_and_is_not_packed(
-    book: zipfile.ZipFile,
-) -> None:
-    head = book.infolist()[0]
-    assert (head.filename, head.compress_type) == ("mimetype", zipfile.ZIP_STORED)
-    assert book.read("mimetype") == b"application/epub+zip"
-
-
-def test_every_address_of_an_e_book_leads_to_a_file_and_an_element(book: zipfile.ZipFile) -> None:
-    pages = texts(book)
+    pages = {name: ElementTree.fromstring(book.read(name)) for name in names}
     ids = {name: {element.get("id") for element in page.iter()} for name, page in pages.items()}
     for name, page in pages.items():
         for element in page.iter():
@@ -99,25 +72,6 @@ def test_every_address_of_an_e_book_leads_to_a_file_and_an_element(book: zipfile
                 file = posixpath.normpath(posixpath.join(FOLDER, unquote(path))) if path else name
                 assert file in book.namelist(), f"{name}: {address}"
                 assert not fragment or fragment in ids[file], f"{name}: {address}"
-
-
-def test_readers_of_epub_2_find_every_part_but_the_title(book: zipfile.ZipFile) -> None:
-    contents = ElementTree.fromstring(book.read(f"{FOLDER}toc.ncx"))
-    targets = [link.get("src") for link in contents.iter(f"{NCX}content")]
-    parts = {name.removeprefix(FOLDER) for name in texts(book)} - {"title.xhtml", "nav.xhtml"}
-    assert set(targets) == parts
-    spine = ElementTree.fromstring(book.read(f"{FOLDER}book.opf")).find(f"{OPF}spine")
-    assert spine is not None
-    named = {item.get("id"): item.get("href") for item in items(book)}
-    assert named[spine.get("toc")] == "toc.ncx"
-
-
-def test_every_file_is_listed_once_and_marked_for_its_content(book: zipfile.ZipFile) -> None:
-    listed = {item.get("href"): item for item in items(book)}
-    files = {name.removeprefix(FOLDER) for name in book.namelist() if name.startswith(FOLDER)}
-    assert set(map(unquote, map(str, listed))) == files - {"book.opf"}
-    assert listed["first.xhtml"].get("properties") == "mathml svg"
-    assert listed["nav.xhtml"].get("properties") == "nav"
 
 
 def test_pictures_of_one_name_in_two_folders_are_two(make_book: MakeBook) -> None:
@@ -140,8 +94,9 @@ def test_an_e_book_names_its_authors_and_its_cover(make_book: MakeBook) -> None:
     package = ElementTree.fromstring(book.read(f"{FOLDER}book.opf"))
     creators = package.iter("{http://purl.org/dc/elements/1.1/}creator")
     assert [creator.text for creator in creators] == ["A. Lovelace", "C. & B."]
-    covers = [item for item in items(book) if item.get("properties") == "cover-image"]
-    assert [item.get("media-type") for item in covers] == ["image/png"]
+    items = package.iter("{http://www.idpf.org/2007/opf}item")
+    covers = [item.get("media-type") for item in items if item.get("properties") == "cover-image"]
+    assert covers == ["image/png"]
     assert b"ORCID 0000-0002-1825-0097" in book.read(f"{FOLDER}title.xhtml")
 
 
@@ -201,23 +156,6 @@ def test_a_figure_on_paper_shows_its_main_control_at_several_values(
     assert shown <= set(composed.files)
 
 
-def test_an_answer_leads_to_the_equation_of_its_chapter(make_book: MakeBook) -> None:
-    asked = "- [x] this\n  : By {ref}`eq-a`.\n- [ ] that\n  : No.\n- [ ] all\n  : No.\n:::\n"
-    body = f"$$\nx = 1\n$$ (eq-a)\n\n:::{{quiz}} which\nWhich?\n{asked}"
-    answers = first(volume(compose(make_book(body))), kind="answers")
-    assert "#first.eq-a" in links(answers)
-
-
-def test_a_volume_in_german_has_no_english_word_of_the_interface(make_book: MakeBook) -> None:
-    whole = volume(compose(make_book(BODY, {"content/book.toml": f'{OUTLINE}language = "de"\n'})))
-    text = words(whole)
-    german = "\n".join(phrase for _, phrase in phrases(load_words("de")))
-    left = [phrase for _, phrase in phrases(ENGLISH) if phrase in text and phrase not in german]
-    assert left == []
-    assert whole.get("lang") == "de"
-    assert [words(heading) for heading in elements(whole, "h1")][-1] == "Antworten"
-
-
 @pytest.mark.browser
 def test_contents_and_links_of_the_pdf_name_the_pages_on_which_things_are(
     make_book: MakeBook,
@@ -239,14 +177,6 @@ NUMBER = "(p.\N{NO-BREAK SPACE}{page})"
 NUMBERED = f'<p><span data-page-of="a"/> <span data-page-of="b" data-page-as="{NUMBER}"/></p>'
 
 
-def test_each_page_number_is_that_of_its_anchor() -> None:
-    text = fromstring(NUMBERED)
-    fill(text, {"a": 7, "b": 42})
-    assert "".join(text.itertext()) == "7 (p.\N{NO-BREAK SPACE}42)"
-    with pytest.raises(PageNumberError, match="b"):
-        fill(fromstring(NUMBERED), {"a": 7})
-
-
 def test_the_book_is_set_again_until_its_page_numbers_are_its_own() -> None:
     """Here the numbers push a line onto the next page once they are known."""
 
@@ -256,6 +186,8 @@ def test_the_book_is_set_again_until_its_page_numbers_are_its_own() -> None:
     answers = numbers()
     pdf = settle(fromstring(NUMBERED), lambda document: document, lambda _: next(answers))
     assert "(p.\N{NO-BREAK SPACE}3)" in pdf.decode()
+    with pytest.raises(PageNumberError, match="b"):
+        fill(fromstring(NUMBERED), {"a": 7})
     pages = iter(range(1, 100))
     with pytest.raises(UnsettledError):
         settle(fromstring(NUMBERED), lambda text: text, lambda _: dict.fromkeys("ab", next(pages)))
@@ -317,16 +249,17 @@ def test_a_slider_is_prerendered_from_end_to_end_and_where_it_starts() -> None:
     assert prerendered_frames.shown_values(box, True) == (True,)
 
 
+@pytest.mark.parametrize(
+    ("missing", "command"),
+    [(None, "playwright install chromium"), ("playwright", "pip install playwright")],
+)
 def test_a_missing_browser_or_driver_is_reported_with_the_command_that_installs_it(
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, missing: str | None, command: str
 ) -> None:
-    def without_driver() -> None:
-        raise ModuleNotFoundError("no module", name="playwright")
+    def find() -> None:
+        if missing:
+            raise ModuleNotFoundError("no module", name=missing)
 
-    for find, command in (
-        (lambda: None, "playwright install chromium"),
-        (without_driver, "pip install playwright"),
-    ):
-        monkeypatch.setattr(chromium, "find_chromium", find)
-        with pytest.raises(chromium.MissingChromiumError, match=command):
-            chromium.require_chromium("the PDF")
+    monkeypatch.setattr(chromium, "find_chromium", find)
+    with pytest.raises(chromium.MissingChromiumError, match=command):
+        chromium.require_chromium("the PDF")

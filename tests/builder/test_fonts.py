@@ -3,15 +3,13 @@
 import io
 import re
 from collections.abc import Mapping
-from importlib.resources import files
-from pathlib import Path
 
 import pytest
 from fontTools.ttLib import TTFont
 from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 from support.places import ROOT
 
-from site_builder.output.fonts import FACES, FORMULAE, MATHS_FACES, TEXT, Face, cut, subset_fonts
+from site_builder.output.fonts import FACES, FORMULAE, MATHS_FACES, TEXT, Face, subset_fonts
 
 FONTS_CSS = ROOT / "static" / "css" / "fonts.css"
 TEXT_FACES = [face.file for face in FACES if face not in MATHS_FACES]
@@ -124,14 +122,3 @@ def test_fallbacks_take_the_same_height_of_line(fonts: Mapping[str, bytes], fami
         # Per mille of an em; the percentages have one decimal.
         assert scale * ascent * 1000 == pytest.approx(header.ascent, abs=1.5)
         assert scale * descent * 1000 == pytest.approx(-header.descent, abs=1.5)
-
-
-def test_cutting_twice_gives_the_same_bytes_and_a_second_call_reads_the_first_one_s(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    one = [face for face in FACES if face.file == "sans-italic.woff2"]
-    source = files(one[0].package).joinpath(one[0].source).read_bytes()
-    made = subset_fonts(one, tmp_path)
-    assert cut(one[0], source) == made["sans-italic.woff2"]
-    monkeypatch.delattr("site_builder.output.fonts.cut")
-    assert subset_fonts(one, tmp_path) == made

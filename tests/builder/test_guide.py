@@ -55,24 +55,6 @@ def test_every_class_of_drawings_is_on_their_page_and_every_colour_role_is_a_rol
 
 
 @pytest.mark.browser
-def test_its_film_plays_in_the_browser_with_its_captions(guide: Path, chromium: Browser) -> None:
-    with serving(guide) as server, chromium.new_context() as context:
-        page = context.new_page()
-        page.goto(f"{server.url}directives/", wait_until="domcontentloaded")
-        found = page.locator("video").evaluate(
-            """async (film) => {
-                film.muted = true;
-                await film.play();
-                await new Promise((done) => { film.onended = done; setTimeout(done, 10000); });
-                const cues = [...film.textTracks[0].cues].map((cue) => cue.text);
-                return { cues, ended: film.ended };
-            }"""
-        )
-    assert found["ended"]
-    assert found["cues"][0] == "In its first second the ball falls five metres."
-
-
-@pytest.mark.browser
 def test_every_question_of_it_replies_to_a_press_of_its_button(
     guide: Path, chromium: Browser
 ) -> None:

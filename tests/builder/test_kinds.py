@@ -1,32 +1,24 @@
 """Directives, roles, kinds of questions and of controls: each is one file or folder and one line of
 its list."""
 
-import re
 from collections import Counter
 from collections.abc import Callable, Mapping
-from typing import Any, get_args
 
 import pytest
 from support.little_book import MakeBook
 
-from simulations.engine.controls import KINDS as CONTROL_KINDS
-from simulations.engine.controls import Control
 from site_builder.build import Options, render_site
 from site_builder.editions.notebooks.blocks import PARTS
 from site_builder.files.engine import ENGINE
-from site_builder.guide.command import SCENE, guide_files
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.parser import OPENING
 from site_builder.markdown.questions.kind import HERE, QuestionKind
-from site_builder.markdown.questions.kinds import KINDS, names_of_kinds
+from site_builder.markdown.questions.kinds import KINDS
 from site_builder.markdown.role import USE
 from site_builder.markdown.roles import ROLES
 from site_builder.output.assets import content_bytes
 from site_builder.pages.environment import TEMPLATES
-from site_builder.pages.views.control import FOLDER
 
-CONTROL_FILES = {"__init__.py", "kind.py", "kind.html", "kind.ts", "kind.css"}
-QUESTION_FILES = CONTROL_FILES | {"kind.md"}
 SOURCES = {".py", ".html", ".ts", ".css", ".mjs"}
 
 
@@ -45,24 +37,6 @@ def test_names_are_given_once_and_can_be_written() -> None:
     assert all(USE.fullmatch(f"{{{name}}}`words`") for name in roles)
 
 
-def test_every_folder_is_a_kind_and_every_kind_a_folder() -> None:
-    assert {file.parent.name for file in HERE.glob("*/kind.py")} == {kind.folder for kind in KINDS}
-    assert {file.parent.name for file in FOLDER.glob("*/kind.*")} == set(CONTROL_KINDS)
-
-
-@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.folder)
-def test_a_kind_of_question_has_all_its_files_and_examples(kind: QuestionKind) -> None:
-    exported = {"moodle.xml", "qti.xml"} if kind.quiz else set()
-    assert {file.name for file in (HERE / kind.folder).glob("*.*")} >= QUESTION_FILES | exported
-    directive = "quiz" if kind.quiz else "predict"
-    example = kind.file("md").read_text(encoding="utf-8")
-    written = re.findall(r"^:kind: ([\w-]+)", example, re.MULTILINE)
-    unwritten = [names_of_kinds(directive)[0]] * (
-        example.count(f":::{{{directive}}}") - len(written)
-    )
-    assert {*written, *unwritten} == set(kind.names(directive))
-
-
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.folder)
 def test_nothing_but_the_list_imports_a_kind_or_its_script(kind: QuestionKind) -> None:
     named = f"questions.{kind.folder}.kind", f"questions/{kind.folder}/kind"
@@ -75,19 +49,6 @@ def test_nothing_but_the_list_imports_a_kind_or_its_script(kind: QuestionKind) -
     }
     own_checks = {"site_builder/checks/questions.py"}
     assert found - own_checks == {"site_builder/markdown/questions/kinds.py"}
-
-
-@pytest.mark.parametrize("kind", get_args(Control.__value__), ids=lambda kind: kind.kind)
-def test_a_kind_of_control_has_all_its_files_and_a_native_element(kind: Any) -> None:
-    assert {file.name for file in (FOLDER / kind.kind).glob("*.*")} >= CONTROL_FILES
-    assert kind.__module__.endswith(f".controls.{kind.kind}.kind")
-    template = (FOLDER / kind.kind / "kind.html").read_text(encoding="utf-8")
-    assert re.search(r'<(input|select|button)[^>]* name="{{ control.name }}"', template)
-
-
-def test_the_guide_shows_how_a_scene_states_each_kind_of_control() -> None:
-    rows = re.findall(r"^\| `(\w+)\(", guide_files()[SCENE].decode(), re.MULTILINE)
-    assert rows == list(CONTROL_KINDS)
 
 
 OWN_STATIC = ("css/book.css", "js/main.ts", "js/search/ranking.ts", "js/search/words.ts")

@@ -15,12 +15,10 @@ from support.places import ROOT
 
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import BuildError
-from site_builder.output import scripts
 from site_builder.output.assets import hashed_folder
 from site_builder.output.scripts import Bundle, bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import advice, write_site
-from site_builder.programs.node import NodeError
 
 NOBODY = 65534
 """The user without rights."""
@@ -242,12 +240,3 @@ def test_workers_and_files_beside_a_module_keep_their_addresses(bundle: Bundle) 
 def test_a_mistake_in_a_script_is_reported_with_file_and_line(module: bytes, message: str) -> None:
     with pytest.raises(BuildError, match=message):
         bundle_scripts({**SOURCES, "js/page/shown.ts": module}, "js/main.ts")
-
-
-def test_without_esbuild_the_build_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse(_folder: object) -> None:
-        raise NodeError("no network")
-
-    monkeypatch.setattr(scripts, "installed_packages", refuse)
-    with pytest.raises(BuildError, match="cannot bundle the scripts of pages: no network"):
-        bundle_scripts(SOURCES, "js/main.ts")

@@ -9,10 +9,8 @@ import pytest
 from PIL import Image
 from support.little_book import MakeBook, diagnostics
 
-from site_builder.build import check_site
 from site_builder.checks import pictures as picture_checks
 from site_builder.checks.svg import SVG, read_overlay, read_svg
-from site_builder.diagnostics.diagnostic import BuildError
 
 type Reported = Callable[[str, bytes], list[str]]
 
@@ -81,12 +79,6 @@ def test_a_picture_of_too_many_pixels_or_bytes_is_refused(
     assert reported("a.png", picture(8, 8)) == ["1: 8 × 8 px; legal: at most 60 pixels"]
     monkeypatch.setattr(picture_checks, "MOST_BYTES", 2_000_000)
     assert "1: a picture of 2.1 MB; legal: at most 2 MB" in reported("a.svg", b" " * 2_100_000)
-
-
-def test_a_picture_in_another_folder_is_checked_too(make_book: MakeBook) -> None:
-    options = make_book(files={"content/other/b.svg": "<html/>"})
-    with pytest.raises(BuildError, match=r"content/other/b\.svg:1:"):
-        check_site(options)
 
 
 HEAD = f'<svg xmlns="{SVG}" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 9 9">'

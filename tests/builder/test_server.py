@@ -95,17 +95,6 @@ def test_a_request_by_another_name_is_refused(
         assert client.get(path, headers={"Host": name}).status_code == status
 
 
-@pytest.mark.parametrize("mistakes", ["", "content/a.md:1: bad"])
-def test_before_the_first_good_build_a_page_waits_for_one(
-    site: Path, news: News, mistakes: str
-) -> None:
-    if mistakes:
-        news.fail(mistakes)
-    reply = TestClient(make_app(site, news, "127.0.0.1"), "http://localhost").get("/b/")
-    assert reply.status_code == 503
-    assert "/.reload/client.js" in reply.text
-
-
 def test_a_site_that_was_deleted_is_being_built(client: TestClient, site: Path, news: News) -> None:
     shutil.rmtree(site)
     reply = client.get("/b/")
@@ -119,25 +108,6 @@ def test_a_port_that_cannot_be_used_is_named() -> None:
         for number, better in ((port, port + 1), (99999, 8000)):
             with pytest.raises(OSError, match=f"port {number} is taken .*={better}"):
                 listen("127.0.0.1", number)
-
-
-def test_a_page_that_listens_gets_the_present_state_and_then_the_newest() -> None:
-    async def hear() -> list[str]:
-        news = News()
-        events = aiter(news.events())
-        heard = [await anext(events)]
-        news.succeed(["a"])
-        news.fail('a.md:1: "bad"\nmore')
-        heard.append(await anext(events))
-        news.succeed(["b"])
-        heard.append(await anext(events))
-        return heard
-
-    assert run(hear()) == [
-        ": \n\n",
-        'event: failed\ndata: "a.md:1: \\"bad\\"\\nmore"\n\n',
-        'event: built\ndata: {"number": 2, "changed": ["b"]}\n\n',
-    ]
 
 
 def test_changes_are_reported_in_hidden_places_behind_links_and_after_a_folder_was_replaced(
@@ -198,15 +168,13 @@ sys.stdin.readline() or sys.exit()
 (out / "a.html").write_text("new")
 {then}
 """
-SHEET = "assets/now/css/book.css"
 
 
 @pytest.fixture
 def builds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Builds:
     """Builds of a book whose builder is a script of the test's."""
     (tmp_path / "site_builder").mkdir()
-    (tmp_path / "site/assets/now/css").mkdir(parents=True)
-    (tmp_path / "static/css").mkdir(parents=True)
+    (tmp_path / "site").mkdir()
     monkeypatch.setattr("site_builder.server.builds.ENGINE", tmp_path)
     return Builds(tmp_path, tmp_path / "site", True, News(), "http://localhost:8000/")
 
@@ -214,41 +182,6 @@ def builds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Builds:
 def write_builder(builds: Builds, then: str = "") -> None:
     script = builds.root / "site_builder" / "__main__.py"
     script.write_text(SCRIPT.format(then=then))
-
-
-def build(builds: Builds, then: str = "") -> None:
-    async def once() -> None:
-        await builds.build()
-        await builds.end_waiting()
-
-    write_builder(builds, then)
-    run(once())
-
-
-def test_a_good_build_names_the_changed_files(
-    builds: Builds, capsys: pytest.CaptureFixture[str]
-) -> None:
-    build(builds, "print('1 file')")
-    assert builds.news.state == State(1, ("a.html",))
-    assert capsys.readouterr().out == "1 file\nhttp://localhost:8000/\n"
-    build(builds, "print('1 file')")
-    assert capsys.readouterr().out == "1 file\n"
-
-
-@pytest.mark.parametrize(
-    ("then", "mistakes"),
-    [
-        ("sys.exit('content/a.md:1: bad')", "content/a.md:1: bad\n"),
-        ("import os; os.kill(os.getpid(), 9)", "the build ended with exit code -9"),
-    ],
-)
-def test_a_bad_build_says_what_is_wrong_until_the_next_good_one(
-    builds: Builds, then: str, mistakes: str
-) -> None:
-    build(builds, then)
-    assert builds.news.state.mistakes == mistakes
-    build(builds)
-    assert builds.news.state.mistakes == ""
 
 
 def test_a_cancelled_build_ends_its_process(builds: Builds) -> None:
@@ -287,38 +220,6 @@ def test_the_next_build_has_its_code_already_unless_that_has_changed(
 
     run(two_builds())
     assert (builds.out / "b.html").read_text() == text
-
-
-@pytest.fixture
-def styled(builds: Builds) -> Builds:
-    """Builds with two sheets, of which the first is in the joined one."""
-    (builds.root / "static/css/a.css").write_text("a { top: 1px }")
-    (builds.root / "static/css/unused.css").write_text("b { top: 2px }")
-    (builds.out / SHEET).write_text("x {} a { top: 1px } y {}")
-    build(builds)
-    return builds
-
-
-def test_a_changed_style_sheet_is_replaced_without_a_build_until_one_is_bad(
-    styled: Builds,
-) -> None:
-    sheet = styled.root / "static/css/a.css"
-    for edited in ("a { top: 9px }", "a { top: 8px }"):
-        sheet.write_text(edited)
-        assert styled.replace_styles([sheet])
-        assert (styled.out / SHEET).read_text() == f"x {{}} {edited} y {{}}"
-    assert styled.news.state == State(3, (SHEET,))
-    styled.news.fail("bad")
-    assert not styled.replace_styles([sheet])
-
-
-@pytest.mark.parametrize("other", ["static/css/unused.css", "content/a.md", "static/css/new.css"])
-def test_files_that_a_joined_sheet_does_not_hold_need_a_build(styled: Builds, other: str) -> None:
-    changed = [styled.root / name for name in ("static/css/a.css", other)]
-    for path in changed:
-        path.parent.mkdir(exist_ok=True)
-        path.write_text("c { top: 3px }")
-    assert not styled.replace_styles(changed)
 
 
 REFUSED = "http://127.0.0.1:9"

@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 from support import little_book
 from support.little_book import OUTLINE, MakeBook, diagnostics
-from support.places import ROOT
 
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.text import Sources, Toml
@@ -105,16 +104,6 @@ def test_keys_are_found_where_they_stand(tmp_path: Path) -> None:
     assert [read.line(*key) for key in (*keys, *entries)] == [1, 2, 3, 4, 13, 15, 17]
     missing = Toml({"a": {}}, {("a",): 7})
     assert (missing.line("a", "b"), missing.line("c")) == (7, 1)
-
-
-@pytest.mark.parametrize("file", sorted((ROOT / "content").glob("*.toml")), ids=lambda f: f.name)
-def test_every_key_of_the_book_has_its_place(file: Path) -> None:
-    read = Sources(ROOT).toml(f"content/{file.name}")
-    assert read
-    lines = read.text.split("\n")
-    for table, entries in read.table.items():
-        for key in entries if isinstance(entries, dict) else ():
-            assert key.split("\\")[-1] in lines[read.line(table, key) - 1]
 
 
 SAID = """\
