@@ -2,10 +2,8 @@
 
 import tomllib
 
-import numpy as np
 from support.worked_numbers import CONTENT, Says, source
 
-from simulations.models.sampling.aliasing import alias_frequency, box_mtf
 from simulations.scenes.formation_pipeline.stations import stations, travel
 
 CHAPTER = "00-why-image-formation"
@@ -22,24 +20,6 @@ def one_list_of_links() -> Says:
     for part, mark in ((prose, "\n\n**{}.** "), (prose, "\n| {} | "), (example, "\n**{}.** ")):
         places = [part.index(mark.format(link)) for link in links]
         assert places == sorted(places), mark
-
-
-def stripes_finer_than_the_grid() -> Says:
-    """Five on four pixels: the average over a cell, and what the grid makes of the rest."""
-    frequency = 5 / 4
-    yield f"{100 * float(box_mtf(frequency, 1.0)):.0f} % of their contrast, the difference"
-    period = 1 / abs(float(alias_frequency(frequency, 1.0)))
-    yield f"one broad stripe every {SPELT[period]} pixels"
-
-
-def specks_on_one_ray() -> Says:
-    """Only the key of the four answers has the same image as the speck of the question."""
-    x, y = 0.5 / 2.0, -0.2 / 2.0
-    yield f"the same $({x:g}, {y:g})$"
-    wrong = ((0.5, -0.2, 4.0), (2.5, 1.8, 4.0), (0.25, -0.1, 4.0))
-    for X, Y, Z in (*wrong, (1.0, -0.4, 4.0)):
-        assert np.allclose((X / Z, Y / Z), (x, y)) == ((X, Y, Z) not in wrong)
-        yield f"{Y:g}, {Z:.1f})$ m"
 
 
 def where_models_break() -> Says:

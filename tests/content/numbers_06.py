@@ -19,8 +19,6 @@ from simulations.models.color.cie import (
     xyz_to_lab,
     xyz_to_linear_rgb,
 )
-from simulations.models.color.illuminants import planck
-from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.sensor.photon_counting import (
     ShotModel,
     shot_noise,
@@ -38,12 +36,6 @@ def patches_burnt_out_at_iso_800() -> Says:
     burnt = patch_means_e(0.0) > saturation_e(sensor_of(12, "800", 10))
     assert burnt.sum() == 8
     yield "eight patches are burnt out"
-
-
-def half_of_the_greens_from_four() -> Says:
-    share = (1 + 1 / 4) / 2
-    yield f"$\\frac12(1 + \\frac14) = {share:.3f}$"
-    yield f"the gain comes out {1 / share:.1f} times too large"
 
 
 def a_gaussian_of_hardly_an_electron() -> Says:
@@ -66,17 +58,6 @@ def a_gaussian_of_hardly_an_electron() -> Says:
     yield f"where {mean:.2f} electrons are {mean * one_e_dn:.1f} DN"
     scatter = sqrt(mean / 2) / PATCH_PX * one_e_dn  # the mean is of two frames
     yield f"The mean of a patch scatters by {scatter:.1f} DN"
-
-
-def stripes_finer_than_a_cell() -> Says:
-    """Five periods to four cells, summed by cells of full width."""
-    left = float(np.sinc(5 / 4))
-    yield f"which leaves {100 * abs(left):.0f} % of the contrast"
-    fine = (np.arange(4 * 1000) + 0.5) / 1000
-    cells = np.cos(2 * np.pi * 5 / 4 * fine).reshape(4, 1000).mean(axis=1)
-    broad = -left * np.cos(2 * np.pi * (np.arange(4) + 0.5) / 4)
-    np.testing.assert_allclose(cells, broad, atol=1e-6)
-    yield "rise and fall once in four cells"
 
 
 def patches_by_lamplight_and_by_daylight() -> Says:
@@ -111,24 +92,6 @@ def patches_by_lamplight_and_by_daylight() -> Says:
     yield "Factors in linear sRGB do well for greys and fail for yellows and oranges."
     for words, xyz in rows.items():
         yield f"| {words} | {lab_distance(xyz_to_lab(xyz), xyz_to_lab(day)).mean():.1f} |"
-
-
-def paint_at_three_wavelengths() -> Says:
-    lamp = np.interp([450, 550, 650], WAVELENGTHS_NM, planck(2850.0))
-    lamp /= lamp[1]
-    yield f"$0.35 : 1 : {lamp[2]:.2f}$"
-    assert np.isclose(lamp[0], 0.35, atol=0.005)
-    paint = np.array([0.05, 0.70, 0.78])
-    yield "0.02, {1:.2f} and {2:.2f} leave it".format(*(lamp * paint))
-    even = []
-    for cell in ([0.05, 0.04, 0.34], [0.20, 0.89, 0.03]):
-        first, second, third = lamp * paint * cell
-        total = first + second + third
-        yield f"${first:.3f} + {second:.3f} + {third:.3f} = {total:.2f}$"
-        even.append((float(paint @ cell), total))
-    (red, by_lamp), (green, _) = even
-    yield f"green would be {green:.2f} and red {red:.2f}"
-    assert np.isclose(by_lamp / red, 5 / 3, atol=0.05)
 
 
 def the_matrix_of_srgb() -> Says:

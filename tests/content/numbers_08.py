@@ -9,11 +9,10 @@ from support.worked_numbers import Says
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
-    depth_of_field,
     principal_distance_mm,
 )
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
-from simulations.scenes._still_life_camera import COLUMNS, PITCH_MM, ROWS, sensor_rays
+from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
 from simulations.scenes.camera.lens import bend_rays
 from simulations.scenes.depth_of_field.stages import sharpness
 
@@ -36,25 +35,10 @@ def the_same_place_in_the_simulator() -> Says:
     yield "This is the principal distance"
 
 
-def when_the_lens_is_a_pinhole() -> Says:
-    yield f"At 50 mm and f/4 it is {50 / 4:g} mm wide"
-    opening = 50 / 1.4
-    yield f"so that $A = {opening:.1f}$ mm"
-    front = opening * 50 / (3200 - 50)
-    yield rf"${opening:.1f} \times 50 / {3200 - 50} = {front:.3f}$ mm"
-    for depth in (8000, 1850):
-        disc = float(circle_of_confusion_mm(50, 1.4, 3200, depth))
-        yield (
-            rf"{front:.3f} \times {abs(depth - 3200)}/{depth} = {disc:.3f}$ mm, "
-            rf"or {disc / PIXEL_MM:.1f} pixels"
-        )
-    wall, near = (
-        float(circle_of_confusion_mm(50, 5.6, 3200, depth)) / PIXEL_MM for depth in (8000, 1850)
-    )
-    yield f"so is every disc: {wall:.2f} and {near:.2f} pixels"
+def what_a_disc_takes_of_the_finest_stripes() -> Says:
+    near = float(circle_of_confusion_mm(50, 5.6, 3200, 1850)) / PIXEL_MM
     nyquist = pi * near * 0.5
-    taken = 100 * (1 - 2 * j1(nyquist) / nyquist)
-    yield f"a disc of {near:.2f} pixels takes away {taken:.0f} %"
+    yield f"takes away {100 * (1 - 2 * j1(nyquist) / nyquist):.0f} %"
 
 
 def how_far_the_lens_must_be_stopped_down() -> Says:
@@ -74,18 +58,6 @@ def the_still_life() -> Says:
     assert round(max(depths), 1) == 6.5
     yield "Six things stand on a chequered floor, from under two metres to six and a half"
     yield f"a test chart hangs on the wall at {'eight' if WALL_DISTANCE == 8 else WALL_DISTANCE}"
-
-
-def a_quarter_as_deep() -> Says:
-    limits = [
-        [limit / 1000 for limit in depth_of_field(focal, 1.4, 3200.0, PITCH_MM)]
-        for focal in (50, 100)
-    ]
-    (near, far), (near_long, far_long) = limits
-    assert 0.23 < (far_long - near_long) / (far - near) < 0.27
-    assert all(behind - 3.2 > 3.2 - before for before, behind in limits)
-    yield "about a quarter as deep"
-    yield "At both focal lengths the band reaches farther behind the focus than in front of it."
 
 
 def the_ball_that_gets_softer() -> Says:
