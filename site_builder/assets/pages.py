@@ -13,7 +13,7 @@ from site_builder.files.text import Sources
 from site_builder.languages.words import load_words
 from site_builder.markdown.content_files import PICTURES
 from site_builder.output.assets import Content, content_bytes, hashed_folder
-from site_builder.output.fonts import MATHS_FACES, face_rule, subset_fonts
+from site_builder.output.fonts import face_rules, fallback_rules, subset_fonts
 from site_builder.output.scripts import Bundle, book_css, book_script, bundle_scripts
 from site_builder.output.style_sheets import colour_rules, join_style_sheets, without_comments
 from site_builder.pages.kind_files import kind_files
@@ -88,11 +88,13 @@ def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
         (
             book_css(book.words),
             *(book_css(words, f":root:lang({words.language})") for words in others),
-            colour_rules(book.colours),
-            *map(face_rule, MATHS_FACES),
         )
     )
-    sheets = {name: file for name, file in static.items() if name.startswith("css/")}
+    made = {
+        "css/fonts.css": (face_rules() + fallback_rules()).encode(),
+        "css/roles.css": colour_rules(book.colours).encode(),
+    }
+    sheets = {name: file for name, file in static.items() if name.startswith("css/")} | made
     joined = join_style_sheets(sheets, STYLE_SHEET, own)
     return {name: file for name, file in joined.items() if name in {STYLE_SHEET, *beside}}
 

@@ -23,7 +23,7 @@ def check_colours(colours: Mapping[str, str], sources: Sources, toml: Toml) -> N
     """Report names that are taken, values that are no pairs, and pairs that are hard to read."""
     if not colours:
         return
-    taken = known_classes(static_files(sources.root)) | {role.name for role in ROLES}
+    taken = known_classes(static_files(sources.root)) | {role.name for role in ROLES} | {"muted"}
     tokens = own_or_engine(sources.root, "static/css/tokens.css").read_text(encoding="utf-8")
     grounds = GROUND.findall(tokens)
     for name, text in colours.items():

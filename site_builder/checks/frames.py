@@ -38,8 +38,8 @@ def check_frames(
 ) -> None:
     """Check the figures as they first appear, and the illustrations."""
     known = known_classes(static)
-    known |= frozenset(book.colours) if known else known
     roles = (*ROLES, *book.colours)
+    known |= {*roles, "muted"} if known else known
     for (path, line), still in initial_frames.items():
         scene = still.figure.scene
         if fault := formula_fault(scene):

@@ -23,10 +23,9 @@ from site_builder.editions.tree import (
     xhtml,
 )
 from site_builder.figures.frames import as_png
-from site_builder.files.engine import own_or_engine
 from site_builder.files.folders import archive_of
 from site_builder.output.assets import content_bytes
-from site_builder.output.fonts import MATHS_FACES, face_rule
+from site_builder.output.fonts import face_rules
 from site_builder.output.style_sheets import style_of_drawings
 from site_builder.pages.environment import render_template
 
@@ -180,17 +179,14 @@ def _packed(book: Book, files: Mapping[str, bytes]) -> bytes:
 
 
 OWN = Path(__file__).with_name("epub.css")
-FACE = re.compile(r"^@font-face \{\n(?:(?!\}).*\n)*?  src: url\((?:.*\n)*?\}\n", re.MULTILINE)
 FAMILIES = {"--serif": '"Book Serif", serif', "--sans": '"Book Sans", sans-serif'}
 
 
 def book_style(root: Path, colours: Colours) -> str:
     """``root`` is the book's folder, ``colours`` are its own. Variables are resolved, to the light
     theme."""
-    fonts = own_or_engine(root, "static/css/fonts.css").read_text(encoding="utf-8")
-    faces = "".join((*FACE.findall(fonts), *map(face_rule, MATHS_FACES)))
     own = OWN.read_text(encoding="utf-8")
-    return faces + style_of_drawings(root, own, FAMILIES, colours)
+    return face_rules() + style_of_drawings(root, own, FAMILIES, colours)
 
 
 PLAIN = {

@@ -4,22 +4,31 @@ import re
 from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 
+from simulations.engine.frame import ROLES
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Colours
 from site_builder.files.engine import own_or_engine
 from site_builder.output.assets import Content, content_bytes
 
+ENGINE_ROLES = (*ROLES[1:], "muted")
+"""Roles whose colours are in ``tokens.css``."""
 LIT_OTHERWISE = ".handle, .readout"
 """Selects what a lit idea marks in another way than by its ground."""
 
 
 def colour_rules(colours: Colours) -> str:
-    """What ``tokens.css``, ``overlay.css``, ``readouts.css`` and ``tools.css`` say of a role."""
-    return "".join(
+    """Rules of every role, the engine's and those of ``colours``, the book's own: in drawings,
+    readouts and prose, and while it is lit."""
+    values = "".join(
+        f":root {{ --idea-{name}: light-dark({light}, {dark}); }}\n"
+        for name, (light, dark) in colours.items()
+    )
+    variables = {name: f"--{name}" for name in ENGINE_ROLES}
+    variables |= {name: f"--idea-{name}" for name in colours}
+    return values + "".join(
         f"""
-:root {{ --idea-{name}: light-dark({light}, {dark}); }}
-.overlay .{name}, .role-{name} {{ color: var(--idea-{name}); }}
-.readout.role-{name} {{ --mark: var(--idea-{name}); }}
+.overlay .{name}, .role-{name} {{ color: var({variable}); }}
+.readout.role-{name} {{ --mark: var({variable}); }}
 simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ opacity: 0.25; }}
 [data-lit="{name}"] .role-{name}:not({LIT_OTHERWISE}) {{
   border-radius: var(--radius);
@@ -27,15 +36,16 @@ simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ 
 }}
 [data-lit="{name}"] .readout.role-{name} {{ border-top-color: var(--mark); }}
 """
-        for name, (light, dark) in colours.items()
+        for name, variable in variables.items()
     )
 
 
 def paper_rules(colours: Colours) -> str:
-    """The same without variables and themes, for e-books and notebooks."""
+    """Colours of roles without themes, for e-books and notebooks."""
+    values = {name: f"var(--{name})" for name in ENGINE_ROLES}
+    values |= {name: light for name, (light, _) in colours.items()}
     return "".join(
-        f".overlay .{name}, .role-{name} {{ color: {light}; }}\n"
-        for name, (light, _) in colours.items()
+        f".overlay .{name}, .role-{name} {{ color: {value}; }}\n" for name, value in values.items()
     )
 
 
@@ -50,7 +60,7 @@ def style_of_drawings(root: Path, more: str, families: Mapping[str, str], colour
         own_or_engine(root, f"static/css/{name}.css").read_text(encoding="utf-8")
         for name in ("tokens", "overlay")
     )
-    rules = without_containers(overlay) + more + paper_rules(colours)
+    rules = paper_rules(colours) + without_containers(overlay) + more
     return resolve(rules, light_tokens(tokens) | dict(families))
 
 

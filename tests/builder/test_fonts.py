@@ -7,11 +7,17 @@ from collections.abc import Mapping
 import pytest
 from fontTools.ttLib import TTFont
 from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
-from support.places import ROOT
 
-from site_builder.output.fonts import FACES, FORMULAE, MATHS_FACES, TEXT, Face, subset_fonts
+from site_builder.output.fonts import (
+    FACES,
+    FORMULAE,
+    MATHS_FACES,
+    TEXT,
+    Face,
+    fallback_rules,
+    subset_fonts,
+)
 
-FONTS_CSS = ROOT / "static" / "css" / "fonts.css"
 TEXT_FACES = [face.file for face in FACES if face not in MATHS_FACES]
 
 
@@ -27,11 +33,6 @@ def opened(fonts: Mapping[str, bytes], file: str) -> TTFont:
 def features(font: TTFont) -> set[str]:
     tables = [font[tag].table for tag in ("GSUB", "GPOS") if tag in font]
     return {record.FeatureTag for table in tables for record in table.FeatureList.FeatureRecord}
-
-
-def test_the_style_sheet_names_exactly_the_text_faces_that_are_cut() -> None:
-    named = re.findall(r'url\("\.\./fonts/([^"]+)"\)', FONTS_CSS.read_text(encoding="utf-8"))
-    assert sorted(named) == sorted(TEXT_FACES)
 
 
 UPRIGHT = ["serif-regular.woff2", "sans-regular.woff2"]
@@ -110,7 +111,7 @@ def test_the_two_faces_of_formulae_share_no_character_and_text_needs_the_common_
 @pytest.mark.parametrize("family", ["Serif", "Sans"])
 def test_fallbacks_take_the_same_height_of_line(fonts: Mapping[str, bytes], family: str) -> None:
     header = opened(fonts, f"{family.lower()}-regular.woff2")["hhea"]
-    faces = re.findall(r"@font-face \{(.*?)\}", FONTS_CSS.read_text("utf-8"), re.DOTALL)
+    faces = re.findall(r"@font-face \{(.*?)\}", fallback_rules(), re.DOTALL)
     parsed = [dict(re.findall(r"([\w-]+): ([^;]+);", face)) for face in faces]
     fallbacks = [face for face in parsed if face["font-family"] == f'"Book {family} Fallback"']
     assert fallbacks

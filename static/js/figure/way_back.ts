@@ -21,7 +21,7 @@ export function offerWayBack(link: HTMLElement) {
   if (bottom > 0 && top < innerHeight) return;
   const button = document.createElement("button");
   button.type = "button";
-  button.className = "way-back";
+  button.className = "way-back screen";
   const asked = link.closest("[data-quiz], [data-predict], [data-answers]");
   button.textContent = words(asked ? "way_back.question" : "way_back.text");
   button.addEventListener("click", () => {

@@ -18,7 +18,7 @@ export function arrive() {
   const [first] = tables();
   if (!first || document.querySelector(".case-filter")) return;
   const field = document.createElement("form");
-  field.className = "case-filter";
+  field.className = "case-filter row fine screen";
   field.role = "search";
   field.innerHTML =
     '<label><span></span> <input type="search"></label> <span role="status"></span>';

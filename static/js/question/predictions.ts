@@ -41,7 +41,7 @@ export function answersTo(form: HTMLFormElement) {
 /** The guess, if there is one, and what was computed. */
 export function sideBySide(guess: Shown | null, truth: Shown) {
   const list = document.createElement("dl");
-  list.className = "meeting";
+  list.className = "meeting row";
   if (guess) list.append(group("guessed", words("predict.your_guess"), guess));
   list.append(group("computed", words("predict.computed"), truth));
   return list;
