@@ -1,7 +1,6 @@
 """A book on another subject and in German: built whole by the installed engine, of its own parts
 alone; no word of its interface is English, and its figures, questions and search are its own."""
 
-import json
 import re
 import zipfile
 from pathlib import Path
@@ -13,12 +12,11 @@ from playwright.sync_api import Browser, expect
 from support.engine import Engine
 from support.found import ILLUSTRATIONS, TABLES
 from support.interface_words import engine_sentences, phrases, said
-from support.places import GERMAN_BOOK, LADDERS, SCENES
+from support.places import GERMAN_BOOK, SCENES
 from support.reader import Reader, visit
 from support.static_server import serving
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
-from site_builder.files.engine import is_engine
 from site_builder.languages.words import ENGLISH, load_words
 
 WORDS = load_words("de")
@@ -40,24 +38,6 @@ def test_it_has_its_own_chapters_figures_and_every_kind_of_question(german_book:
     assert kinds == {"single", "multiple", "number", "order", "figure"}
     kinds = {prediction["kind"] for prediction in german_book["predictions"]}
     assert kinds == {"choice", "number", "sketch"}
-
-
-def test_its_readers_get_its_modules_and_the_engine_s_and_no_others(site: Path) -> None:
-    (archive,) = site.glob("runtime/*/simulations.zip")
-    with zipfile.ZipFile(archive) as opened:
-        modules = {module(Path(name)) for name in opened.namelist()}
-    files = (GERMAN_BOOK / "simulations").rglob("*.py")
-    own = {module(file.relative_to(GERMAN_BOOK)) for file in files}
-    of_the_engine = set(filter(is_engine, modules))
-    assert modules == of_the_engine | own
-    assert {name for name in of_the_engine if ".models." in name} <= own
-    (file,) = site.glob("runtime/*/runtime.json")
-    table = json.loads(file.read_text(encoding="utf-8"))
-    assert (sorted(table["scenes"]), sorted(table["ladders"])) == (sorted(SCENES), sorted(LADDERS))
-
-
-def module(file: Path) -> str:
-    return ".".join(file.with_suffix("").parts).removesuffix(".__init__")
 
 
 def test_nothing_that_readers_get_is_of_this_book(site: Path) -> None:

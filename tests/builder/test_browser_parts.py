@@ -23,9 +23,8 @@ from site_builder.editor.scene_code import read_module, scene_sources, uses_of
 from site_builder.files.engine import ENGINE
 from site_builder.languages.words import ENGLISH, languages
 from site_builder.output.assets import content_bytes
-from site_builder.pages.licences import gather_licences
 from site_builder.programs import node as npm
-from site_builder.programs.node import NodeError, Package, installed_packages
+from site_builder.programs.node import NodeError, installed_packages
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import VERSIONS
 from site_builder.search.index import (
@@ -80,18 +79,6 @@ def test_without_editor_and_search_the_book_is_built_and_says_so(
     assert any(name.endswith("python/demo.json") for name in files), "the code can still be read"
     assert not any(name.startswith("search/") for name in files)
     assert ["no network" in str(warning) for warning in warnings] == [True, True]
-
-
-def test_a_licence_that_several_packages_share_is_shown_once_below_their_names() -> None:
-    packages = [
-        Package("a", "1.0", "MIT", "One text.\n"),
-        Package("b", "2.0", "MIT", "One text."),
-        Package("c", "3.0", "ISC", "Another."),
-    ]
-    given = gather_licences(Path(), VERSIONS, packages)
-    (entry,) = (item for item in given if item.part.startswith("CodeMirror"))
-    assert entry.name == "ISC and MIT"
-    assert entry.text == "a 1.0, b 2.0\n\nOne text.\n\n\nc 3.0\n\nAnother."
 
 
 def record(number: int) -> Record:

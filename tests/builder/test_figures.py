@@ -86,14 +86,13 @@ def test_a_frame_that_no_page_can_show_is_reported_once_where_it_stands(
     assert says in found
 
 
-def test_a_formula_that_the_figure_does_not_use_is_reported(reported: Reported) -> None:
-    (found,) = reported(formula=raising)
-    assert found.startswith("content/00-first.md:5: demo: formula raising; legal: ")
-
-
-def test_a_frame_in_order_has_no_report(reported: Reported) -> None:
+def test_a_frame_in_order_has_no_report_but_for_a_formula_that_it_does_not_use(
+    reported: Reported,
+) -> None:
     drawn = frame("<g class='ray world'><text>nan</text></g>", np.zeros((2, 2, 4), np.uint8))
     assert reported(draw=lambda *_: drawn) == []
+    (found,) = reported(formula=raising)
+    assert found.startswith("content/00-first.md:5: demo: formula raising; legal: ")
 
 
 def test_a_raster_or_a_drawing_beyond_measure_is_refused(
@@ -236,17 +235,11 @@ class Empty:
     """No controls."""
 
 
-@pytest.mark.parametrize(
-    ("fields", "rough", "fine"),
-    [
-        ({"ladder": "toy"}, "Rough", "Fine"),
-        ({"ladder": "toy", "tier_labels": {"fine": "In every pixel"}}, "Rough", "In every pixel"),
-        ({"tier_labels": {"fine": "Smooth", "rough": "Coarse"}}, "Coarse", "Smooth"),
-    ],
-)
 def test_tiers_are_named_by_their_scene_or_else_by_their_ladder(
-    fields: dict[str, Any], rough: str, fine: str, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("simulations.registry.load_ladder", toy_ladder)
-    scene = Scene("s", "S", Empty, draw, tiers=("rough", "fine"), default_tier="fine", **fields)
-    assert tier_labels(scene) == (("rough", rough), ("fine", fine))
+    scene = Scene("s", "S", Empty, draw, tiers=("rough", "fine"), default_tier="fine", ladder="toy")
+    assert tier_labels(scene) == (("rough", "Rough"), ("fine", "Fine"))
+    named = replace(scene, tier_labels={"fine": "In every pixel"})
+    assert tier_labels(named) == (("rough", "Rough"), ("fine", "In every pixel"))

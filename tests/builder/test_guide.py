@@ -12,7 +12,7 @@ from support.static_server import serving
 
 from site_builder.files.engine import STATIC
 from site_builder.guide.classes import read_classes
-from site_builder.guide.command import guide_files, write_guide
+from site_builder.guide.command import guide_files
 from site_builder.guide.pages import NoExampleError, directive_page
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.directives.questions import QUIZ
@@ -70,12 +70,3 @@ def test_every_question_of_it_replies_to_a_press_of_its_button(
         for form in forms:
             form.evaluate("form => form.requestSubmit()")
             expect(form.locator(".feedback")).not_to_be_empty()
-
-
-def test_a_guide_written_again_keeps_unchanged_files(tmp_path: Path) -> None:
-    write_guide(tmp_path)
-    (tmp_path / "content" / "old.md").write_text("Left over.", encoding="utf-8")
-    before = {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*.toml")}
-    write_guide(tmp_path)
-    assert {file: file.stat().st_mtime_ns for file in tmp_path.rglob("*.toml")} == before
-    assert not (tmp_path / "content" / "old.md").exists()

@@ -2,12 +2,11 @@
 its list."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping
 
 import pytest
 from support.little_book import MakeBook
 
-from site_builder.build import Options, render_site
+from site_builder.build import render_site
 from site_builder.editions.notebooks.blocks import PARTS
 from site_builder.files.engine import ENGINE
 from site_builder.markdown.directives import DIRECTIVES
@@ -62,35 +61,14 @@ PLAIN = {
 QUESTION = ":::{quiz} sum\nOne and one?\n- [x] Two\n  : Yes.\n- [ ] One\n  : No.\n:::\n"
 
 
-@pytest.fixture
-def shipped(make_book: MakeBook, bundled: pytest.MonkeyPatch) -> Callable[[str], Mapping[str, str]]:
-    """Scripts and the style sheet of a book, bundled as for readers."""
-
-    def ship(body: str) -> Mapping[str, str]:
-        options: Options = make_book(body, PLAIN)
-        bundled.undo()
-        return {
-            name.split("/", 2)[2]: content_bytes(content).decode()
-            for name, content in render_site(options).items()
-            if name.startswith("assets/") and name.endswith((".js", ".css"))
-        }
-
-    return ship
-
-
 def test_a_question_brings_its_own_kind_and_no_other(
-    shipped: Callable[[str], Mapping[str, str]],
+    make_book: MakeBook, bundled: pytest.MonkeyPatch
 ) -> None:
-    files = shipped(QUESTION)
-    scripts = "".join(text for name, text in files.items() if name.endswith(".js"))
-    assert "label.option" in scripts
-    assert ".grip" not in scripts
-    assert "\n.verdict" in files["css/book.css"]
-
-
-def test_a_script_or_a_sheet_that_a_figure_loads_is_shipped_with_it(
-    shipped: Callable[[str], Mapping[str, str]],
-) -> None:
-    files = shipped(QUESTION + "\n:::{simulation} demo\n:::\n")
-    assert any("LiveFigure" in text for name, text in files.items() if name.endswith(".js"))
-    assert {"js/runtime/worker.js", "css/workshop.css"} <= set(files)
+    options = make_book(QUESTION, PLAIN)
+    bundled.undo()
+    files = {name: content_bytes(content) for name, content in render_site(options).items()}
+    scripts = b"".join(text for name, text in files.items() if name.endswith(".js"))
+    assert b"label.option" in scripts
+    assert b".grip" not in scripts
+    (sheet,) = (text for name, text in files.items() if name.endswith("/css/book.css"))
+    assert b"\n.verdict" in sheet

@@ -1,7 +1,6 @@
 """The site is written whole or not at all; its sheets are joined, its scripts bundled."""
 
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -16,7 +15,7 @@ from support.places import ROOT
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.output.assets import hashed_folder
-from site_builder.output.scripts import Bundle, bundle_scripts
+from site_builder.output.scripts import bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import advice, write_site
 
@@ -174,65 +173,15 @@ def test_an_import_that_cannot_be_joined_is_named_with_its_line(name: str) -> No
 
 
 SOURCES: Mapping[str, bytes] = {
-    "js/main.ts": b'import { shown } from "./page/shown.js";\n'
-    b'import "./figure/feature.js";\nshown("page");\n',
+    "js/main.ts": b'import { shown } from "./page/shown.js";\nshown("page");\n',
     "js/page/shown.ts": b"export const shown = (what: string) => console.log(what);\n",
-    "js/figure/feature.ts": b'import { start } from "../runtime/runtime.js";\n'
-    b'start();\nexport const open = () => import("../editor/load.js");\n'
-    b"document.body.onclick = open;\n",
-    "js/runtime/runtime.ts": b'import { shown } from "../page/shown.js";\n'
-    b'export const start = () => {\n  shown("runtime");\n'
-    b'  return new Worker(new URL("./worker.js", import.meta.url));\n};\n',
-    "js/runtime/worker.ts": b'import { reply } from "./reply.js";\nreply();\n',
-    "js/runtime/reply.ts": b"export const reply = () => console.log('replied');\n",
-    "js/editor/load.ts": b'import { shown } from "../page/shown.js";\nshown("editor");\n'
-    b'export const sheet = new URL("../../css/editor.css", import.meta.url);\n'
-    b"export const source = (scene: string) =>\n"
-    b"  new URL(`../../python/${scene}.json`, import.meta.url);\n",
-    "js/page/unused.ts": b"console.log('unused');\n",
 }
-
-
-@pytest.fixture(scope="module")
-def bundle() -> Bundle:
-    return bundle_scripts(SOURCES, "js/main.ts")
-
-
-def later(bundle: Bundle) -> str:
-    """The name of the only file with the editor."""
-    (name,) = (name for name, script in bundle.files.items() if b'"editor"' in script)
-    return name
-
-
-def test_scripts_that_run_at_once_are_in_the_entry_and_its_chunks_and_others_apart(
-    bundle: Bundle,
-) -> None:
-    main = bundle.files["js/main.js"]
-    at_once = b"".join(bundle.files[name] for name in ("js/main.js", *bundle.at_once))
-    assert [word in at_once for word in (b'"page"', b'"runtime"', b'"editor"')] == [
-        True,
-        True,
-        False,
-    ]
-    imported = [f"js/{name.decode()}" for name in re.findall(rb'from"\./([\w-]+\.js)"', main)]
-    assert imported == list(bundle.at_once)
-    assert f'import("./{later(bundle).removeprefix("js/")}")'.encode() in main
-
-
-def test_workers_and_files_beside_a_module_keep_their_addresses(bundle: Bundle) -> None:
-    assert b'new URL("./runtime/worker.js",import.meta.url)' in bundle.files["js/main.js"]
-    assert b"import" not in bundle.files["js/runtime/worker.js"]
-    assert b"replied" in bundle.files["js/runtime/worker.js"]
-    script = bundle.files[later(bundle)]
-    assert b'new URL("./../css/editor.css",import.meta.url)' in script
-    assert b"new URL(`./../python/${" in script
-    assert {"css/editor.css", "js/runtime/worker.js"} <= bundle.beside
 
 
 @pytest.mark.parametrize(
     ("module", "message"),
     [
-        (b"export const hidden = 1;\n", 'static/js/figure/.*"shown"|static/js/.*shown'),
+        (b"export const hidden = 1;\n", 'static/js/main.*"shown"'),
         (b"export const = 1;\n", r"static/js/page/shown\.ts:1: Expected identifier"),
     ],
     ids=["a name that is not exported", "no TypeScript"],

@@ -2,8 +2,6 @@
 does, and a question that draws its numbers is computed for each combination."""
 
 import io
-import json
-import re
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -14,7 +12,7 @@ import moodle_xml_parser.parser as moodle_reader
 import onyx2moodle.parser as qti_reader
 import pytest
 from onyx2moodle.classifier import classify
-from support.little_book import FIXTURES, OUTLINE, rendered, write_book
+from support.little_book import FIXTURES, OUTLINE, write_book
 from support.qti import QTI, answered
 
 from site_builder.build import Options, load
@@ -199,20 +197,6 @@ def test_prompt_answers_tolerance_and_replies_are_computed_for_each_combination(
     assert len({variant.edition for variant in quiz.variants}) == 4
     formulae = [formula.tex for formula in book.chapters[0].formulae]
     assert formulae[-2:] == ["N = 2", "50 / 2"], "of the first combination alone"
-
-
-@pytest.mark.usefixtures("bundled")
-def test_the_page_shows_the_first_combination_and_carries_all(options: Options) -> None:
-    page = rendered(options)["first/index.html"].decode()
-    asked = re.findall(r'id="quiz-how-wide-asked"[^>]*>(.*?)</p>', page, re.DOTALL)
-    assert [(" 50 " in text, " 100 " in text) for text in asked] == [(True, False)]
-    found = re.findall(r'class="quiz-data">(.*?)</script>', page, re.DOTALL)
-    *undrawn, last = map(json.loads, found)
-    variants = [variant["fieldset_html"] for variant in last["variants"]]
-    assert [" 100 " in text for text in variants] == [False, False, True, True]
-    assert all('name="answer"' in text for text in variants)
-    assert not any("variants" in each for each in undrawn)
-    assert page.count("data-draw") == 1
 
 
 def test_combinations_are_a_category_of_moodle_and_a_selection_of_qti(

@@ -182,14 +182,6 @@ def test_a_new_directive_has_tests_that_pass(changed_engine: Path) -> None:
         assert done.returncode == 0, done.stdout
 
 
-def test_a_new_book_is_small(engine: Engine, tmp_path: Path) -> None:
-    done = engine.run(tmp_path, "-m", "site_builder", "new", "book", "book")
-    files = [file for file in (tmp_path / "book").rglob("*") if file.is_file()]
-    assert done.stdout.startswith(f"book: {len(files)} files\n")
-    assert len(files) <= 25
-    assert sum(len(file.read_text("utf-8").splitlines()) for file in files) <= 600
-
-
 @pytest.mark.deep
 def test_a_changed_engine_reaches_a_book_by_an_upgrade(
     engine: Engine, changed_engine: Path, tmp_path: Path

@@ -8,9 +8,7 @@ import pytest
 from support import little_book
 from support.little_book import OUTLINE, MakeBook, diagnostics
 
-from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.text import Sources, Toml
-from site_builder.settings.model import read_settings, storage_prefix
 
 type Files = Mapping[str, bytes | Callable[[Path], object] | None]
 
@@ -104,34 +102,3 @@ def test_keys_are_found_where_they_stand(tmp_path: Path) -> None:
     assert [read.line(*key) for key in (*keys, *entries)] == [1, 2, 3, 4, 13, 15, 17]
     missing = Toml({"a": {}}, {("a",): 7})
     assert (missing.line("a", "b"), missing.line("c")) == (7, 1)
-
-
-SAID = """\
-language = "de"
-first_number = 1
-[licence]
-text = "CC0"
-[labels]
-figure = "Picture"
-[imprint]
-authors = ["Ada Lovelace", "J. Doe 0000-0002-1825-0097"]
-date = 2026-11-26
-isbn = "978-3-16-148410-0"
-doi = "10.1000/182"
-"""
-
-
-def test_settings_are_those_of_the_outline_or_their_defaults(tmp_path: Path) -> None:
-    (tmp_path / "content").mkdir()
-    (tmp_path / BOOK).write_text(OUTLINE.replace('"T"', '"Small Book"'), encoding="utf-8")
-    problems = Diagnostics()
-    default, _ = read_settings(Sources(tmp_path, problems))
-    assert (default.language, default.first_number, default.licence.code) == ("en", 0, "MIT")
-    assert storage_prefix(default) == "small-book"
-    (tmp_path / BOOK).write_text(f'{OUTLINE}storage = "mine"\n{SAID}', encoding="utf-8")
-    said, _ = read_settings(Sources(tmp_path, problems))
-    assert problems.found == []
-    assert (said.language, said.first_number, storage_prefix(said)) == ("de", 1, "mine")
-    assert (said.licence.text, said.labels.figure) == ("CC0", "Picture")
-    assert said.imprint.people == (("Ada Lovelace", ""), ("J. Doe", "0000-0002-1825-0097"))
-    assert said.imprint.date == "2026-11-26"

@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.html_outline import read_html
-from support.little_book import diagnostics, rendered
-from support.toy_ladder import ERRORS, FILE, toy_data, toy_ladder, toy_measurements
+from support.little_book import diagnostics
+from support.toy_ladder import FILE, toy_data, toy_ladder, toy_measurements
 
 from simulations.engine.frame import Frame
 from simulations.engine.ladder import Ladder
@@ -119,19 +118,6 @@ def test_a_cost_that_the_ladder_does_not_state() -> None:
         measured_text("toy fine each", toy_measurements())
 
 
-def test_ladders_and_their_table_without_scripts(make_book: MakeBook) -> None:
-    body = f"{TABLE}\n{LADDER.replace('Good', 'It is *good*')}\n{PSNR}"
-    options = make_book(body, {FILE: json.dumps(toy_data())})
-    page = rendered(replace(options, load_ladder=toy_ladder))["first/index.html"]
-    elements = read_html(page).elements
-    rows = [e.attributes["data-tier"] for e in elements if "data-tier" in e.attributes]
-    assert rows == [*ERRORS] * 2
-    text = page.decode()
-    assert text.count("It is <em>good</em>.") == 1
-    for part in ('id="ladder-toy-2"', 'href="#ladder-toy"', "Netscape 4", "beaten by Fine"):
-        assert part in text
-
-
 @pytest.mark.parametrize(
     ("asked", "found"),
     [
@@ -203,15 +189,6 @@ def test_stages_that_a_move_runs_again(
     costs = read_stage_costs(tmp_path, SUMS)
     (move,) = costs.moves
     assert (move.again, move.reused, move.skipped, costs.stages) == (again, reused, skipped, 3)
-
-
-def test_a_table_of_moves(make_book: MakeBook) -> None:
-    recorded = {"demo": {"start": {}, "moves": {"k1": {**MOVE, "to": 0.5}}}}
-    options = make_book(":::{stage-costs} demo\nMoves.\n:::\n", {str(DATA): json.dumps(recorded)})
-    page = rendered(options)["first/index.html"]
-    assert len(read_html(page).all("figure", "stage-costs")) == 1
-    assert "Distortion" in page.decode()
-    assert "Nothing cached" in page.decode()
 
 
 @pytest.mark.parametrize(
