@@ -19,7 +19,7 @@ from simulations.engine.frame import Raster
 from site_builder.figures.frames import pixels
 
 STATES = "application/vnd.jupyter.widget-state+json"
-OVERLAY = re.compile(r'<(?:svg|g) class="overlay"[^>]*>(.*?)(?:</g>)?</svg>', re.DOTALL)
+OVERLAY = re.compile(r'<(?:svg|g) class="overlay[^"]*"[^>]*>(.*?)(?:</g>)?</svg>', re.DOTALL)
 MOVE = """
 shown = figure("saite")
 shown.widgets["number"].value = 4

@@ -111,7 +111,7 @@ def _file(path: str, page: ChapterPage) -> Mapping[str, bytes]:
 
 
 DRAWING = re.compile(
-    r'<svg class="overlay" viewBox="0 0 ([\d.]+) ([\d.]+)"[^>]*>(.*?)</svg>', re.DOTALL
+    r'<svg class="overlay[^"]*" viewBox="0 0 ([\d.]+) ([\d.]+)"[^>]*>(.*?)</svg>', re.DOTALL
 )
 
 
