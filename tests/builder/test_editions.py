@@ -28,7 +28,6 @@ from site_builder.editions.multiples import shown_values
 from site_builder.editions.pdf import (
     PageNumberError,
     UnsettledError,
-    anchor,
     anchor_pages,
     fill,
     make_pdf,
@@ -36,11 +35,9 @@ from site_builder.editions.pdf import (
     volume,
 )
 from site_builder.editions.tree import (
-    LinkTarget,
     elements,
     is_external,
     parse,
-    place_of,
     words,
 )
 from site_builder.figures import prerendered_frames
@@ -117,8 +114,10 @@ def test_every_id_of_the_volume_is_unique_every_link_leads_to_one_and_answers_ar
     whole = volume(composed)
     ids = [element.attrib["id"] for element in whole.iter() if "id" in element.attrib]
     assert len(ids) == len(set(ids))
-    inside = [link.get("href", "") for link in elements(whole, "a")]
-    assert {link.removeprefix("#") for link in inside if link.startswith("#")} <= set(ids)
+    assert all(name.isascii() for name in ids)
+    inside = {link for link in links(whole) if not is_external(link)}
+    assert inside <= {f"#{name}" for name in ids}
+    assert len(inside) > 10
     nav = parse(render_template("editions/epub-nav.html", composed.book, composed=composed))
     (part,) = (item for item in elements(nav, "li") if item.find("{*}span") is not None)
     assert links(part) == ["second.xhtml", "second.xhtml#a-section"]
@@ -191,35 +190,6 @@ def test_the_book_is_set_again_until_its_page_numbers_are_its_own() -> None:
     pages = iter(range(1, 100))
     with pytest.raises(UnsettledError):
         settle(fromstring(NUMBERED), lambda text: text, lambda _: dict.fromkeys("ab", next(pages)))
-
-
-PAGES = ("first", "second", "references")
-
-
-@pytest.mark.parametrize(
-    ("address", "place"),
-    [
-        ("#here", LinkTarget("first", "here")),
-        ("../second/", LinkTarget("second", "")),
-        ("../second/#there", LinkTarget("second", "there")),
-        ("?figure.k1=1#figure", LinkTarget("first", "figure")),
-        ("../second/?figure.k1=1#figure", LinkTarget("second", "figure")),
-        ("../second/#moir%C3%A9", LinkTarget("second", "moiré")),
-        ("../source/simulations/x/#L3", None),
-    ],
-)
-def test_a_link_on_paper_leads_to_a_place_of_the_book_or_to_none(
-    address: str, place: LinkTarget | None
-) -> None:
-    assert place_of(address, "first", PAGES) == place
-
-
-def test_addresses_with_a_scheme_lead_out_of_the_book_and_anchors_beyond_ascii_differ() -> None:
-    external = [is_external(each) for each in ("https://doi.org/1", "mailto:a@b", "../x/")]
-    assert external == [True, True, False]
-    moire, moira = (anchor(LinkTarget("page", f"moir{letter}")) for letter in "éá")
-    assert moire.isascii()
-    assert moire != moira
 
 
 SLIDER = Slider(name="k1", label="k₁", default=0, minimum=-0.5, maximum=0.5, step=0.01)

@@ -64,7 +64,7 @@ def test_every_relative_address_leads_to_a_file_or_an_element(
         for address in pages[path].addresses():
             if not address.startswith(("https://", "data:")):
                 file, _, anchor = address.partition("#")
-                target = resolved(path, file)
+                target = resolved(path, file.partition("?")[0])
                 assert target in site, f"{path}: {address}"
                 assert not anchor or anchor in ids(target), f"{path}: {address}"
 
