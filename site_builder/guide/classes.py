@@ -6,7 +6,7 @@ from pathlib import Path
 
 from simulations.engine.frame import ROLES
 
-RULE = re.compile(r"^\.overlay (text|rect)?\.([a-z]+) \{\n((?:  .*\n)+)\}", re.MULTILINE)
+RULE = re.compile(r"^\.overlay (text|rect)?\.([a-z]+)(?:,\n.+)* \{\n((?:  .*\n)+)\}", re.MULTILINE)
 UNSEEN = ("swatch",)
 """Classes of what has a colour of its own."""
 
@@ -26,6 +26,6 @@ def read_classes(overlay: Path) -> Classes:
     """``overlay`` is the style sheet of drawings."""
     found = RULE.findall(overlay.read_text(encoding="utf-8"))
     looks = {name: " ".join(body.split()).rstrip(";") for text, name, body in found if not text}
-    roles = tuple(name for name in looks if name in ROLES or name == "muted")
-    manners = {name: look for name, look in looks.items() if name not in (*roles, *UNSEEN)}
-    return Classes(roles, manners, tuple(name for text, name, _ in found if text))
+    manners = {name: look for name, look in looks.items() if name not in UNSEEN}
+    texts = tuple(name for text, name, _ in found if text)
+    return Classes((*filter(None, ROLES), "muted"), manners, texts)

@@ -18,13 +18,12 @@ from site_builder.assets import browser_parts
 from site_builder.assets import python as browser_python
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import Diagnostic
-from site_builder.editor.bundle import HERE, EditorBundle
+from site_builder.editor.bundle import EditorBundle
 from site_builder.editor.scene_code import read_module, scene_sources, uses_of
 from site_builder.files.engine import ENGINE
 from site_builder.languages.words import ENGLISH, languages
 from site_builder.output.assets import content_bytes
-from site_builder.programs import node as npm
-from site_builder.programs.node import NodeError, installed_packages
+from site_builder.programs.node import NodeError
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import VERSIONS
 from site_builder.search.index import (
@@ -44,20 +43,6 @@ def test_every_package_is_pinned_by_a_hash_and_no_lock_names_an_address() -> Non
         packages = [item for name, item in locked.items() if name]
         assert all(item["integrity"].startswith("sha512-") for item in packages), lock
         assert not any("resolved" in item for item in packages), lock
-
-
-def test_packages_are_installed_once_and_kept(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def install(_lock: Path, target: Path) -> None:
-        (target / "node_modules" / "esbuild").mkdir(parents=True)
-
-    monkeypatch.setattr(npm, "install_packages", install)
-    folder = installed_packages(HERE, tmp_path)
-    assert (folder / "node_modules" / "esbuild").is_dir()
-    monkeypatch.delattr(npm, "install_packages")
-    assert installed_packages(HERE, tmp_path) == folder
-    assert [*tmp_path.iterdir()] == [folder], "nothing else is left behind"
 
 
 def test_without_editor_and_search_the_book_is_built_and_says_so(

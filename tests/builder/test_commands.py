@@ -19,7 +19,7 @@ from site_builder.__main__ import find
 from site_builder.build import Options, render_site
 from site_builder.diagnostics.as_json import column_of, suggestion_of
 from site_builder.diagnostics.blame import at_settings
-from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, Diagnostics, cause, unknown
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, Diagnostics, cause
 from site_builder.runtime import freeze, pack
 from site_builder.sandbox.loading import imported
 from site_builder.sandbox.pool import LimitError, Limits, limited
@@ -78,12 +78,6 @@ def test_a_column_is_given_where_it_is_certain(
     assert column_of(Diagnostic("a.md", 2, message), tmp_path) == column
     assert column_of(Diagnostic("a.md", 9, message), tmp_path) is None
     assert column_of(Diagnostic("b.md", 2, message), tmp_path) is None
-
-
-def test_of_many_legal_names_the_first_are_listed_and_the_rest_counted() -> None:
-    names = [f"n{number}" for number in range(30)]
-    expected = f"unknown name 'zzz'; legal: {', '.join(names[:20])} and 10 more"
-    assert unknown("name", "zzz", names) == expected
 
 
 @pytest.mark.parametrize(

@@ -187,8 +187,8 @@ LED = (
 def test_pages_lead_to_their_translation_or_else_to_the_original(site: Mapping[str, bytes]) -> None:
     translated = {name for name in site if name.startswith("de/")}
     assert translated == {"de/index.html", "de/first/index.html"}
-    for page, address, language in LED:
-        assert hrefs(site, f"{page}index.html")[address] == language, (page, address)
+    for path, address, language in LED:
+        assert hrefs(site, f"{path}index.html")[address] == language, (path, address)
     assert "en" not in hrefs(site, "first/index.html").values()
     assert "de" not in hrefs(site, "second/index.html").values()
     for name, language in (("first/index.html", "en"), ("de/first/index.html", "de")):
