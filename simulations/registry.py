@@ -10,7 +10,7 @@ The id is the name, with hyphens. Names that begin with an underscore are skippe
 hold code that several share.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
@@ -70,11 +70,13 @@ def load_ladder(ladder_id: str) -> Ladder:
     return _value(ladder_id, module, "LADDER", Ladder)
 
 
-def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
+def tier_labels(
+    scene: Scene[Any], load: Callable[[str], Ladder] = load_ladder
+) -> tuple[tuple[str, str], ...]:
     """Each tier and what the reader sees of it: the scene's own words, or its ladder's."""
     labels = dict(scene.tier_labels)
     if scene.ladder:
-        ladder = load_ladder(scene.ladder)
+        ladder = load(scene.ladder)
         labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
     return tuple((tier, labels[tier]) for tier in scene.tiers)
 

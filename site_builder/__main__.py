@@ -18,7 +18,7 @@ from site_builder.diagnostics.as_json import as_json
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, counted
 from site_builder.document.book import Book
 from site_builder.output.writer import advice, write_site
-from site_builder.sandbox.loading import import_figures
+from site_builder.sandbox.loading import read_figures
 from site_builder.sandbox.pool import Limits, limited
 from site_builder.settings.declared import site_address, source_address
 
@@ -69,7 +69,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
         case "build":
             if given.wait:
                 source_hash("site_builder.build")  # cached, for when a line comes
-                import_figures()
+                read_figures()
                 if not sys.stdin.readline():
                     return 0  # the server has ended
             files = build_site(

@@ -48,6 +48,7 @@ from site_builder.publishing.offline import MANIFEST, manifest, no_release, rele
 from site_builder.publishing.vector import make_icons
 from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
+from site_builder.sandbox.pool import printed
 from site_builder.search.index import SearchLibrary, make_indices
 from site_builder.sources.book import read_book
 from site_builder.sources.translated_book import read_translations
@@ -175,6 +176,8 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
         book, problems, prerendered=options.runtime and not options.reload
     )
     check_frames(book, initial_frames, static_files(options.root), problems)
+    for path, line, text in printed():
+        problems.warn(path, line, f"prints {text!r}, which no reader sees")
     for warning in sorted(set(problems.doubts)):
         options.warn(warning)
     if problems:

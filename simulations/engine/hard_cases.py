@@ -23,8 +23,6 @@ import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
-from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -70,21 +68,21 @@ class HardCases:
     cases: tuple[HardCase, ...]
 
 
-def read_table(file: Path, load: Callable[[str], ModuleType] = import_module) -> HardCases:
-    """The table in ``file``. Mistakes in it raise whatever Python says of them."""
-    data = tomllib.loads(file.read_text(encoding="utf-8"))
+def read_table(table_id: str, text: str) -> HardCases:
+    """The table ``text``. Mistakes in it raise whatever Python says of them."""
+    data = tomllib.loads(text)
     names: dict[str, Any] = {"np": np, "inf": np.inf, "nan": np.nan}
     for path in data["names"]:
-        names |= _named(path, load)
+        names |= _named(path)
     for name, expression in data.get("objects", {}).items():
         names[name] = evaluate(expression, names)
     cases = tuple(HardCase(id=name, **entry) for name, entry in data["cases"].items())
-    return HardCases(file.stem.replace("_", "-"), data["title"], names, cases)
+    return HardCases(table_id, data["title"], names, cases)
 
 
-def _named(path: str, load: Callable[[str], ModuleType]) -> Mapping[str, Any]:
+def _named(path: str) -> Mapping[str, Any]:
     name, _, attribute = path.partition(":")
-    module = load(name)
+    module = import_module(name)
     match attribute:
         case "":
             return {name.rpartition(".")[2]: module}

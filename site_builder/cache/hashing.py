@@ -104,6 +104,8 @@ def module_of(value: object) -> str | None:
     name = HOLDERS.get(type(value))
     if name is None:
         return getattr(value, "__module__", None)
+    if entry := _copies.get(id(value)):
+        return entry[0]
     known = sys.modules.get(_holders.get(id(value), ""))
     if known and vars(known).get(name) is value:
         return known.__name__
@@ -114,8 +116,16 @@ def module_of(value: object) -> str | None:
     return found
 
 
+def know_module[T](copy: T, module: str) -> T:
+    """The copy of a scene or ladder that ``module`` holds; `module_of` finds it from now on."""
+    _copies[id(copy)] = module, copy
+    return copy
+
+
 _holders: dict[int, str] = {}
 """Modules that held a value when it was last looked for, by its identity."""
+_copies: dict[int, tuple[str, object]] = {}
+"""Modules of copies, by their identity, with the copies, whose identity stays theirs."""
 
 
 @functools.cache

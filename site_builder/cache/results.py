@@ -8,7 +8,6 @@ The cache works within ``with using(Cache(folder))``; elsewhere every function s
 that is missing, damaged or unreadable is computed again, without a word.
 """
 
-import copyreg
 import functools
 import pickle
 import sqlite3
@@ -16,18 +15,14 @@ import threading
 import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 from platformdirs import user_cache_path
 
 from site_builder.cache.hashing import (
-    HOLDERS,
     UnhashableError,
     changed_sources,
     hash_of,
-    module_of,
     source_hash,
 )
 from site_builder.diagnostics.diagnostic import Diagnostics
@@ -100,6 +95,8 @@ class Cache:
 
 
 _active: Cache | None = None
+_thread = threading.local()
+"""``kept_out``: how many results of the thread are not to be stored."""
 
 
 @contextmanager
@@ -113,6 +110,11 @@ def using(cache: Cache | None) -> Iterator[None]:
         _active = before
         if cache:
             cache.close()
+
+
+def keep_out() -> None:
+    """Store no result that this thread is computing: what shows beside it would not show again."""
+    _thread.kept_out = getattr(_thread, "kept_out", 0) + 1
 
 
 def cached[**P, T](function: Callable[P, T]) -> Callable[P, T]:
@@ -151,8 +153,10 @@ def cached_result[T](
     if (data := _active.get(key)) is not None:
         with suppress(Exception):  # whatever a pickle of another version may raise
             return pickle.loads(data)  # type: ignore[no-any-return]
+    before = getattr(_thread, "kept_out", 0)
     result = make()
-    if is_final(result) and not changed_sources():
+    is_whole = getattr(_thread, "kept_out", 0) == before
+    if is_whole and is_final(result) and not changed_sources():
         with suppress(pickle.PicklingError, AttributeError, TypeError):
             _active.put(key, pickle.dumps(result, pickle.HIGHEST_PROTOCOL))
     return result
@@ -174,18 +178,3 @@ def cached_reading[T](
     problems.found.extend(own.found)
     problems.doubts.extend(own.doubts)
     return value
-
-
-def _held(module: str, name: str) -> Any:
-    return getattr(import_module(module), name)
-
-
-def _by_name(value: Any) -> tuple[Any, tuple[str, str]]:
-    module = module_of(value)
-    if module is None:
-        raise pickle.PicklingError(f"{value.id!r} is in no module")
-    return _held, (module, HOLDERS[type(value)])
-
-
-for _holder in HOLDERS:  # what is code is pickled as the name of it
-    copyreg.pickle(_holder, _by_name)

@@ -2,7 +2,7 @@
 
 import sysconfig
 import traceback
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -54,7 +54,16 @@ def place_of(error: BaseException) -> str:
     if isinstance(error, SyntaxError) and error.filename:
         file = Path(error.filename)
         return f"{_relative(file) if file.is_absolute() else file}:{error.lineno or 1}"
-    for frame in reversed(traceback.extract_tb(error.__traceback__)):
+    return _innermost(traceback.extract_tb(error.__traceback__))
+
+
+def place_here() -> str:
+    """The same of what is running: the line that called us."""
+    return _innermost(traceback.extract_stack())
+
+
+def _innermost(frames: Sequence[traceback.FrameSummary]) -> str:
+    for frame in reversed(frames):
         file = Path(frame.filename)
         if file.is_file() and _is_authors(file.resolve()):
             return f"{_relative(file)}:{frame.lineno or 1}"

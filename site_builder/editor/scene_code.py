@@ -5,7 +5,7 @@ import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from importlib import import_module
 from importlib.util import find_spec
 from types import ModuleType
@@ -22,6 +22,7 @@ from simulations.editing.definitions import (
 from simulations.engine.scene import Scene
 from site_builder.cache.results import cached
 from site_builder.runtime.imports import is_module
+from site_builder.sandbox.pool import run_limited
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +47,10 @@ def scene_sources(scene: Scene[Any]) -> bytes:
     with its file, first line, text, a hash of the text, and what it uses itself. What lies outside
     the editable modules is left out.
     """
+    return run_limited(partial(_scene_sources, scene))
+
+
+def _scene_sources(scene: Scene[Any]) -> bytes:
     formula = _home(scene.formula) if scene.formula else ""
     stages = [{"name": stage.name, "definition": _home(stage.compute)} for stage in scene.stages]
     drawn = _home(scene.draw)
@@ -56,9 +61,16 @@ def scene_sources(scene: Scene[Any]) -> bytes:
 
 def formula_fault(scene: Scene[Any]) -> str:
     """What is wrong with the formula of ``scene``; nothing where its frames are made with it."""
-    if scene.formula is None:
-        return ""
-    sources = json.loads(scene_sources(scene))
+    return _formula_fault(scene) if scene.formula else ""
+
+
+@cached
+def _formula_fault(scene: Scene[Any]) -> str:
+    return run_limited(partial(_fault_of_formula, scene))
+
+
+def _fault_of_formula(scene: Scene[Any]) -> str:
+    sources = json.loads(_scene_sources(scene))
     if sources["formula"] in sources["definitions"]:
         return ""
     name = getattr(scene.formula, "__qualname__", repr(scene.formula))

@@ -17,6 +17,8 @@ from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import at_settings
 from site_builder.sandbox.pool import run_limited
 
+type Values = Mapping[str, object]
+"""Values of settings, by name."""
 SMALL_PX = 320
 """The longer side of a small frame's pictures, at most."""
 SMALL_QUALITY = 70
@@ -56,46 +58,44 @@ class SmallFrame:
 def frame_at(scene: Scene[Any], settings: Any, tier: str) -> Frame:
     """The frame at these settings, without its pixels. Raises whatever the scene does, and
     `LimitError`."""
-    return run_limited(functools.partial(_frame, scene, settings, tier))
+    return run_limited(functools.partial(_frame, scene, values_of(settings), tier), scene.id)
 
 
 @cached
 def static_frame(scene: Scene[Any], settings: Any, tier: str) -> StaticFrame:
     """The same with its pixels, as files."""
-    return run_limited(functools.partial(_static_frame, scene, settings, tier))
+    return run_limited(functools.partial(_static_frame, scene, values_of(settings), tier), scene.id)
 
 
 @cached
 def small_frames(
-    scene: Scene[Any], settings: Sequence[Mapping[str, object]], tier: str
+    scene: Scene[Any], settings: Sequence[Values], tier: str
 ) -> tuple[SmallFrame, ...]:
     """The frames of several settings, one after the other. Raises whatever the scene does, and
     `LimitError`."""
-    return run_limited(functools.partial(_small_frames, scene, settings, tier))
+    return run_limited(functools.partial(_small_frames, scene, settings, tier), scene.id)
 
 
 @cached
-def reports_at(
-    scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
-) -> tuple[StageReport, ...]:
+def reports_at(scene: Scene[Any], start: Values, moved: Values) -> tuple[StageReport, ...]:
     """Which stages run again when controls move from ``start``."""
-    return run_limited(functools.partial(_reports, scene, start, moved))
+    return run_limited(functools.partial(_reports, scene, start, moved), scene.id)
 
 
-def _frame(scene: Scene[Any], settings: Any, tier: str) -> Frame:
-    return _without_pixels(_rendered(scene, settings, tier, StageCache()))
+def _frame(scene: Scene[Any], values: Values, tier: str) -> Frame:
+    return _without_pixels(_rendered(scene, values, tier, StageCache()))
 
 
-def _rendered(scene: Scene[Any], settings: Any, tier: str, cache: StageCache) -> Frame:
+def _rendered(scene: Scene[Any], values: Values, tier: str, cache: StageCache) -> Frame:
     """Whatever it raises carries the settings that are not those at the start."""
-    start, values = values_of(scene.check({})), values_of(settings)
-    moved = {name: value for name, value in values.items() if value != start[name]}
-    with at_settings(moved):
+    start, settings = values_of(scene.check({})), scene.check(values)
+    now = values_of(settings)
+    with at_settings({name: value for name, value in now.items() if value != start[name]}):
         return scene.render(settings, tier, cache)
 
 
-def _static_frame(scene: Scene[Any], settings: Any, tier: str) -> StaticFrame:
-    frame = _rendered(scene, settings, tier, StageCache())
+def _static_frame(scene: Scene[Any], values: Values, tier: str) -> StaticFrame:
+    frame, settings = _rendered(scene, values, tier, StageCache()), scene.check(values)
     for place in frame.handles:  # a pull that raises shall do so now
         scene.pull(settings, place.name, (place.x, place.y), tier)
     pictures = {
@@ -107,15 +107,13 @@ def _static_frame(scene: Scene[Any], settings: Any, tier: str) -> StaticFrame:
 
 
 def _small_frames(
-    scene: Scene[Any], settings: Sequence[Mapping[str, object]], tier: str
+    scene: Scene[Any], settings: Sequence[Values], tier: str
 ) -> tuple[SmallFrame, ...]:
     cache = StageCache()
-    return tuple(_small_frame(_rendered(scene, scene.check(one), tier, cache)) for one in settings)
+    return tuple(_small_frame(_rendered(scene, one, tier, cache)) for one in settings)
 
 
-def _reports(
-    scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
-) -> tuple[StageReport, ...]:
+def _reports(scene: Scene[Any], start: Values, moved: Values) -> tuple[StageReport, ...]:
     cache = StageCache()
     reports = scene.run(scene.check(start), scene.default_tier, cache).reports
     if moved:

@@ -10,9 +10,10 @@ the text claims; expressions below it use both. The block itself is not shown.
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from math import isfinite
 from types import ModuleType
 from typing import Any
@@ -24,11 +25,12 @@ from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate, evaluate_node
 from simulations.engine.frame import power_of_ten
 from site_builder.benchmarks.measurements import SIDES
+from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import CodeError, raised_by_code
 from site_builder.diagnostics.diagnostic import cause, unknown
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.sandbox.loading import imported
+from site_builder.sandbox.data import Code, Record, attribute, called
 from site_builder.sandbox.pool import run_limited
 
 
@@ -37,18 +39,54 @@ class ModelFunction:
     """A function of the author's, called in the sandbox: one that never ends, fills the memory or
     opens a file is a mistake at the line of the expression."""
 
-    function: Callable[..., Any]
+    code: Code
 
     def __call__(self, *given: object, **named: object) -> Any:
         """Raises whatever the function does, and `LimitError`."""
-        return _called(self.function, given, named)
+        plain = {name: _sent(value) for name, value in named.items()}
+        return _received(_called(self.code, _sent(given), plain))
+
+
+class ModelObject:
+    """What such a function returned, whose class is the author's too."""
+
+    def __init__(self, record: Record) -> None:
+        self.record = record
+
+    def __getattr__(self, name: str) -> Any:
+        return _received(_attribute(self.record, name))
 
 
 @cached
-def _called(
-    function: Callable[..., Any], given: tuple[object, ...], named: Mapping[str, object]
-) -> Any:
-    return run_limited(partial(function, *given, **named))
+def _called(function: Code, given: tuple[object, ...], named: Mapping[str, object]) -> Any:
+    return run_limited(partial(called, function, *given, **named))
+
+
+@cached
+def _attribute(record: Record, name: str) -> Any:
+    return run_limited(partial(attribute, record, name))
+
+
+def _sent(value: Any) -> Any:
+    match value:
+        case ModelObject():
+            return value.record
+        case ModelFunction():
+            return value.code
+        case tuple() | list():
+            return type(value)(map(_sent, value))
+    return value
+
+
+def _received(value: Any) -> Any:
+    match value:
+        case Record():
+            return ModelObject(value)
+        case Code():
+            return ModelFunction(value)
+        case tuple() | list():
+            return type(value)(map(_received, value))
+    return value
 
 
 BLOCK = "calc"
@@ -217,18 +255,26 @@ def _imported(module: str, name: str) -> object:
     if not f"{module}.".startswith(PACKAGES):
         raise LookupError(f"import from {module!r}; legal: 'simulations.…' or 'numpy.linalg'")
     try:
-        found = imported(module)
+        names, value = _looked_up(module, name, source_hash(module))
     except ImportError:
         raise LookupError(f"no module {module!r}; {LEGAL}") from None
     except Exception as error:  # whatever its code may raise is the author's to see
         raise CodeError(f"module {module!r} cannot be loaded: {cause(error)}") from error
+    if name not in names:
+        raise LookupError(unknown(f"name of {module}", name, names))
+    return getattr(np.linalg, name) if module == np.linalg.__name__ else _received(value)
+
+
+@cached
+def _looked_up(module: str, name: str, _sources: bytes) -> tuple[list[str], Any]:
+    return run_limited(partial(_public, module, name))
+
+
+def _public(module: str, name: str) -> tuple[list[str], Any]:
+    """In the sandbox: the public names of a module, and the value of one."""
     public = {
         key: value
-        for key, value in vars(found).items()
+        for key, value in vars(import_module(module)).items()
         if not key.startswith("_") and not isinstance(value, ModuleType)
     }
-    if name not in public:
-        raise LookupError(unknown(f"name of {module}", name, public))
-    value = public[name]
-    own = module.startswith("simulations.") and callable(value) and not isinstance(value, type)
-    return ModelFunction(value) if own else value
+    return [*public], public.get(name)

@@ -5,6 +5,7 @@ import re
 import shlex
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -21,8 +22,8 @@ from site_builder.diagnostics.as_json import column_of, suggestion_of
 from site_builder.diagnostics.blame import at_settings
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, Diagnostics, cause
 from site_builder.runtime import freeze, pack
-from site_builder.sandbox.loading import imported
-from site_builder.sandbox.pool import LimitError, Limits, limited
+from site_builder.sandbox.data import Code, called
+from site_builder.sandbox.pool import LimitError, Limits, limited, run_limited
 
 TWO = ":::{nott}\n:::\n\nA price of 5$ each.\n"
 WARNED = ":::{{quiz}} q\nWhich?\n- [x] {}\n  : Yes.\n- [ ] That\n  : No.\n:::\n".format("long " * 9)
@@ -210,11 +211,11 @@ def test_a_module_that_cannot_be_imported_is_reported_with_its_place(tmp_path: P
     with small_package(tmp_path, sources), limited(Limits()):
         for name, error in (("unread", SyntaxError), ("ended", LimitError), ("drawn", ValueError)):
             with pytest.raises(error) as raised:
-                imported(f"{PACKAGE}.{name}")
+                run_limited(partial(called, Code(f"{PACKAGE}.{name}", "draw")))
             told[name] = cause(raised.value)
     assert told["unread"] == "SyntaxError: invalid syntax, at simulations/small/unread.py:1"
-    assert told["ended"].startswith("LimitError: its process was ended by its own code, as 3")
-    assert told["ended"].endswith(", at simulations/small/ended.py:1")
+    assert told["ended"].startswith("LimitError: ends the program by os._exit(3)")
+    assert told["ended"].endswith(", at simulations/small/ended.py:2")
     assert told["drawn"].endswith(", at simulations/small/drawn.py:2")
 
 

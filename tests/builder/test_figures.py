@@ -235,11 +235,8 @@ class Empty:
     """No controls."""
 
 
-def test_tiers_are_named_by_their_scene_or_else_by_their_ladder(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr("simulations.registry.load_ladder", toy_ladder)
+def test_tiers_are_named_by_their_scene_or_else_by_their_ladder() -> None:
     scene = Scene("s", "S", Empty, draw, tiers=("rough", "fine"), default_tier="fine", ladder="toy")
-    assert tier_labels(scene) == (("rough", "Rough"), ("fine", "Fine"))
+    assert tier_labels(scene, toy_ladder) == (("rough", "Rough"), ("fine", "Fine"))
     named = replace(scene, tier_labels={"fine": "In every pixel"})
-    assert tier_labels(named) == (("rough", "Rough"), ("fine", "In every pixel"))
+    assert tier_labels(named, toy_ladder) == (("rough", "Rough"), ("fine", "In every pixel"))

@@ -13,13 +13,23 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.small_package import PACKAGE, small_package
 
-from site_builder.sandbox.pool import LimitError, Limits, limited, run_limited, side_by_side
+from simulations.engine.settings import values_of
+from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.sandbox.data import Code, packed, real, unpacked
+from site_builder.sandbox.loading import held
+from site_builder.sandbox.pool import (
+    LimitError,
+    Limits,
+    limited,
+    printed,
+    run_limited,
+    side_by_side,
+)
 
-QUICK = Limits(seconds=0.3, wall_seconds=60.0, bytes=300_000_000)
-"""The clock runs faster than the processor's time, on a busy machine many times as fast."""
-WAITING_S = 0.5
-"""Limit by the clock of jobs that end by no other."""
+QUICK = Limits(seconds=0.3, bytes=300_000_000)
+HERE = Path(__file__)
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -70,10 +80,6 @@ def fail_awkwardly() -> None:
     raise AwkwardError(1, 2)
 
 
-def exit_at_once() -> None:
-    os._exit(3)
-
-
 def interrupt() -> None:
     raise KeyboardInterrupt
 
@@ -90,21 +96,44 @@ def write_a_file() -> None:
     Path("written").write_text("")
 
 
-WAITING: list[Callable[[], object]] = [ignore_the_alarm, partial(time.sleep, 60)]
+def print_a_lot() -> int:
+    for number in range(100_000):
+        print("line", number)
+    os.write(1, b"past Python")
+    return 1
+
+
+def take_away_the_output() -> int:
+    sys.stdout = sys.stderr = None
+    return 2
+
+
 FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (loop, LimitError, "takes more than 0.3 s"),
-    *((job, LimitError, "takes more than 0.5 s") for job in WAITING),
+    (ignore_the_alarm, LimitError, "takes more than 0.3 s"),
+    (partial(time.sleep, 60), LimitError, "waits for more than 0.3 s"),
     (partial(np.ones, 1_000_000_000), MemoryError, "allocate"),
     (be_killed, LimitError, "ended by SIGKILL"),
-    (exit_at_once, LimitError, "ended by its own code, as 3"),
+    *((partial(os._exit, n), LimitError, rf"ends the program by os._exit\({n}\)") for n in (0, 3)),
     (partial(sys.exit, 2), LimitError, "ends the program by SystemExit: 2"),
     (interrupt, LimitError, "ends the program by KeyboardInterrupt"),
     (Path("/etc/hostname").read_text, PermissionError, "reads '/etc/hostname'; legal"),
+    (Path("content/book.toml").read_text, PermissionError, "reads '.*book.toml'; legal"),
     (write_a_file, PermissionError, "writes '.*written'; legal"),
+    (partial(os.truncate, HERE, 0), PermissionError, "shortens a file: .*; legal"),
+    (partial(os.rename, HERE, "a"), PermissionError, "renames a file: .*; legal"),
+    (partial(os.mkdir, "made"), PermissionError, "makes a folder: 'made'; legal"),
+    (partial(os.link, HERE, "a"), PermissionError, "makes a link: .*; legal"),
+    (partial(os.symlink, HERE, "a"), PermissionError, "makes a link: .*; legal"),
+    (partial(os.chmod, HERE, 0o600), PermissionError, "changes a file: .*; legal"),
+    (partial(os.utime, HERE), PermissionError, "changes a file: .*; legal"),
+    (partial(os.rename, "__pycache__/a", "a"), PermissionError, "renames a file: .*; legal"),
+    (os.fork, PermissionError, "starts a process; legal"),
     (run_a_program, PermissionError, "starts a program: 'true'; legal"),
     (look_for_a_server, PermissionError, "address: '127.0.0.1'; legal"),
     (partial(divmod, 1, 0), ZeroDivisionError, "zero"),
     (fail_awkwardly, RuntimeError, "AwkwardError: 1 and 2"),
+    (lambda: 1, TypeError, "legal: data and functions of modules"),
 ]
 
 
@@ -114,8 +143,47 @@ def test_a_failure_is_reported_and_the_next_job_runs(
 ) -> None:
     monkeypatch.setattr("site_builder.sandbox.pool.GRACE_S", 0.5)
     with pytest.raises(error, match=words):
-        run_limited(job, WAITING_S if job in WAITING else QUICK.wall_seconds)
+        run_limited(job)
     assert run_limited(partial(divmod, 7, 4)) == (1, 3)
+
+
+SCENE = """
+from dataclasses import dataclass
+from simulations.engine.scene import Scene
+from simulations.engine.settings import slider
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    depth: float = slider("Depth", 5.0, 0, 10, 0.5)
+
+print("imported", "\\x1b[31m")
+SCENE = Scene("scene", "A scene", Settings, lambda settings, outputs: 1 / 0)
+"""
+
+
+def test_output_is_cut_and_kept_with_its_line_and_reaches_nobody(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    with limited(Limits()), small_package(tmp_path, {"scene": SCENE}):
+        assert [run_limited(job) for job in (print_a_lot, take_away_the_output)] == [1, 2]
+        scene = held(f"{PACKAGE}.scene", partial(real, Code(f"{PACKAGE}.scene", "SCENE")))
+        kept = {(path, line): text for path, line, text in printed()}
+        assert f"{PACKAGE}.scene" not in sys.modules
+    assert scene.check({"depth": 2.5}).depth == 2.5
+    assert len(kept["simulations", 1]) < 1000
+    assert kept["simulations/small/scene.py", 10].startswith("imported")
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("scene_id", SCENE_MODULES)
+def test_a_copy_of_a_scene_has_what_the_builder_reads(scene_id: str) -> None:
+    scene = load_scene(scene_id)
+    copy = unpacked(packed(scene))
+    assert copy.controls == scene.controls
+    assert values_of(copy.check({})) == values_of(scene.check({}))
+    for name in ("title", "tiers", "draft_tier", "photograph", "ladder", "measures_photographs"):
+        assert getattr(copy, name) == getattr(scene, name)
+    assert [each.drives for each in copy.handles] == [each.drives for each in scene.handles]
 
 
 def fail_at_this_moment() -> None:
@@ -129,6 +197,12 @@ def test_a_job_that_failed_is_not_tried_again() -> None:
             run_limited(fail_at_this_moment)
         moments.append(str(raised.value))
     assert moments[0] == moments[1]
+
+
+def test_a_scene_that_ran_out_of_time_is_not_drawn_again() -> None:
+    for job in (partial(time.sleep, 61), os.getpid):
+        with pytest.raises(LimitError, match="waits for more"):
+            run_limited(job, "scene")
 
 
 def test_jobs_side_by_side_give_their_results_in_order() -> None:

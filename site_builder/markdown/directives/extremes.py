@@ -1,6 +1,7 @@
 """``{extremes} model``: a table of a model's hard cases, computed while the book is built."""
 
 from dataclasses import dataclass
+from functools import partial
 
 from simulations.engine.hard_cases import (
     HardCase,
@@ -15,7 +16,7 @@ from site_builder.diagnostics.diagnostic import cause
 from site_builder.markdown.bodies import NO_BODY
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.sandbox.loading import imported
+from site_builder.sandbox.pool import run_limited
 
 FILES = hard_case_tables()
 
@@ -50,12 +51,19 @@ def read_hard_cases(
 ) -> HardCaseTable | None:
     name = context.placed[call.line].id
     try:
-        table = read_table(FILES[call.argument], imported)
-        return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
+        text = FILES[call.argument].read_text(encoding="utf-8")
+        title, rows = run_limited(partial(_computed, call.argument, text))
+        return HardCaseTable(name, title, rows)
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"hard cases {call.argument!r} cannot be computed: {cause(error)}"
         context.problem(call.line, message, error)
         return None
+
+
+def _computed(table_id: str, text: str) -> tuple[str, tuple[HardCaseRow, ...]]:
+    """Title and rows of a table."""
+    table = read_table(table_id, text)
+    return table.title, tuple(_row(table, case) for case in table.cases)
 
 
 def _row(table: HardCases, case: HardCase) -> HardCaseRow:

@@ -1,7 +1,7 @@
 """``{figure}``, a picture from ``content/``, and ``{illustration}``, a drawing by our models."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import PurePosixPath
 
 from simulations.engine.illustration import Illustration
@@ -20,7 +20,7 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.sandbox.loading import imported
+from site_builder.sandbox.data import Code, called
 from site_builder.sandbox.pool import run_limited
 
 WIDTH = r"([1-9]\d?|100)%|[1-9]\d{1,3}px"
@@ -90,7 +90,7 @@ def read_illustration(
 ) -> DrawnIllustration | None:
     what = f"illustration {call.argument!r}"
     try:
-        illustration = illustration_of(imported(MODULES[call.argument]).draw)
+        illustration = illustration_of(Code(MODULES[call.argument], "draw"))
     except Exception as error:  # whatever its code may raise is the author's to see
         context.problem(call.line, f"{what} cannot be drawn: {cause(error)}", error)
         return None
@@ -104,8 +104,8 @@ def read_illustration(
 
 
 @cached
-def illustration_of(draw: Callable[[], Illustration]) -> Illustration:
-    return run_limited(draw)
+def illustration_of(draw: Code) -> Illustration:
+    return run_limited(partial(called, draw))  # type: ignore[no-any-return]
 
 
 ILLUSTRATION = Directive(

@@ -7,15 +7,17 @@ from typing import Any
 from simulations.engine.controls import Control, Points, describe
 from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
+from simulations.engine.ladder import Ladder
 from simulations.engine.message import Message
 from simulations.engine.photograph import Whole
-from simulations.registry import tier_labels
+from simulations.registry import load_ladder, tier_labels
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import Chapter
 from site_builder.figures.initial_frames import InitialFrame, InitialFrames, PictureFile
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.policy import json_for_html
 from site_builder.pages.views.control import Cell, control_cells, readouts_in_sight, value_text
+from site_builder.sandbox.loading import loaded
 from site_builder.sources.translations.files import figure_text
 
 SECOND = 0.53
@@ -102,7 +104,7 @@ class SimulationView:
 def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
     figure, scene = still.figure, still.figure.scene
-    frame, tiers = still.frame, tier_labels(scene)
+    frame, tiers = still.frame, tier_labels(scene, _ladder)
     cells, folded_cells = control_cells(still, tiers=bool(tiers), words=words)
     readouts, folded_readouts = readouts_in_sight(still)
     return SimulationView(
@@ -133,6 +135,10 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         makes_files=_makes_files(figure),
         frame_height=760 + 140 * (len(frame.panels) > 2) + 100 * figure.yours,
     )
+
+
+def _ladder(ladder_id: str) -> Ladder:
+    return loaded("ladder", ladder_id, load_ladder, LookupError)
 
 
 def _numerals(readouts: Sequence[Readout], words: Words) -> tuple[Readout, ...]:
