@@ -2,6 +2,7 @@
 
 import base64
 import hashlib
+import json
 import posixpath
 import re
 from collections.abc import Mapping
@@ -82,6 +83,19 @@ def test_headings_never_skip_a_level(pages: Mapping[str, Page]) -> None:
         levels = [int(tag[1]) for tag in tags if tag in ("h1", "h2", "h3", "h4")]
         assert (levels[0], levels.count(1)) == (1, 1), path
         assert all(b <= a + 1 for a, b in pairwise(levels)), path
+
+
+def test_the_catalogue_has_the_controls_of_figures_and_the_options_of_questions(
+    site: Mapping[str, bytes],
+) -> None:
+    book = json.loads(site["book.json"])
+    assert [(one["number"], one["url"]) for one in book["chapters"]] == [
+        (0, "first/"),
+        (1, "second/"),
+    ]
+    (figure, *_), (quiz, *_) = book["simulations"], book["quizzes"]
+    assert [control["name"] for control in figure["controls"]] == ["k1", "kind", "on", "play"]
+    assert quiz["options"] == [{"text": "4", "correct": False}, {"text": "6", "correct": True}]
 
 
 def test_licences_of_all_that_is_shipped_are_given_in_full(site: Mapping[str, bytes]) -> None:

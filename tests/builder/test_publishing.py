@@ -5,7 +5,7 @@ import io
 import json
 import re
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
@@ -134,23 +134,22 @@ def test_pages_say_how_they_are_cited(pages: Mapping[str, Page]) -> None:
     ]
 
 
-def test_only_a_site_at_the_root_of_a_host_has_a_file_for_robots(
-    make_book: MakeBook, site: Mapping[str, bytes]
+@pytest.mark.parametrize("address", ["", "https://host.example/"])
+def test_a_site_without_an_address_has_nothing_for_other_sites(
+    make_book: MakeBook, address: str
 ) -> None:
-    at_root = rendered(replace(make_book(), address="https://host.example/"))
-    told = at_root["robots.txt"].decode().splitlines()
-    assert told[-1] == "Sitemap: https://host.example/sitemap.xml"
-    assert "robots.txt" not in site
-
-
-def test_a_site_without_an_address_has_nothing_for_other_sites(make_book: MakeBook) -> None:
-    site = rendered(make_book("Text.\n", {"content/news.toml": NEWS}))
+    options = make_book("Text.\n", {"content/news.toml": NEWS})
+    site = rendered(replace(options, address=address))
     outside = {"sitemap.xml", "feed.xml", "robots.txt", "card.png", "cards/first.png"}
-    assert not outside & set(site)
-    for path in (path for path in site if path.endswith(".html")):
-        assert b"canonical" not in site[path]
-        assert b"og:" not in site[path]
-    assert b"://" not in site["first/index.html"]
+    assert outside & set(site) == (outside if address else set())
+    pages = [page for path, page in site.items() if path.endswith(".html") and path != "404.html"]
+    assert all((b"canonical" in page) is (b"og:" in page) is bool(address) for page in pages)
+
+
+def test_only_a_site_at_the_root_of_a_host_has_a_file_for_robots(
+    site: Mapping[str, bytes],
+) -> None:
+    assert "robots.txt" not in site
 
 
 def test_packed_copies_hold_the_same_and_are_no_part_of_the_release(
@@ -208,24 +207,22 @@ def test_an_address_ends_in_a_slash_and_none_is_none() -> None:
 
 
 @pytest.mark.parametrize(
-    "given",
+    ("read", "given"),
     [
-        *("host.example", "ftp://host.example/", "https:///book", "https://host/?a=1", 3, None),
-        *('https://host/"><script>', "https://host/a b", "https://host/\n", ["https://h/"]),
-        "javascript://host/%0aalert(1)",
+        *((site_address, f"https://host/{end}") for end in ("?a=1", '"><script>', "a b", "\n")),
+        *((site_address, given) for given in ("host.example", "ftp://host.example/", 3, None)),
+        *((site_address, given) for given in ("https:///book", "javascript://host/%0aalert(1)")),
+        *((source_address, given) for given in ("https://host/", "{path}", "javascript:{path}", 1)),
+        (source_address, "https://host/{path}/{path}"),
     ],
 )
-def test_a_value_that_is_no_address_is_refused(given: object) -> None:
-    with pytest.raises(ValueError, match="legal: 'https://host/'"):
-        site_address(given)
-
-
-@pytest.mark.parametrize(
-    "given", ["https://host/", "{path}", "https://host/{path}/{path}", "javascript:{path}", 1]
-)
-def test_an_address_of_sources_has_one_place_for_a_path(given: object) -> None:
-    with pytest.raises(ValueError, match=r"with \{path\} once"):
-        source_address(given)
+def test_a_value_that_is_no_address_is_refused(
+    read: Callable[[object], str], given: object
+) -> None:
+    with pytest.raises(
+        ValueError, match="legal: 'https://host/'" if read == site_address else "once"
+    ):
+        read(given)
 
 
 def test_each_icon_has_its_size_and_one_that_is_no_drawing_is_reported(tmp_path: Path) -> None:

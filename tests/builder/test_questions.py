@@ -57,55 +57,61 @@ def package(book: Book) -> dict[str, str]:
     return {name: archive.read(name).decode() for name in archive.namelist()}
 
 
-def answers(question: Element) -> list[tuple[str, float, str]]:
-    """Text, share of the points in per cent, and reply of each."""
-    return [
+IN_MOODLE: dict[str, tuple[str, list[tuple[str, float, str]]]] = {
+    "one-of-two": (
+        "multichoice",
+        [
+            (r"Here, at \(\def\half{\frac{1}{2}}\half\)", 0, "No &amp; never."),
+            ("There", 100, r"Yes, as <em>always</em> for \(\mathrm{sinc}\)."),
+        ],
+    ),
+    "two-of-three": (
+        "multichoice",
+        [
+            ("First", 50, "The first is."),
+            ("Second", -100, "The second is not."),
+            ("Third", 50, "The third is."),
+        ],
+    ),
+    "a-length": (
+        "numerical",
+        [
+            ("50", 100, "That is it."),
+            ("0.3", 0, "That is the sum."),
+            ("*", 0, "That is something else."),
+        ],
+    ),
+    "in-a-row": ("ordering", [("One", 1, ""), ("Two", 2, ""), ("Three", 3, "")]),
+    "set-it": ("essay", []),
+}
+"""Kinds; text, share of the points in per cent, and reply of each answer."""
+
+
+@pytest.mark.parametrize("name", IN_MOODLE)
+def test_a_question_has_its_kind_its_answers_and_their_replies_in_moodle(
+    moodle: dict[str, Element], name: str
+) -> None:
+    found = [
         (
             answer.findtext("text", ""),
             float(answer.get("fraction", "")),
             answer.findtext("feedback/text", ""),
         )
-        for answer in question.iter("answer")
+        for answer in moodle[name].iter("answer")
     ]
+    assert (moodle[name].get("type"), found) == IN_MOODLE[name]
 
 
-def test_every_kind_of_question_has_a_kind_in_moodle(moodle: dict[str, Element]) -> None:
-    assert {name: question.get("type") for name, question in moodle.items()} == {
-        "one-of-two": "multichoice",
-        "two-of-three": "multichoice",
-        "a-length": "numerical",
-        "in-a-row": "ordering",
-        "set-it": "essay",
-        **{f"how-wide_{number}": "numerical" for number in (1, 2, 3, 4)},
-    }
-
-
-def test_moodle_gets_tex_links_to_the_site_and_a_reply_to_each_option(
+def test_moodle_gets_tex_links_to_the_site_tolerances_and_units(
     moodle: dict[str, Element],
 ) -> None:
-    question = moodle["one-of-two"]
-    assert question.findtext("questiontext/text") == (
+    assert moodle["one-of-two"].findtext("questiontext/text") == (
         r"Where is \(x &lt; \boldsymbol{y}\), "
         f'as <a href="{SITE}second/#a-section">the second chapter</a> says?'
     )
-    assert answers(question) == [
-        (r"Here, at \(\def\half{\frac{1}{2}}\half\)", 0, "No &amp; never."),
-        ("There", 100, r"Yes, as <em>always</em> for \(\mathrm{sinc}\)."),
-    ]
-    assert [share for _, share, _ in answers(moodle["two-of-three"])] == [50, -100, 50]
-
-
-def test_a_number_has_its_tolerance_its_unit_and_the_replies_to_known_mistakes(
-    moodle: dict[str, Element],
-) -> None:
-    question = moodle["a-length"]
-    assert answers(question) == [
-        ("50", 100, "That is it."),
-        ("0.3", 0, "That is the sum."),
-        ("*", 0, "That is something else."),
-    ]
-    assert [each.text for each in question.iter("tolerance")] == ["1", "0.15", "0"], "0.3 is not 0"
-    assert [each.text for each in question.iter("unit_name")] == ["mm"]
+    length = moodle["a-length"]
+    assert [each.text for each in length.iter("tolerance")] == ["1", "0.15", "0"], "0.3 is not 0"
+    assert [each.text for each in length.iter("unit_name")] == ["mm"]
 
 
 def test_a_question_about_a_figure_leads_to_it_and_has_a_solution_for_the_marker(

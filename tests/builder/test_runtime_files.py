@@ -102,23 +102,18 @@ def test_the_next_source_is_asked_for_what_the_first_did_not_give(
     assert asked == fetched
 
 
-def test_wrong_bytes_are_never_stored(tmp_path: Path) -> None:
-    with pytest.raises(RuntimeFetchError, match=r"engine\.wasm has SHA-256 .* expected"):
-        fetch(tmp_path, source_of(CONTENT | {"engine.wasm": b"something else"}, []))
-    assert not store.location(tmp_path, FILES[0]).exists()
-    assert store.is_intact(tmp_path, FILES[1])
-
-
-def test_without_any_source_the_message_names_files_attempts_and_the_way_out(
+def test_wrong_bytes_are_never_stored_and_without_a_source_the_message_has_a_way_out(
     tmp_path: Path,
 ) -> None:
-    with pytest.raises(RuntimeFetchError) as raised:
+    with pytest.raises(RuntimeFetchError, match=r"engine\.wasm has SHA-256 .* expected"):
+        fetch(tmp_path, source_of(CONTENT | {"engine.wasm": b"something else"}, []))
+    place = store.location(tmp_path, FILES[0])
+    assert not place.exists()
+    assert store.is_intact(tmp_path, FILES[1])
+    with pytest.raises(RuntimeFetchError, match="network is unreachable") as raised:
         fetch(tmp_path, offline, offline)
-    message = str(raised.value)
-    assert "engine.wasm, library.zip" in message
-    assert message.count("network is unreachable") == 2
-    assert "Connect to the internet once" in message
-    assert str(store.location(tmp_path, FILES[0])) in message
+    assert "Connect to the internet once" in str(raised.value)
+    assert str(place) in str(raised.value)
 
 
 def wheel(folder: Path, members: Mapping[str, bytes]) -> Path:
