@@ -4,7 +4,6 @@ import dataclasses
 import math
 import re
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -57,6 +56,8 @@ class Kind:
     illegal: Sequence[Any] = ()
     stack: bool = False
     """Whether each entry along the first axis is answered alone."""
+    single: bool = False
+    """Whether a number is legal in place of the array."""
 
     def shaped(self, shape: tuple[int, ...], mark: str, given: bool) -> "Kind":
         """Arrays of such numbers; with a mark, one more in the last axis is illegal."""
@@ -80,6 +81,7 @@ class Kind:
             [with_one(end) for end in self.ends],
             [with_one(value) for value in self.illegal] + wider,
             mark == "*",
+            not mark and len(shape) == 1,
         )
 
 
@@ -406,6 +408,7 @@ KINDS: dict[str, Kind] = {
     "warped planes": picture(3, 8, 8),
     "falling": some([0.0, 1.0, 2.0]),
     "fallen": some([1.0, 0.6, 0.1], [1.0, 0.9, 0.85], no=[[0.4, 0.3, 0.1], [0.4, 0.9, 0.1]]),
+    "peaks": some((0.6, 0.5), (1e9, -1e9), no=[(0.6, NAN), (0.6, INF), (1.1e9, 0.6)]),
     "source shape": some((4, 5), (1, 1), no=[(0, 5), (5, 0)]),
     "image": some(np.ones((4, 5)), np.ones((4, 5, 3), np.float32), no=[*ones((2, 2, 3, 1), (4,))]),
     "gather table": some(resampling.gather_table([0.3, 0.2], (4, 5))),
@@ -473,7 +476,7 @@ def kind_of(text: str) -> Kind:
     """``[shape] kind [= example]``, as in `arguments.toml`."""
     pattern = r"(?:([\dx]+)([!*]?) )?(.+?)(?: = (\S+))?"
     shape, mark, body, example = re.fullmatch(pattern, text).groups()  # type: ignore[union-attr]
-    how, body = re.fullmatch(r"(whole |about |moderate )?(.+)", body).groups()  # type: ignore[union-attr]
+    how, body = re.fullmatch(r"(whole |about )?(.+)", body).groups()  # type: ignore[union-attr]
     if limits := re.fullmatch(r"([\[(])(\S+), (\S+)([\])])", body):
         make = whole if how == "whole " else interval
         kind = make(limits[1] == "[", float(limits[2]), float(limits[3]), limits[4] == "]")
@@ -481,15 +484,7 @@ def kind_of(text: str) -> Kind:
         kind = one_of(*body.split("|")) if "|" in body else KINDS[body]
     if how == "about ":
         kind = dataclasses.replace(kind, illegal=())
-    if how == "moderate ":
-        kind = dataclasses.replace(kind, draw=partial(moderate, kind))
     if example:
         kind = dataclasses.replace(kind, example=float(example))
     sides = tuple(map(int, shape.split("x"))) if shape else ()
     return kind.shaped(sides, mark, given=bool(example)) if shape else kind
-
-
-def moderate(kind: Kind, rng: Rng) -> float:
-    """A number of the kind for which no formula over- or underflows."""
-    drawn = (kind.draw(rng) for _ in range(99))
-    return next((value for value in drawn if 1e-4 < abs(value) < 1e4), kind.example)

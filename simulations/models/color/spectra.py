@@ -24,8 +24,9 @@ def bell(wavelengths_nm: ArrayLike, peak_nm: float, below_nm: float, above_nm: f
     """
     narrowest = np.min((below_nm, above_nm))  # NaN if either is
     require("width_nm", narrowest, 0 < narrowest < np.inf, "above 0, finite")
-    off = np.asarray(wavelengths_nm, float) - peak_nm
-    return np.exp(-0.5 * np.square(off / np.where(off < 0, below_nm, above_nm)))
+    with np.errstate(over="ignore"):
+        off = np.asarray(wavelengths_nm, float) - peak_nm
+        return np.exp(-0.5 * np.square(off / np.where(off < 0, below_nm, above_nm)))
 
 
 def bells(wavelengths_nm: ArrayLike, shapes: tuple[Bell, ...]) -> Floats:

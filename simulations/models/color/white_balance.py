@@ -20,7 +20,8 @@ def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Floats:
         raise ValueError(f"illuminant {light.tolist()}; legal: three finite numbers above 0")
     rgb = as_colours(linear)
     with np.errstate(over="ignore", invalid="ignore"):
-        return rgb * (light[1] / light).astype(rgb.dtype)
+        gains = (light[1] / light).astype(rgb.dtype)
+        return rgb * np.minimum(gains, np.finfo(rgb.dtype).max)  # black stays black
 
 
 def grey_world(linear: ArrayLike) -> Floats:

@@ -117,11 +117,11 @@ def _distort_near(ideal: Floats, d: Distortion) -> Floats:
     return moved
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def _distort_far(ideal: Floats, d: Distortion, far: Mask) -> Floats:
     """Points beyond `FAR`: their direction is mapped at the radius `FAR`."""
     largest = np.abs(ideal).max(axis=-1, keepdims=True)
-    with np.errstate(invalid="ignore"):
-        direction = ideal / np.where(far[..., None], largest, 1.0)
+    direction = ideal / np.where(far[..., None], largest, 1.0)
     endless = np.isinf(largest)
     direction = np.where(endless, np.sign(ideal) * np.isinf(ideal), direction)
     shrunk = np.where(far[..., None], FAR * direction, ideal)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
-from simulations.models.geometry.rotations import nlerp, slerp
+from simulations.models.geometry.rotations import checked_share, nlerp, slerp
 
 STRAIGHT = 0.9995
 """Cosine above which `threshold_slerp` interpolates linearly."""
@@ -22,10 +22,11 @@ HALVINGS = 40
 def paced_nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     """`nlerp` with a corrected share, so that the speed is nearly constant; no sine.
 
-    Coefficients by A. Kapoulkine, "Approximating slerp", 2015, fitted over arcs up to 90°.
+    Coefficients by A. Kapoulkine, "Approximating slerp", 2015, fitted over arcs up to 90° and
+    shares from 0 to 1, which alone are legal.
     """
     q0, q1 = np.asarray(start, float), np.asarray(end, float)
-    s = np.asarray(share, float)[..., None]
+    s = checked_share(share, 0.0, 1.0)[..., None]
     dot = np.abs((q0 * q1).sum(axis=-1, keepdims=True))
     a = 1.0904 + dot * (-3.2452 + dot * (3.55645 - dot * 1.43519))
     b = 0.848013 + dot * (-1.06021 + dot * 0.215638)
@@ -41,7 +42,7 @@ def threshold_slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Float
     That avoids 0/0, but the customary threshold 0.9995 applies to all rotations up to 3.6°.
     """
     q0, q1 = np.asarray(start, float), np.asarray(end, float)
-    s = np.asarray(share, float)[..., None]
+    s = checked_share(share)[..., None]
     dot = (q0 * q1).sum(axis=-1, keepdims=True)
     q1, dot = np.where(dot < 0.0, -q1, q1), np.abs(dot)
     straight = dot > STRAIGHT
@@ -71,7 +72,7 @@ def bisected_arc(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     rest is a straight line. No sine, no angle, extended precision: (..., 4) long doubles.
     """
     low, high = (_unit(np.asarray(each, np.longdouble)) for each in (start, end))
-    rest = np.asarray(share, np.longdouble)[..., None]
+    rest = checked_share(share, 0.0, 1.0).astype(np.longdouble)[..., None]
     for _ in range(HALVINGS):
         middle = _unit(low + high)
         upper = rest >= 0.5

@@ -14,6 +14,9 @@ from simulations.models.geometry import euler, quaternions
 from simulations.models.geometry.rotations import checked_share, from_axis_angle
 from simulations.models.require import require
 
+LARGEST_RAD = 1e300
+"""Largest angle, so that its products with the share of a path are finite."""
+
 
 def euler_blend(
     sequence: str, start_rad: Sequence[float], end_rad: Sequence[float], share: ArrayLike
@@ -68,5 +71,5 @@ def rate_axes(sequence: str, angles_rad: Sequence[float]) -> Floats:
 
 def _angles(name: str, angles_rad: ArrayLike) -> Floats:
     angles: Floats = as_array(name, angles_rad, 3)
-    require(name, angles, np.isfinite(angles).all(), "finite")
+    require(name, angles, (np.abs(angles) <= LARGEST_RAD).all(), f"at most {LARGEST_RAD:g} in size")
     return angles

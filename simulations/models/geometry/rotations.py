@@ -118,10 +118,12 @@ def nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     return quaternions.normalise((1.0 - s) * q0 + s * q1)
 
 
-def checked_share(share: ArrayLike) -> Floats:
-    """Shares (...) of a path, if none is NaN or beyond `LARGEST_SHARE`; else `ValueError`."""
+def checked_share(
+    share: ArrayLike, low: float = -LARGEST_SHARE, high: float = LARGEST_SHARE
+) -> Floats:
+    """Shares (...) of a path, if all are between two limits; else, and for NaN, `ValueError`."""
     s = np.asarray(share, float)
-    require("share", s, np.all(np.abs(s) <= LARGEST_SHARE), f"at most {LARGEST_SHARE:g} in size")
+    require("share", s, np.all((s >= low) & (s <= high)), f"{low:g} to {high:g}")
     return s
 
 

@@ -19,7 +19,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, Mask, as_vectors
+from simulations.models.arrays import Floats, Mask, as_array, as_vectors
 from simulations.models.require import require, require_positive
 
 CLIP_RANGE = 1e150
@@ -42,9 +42,10 @@ def rigid(angle_rad: float, tx: float, ty: float) -> Floats:
 def similarity(scale: float, angle_rad: float, tx: float, ty: float) -> Floats:
     """Scale and rotate about the origin, then move. Keeps angles and ratios of lengths.
 
-    Raises `ValueError` unless the scale is positive and finite.
+    Raises `ValueError` unless the scale is positive and all numbers are finite.
     """
     require_positive("scale", scale)
+    require("angle_rad", angle_rad, math.isfinite(angle_rad), "finite")
     c, s = scale * math.cos(angle_rad), scale * math.sin(angle_rad)
     return affine([[c, -s], [s, c]], (tx, ty))
 
@@ -137,7 +138,7 @@ def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) ->
     and coefficients that are not within `CLIP_RANGE`.
     """
     vertices = _in_range("polygon", _vertices(polygon))
-    coefficients = _in_range("line", np.asarray(line, float))
+    coefficients = _in_range("line", as_array("line", line, 3))
     side = vertices @ coefficients[:2] + coefficients[2]
     kept: list[Floats] = []
     for i in range(len(vertices)):

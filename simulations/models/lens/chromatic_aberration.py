@@ -66,7 +66,8 @@ def axial_chromatic_mm(
     """
     require("f_number", f_number, f_number > 0.0, "above 0 (inf is a pinhole)")
     focal = focal_length_mm(glass, focal_d_mm, wavelength_um)
-    return focal_d_mm / f_number * np.abs(focal_d_mm - focal) / focal
+    with np.errstate(over="ignore"):
+        return np.abs(focal_d_mm - focal) / focal * focal_d_mm / f_number
 
 
 def lateral_chromatic_scale(

@@ -14,6 +14,7 @@ from numpy.polynomial.polynomial import polyval
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
+from simulations.models.lens.vignetting import disc_overlap_area
 from simulations.models.require import require, require_positive
 
 NEAR = (1.0, -2.2499997, 1.2656208, -0.3163866, 0.0444479, -0.0039444, 0.0002100)
@@ -50,13 +51,13 @@ WIDEST_RINGS = 60.0
 
 def cutoff_per_mm(wavelength_um: float, f_number: float) -> float:
     """The highest frequency that the lens transmits: 1/(λN)."""
-    _check(wavelength_um, f_number)
+    wavelength_um, f_number = _checked(wavelength_um, f_number)
     return 1000.0 / wavelength_um / f_number
 
 
 def spot_diameter_um(wavelength_um: float, f_number: float) -> float:
     """Diameter of the first dark ring around the image of a point in focus: 2.44 λN."""
-    _check(wavelength_um, f_number)
+    wavelength_um, f_number = _checked(wavelength_um, f_number)
     return 2.0 * FIRST_ZERO * wavelength_um * f_number
 
 
@@ -65,9 +66,9 @@ def defocus_waves(defocus_um: float, wavelength_um: float, f_number: float) -> f
 
     For a sensor at ``defocus_um`` from the focus. At one wave the middle of the spot is dark.
     """
-    _check(wavelength_um, f_number)
+    wavelength_um, f_number = _checked(wavelength_um, f_number)
     require("defocus_um", defocus_um, np.isfinite(defocus_um), "finite")
-    return defocus_um / (8.0 * wavelength_um) / f_number**2
+    return float(defocus_um) / 8.0 / wavelength_um / f_number / f_number
 
 
 def lens_transfer(
@@ -76,19 +77,23 @@ def lens_transfer(
     """Factor (...) on the contrast of waves of a frequency (...): the lens's transfer function.
 
     It is the share of the opening that overlaps a copy of itself, shifted in proportion to the
-    frequency. In focus that is ``2/π (arccos ν − ν √(1 − ν²))``, ν = f/cut-off. Out of focus the
-    two differ in phase from place to place, and the factor may be negative: dark and light are
-    exchanged. Its size is the MTF.
+    frequency. In focus that is ``2/π (arccos ν − ν √(1 − ν²))``, ν = f/cut-off, which loses its
+    digits near the cut-off; `disc_overlap_area` keeps them. Out of focus the two differ in phase
+    from place to place, and the factor may be negative: dark and light are exchanged. Its size is
+    the MTF.
 
     Raises `ValueError` for NaN, and for a defocus of more than `MOST_WAVES`.
     """
     frequency = np.abs(np.asarray(frequency_per_mm, float))
     require("frequency_per_mm", frequency, not np.isnan(frequency).any(), "numbers")
     waves = _waves(defocus_um, wavelength_um, f_number)
-    share = np.minimum(frequency / cutoff_per_mm(wavelength_um, f_number), 1.0)
-    widest = np.arccos(share)
+    shortest = float(wavelength_um) * float(f_number) / 1000.0  # 0 or infinite at the extremes
+    with np.errstate(over="ignore", invalid="ignore"):
+        share = np.minimum(np.where(frequency > 0.0, frequency * shortest, 0.0), 1.0)
+    share = np.where(np.isinf(frequency), 1.0, share)
     if waves == 0.0:
-        return 2.0 / np.pi * (widest - share * np.sqrt(1.0 - share * share))
+        return disc_overlap_area(2.0 * share, 1.0, 1.0) / np.pi
+    widest = np.arctan2(np.sqrt((1.0 - share) * (1.0 + share)), share)  # all digits of it near 1
     nodes, weights = _quadrature()
     angle = widest[..., None] * nodes
     off = 8.0 * np.pi * waves * share[..., None] * (np.cos(angle) - share[..., None])
@@ -104,7 +109,8 @@ def spot(
     Raises `ValueError` for radii above `WIDEST_RINGS` λN and a defocus of more than `MOST_WAVES`.
     """
     waves = _waves(defocus_um, wavelength_um, f_number)
-    rings = np.asarray(radius_um, float) / wavelength_um / f_number
+    with np.errstate(over="ignore"):
+        rings = np.asarray(radius_um, float) / wavelength_um / f_number
     require("radius_um", rings, np.all(np.abs(rings) <= WIDEST_RINGS), f"to {WIDEST_RINGS:g} λN")
     nodes, weights = _quadrature()
     waves_at = 2.0 * nodes * weights * np.exp(2j * np.pi * waves * nodes * nodes)
@@ -125,6 +131,8 @@ def _quadrature() -> tuple[Floats, Floats]:
     return 0.5 + 0.5 * nodes, 0.5 * weights
 
 
-def _check(wavelength_um: float, f_number: float) -> None:
+def _checked(wavelength_um: float, f_number: float) -> tuple[float, float]:
+    """The two as Python's floats, whose products and quotients overflow without a warning."""
     require_positive("wavelength_um", wavelength_um)
     require_positive("f_number", f_number)
+    return float(wavelength_um), float(f_number)

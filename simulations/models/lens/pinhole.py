@@ -14,8 +14,13 @@ import math
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
-from simulations.models.lens.diffraction import lens_transfer, spot_diameter_um
-from simulations.models.require import require_positive
+from simulations.models.lens.diffraction import (
+    MOST_WAVES,
+    defocus_waves,
+    lens_transfer,
+    spot_diameter_um,
+)
+from simulations.models.require import require, require_positive
 
 
 def pinhole_transfer(
@@ -28,15 +33,17 @@ def pinhole_transfer(
     `simulations.models.lens.diffraction.MOST_WAVES` are exceeded: 2.3 mm in a box 100 mm deep.
     """
     require_positive("hole_mm", hole_mm)
-    require_positive("distance_mm", distance_mm)
-    f_number = distance_mm / hole_mm
+    require("distance_mm", distance_mm, 0 < distance_mm <= 1e300, "above 0, to 1e300")
+    f_number = float(distance_mm) / float(hole_mm)
+    waves = defocus_waves(1000.0 * distance_mm, wavelength_um, f_number)
+    require("hole_mm", hole_mm, waves <= MOST_WAVES, f"at most {MOST_WAVES:g} waves of defocus")
     return lens_transfer(frequency_per_mm, wavelength_um, f_number, 1000.0 * distance_mm)
 
 
 def spread_mm(hole_mm: float, distance_mm: float, wavelength_um: float) -> float:
     """Width of the spot of a very narrow hole: 2.44 λ f / A, of Airy's disc."""
     require_positive("hole_mm", hole_mm)
-    return spot_diameter_um(wavelength_um, distance_mm / hole_mm) / 1000.0
+    return spot_diameter_um(wavelength_um, float(distance_mm) / float(hole_mm)) / 1000.0
 
 
 def sharpest_hole_mm(distance_mm: float, wavelength_um: float) -> float:

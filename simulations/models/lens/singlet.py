@@ -101,12 +101,14 @@ def sag_mm(curvature_per_mm: float, height_mm: ArrayLike) -> Floats:
     Raises `ValueError` beyond the sphere.
     """
     height = np.asarray(height_mm, float)
-    rest = 1.0 - (curvature_per_mm * height) ** 2
+    with np.errstate(over="ignore"):
+        rest = 1.0 - (curvature_per_mm * height) ** 2
     # The pole itself, reached as 1/c, may round to just beyond the sphere.
     require("height_mm", height, np.all(rest >= -1e-12), "up to the radius of the surface")
     return curvature_per_mm * height**2 / (1.0 + np.sqrt(np.maximum(rest, 0.0)))
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def through_thin(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -> Rays:
     """Rays from a point on the axis, bent once, in the plane through the middle: by −h/f.
 
@@ -123,6 +125,7 @@ def through_thin(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -> Ra
     return Rays(place, place, slope, np.full(heights.shape, PASSES))
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def through_paraxial(lens: Singlet, distance_mm: float, heights_mm: ArrayLike) -> Rays:
     """The same rays, bent twice, at both vertices, by Snell's law for small angles."""
     heights, slopes = _aimed(lens, distance_mm, heights_mm)
@@ -178,6 +181,7 @@ def thin_image_mm(lens: Singlet, distance_mm: float) -> float:
     return float(through_thin(lens, distance_mm, [1.0]).crossing_mm[0])
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def meet(
     start: Floats, along: Floats, vertex_mm: float, curvature_per_mm: float
 ) -> tuple[Floats, Floats, Mask]:
@@ -198,6 +202,7 @@ def meet(
     return place + np.array([vertex_mm, 0.0]), normal, met
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def refract(along: Floats, normal: Floats, ratio: float) -> tuple[Floats, Mask]:
     """Snell's law: unit directions (n, 2) behind a surface, and whether any light passes it.
 
@@ -231,5 +236,4 @@ def _within(places: Floats, rim: float) -> Mask:
 
 
 def _unit(vectors: Floats) -> Floats:
-    lengths: Floats = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return vectors / lengths
+    return vectors / np.hypot(vectors[..., :1], vectors[..., 1:])  # whose squares may overflow

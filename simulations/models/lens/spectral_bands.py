@@ -56,7 +56,7 @@ def even_wavelengths(
 
 def _check(width_um: float, count: int, *wavelengths_um: float) -> None:
     as_whole("count", count, 1)
-    require("width_um", width_um, 1e-9 <= width_um < np.inf, "1e-9 or more, finite")
+    require("width_um", width_um, 1e-9 <= width_um <= 1e9, "1e-9 to 1e9")
     require(
         "wavelengths",
         wavelengths_um,

@@ -41,6 +41,7 @@ class ChiefRays:
     focal_mm: float
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def chief_rays(lens: Singlet, stop_mm: float, slopes: ArrayLike) -> ChiefRays:
     """Rays through the centre of a stop; the origin is the middle of the lens.
 
@@ -102,7 +103,7 @@ def _through(lens: Singlet, stop_mm: float, slope: Floats) -> tuple[Floats, Floa
     half = lens.thickness_mm / 2.0
     start = np.stack([np.full_like(slope, stop_mm), np.zeros_like(slope)], -1)
     along = np.stack([np.ones_like(slope), slope], -1)
-    along /= np.linalg.norm(along, axis=-1, keepdims=True)
+    along /= np.hypot(1.0, slope)[:, None]
     front, normal, met = meet(start, along, -half, lens.front_per_mm)
     inside, _ = refract(along, normal, 1.0 / lens.index)
     back, normal, met_back = meet(front, inside, half, lens.back_per_mm)

@@ -74,7 +74,7 @@ def working_f_number(focal_mm: float, f_number: float, focus_mm: float) -> float
     nearer focus the sensor is farther away and gets less light. Parameters as in
     `circle_of_confusion_mm`.
     """
-    _check_lens(focal_mm, f_number, focus_mm)
+    focal_mm, f_number, focus_mm = _checked_lens(focal_mm, f_number, focus_mm)
     return f_number / float(_share_beyond(focus_mm, focal_mm))  # may overflow to inf
 
 
@@ -108,7 +108,7 @@ def circle_of_confusion_mm(
     depth_mm : (...) floats
         Object distance, not negative; 0 (on the lens) gives inf, inf is legal.
     """
-    _check_lens(focal_mm, f_number, focus_mm)
+    focal_mm, f_number, focus_mm = _checked_lens(focal_mm, f_number, focus_mm)
     depth = np.asarray(depth_mm, float)
     if not np.all(depth >= 0.0):
         raise ValueError(f"depth_mm {_worst(depth)}; legal: 0 or more, before the lens")
@@ -132,10 +132,10 @@ def depth_of_field(
     Exact, not the usual approximation for Z ≫ f. The far limit is inf from the `hyperfocal`
     distance on; a pinhole (``f_number`` inf) has (0, inf).
     """
-    _check_lens(focal_mm, f_number, focus_mm)
+    focal_mm, f_number, focus_mm = _checked_lens(focal_mm, f_number, focus_mm)
     require_positive("coc_mm", coc_mm)
     share = float(_share_beyond(focus_mm, focal_mm))
-    tolerance_per_mm = coc_mm * f_number / focal_mm * share / focal_mm
+    tolerance_per_mm = float(coc_mm) * f_number / focal_mm * share / focal_mm
     near_vergence = 1.0 / focus_mm + tolerance_per_mm
     nearest = 1.0 / near_vergence if near_vergence > 0.0 else np.inf  # both may underflow
     # At the hyperfocal distance itself the difference is zero but for rounding.
@@ -152,12 +152,15 @@ def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
     require_positive("focal_mm", focal_mm)
     require_positive("coc_mm", coc_mm)
     require("f_number", f_number, f_number > 0.0, "above 0 (inf is a pinhole)")
-    return focal_mm * (focal_mm / f_number / coc_mm) + focal_mm  # the product may underflow
+    focal = float(focal_mm)
+    return focal * (focal / float(f_number) / float(coc_mm)) + focal  # may underflow or overflow
 
 
-def _check_lens(focal_mm: float, f_number: float, focus_mm: float) -> None:
+def _checked_lens(focal_mm: float, f_number: float, focus_mm: float) -> tuple[float, float, float]:
+    """The three as Python's floats, whose products and quotients overflow without a warning."""
     _check_focus(focal_mm, focus_mm)
     require("f_number", f_number, f_number > 0.0, "above 0 (inf is a pinhole)")
+    return float(focal_mm), float(f_number), float(focus_mm)
 
 
 def _check_focus(focal_mm: float, focus_mm: float) -> None:

@@ -63,7 +63,7 @@ def mechanical_vignetting(
     with np.errstate(over="ignore"):
         shift = tan * separation_mm / pupil_radius_mm
     # In units of the pupil, so that squares neither vanish nor overflow.
-    rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-70), 1e70)
+    rim = min(max(float(rim_radius_mm) / float(pupil_radius_mm), 1e-70), 1e70)
     return disc_overlap_area(shift, 1.0, rim) / np.pi
 
 

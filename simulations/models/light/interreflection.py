@@ -8,6 +8,8 @@ Szeliski, 2nd ed., section 2.2.2; Goral et al., "Modeling the Interaction of Lig
 Surfaces", SIGGRAPH 1984; Hottel and Sarofim, Radiative Transfer, 1967 (crossed strings).
 """
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -56,7 +58,7 @@ def seen_of(places: ArrayLike, opening_rad: float) -> Floats:
     at = np.maximum(np.asarray(places, float), 1e-9)[..., None]
     along = EDGES * np.cos(opening_rad) - at
     sines = along / np.hypot(along, EDGES * np.sin(opening_rad))
-    return 0.5 * np.diff(sines, axis=-1)
+    return np.maximum(0.5 * np.diff(sines, axis=-1), 0.0)
 
 
 def exchange(opening_rad: float) -> Floats:
@@ -109,7 +111,8 @@ def edge_factor(albedo: float, opening_rad: float) -> float:
     """
     _check_opening(opening_rad)
     require("albedo", albedo, 0 <= albedo <= 1, "0 to 1")
-    return 1.0 / (1.0 - albedo * 0.5 * (1.0 + float(np.cos(opening_rad))))
+    lost = 1.0 - albedo * 0.5 * (1.0 + math.cos(opening_rad))
+    return 1.0 / lost if lost > 0.0 else math.inf
 
 
 def _over(light_rad: float) -> float:

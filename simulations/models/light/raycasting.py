@@ -15,7 +15,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, Mask, as_vectors
+from simulations.models.arrays import Floats, Mask, as_array, as_vectors
 from simulations.models.light.edge_coverage import ramp_coverage, straight_edge_coverage
 from simulations.models.require import require
 
@@ -205,9 +205,13 @@ def intersect_plane(
     valid : (...) false if the ray runs along the plane or away from it, or the distance is not
         finite
     """
+    at, eye, upright = (
+        as_array(name, vector, 3)
+        for name, vector in (("point", point), ("origin", origin), ("normal", normal))
+    )
     with np.errstate(over="ignore", invalid="ignore"):
-        facing = np.asarray(directions, float) @ np.asarray(normal, float)
-        height = (np.asarray(point, float) - np.asarray(origin, float)) @ np.asarray(normal, float)
+        facing = as_vectors("directions", directions, 3) @ upright
+        height = (at - eye) @ upright
         crossing = np.abs(facing) > NEARLY_ZERO
         distance = height / np.where(crossing, facing, 1.0)
     valid = crossing & (distance > 0) & np.isfinite(distance)

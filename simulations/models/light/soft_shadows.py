@@ -21,6 +21,9 @@ from simulations.models.light.raycasting import (
 )
 from simulations.models.require import require
 
+TINY = 1e-300
+"""Least width of a penumbra, so that no width is zero."""
+
 
 def visibility(
     solid: Sphere | Box, points: ArrayLike, to_light: ArrayLike, light_radius_rad: float
@@ -48,8 +51,9 @@ def visibility(
             along = to_centre @ light
             square = np.einsum("...i,...i", to_centre, to_centre) - along**2
             clearance = np.sqrt(np.maximum(square, 0.0)) - solid.radius
-            width = np.maximum(along, NEARLY_ZERO) * spread
-            lit = _smooth(0.5 + 0.5 * clearance / width)
+            width = np.maximum(np.maximum(along, NEARLY_ZERO) * spread, TINY)
+            with np.errstate(over="ignore"):
+                lit = _smooth(0.5 + 0.5 * clearance / width)
             return np.where(along > 0, lit, 1.0)
         case Box():
             start = (at - solid.centre) @ solid.world_to_box.T
@@ -57,8 +61,9 @@ def visibility(
             entries, exits = slab_crossings(start, direction, np.asarray(solid.size) / 2)
             entry = np.maximum(largest_component(entries), 0.0)
             chord = -largest_component(-exits) - entry
-            width = 2.0 * np.maximum(entry, 0.02) * spread
-            return 1.0 - _smooth(chord / width)
+            width = np.maximum(2.0 * np.maximum(entry, 0.02) * spread, TINY)
+            with np.errstate(over="ignore"):
+                return 1.0 - _smooth(chord / width)
 
 
 def shadow_bounds(

@@ -212,4 +212,4 @@ def field_of_view_rad(focal_mm: float, sensor_mm: float) -> float:
     """
     if not (focal_mm > 0.0 and 0.0 < sensor_mm < math.inf):
         raise ValueError(f"focal_mm {focal_mm}, sensor_mm {sensor_mm}; legal: positive")
-    return 2.0 * math.atan(sensor_mm / (2.0 * focal_mm))
+    return 2.0 * math.atan(float(sensor_mm) / float(focal_mm) / 2.0)

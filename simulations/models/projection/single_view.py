@@ -28,10 +28,11 @@ from simulations.models.least_squares import levenberg_marquardt
 from simulations.models.projection.pinhole import intrinsics
 from simulations.models.projection.vanishing_lines import (
     check_segments,
+    check_sigma,
     fit_vanishing_point,
     line_residuals,
 )
-from simulations.models.require import require, require_positive
+from simulations.models.require import require
 
 SHORTEST, LONGEST = 0.1, 20.0
 """Focal lengths that there are, in diagonals of the picture."""
@@ -142,7 +143,7 @@ def fit_view(
     ends = as_matrices("segments", segments, 2, 2)
     along = as_array("axes", axes, len(ends)).astype(int)
     require("axes", along, bool(np.isin(along, (0, 1, 2)).all()), "0, 1, 2")
-    require_positive("sigma_px", sigma_px)
+    check_sigma(sigma_px)
     check_segments(ends)
     counts = np.bincount(along, minlength=3)
     require("lines along the axes", counts, (counts >= 2).sum() >= 2, "two for two axes")

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats, as_matrices
 from simulations.models.projection.level_ground import height_by_horizon
 from simulations.models.projection.single_view import SingleView, by_small_steps
+from simulations.models.projection.vanishing_lines import check_sigma
 from simulations.models.require import require, require_one_of, require_positive
 
 KINDS = ("within", "above")
@@ -70,7 +71,7 @@ def measured(
     number is not legal.
     """
     require_positive("known_metres", known_metres)
-    require_positive("sigma_px", sigma_px)
+    check_sigma(sigma_px)
     require("normal", normal, normal in (0, 1, 2), "0, 1, 2")
     stretches = (known, *others)
     ends = as_matrices("ends", np.stack([stretch.ends for stretch in stretches]), 2, 2)
@@ -85,14 +86,14 @@ def measured(
     def by_ends(step: Floats) -> Floats:  # the same step at every stretch
         return np.log(lengths(view, ends + unit * step.reshape(2, 2), kinds, normal))
 
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         through_view = by_small_steps(by_view, 6, view.covariance)
         own = (by_small_steps(by_ends, 4) ** 2).sum(axis=-1) * (sigma_px / unit) ** 2
         apart = np.vstack([through_view[1:], np.zeros(6)]) - through_view[0]
         relative = np.einsum("ni,ij,nj->n", apart, view.covariance, apart)
         relative += np.append(own[1:], 0.0) + own[0]
-    metres = known_metres * np.append(found[1:], 1.0) / found[0]
-    errors = metres * np.sqrt(relative)
+        metres = known_metres * np.append(found[1:], 1.0) / found[0]
+        errors = metres * np.sqrt(relative)
     return Measured(metres[:-1], errors[:-1], float(metres[-1]), float(errors[-1]))
 
 

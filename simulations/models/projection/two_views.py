@@ -64,6 +64,7 @@ def epipolar_lines(F: ArrayLike, pixels: ArrayLike) -> tuple[Floats, Mask]:
     return np.where(valid[..., None], scaled, np.nan), valid
 
 
+@np.errstate(over="ignore", invalid="ignore", divide="ignore")
 def depth_of_match(
     first: ArrayLike,
     second: ArrayLike,
@@ -126,7 +127,7 @@ def depth_from_disparity(
     require_positive("baseline", baseline)
     d = np.asarray(disparity, float)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        depth = focal_px * baseline / np.where(d == 0.0, 0.0, d)
+        depth = np.where(d == 0.0, np.inf, focal_px / d * baseline)
     valid = d >= 0.0
     return np.where(valid, depth, np.nan), valid
 
@@ -141,6 +142,6 @@ def depth_error(
     require_positive("focal_px", focal_px)
     require_positive("baseline", baseline)
     Z, error = np.broadcast_arrays(np.asarray(depth, float), np.asarray(disparity_error, float))
-    exact = (error == 0.0) & ~np.isnan(Z)
+    exact = ((error == 0.0) | (Z == 0.0)) & ~(np.isnan(Z) | np.isnan(error))
     with np.errstate(over="ignore", invalid="ignore"):
-        return np.where(exact, 0.0, Z * (Z * (error / (focal_px * baseline))))
+        return np.where(exact, 0.0, Z * (Z * (error / focal_px / baseline)))

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_array, as_matrices
 from simulations.models.least_squares import levenberg_marquardt
-from simulations.models.require import require, require_positive
+from simulations.models.require import require
 
 
 def line_residuals(segments: ArrayLike, point: ArrayLike) -> tuple[Floats, Floats]:
@@ -67,11 +67,11 @@ def fit_vanishing_point(segments: ArrayLike, sigma_px: float = 1.0) -> tuple[Flo
     ------
     ValueError
         For fewer than two lines, a line without length, lines that all coincide, ends that are not
-        finite, and a sigma that is not positive.
+        finite, and a sigma below 1e-9 or above 1e9.
     """
     ends = as_matrices("segments", segments, 2, 2)
     require("segments", len(ends), len(ends) >= 2, "two or more")
-    require_positive("sigma_px", sigma_px)
+    check_sigma(sigma_px)
     check_segments(ends)
     middle, scale = ends.mean(axis=(0, 1)), float(np.abs(ends - ends.mean(axis=(0, 1))).max())
     near = (ends - middle) / scale
@@ -92,6 +92,11 @@ def fit_vanishing_point(segments: ArrayLike, sigma_px: float = 1.0) -> tuple[Flo
     spread = across @ np.linalg.inv(J.T @ J) @ across.T * (sigma_px / scale) ** 2
     back = np.array([[scale, 0.0, middle[0]], [0.0, scale, middle[1]], [0.0, 0.0, 1.0]])
     return back @ point, back @ spread @ back.T
+
+
+def check_sigma(sigma_px: float) -> None:
+    """Raises `ValueError` for standard deviations that no drawn line has."""
+    require("sigma_px", sigma_px, 1e-9 <= sigma_px <= 1e9, "1e-9 to 1e9")
 
 
 def check_segments(segments: Floats) -> None:

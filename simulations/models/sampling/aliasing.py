@@ -41,8 +41,9 @@ def apparent_wheel_speed(
     rate. For a turn of exactly half a spacing per frame the direction is uncertain.
     """
     spokes = as_whole("spokes", spokes, 1)
-    with np.errstate(over="ignore"):
-        passing_per_s = np.asarray(turns_per_s, float) * spokes
+    turns = np.asarray(turns_per_s, float)
+    require("turns_per_s", turns, np.all(np.abs(turns) <= 1e9), "at most 1e9 in size")
+    passing_per_s = turns * spokes
     spokes_per_s = alias_frequency(passing_per_s, frames_per_s)
     certain = ~np.isclose(np.abs(spokes_per_s), frames_per_s / 2, rtol=1e-9, atol=0)
     return spokes_per_s / spokes, certain

@@ -6,6 +6,7 @@ blurred. Bracewell, *The Fourier Transform and Its Applications*, 3rd ed., 2000,
 shift theorem, and Rayleigh's.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,9 @@ from simulations.models.require import require
 
 FINE = 1 / 6
 """Cycles per pixel: waves shorter than six pixels count as fine, up to the Nyquist frequency."""
+
+LARGEST = 1e100
+"""Largest value of a pixel, so that sums of squares are finite."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,14 +43,15 @@ def fine_detail(picture: ArrayLike, truth: ArrayLike, finest: float = FINE) -> F
     if seen.shape != true.shape or seen.ndim != 2:
         raise ValueError(f"pictures of shapes {seen.shape} and {true.shape}; legal: equal, (H, W)")
     for name, values in (("picture", seen), ("truth", true)):
-        require(name, values, bool(np.isfinite(values).all()), "finite")
+        legal = bool((np.abs(values) <= LARGEST).all())
+        require(name, values, legal, f"finite, at most {LARGEST:g} in size")
     chosen = _band(true.shape[0], true.shape[1], finest)
     ours, theirs = (np.fft.fft2(each - each.mean())[chosen] for each in (seen, true))
     whole = float(np.sum(np.square(np.abs(theirs))))
     require("contrast of the truth's fine waves", whole, whole > 0, "above 0")
     return FineDetail(
-        present=float(np.sqrt(np.sum(np.square(np.abs(ours))) / whole)),
-        in_place=float(np.sum((ours * theirs.conj()).real) / whole),
+        present=math.sqrt(float(np.sum(np.square(np.abs(ours)))) / whole),
+        in_place=float(np.sum((ours * theirs.conj()).real)) / whole,
     )
 
 

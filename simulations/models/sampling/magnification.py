@@ -23,7 +23,8 @@ def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
 
 def _magnify_rows(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
     size, kernel = plane.shape[0], KERNELS["bicubic"]
-    position = 0.5 * (size - 1) + centred(size) / scale
+    with np.errstate(over="ignore"):
+        position = np.clip(0.5 * (size - 1) + centred(size) / scale, -1.0, size)  # then all is edge
     base = np.floor(position)
     result = np.zeros_like(plane)
     for tap in range(-1, 3):

@@ -112,6 +112,7 @@ def filtered_wave(
     for name, value in (("frequency", frequency), ("chirp", chirp)):
         require(name, value, abs(value) <= 1e9, "at most 1e9 in size")
     place = np.asarray(x, float)
+    require("x", place, np.all(np.abs(place) <= 1e9), "at most 1e9 in size")
     wave: Complexes = np.exp(1j * np.pi * place * (2 * frequency + chirp * place))
     if chirp == 0:
         return wave * transfer(kernel, frequency)

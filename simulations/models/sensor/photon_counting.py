@@ -71,7 +71,7 @@ def with_iso(sensor: Sensor, iso: float, base_iso: float = 100.0) -> Sensor:
     The well stays the same, but the converter saturates before it is full.
     """
     require("iso", iso, iso > 0, "above 0")
-    return replace(sensor, gain_e_per_dn=sensor.gain_e_per_dn * base_iso / iso)
+    return replace(sensor, gain_e_per_dn=sensor.gain_e_per_dn * base_iso / float(iso))
 
 
 def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Floats:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_floats
+from simulations.models.require import require
 from simulations.models.sensor.photon_counting import Sensor, quantise, read_out, shot_noise
 from simulations.models.whole_numbers import as_whole
 
@@ -61,6 +62,10 @@ def photon_transfer(
     return mean, variance
 
 
+LARGEST_DN = 1e100
+"""Largest mean or variance of a transfer curve, so that sums of squares are finite."""
+
+
 def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> Mask:
     """Which levels (N,) of a transfer curve can be used to fit a line.
 
@@ -72,8 +77,9 @@ def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> Mask:
     mean, variance = as_floats(mean_dn), as_floats(variance_dn)
     if mean.ndim != 1 or mean.shape != variance.shape:
         raise ValueError(f"mean {mean.shape} and variance {variance.shape}; legal: both (N,)")
-    if not (np.isfinite(mean).all() and np.isfinite(variance).all()):
-        raise ValueError("a mean or a variance is not finite; legal: finite")
+    for name, levels in (("mean", mean), ("variance", variance)):
+        legal = bool((np.abs(levels) <= LARGEST_DN).all())
+        require(name, levels, legal, f"finite, at most {LARGEST_DN:g} in size")
     if mean.size == 0:
         return np.zeros(0, bool)
     unsaturated = mean <= SATURATED_SHARE * mean[np.argmax(variance)]

@@ -23,13 +23,14 @@ def pixel_pitch_um(
         require_positive(name, value)
     diagonal_px = float(np.hypot(width_px, height_px))
     require_positive("diagonal in px", diagonal_px)
-    return 1000.0 * FULL_FRAME_DIAGONAL_MM * focal_mm / equivalent_mm / diagonal_px
+    focal, equivalent = float(focal_mm), float(equivalent_mm)
+    return 1000.0 * FULL_FRAME_DIAGONAL_MM * focal / equivalent / diagonal_px
 
 
 def nyquist_per_mm(pitch_um: float) -> float:
     """Half a cycle per pixel: 1/(2p)."""
     require_positive("pitch_um", pitch_um)
-    return 500.0 / pitch_um
+    return 500.0 / float(pitch_um)
 
 
 def pixel_transfer(frequency_per_mm: ArrayLike, width_um: float) -> Floats:
@@ -45,7 +46,7 @@ def plate_transfer(frequency_per_mm: ArrayLike, separation_um: float) -> Floats:
 
 def _cycles(name: str, length_um: float, frequency_per_mm: ArrayLike) -> Floats:
     """Cycles over a length."""
-    require(name, length_um, 0 <= length_um < np.inf, "0 or more, finite")
+    require(name, length_um, 0 <= length_um <= 1e12, "0 to 1e12")
     frequency = np.asarray(frequency_per_mm, float)
     require(
         "frequency_per_mm", frequency, np.all(np.abs(frequency) <= 1e12), "at most 1e12 in size"
