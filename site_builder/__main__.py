@@ -10,12 +10,11 @@ from pathlib import Path
 
 from simulations.registry import LADDER_MODULES
 from site_builder import __version__
-from site_builder.assets.python import pack_for_browser
+from site_builder.assets.browser_parts import pack_for_browser
 from site_builder.build import Options, Warn, build_site, check_site
 from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import Cache, using
-from site_builder.diagnostics.as_json import as_json
-from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, counted
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, as_json, counted
 from site_builder.document.book import Book
 from site_builder.output.writer import advice, write_site
 from site_builder.sandbox.loading import read_figures
@@ -72,30 +71,29 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
                 read_figures()
                 if not sys.stdin.readline():
                     return 0  # the server has ended
-            files = build_site(
-                ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn,
+            options = Options(
+                ROOT, given.runtime, given.reload, warn=warn,
                 address=site_address(given.address), source=source_address(given.source),
             )  # fmt: skip
-            print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
+            files = build_site(options, given.out)
+            warned = f"; {counted(warnings, 'warning')}" if warnings else ""
+            print(f"{given.out}: {len(files)} files{warned}")
         case "check":
             return check(Options(ROOT, runtime=given.runtime), json=given.json)
         case "new":
             from site_builder.scaffold.pieces import make_new  # needed only here
 
             print(make_new(ROOT, given.kind, given.name))
-        case "pdf":
-            # Its reader of pages and its printer are needed only here.
+        case "pdf" | "epub":
+            # Readers of pages and printers are needed only here.
             from site_builder.editions.compose import compose
+            from site_builder.editions.epub import make_epub
             from site_builder.editions.pdf import make_pdf
 
             composed = compose(Options(ROOT, runtime=False, warn=warn))
-            written(given.out or _edition(composed.book, "pdf"), make_pdf(composed))
-        case "epub":
-            from site_builder.editions.compose import compose
-            from site_builder.editions.epub import make_epub
-
-            composed = compose(Options(ROOT, runtime=False, warn=warn))
-            written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
+            is_pdf = given.command == "pdf"
+            edition = make_pdf(composed) if is_pdf else make_epub(composed, ROOT)
+            written(given.out or _edition(composed.book, given.command), edition)
         case "notebooks":
             from site_builder.editions.notebooks.notebook import REQUIREMENTS, make_notebooks
 
@@ -104,7 +102,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             write_site(make_notebooks(checked, ROOT), given.out, known_by=REQUIREMENTS)
             print(f"{given.out}: {len(checked.book.chapters)} notebooks")
         case "questions":
-            from site_builder.editions.questions.export import left_out, make_moodle, make_qti
+            from site_builder.editions.questions import left_out, make_moodle, make_qti
 
             address = site_address(given.address)
             book = check_site(Options(ROOT, runtime=False, warn=warn, address=address)).book
@@ -118,7 +116,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
 
             return bench(ROOT, given.ladder, write_scripts)
         case "guide":
-            from site_builder.guide.command import run_guide
+            from site_builder.guide.pages import run_guide
 
             place = None if given.build_only else (given.host, given.port)
             return run_guide(place, runtime=given.runtime)
@@ -163,7 +161,7 @@ def find(options: Options) -> Sequence[Diagnostic]:
 
 def _edition(book: Book, kind: str) -> Path:
     """``build/the-book-s-title.pdf``."""
-    from site_builder.markdown.headings import slug
+    from site_builder.markdown.numbering import slug
 
     return ROOT / "build" / f"{slug(book.title)}.{kind}"
 
@@ -172,10 +170,6 @@ def written(out: Path, edition: bytes) -> None:
     out.parent.mkdir(parents=True, exist_ok=True)
     out.write_bytes(edition)
     print(f"{out}: {len(edition) / 1e6:.1f} MB")
-
-
-def _and_count(warnings: Sequence[Diagnostic]) -> str:
-    return f"; {counted(warnings, 'warning')}" if warnings else ""
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -196,10 +190,8 @@ def _parser() -> argparse.ArgumentParser:
     place.add_argument("--host", default="127.0.0.1", help=everyone)
 
     build = add("build", "check everything, then write the site", out, runtime)
-    build.add_argument("--reload", action="store_true", help="for `serve`: pages reload themselves")
-    build.add_argument(
-        "--wait", action="store_true", help="for `serve`: begin after a line of input"
-    )
+    for name, does in (("--reload", "pages reload themselves"), ("--wait", "begin after a line")):
+        build.add_argument(name, action="store_true", help=f"for `serve`: {does}")
     build.add_argument("--address", default="", help="where the site will be")
     build.add_argument("--source", default="", help="where its sources are, with {path} in it")
     add("serve", "build, show, and build again on every change", out, runtime, place)

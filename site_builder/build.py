@@ -14,7 +14,12 @@ from typing import Any, NamedTuple
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
-from site_builder.assets.browser_parts import BrowserParts, browser_parts, scene_files
+from site_builder.assets.browser_parts import (
+    BrowserParts,
+    browser_parts,
+    pack_for_browser,
+    scene_files,
+)
 from site_builder.assets.pages import (
     NOW,
     Files,
@@ -23,13 +28,11 @@ from site_builder.assets.pages import (
     in_page,
     prerendered_files,
 )
-from site_builder.assets.python import pack_for_browser
 from site_builder.benchmarks.measurements import read_measurements
 from site_builder.cache.results import cached_result
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
-from site_builder.checks.skeletons import check_skeletons
-from site_builder.checks.whole_book import check_book, check_translation
+from site_builder.checks.whole_book import check_book, check_skeletons, check_translation
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
@@ -37,15 +40,20 @@ from site_builder.files.engine import static_files
 from site_builder.files.folders import file_hash
 from site_builder.files.text import Sources
 from site_builder.output.writer import write_site
-from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.page import Site
 from site_builder.pages.render import render_pages, render_translation
-from site_builder.publishing.cards import make_cards
-from site_builder.publishing.compressed import compressed_copies
-from site_builder.publishing.hosting import host_files, make_listings
-from site_builder.publishing.offline import MANIFEST, manifest, no_release, release_files
-from site_builder.publishing.vector import make_icons
+from site_builder.pages.views.question import catalogue
+from site_builder.publishing.hosting import (
+    MANIFEST,
+    compressed_copies,
+    host_files,
+    make_listings,
+    manifest,
+    no_release,
+    release_files,
+)
+from site_builder.publishing.vector import make_cards, make_icons
 from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.sandbox.pool import printed
@@ -85,21 +93,9 @@ class Options:
     """Where its sources can be read, likewise."""
 
 
-def build_site(
-    root: Path,
-    out: Path,
-    *,
-    runtime: bool = True,
-    reload: bool = False,
-    warn: Warn = ignore,
-    write: Write = write_site,
-    address: str = "",
-    source: str = "",
-) -> Files:
-    """Build the book at ``root`` into the folder ``out``. Raises `BuildError`."""
-    files = render_site(
-        Options(root, runtime=runtime, reload=reload, warn=warn, address=address, source=source)
-    )
+def build_site(options: Options, out: Path, *, write: Write = write_site) -> Files:
+    """Build the book into the folder ``out``. Raises `BuildError`."""
+    files = render_site(options)
     write(files, out)
     return files
 
@@ -230,15 +226,8 @@ def render(
     pages = render_pages(site, _licences(root, parts, book))
     for translation in translations:
         pages |= render_translation(replace(site, book=translation), book)
-    return RenderedSite(
-        checked,
-        options,
-        parts,
-        assets.folder,
-        pages,
-        {**assets.files, **parts.runtime_files},
-        search_index,
-    )
+    files = {**assets.files, **parts.runtime_files}
+    return RenderedSite(checked, options, parts, assets.folder, pages, files, search_index)
 
 
 def _search_index(checked: CheckedBook, library: SearchLibrary) -> Files:
@@ -249,53 +238,26 @@ def _search_index(checked: CheckedBook, library: SearchLibrary) -> Files:
 
 
 def assemble(site: RenderedSite) -> Files:
-    """The pages, what they load, and what `PROCESSORS` make of these."""
-    files = {**site.pages, **site.files}
-    for process in PROCESSORS:
-        files |= process(site, files)
-    return files
-
-
-def _listed(site: RenderedSite, _files: Files) -> Files:
-    book, versions = site.checked.book, site.parts.bundle.versions
-    return {
-        "book.json": catalogue(book, versions),
-        MANIFEST: manifest(book.title, book.subtitle, site.assets, book.words.language),
-    }
-
-
-def _published(site: RenderedSite, _files: Files) -> Files:
-    """What others see of a site that has an address."""
+    """The pages, what they load, and what is made of these, in order: lists of what there is, what
+    others see of a site that has an address, the search index, what stores the site for use
+    offline, and what the host is given beside it."""
     book, initial_frames, pictures, _ = site.checked
-    if not book.address:
-        return {}
-    return {
-        **make_listings(book, site.pages),
-        **make_cards(book, initial_frames, pictures, site.options.root),
+    reload, assets = site.options.reload, site.assets
+    files = {
+        **site.pages,
+        **site.files,
+        "book.json": catalogue(book, site.parts.bundle.versions),
+        MANIFEST: manifest(book.title, book.subtitle, assets, book.words.language),
     }
-
-
-def _searched(site: RenderedSite, _files: Files) -> Files:
-    return site.search_index.result()
-
-
-def _released(site: RenderedSite, files: Files) -> Files:
-    """What stores the site for use offline."""
-    return no_release(site.assets) if site.options.reload else release_files(files, site.assets)
-
-
-def _hosted(site: RenderedSite, files: Files) -> Files:
-    """What the host is given beside the site."""
-    book = site.checked.book
-    if site.options.reload:
-        return {}
+    if book.address:
+        files |= make_listings(book, site.pages)
+        files |= make_cards(book, initial_frames, pictures, site.options.root)
+    files |= site.search_index.result()
+    if reload:
+        return {**files, **no_release(assets)}
+    files |= release_files(files, assets)
     copies = compressed_copies(files) if book.settings.publishing.compressed else {}
-    return {**host_files(files, book), **copies}
-
-
-type Processor = Callable[[RenderedSite, Files], Files]
-PROCESSORS: tuple[Processor, ...] = (_listed, _published, _searched, _released, _hosted)
-"""In this order; each sees the files of those before it, and adds its own."""
+    return {**files, **host_files(files, book), **copies}
 
 
 def _licences(root: Path, parts: BrowserParts, book: Book) -> tuple[Licence, ...]:

@@ -1,27 +1,91 @@
 """What pages load besides their assets: Python, the code editor, the search, and the decoder of raw
 files. One that cannot be fetched is left out, with a warning."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 
+from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.assets.pages import Files
-from site_builder.diagnostics.diagnostic import Diagnostic
+from site_builder.cache.results import cached_result
+from site_builder.diagnostics.blame import place_of
+from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
+from site_builder.document.blocks import contents
 from site_builder.document.book import Book
-from site_builder.editor.bundle import EditorBundle, bundle_editor
 from site_builder.editor.scene_code import scene_sources
-from site_builder.output.assets import hashed_folder
+from site_builder.files.engine import ENGINE
+from site_builder.files.folders import folder_hash
+from site_builder.files.text import Sources
+from site_builder.markdown.directives.measured import LadderFigure
+from site_builder.output.scripts import EditorBundle, bundle_editor
+from site_builder.output.writer import hashed_folder
 from site_builder.pages.environment import render_template
 from site_builder.programs.node import NodeError
 from site_builder.raw.decoder import RawDecoder, fetch_decoder
-from site_builder.runtime.pack import RuntimeBundle
-from site_builder.runtime.pinned import Versions
+from site_builder.runtime.downloads import PackageError, differing
+from site_builder.runtime.freeze import MissingModuleError
+from site_builder.runtime.pack import RuntimeBundle, pack_runtime
+from site_builder.runtime.store import Versions, is_whole
 from site_builder.search.index import SearchLibrary, fetch_library
+from site_builder.settings.model import FILE_NAME, read_settings
+
+type Warn = Callable[[Diagnostic], None]
+RUNTIME = Path(__file__).parents[1] / "runtime"
+"""What makes it, with programs for other interpreters."""
+
+
+def pack_for_browser(root: Path, book: Book, warn: Warn, *, compiled: bool) -> RuntimeBundle | None:
+    """What the browser runs, with the scenes and ladders inside that the book shows; None of a book
+    that shows none. An author who tries a change does not wait until it is ``compiled``. Raises
+    `BuildError` where the browser could not run it."""
+    figures = (contents(chapter.body, LadderFigure) for chapter in book.chapters)
+    shown = {each.measured.ladder.id for some in figures for each in some}
+    if not (book.scenes or shown):
+        return None
+    scenes = _only(SCENE_MODULES, {scene.id for scene in book.scenes})
+    ladders = _only(LADDER_MODULES, shown)
+    simulations, packages = root / "simulations", book.settings.runtime.packages
+
+    def pack() -> RuntimeBundle:
+        return pack_runtime(
+            simulations, scenes=scenes, ladders=ladders, compiled=compiled, packages=packages
+        )
+
+    folders = (simulations, ENGINE / "simulations")
+    sources = [folder_hash(RUNTIME), *(folder_hash(folder, "*.py") for folder in folders)]
+    try:
+        bundle = cached_result("runtime", (sources, scenes, ladders, compiled, packages), pack)
+        if bundle.snapshot_error or not all(map(is_whole, bundle.files.values())):
+            bundle = pack()
+    except PackageError as error:
+        raise BuildError([_about_packages(root, str(error))]) from error
+    except MissingModuleError as error:
+        path, _, line = error.place.rpartition(":")
+        expected = f"its standard library, numpy, and 'packages' of [runtime] in {FILE_NAME}"
+        message = f"{error.message}; legal: {expected}"
+        raise BuildError([Diagnostic(path, int(line), message)]) from error
+    except SyntaxError as error:  # in a module that no chapter shows
+        path, _, line = place_of(error).rpartition(":")
+        raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
+    for message in differing(bundle.packages):
+        warn(_about_packages(root, message, fails=False))
+    return bundle
+
+
+def _about_packages(root: Path, message: str, *, fails: bool = True) -> Diagnostic:
+    """A message about the packages that the outline declares."""
+    _, toml = read_settings(Sources(root))
+    return Diagnostic(FILE_NAME, toml.line("runtime", "packages"), message, fails=fails)
+
+
+def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
+    return {name: module for name, module in modules.items() if name in shown}
+
 
 RUNTIME_NOW = "runtime/now/"
 """Folder of the browser's Python while the book is written: a changed scene changes only the pages
 that show it."""
-type Warn = Callable[[Diagnostic], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,27 +104,27 @@ class BrowserParts:
 def browser_parts(
     book: Book, bundle: RuntimeBundle | None, warn: Warn, *, search: bool, reload: bool
 ) -> BrowserParts:
-    return BrowserParts(
-        *_runtime(bundle, warn, reload=reload),
-        bundle or RuntimeBundle({}, Versions()),
-        _editor(warn) if bundle and book.scenes else EditorBundle(),
-        _search_library(book, warn) if search else SearchLibrary({}),
-        _decoder(warn) if bundle and _measures_photographs(book) else RawDecoder({}),
-    )
+    def part[T](make: Callable[[], T], without: T, name: str, lost: str) -> T:
+        """The part, or nothing and a warning where its packages cannot be had."""
+        try:
+            return make()
+        except NodeError as error:
+            message = f"{lost}; its packages could not be had from npm: {error}"
+            warn(Diagnostic(f"site_builder/{name}/package-lock.json", 1, message, fails=False))
+            return without
 
-
-def _measures_photographs(book: Book) -> bool:
-    return any(scene.measures_photographs for scene in book.scenes)
-
-
-def _or_without[T](make: Callable[[], T], without: T, part: str, message: str, warn: Warn) -> T:
-    """What ``make`` returns; ``without`` it, and a warning, where its packages cannot be had."""
-    try:
-        return make()
-    except NodeError as error:
-        message = f"{message}; its packages could not be had from npm: {error}"
-        warn(Diagnostic(f"site_builder/{part}/package-lock.json", 1, message, fails=False))
-        return without
+    library, editor, decoder = SearchLibrary({}), EditorBundle(), RawDecoder({})
+    if search:
+        fetch = partial(fetch_library, *(book.languages or (book.words.language,)))
+        library = part(fetch, library, "search", "the book cannot be searched")
+    if bundle and book.scenes:
+        lost = "the figures' Python can be read but not edited"
+        editor = part(bundle_editor, editor, "editor", lost)
+    if bundle and any(scene.measures_photographs for scene in book.scenes):
+        decoder = part(fetch_decoder, decoder, "raw", "instruments open no raw files")
+    runtime, files = _runtime(bundle, warn, reload=reload)
+    bundle = bundle or RuntimeBundle({}, Versions())
+    return BrowserParts(runtime, files, bundle, editor, library, decoder)
 
 
 def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple[str, Files]:
@@ -72,22 +136,6 @@ def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple
     if reload:
         return RUNTIME_NOW, {RUNTIME_NOW + name: file for name, file in bundle.files.items()}
     return hashed_folder("runtime", dict(bundle.files))
-
-
-def _editor(warn: Warn) -> EditorBundle:
-    message = "the figures' Python can be read but not edited"
-    return _or_without(bundle_editor, EditorBundle(), "editor", message, warn)
-
-
-def _search_library(book: Book, warn: Warn) -> SearchLibrary:
-    message = "the book cannot be searched"
-    fetch = partial(fetch_library, *(book.languages or (book.words.language,)))
-    return _or_without(fetch, SearchLibrary({}), "search", message, warn)
-
-
-def _decoder(warn: Warn) -> RawDecoder:
-    message = "instruments open no raw files"
-    return _or_without(fetch_decoder, RawDecoder({}), "raw", message, warn)
 
 
 def scene_files(book: Book, editor: EditorBundle) -> Files:

@@ -1,23 +1,72 @@
-"""Style sheets, scripts, fonts and pictures: what pages have beside them, in one folder."""
+"""What pages have beside them, in one folder: style sheets, scripts, fonts and pictures."""
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from simulations.engine.controls import KINDS as CONTROLS
+from site_builder.document.blocks import Question, contents
 from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.files.engine import static_files
+from site_builder.files.engine import ENGINE, static_files
 from site_builder.files.folders import folder_files, integrity
 from site_builder.files.text import Sources
 from site_builder.languages.words import load_words
 from site_builder.markdown.content_files import PICTURES
-from site_builder.output.assets import Content, content_bytes, hashed_folder
+from site_builder.markdown.questions.kind import HERE as QUESTION_FOLDER
+from site_builder.markdown.questions.kinds import KINDS as QUESTIONS
+from site_builder.markdown.questions.kinds import kind_of
 from site_builder.output.fonts import face_rules, fallback_rules, subset_fonts
 from site_builder.output.scripts import Bundle, book_css, book_script, bundle_scripts
 from site_builder.output.style_sheets import colour_rules, join_style_sheets, without_comments
-from site_builder.pages.kind_files import kind_files
+from site_builder.output.writer import Content, content_bytes, hashed_folder
+from site_builder.pages.views.simulation import CONTROL_KINDS as CONTROL_FOLDER
 from site_builder.settings.model import read_settings
+
+
+def kind_files(book: Book | None = None) -> dict[str, bytes | Path]:
+    """Files of all kinds of controls, and of the kinds of questions that the book asks: scripts,
+    modules that list these, and their style sheets joined; by the paths from ``static/``.
+    ``.ci/web/book.d.ts`` has the types of the modules."""
+    asked = {
+        kind_of(question).folder
+        for chapter in (book.chapters if book else ())
+        for question in contents(chapter.body, Question)
+    }
+    controls = {CONTROL_FOLDER / name: (name,) for name in CONTROLS}
+    questions = {
+        QUESTION_FOLDER / kind.folder: (*kind.quiz, *kind.predict)
+        for kind in QUESTIONS
+        if kind.folder in asked
+    }
+    return {
+        **_kind_scripts("js/figure/control_kinds.js", controls),
+        **_kind_scripts("js/question/book_kinds.js", questions),
+        "css/control-kinds.css": _kind_sheet(controls),
+        "css/question-kinds.css": _kind_sheet(questions),
+    }
+
+
+def _kind_scripts(table: str, kinds: Mapping[Path, Iterable[str]]) -> dict[str, bytes | Path]:
+    """Scripts of the kinds in these folders, and the module ``table`` with each by its names."""
+    lines: list[str] = []
+    entries: dict[str, str] = {}
+    for at, (folder, names) in enumerate(kinds.items()):
+        path = folder.relative_to(ENGINE).as_posix()
+        lines.append(f'import {{ kind as kind{at} }} from "../../../{path}/kind.js";\n')
+        entries |= dict.fromkeys(names, f"kind{at}")
+    listed = ", ".join(f'"{name}": {kind}' for name, kind in entries.items())
+    files = [folder / "kind.ts" for folder in kinds]
+    return {
+        **{f"../{file.relative_to(ENGINE).as_posix()}": file for file in files},
+        table: f"{''.join(lines)}export const KINDS = {{ {listed} }};\n".encode(),
+    }
+
+
+def _kind_sheet(folders: Iterable[Path]) -> bytes:
+    return b"\n".join((folder / "kind.css").read_bytes() for folder in folders)
+
 
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
@@ -84,18 +133,16 @@ def _scripts(book: Book, static: Files) -> Bundle:
 def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
     """The sheet of all pages, and those that scripts load."""
     others = [load_words(language) for language in [*book.languages][1:]]
-    own = "".join(
-        (
-            book_css(book.words),
-            *(book_css(words, f":root:lang({words.language})") for words in others),
-        )
-    )
+    own = [
+        book_css(book.words),
+        *(book_css(words, f":root:lang({words.language})") for words in others),
+    ]
     made = {
         "css/fonts.css": (face_rules() + fallback_rules()).encode(),
         "css/roles.css": colour_rules(book.colours).encode(),
     }
     sheets = {name: file for name, file in static.items() if name.startswith("css/")} | made
-    joined = join_style_sheets(sheets, STYLE_SHEET, own)
+    joined = join_style_sheets(sheets, STYLE_SHEET, "".join(own))
     return {name: file for name, file in joined.items() if name in {STYLE_SHEET, *beside}}
 
 

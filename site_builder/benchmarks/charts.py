@@ -47,7 +47,6 @@ class ChartAxis:
         return self.scale.clamped(value)
 
     def ticks(self) -> tuple[Tick, ...]:
-        """Values and their labels."""
         return tuple(self.scale.ticks())
 
 

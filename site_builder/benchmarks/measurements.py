@@ -56,8 +56,6 @@ class Timing:
 
 @dataclass(frozen=True, slots=True)
 class MeasuredTier:
-    """One tier with its numbers."""
-
     tier: Tier
     errors: Mapping[str, float | None]
     """By metric; None where the metric sees no error at all."""

@@ -1,20 +1,28 @@
-"""Numbers that figures show: each scene is drawn once for each setting."""
+"""Numbers that pages look up: what figures show, and what pages and stages cost.
 
+``make bench`` writes ``content/costs.json``, times, bytes and memory: objects within objects, down
+to numbers whose names end in their unit, ``start.cold.book_ms``. What is said of the machine stands
+under ``machine``.
+"""
+
+import json
+import statistics
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from simulations.engine.controls import ControlError
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.scene import Scene
-from site_builder.benchmarks.quantities import with_unit
-from site_builder.diagnostics.blame import CodeError
+from site_builder.benchmarks.judgements import with_unit
+from site_builder.benchmarks.measurements import MeasurementError
 from site_builder.diagnostics.diagnostic import cause, unknown
-from site_builder.figures.frames import frame_at
+from site_builder.figures.frames import frame_at, reports_at
 from site_builder.sandbox.loading import loaded
 
 
-class ReadoutError(CodeError):
+class ReadoutError(MeasurementError):
     """No such readout; the message says what is legal."""
 
 
@@ -59,3 +67,93 @@ def _find(scene_id: str, name: str, frame: Frame) -> Readout:
     if name not in readouts:
         raise ReadoutError(unknown(f"readout of {scene_id}", name, readouts))
     return readouts[name]
+
+
+DATA = Path("content") / "costs.json"
+UNITS = {"ms": "ms", "kb": "KB", "mb": "MB", "s": "s"}
+"""What a name may end in, and the unit as the book writes it. 1 KB is 1000 bytes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    value: float
+    unit: str
+    """Nothing of a ratio or a count."""
+
+
+def read_cost(root: Path, asked: str) -> Cost | str:
+    """The value at ``asked``, names with spaces between them. Raises `MeasurementError`."""
+    try:
+        at: Any = json.loads((root / DATA).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        raise MeasurementError(f"{DATA} cannot be read; run `make bench`") from None
+    for name in asked.split():
+        if not isinstance(at, dict) or name not in at:
+            raise MeasurementError(unknown("cost", name, at if isinstance(at, dict) else ()))
+        at = at[name]
+    if isinstance(at, dict):
+        raise MeasurementError(f"{asked!r} is no single cost; go on with one of {', '.join(at)}")
+    if isinstance(at, str):
+        return at
+    return Cost(float(at), UNITS.get(asked.split()[-1].rpartition("_")[2], ""))
+
+
+STAGE_DATA = Path("content") / "stage-costs.json"
+REMEASURE = "run `PYTHONPATH=tests python -m bench.stage_costs`"
+
+
+@dataclass(frozen=True, slots=True)
+class MoveCost:
+    """One control moved by a step."""
+
+    label: str
+    """Label of the control."""
+    again: tuple[str, ...]
+    """Stages that are computed again."""
+    reused: int
+    skipped: int
+    milliseconds: float
+    share: float
+    """Its share of the time of a whole frame."""
+
+
+@dataclass(frozen=True, slots=True)
+class StageCosts:
+    """The moves of one scene, and what a whole frame costs."""
+
+    scene: Scene[Any]
+    stages: int
+    whole_ms: float
+    moves: tuple[MoveCost, ...]
+
+
+def read_stage_costs(root: Path, scene: Scene[Any]) -> StageCosts:
+    """Raises `MeasurementError` where nothing, or something else, was measured."""
+    try:
+        entry = json.loads((root / STAGE_DATA).read_text(encoding="utf-8"))[scene.id]
+    except (OSError, ValueError, KeyError, TypeError):
+        raise MeasurementError(f"{STAGE_DATA} has no scene {scene.id!r}; {REMEASURE}") from None
+    try:
+        start, costs = entry["start"], entry["moves"]
+        moves = tuple(_move(scene, start, control, cost) for control, cost in costs.items())
+        whole_ms = statistics.median_high(cost["whole_ms"] for cost in costs.values())
+        return StageCosts(scene, len(reports_at(scene, start, {})), whole_ms, moves)
+    except (ControlError, KeyError, TypeError, statistics.StatisticsError) as error:
+        reason = str(error) if isinstance(error, ControlError) else cause(error)
+        raise MeasurementError(f"{STAGE_DATA}: {scene.id}: {reason}; {REMEASURE}") from None
+
+
+def _move(
+    scene: Scene[Any], start: Mapping[str, object], control: str, cost: Mapping[str, Any]
+) -> MoveCost:
+    reports = reports_at(scene, start, {control: cost["to"]})
+    labels = {item.name: item.label for item in scene.controls}
+    status = [report.status for report in reports]
+    return MoveCost(
+        label=labels[control],
+        again=tuple(report.name for report in reports if report.status == "computed"),
+        reused=status.count("reused"),
+        skipped=status.count("skipped"),
+        milliseconds=cost["ms"],
+        share=cost["share"],
+    )

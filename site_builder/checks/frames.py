@@ -1,20 +1,23 @@
 """What scenes and illustrations drew: that it is SVG, that style sheets know its classes, and that
-it is no larger than a page can carry."""
+it is no larger than a page can carry; and the colours that a book names for its ideas."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from simulations.engine.frame import ROLES, Panel
-from site_builder.cache.results import cached
-from site_builder.checks.svg import Label, read_overlay
+from simulations.engine.frame import ROLES as COLOUR_ROLES
+from simulations.engine.frame import Panel
+from site_builder.checks.pictures import Label, read_overlay
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.document.blocks import Block
+from site_builder.document.blocks import walk
 from site_builder.document.book import Book
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.markdown.directives.pictures import DrawnIllustration
+from site_builder.files.engine import own_or_engine, static_files
+from site_builder.files.text import Sources, Toml
+from site_builder.markdown.directives.media import DrawnIllustration
+from site_builder.markdown.roles import ROLES
+from site_builder.settings.model import FILE_NAME
 
 MOST_PIXELS, MOST_LETTERS = 4_000_000, 1_000_000
 """Limit for a panel, which a slider draws anew at every step."""
@@ -24,21 +27,12 @@ CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
 NO_NUMBER = re.compile(r"[\s,\"'](-?(?:nan|inf))[\s,\"']")
 
 
-@dataclass(frozen=True, slots=True)
-class _Overlay:
-    """What was found in the drawing of a panel."""
-
-    faults: tuple[str, ...]
-    classes: frozenset[str]
-    labels: tuple[Label, ...]
-
-
 def check_frames(
     book: Book, initial_frames: InitialFrames, static: Mapping[str, Path], problems: Diagnostics
 ) -> None:
     """Check the figures as they first appear, and the illustrations."""
     known = known_classes(static)
-    roles = (*ROLES, *book.colours)
+    roles = (*COLOUR_ROLES, *book.colours)
     known |= {*roles, "muted"} if known else known
     for (path, line), still in initial_frames.items():
         scene = still.figure.scene
@@ -60,7 +54,7 @@ def check_frames(
             pixels = picture.width * picture.height if picture else 0
             _check(still.figure.scene.id, panel, pixels, known, (path, line), problems)
     for chapter in book.chapters:
-        for block in _all(chapter.body):
+        for block in walk(chapter.body):
             if isinstance(block.content, DrawnIllustration):
                 line = block.target.line if block.target else 1
                 for panel in block.content.illustration.panels:
@@ -75,12 +69,6 @@ def known_classes(static: Mapping[str, Path]) -> frozenset[str]:
     return names if "overlay" in names else frozenset()
 
 
-def _all(blocks: Sequence[Block]) -> Iterator[Block]:
-    for block in blocks:
-        yield block
-        yield from _all(block.inside)
-
-
 def _check(
     who: str,
     panel: Panel,
@@ -92,7 +80,7 @@ def _check(
     for message in _faults(panel, pixels, known):
         problems.add(*place, f"{who}: panel {panel.name!r}: {message}")
     if len(panel.overlay) <= MOST_LETTERS:
-        for label in _read(panel.overlay).labels:
+        for label in read_overlay(panel.overlay).labels:
             if _is_outside(label, panel):
                 where = f"a label at ({label.x:g}, {label.y:g}) of {panel.width} × {panel.height}"
                 problems.warn(*place, f"{who}: panel {panel.name!r}: {where} is not seen")
@@ -111,17 +99,64 @@ def _faults(panel: Panel, pixels: int, known: frozenset[str]) -> Iterator[str]:
     if len(panel.overlay) > MOST_LETTERS:
         yield f"an overlay of {len(panel.overlay):,} letters; legal: at most {MOST_LETTERS:,}"
         return
-    overlay = _read(panel.overlay)
-    yield from overlay.faults
+    overlay = read_overlay(panel.overlay)
+    yield from (f"overlay: {fault.message}" for fault in overlay.faults[:3])
+    if found := NO_NUMBER.search(panel.overlay):
+        yield f"overlay: {found[1]!r} as a place or a size; legal: a finite number"
     if known:
         strange = sorted(overlay.classes - known)
         yield from (unknown("class", name, sorted(known)) for name in strange)
 
 
-@cached
-def _read(markup: str) -> _Overlay:
-    drawing = read_overlay(markup)
-    faults = [f"overlay: {fault.message}" for fault in drawing.faults[:3]]
-    if found := NO_NUMBER.search(markup):
-        faults.append(f"overlay: {found[1]!r} as a place or a size; legal: a finite number")
-    return _Overlay(tuple(faults), drawing.classes, drawing.labels)
+NAME = re.compile(r"[a-z]+")
+PAIR = re.compile(r"(#[0-9a-f]{6}) (#[0-9a-f]{6})")
+GROUND = re.compile(r"--(?:paper|raised|sunken): light-dark\((#[0-9a-f]{6}), (#[0-9a-f]{6})\)")
+LEAST_CONTRAST = 4.5
+"""Least contrast of text (WCAG 2.2, success criterion 1.4.3)."""
+
+type Rgb = tuple[float, float, float]
+
+
+def check_colours(colours: Mapping[str, str], sources: Sources, toml: Toml) -> None:
+    """Report names that are taken, values that are no pairs, and pairs that are hard to read."""
+    if not colours:
+        return
+    taken = known_classes(static_files(sources.root)) | {role.name for role in ROLES} | {"muted"}
+    tokens = own_or_engine(sources.root, "static/css/tokens.css").read_text(encoding="utf-8")
+    grounds = GROUND.findall(tokens)
+    for name, text in colours.items():
+        pair = PAIR.fullmatch(text)
+        if not NAME.fullmatch(name) or name in taken:
+            message = f"colour {name!r}; legal: small letters, not the name of a role or of a class"
+        elif not pair:
+            message = f"colour {name!r} is {text!r}; legal: two in small digits, '#125b9c #7fbaf2'"
+        elif (least := _least_contrast(pair.groups(), grounds)) < LEAST_CONTRAST:
+            legal = f"{LEAST_CONTRAST} with the light paper and with the dark"
+            message = f"colour {name!r} has a contrast of {least:.2f}; legal: {legal}"
+        else:
+            continue
+        sources.problems.add(FILE_NAME, toml.line("colours", name), message)
+
+
+def contrast(one: Rgb, other: Rgb) -> float:
+    """Contrast ratio, WCAG 2.2: 1 for equal colours, 21 for black on white; sRGB from 0 to 1."""
+    low, high = sorted((_luminance(one), _luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def rgb(digits: str) -> Rgb:
+    """sRGB from 0 to 1 of ``#rrggbb``."""
+    red, green, blue = (int(digits[start : start + 2], 16) / 255 for start in (1, 3, 5))
+    return red, green, blue
+
+
+def _least_contrast(pair: tuple[str, ...], grounds: list[tuple[str, str]]) -> float:
+    """With any ground of both themes; 21 where there is none."""
+    both = ((colour, on) for ground in grounds for colour, on in zip(pair, ground, strict=True))
+    return min((contrast(rgb(colour), rgb(on)) for colour, on in both), default=21.0)
+
+
+def _luminance(colour: Rgb) -> float:
+    """Relative luminance, WCAG 2.2."""
+    linear = [v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in colour]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]

@@ -1,18 +1,234 @@
-"""What can be checked only when all chapters are read: links between them, ids across them, and
-what belongs together on a page."""
+"""What can be checked only when all chapters are read: links between them, ids across them, what
+belongs together on a page, glossary and symbols, and sentences that `new` wrote."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 
-from site_builder.checks.questions import check_figure_questions, check_questions
-from site_builder.checks.terms import check_glossary, check_order, check_symbols
-from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.document.blocks import contents
-from site_builder.document.book import Book, Chapter
-from site_builder.document.places import Link
-from site_builder.document.questions import Prediction, Quiz, Reveal
+from simulations.engine.conditions import first_true
+from simulations.engine.controls import ControlError, Slider
+from simulations.engine.expressions import ExpressionError
+from site_builder.diagnostics.diagnostic import Diagnostics, cause, unknown
+from site_builder.document.blocks import Option, Prediction, Quiz, Reveal, Simulation, contents
+from site_builder.document.book import OUTLINE, Book, Chapter
+from site_builder.document.places import Formula, Link, Target, TermUse
+from site_builder.figures.frames import frame_at
+from site_builder.files.text import Sources
+from site_builder.markdown.glossary import meanings_in
+from site_builder.markdown.questions.figure.kind import Task, conditions
+from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.references.terms import BOOK, GLOSSARY
+from site_builder.references.terms import SYMBOLS as FILE
+from site_builder.render.words import plain_words
+
+STANDS_OUT = 1.4
+"""How many times as long as the longest wrong answer a key may be, or the shortest wrong answer as
+the key: lines of one paragraph differ as much, so up to there it is not seen at a glance."""
+FEW_LETTERS = 12
+"""Two words: among short answers a smaller difference has no meaning, whatever its ratio."""
+
+
+def check_questions(book: Book, problems: Diagnostics) -> None:
+    """Warn of each key that stands out."""
+    for chapter in book.chapters:
+        for quiz in single_choice(chapter):
+            faults = filter(None, map(fault_of_length, quiz.variants))
+            if message := next(faults, ""):
+                problems.warn(quiz.path, quiz.line, message)
+
+
+def single_choice(chapter: Chapter) -> list[Quiz]:
+    """The questions with exactly one key, and something else to choose."""
+    return [
+        quiz
+        for quiz in chapter.quizzes
+        if quiz.kind == "single" and len(quiz.options) > 1
+        if sum(option.correct for option in quiz.options) == 1
+    ]
+
+
+def letters(option: Option) -> int:
+    """Length of an answer as it is read: a formula counts what it shows, not its source."""
+    return len(plain_words(option.words).strip())
+
+
+def fault_of_length(quiz: Quiz) -> str:
+    """What the key's length gives away, or nothing."""
+    key, *wrong = [letters(option) for option in sorted(quiz.options, key=lambda o: not o.correct)]
+    for what, other, short, long in (
+        ("longest", max(wrong), max(wrong), key),
+        ("shortest", min(wrong), key, min(wrong)),
+    ):
+        if long > STANDS_OUT * short and long - short >= FEW_LETTERS:
+            return (
+                f"the key of quiz {quiz.id!r} stands out: its length is {key}, that of the {what} "
+                f"wrong answer {other}; better: within a factor of {STANDS_OUT:g}"
+            )
+    return ""
+
+
+def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
+    """The solution that the author states is right by the conditions, and the start is not."""
+    figures = {figure.id: figure for figure in chapter.simulations}
+    for quiz in chapter.quizzes:
+        task = quiz.details
+        if not isinstance(task, Task) or not task.figure or not task.solution:
+            continue
+        figure = figures.get(task.figure)
+        error = None
+        if figure:
+            try:
+                message = fault_of_question(quiz, task.solution, figure)
+            except Exception as raised:  # whatever a scene's own code may raise
+                error = raised
+                message = f"quiz {quiz.id!r}: {figure.scene.id!r} cannot be drawn: {cause(raised)}"
+        elif task.figure in chapter.figures:  # reported where it is
+            message = ""
+        else:
+            message = unknown("figure of this page", task.figure, chapter.figures)
+        if message:
+            problems.add(quiz.path, quiz.line, message, error)
+
+
+def fault_of_question(quiz: Quiz, solution: Mapping[str, str], figure: Simulation) -> str:
+    """What is wrong with the question, or nothing. Raises whatever the scene does."""
+    what = f"quiz {quiz.id!r}"
+    stated = " ".join(f"{name}={value}" for name, value in solution.items())
+    try:
+        if message := _unreachable(solution, figure):
+            return f"{what}: {message}"
+        if not reply_at(quiz, figure, {**figure.values, **solution}).correct:
+            return f"{what} is not solved by {stated!r}; legal: settings that its [x] is true of"
+        if reply_at(quiz, figure, figure.values).correct:
+            return f"{what} is solved before it is asked; legal: a start that its [x] is false of"
+    except (ControlError, ExpressionError) as error:
+        return f"{what}: {error}"
+    return ""
+
+
+def _unreachable(solution: Mapping[str, str], figure: Simulation) -> str:
+    """The stated setting that no slider can show, if there is one."""
+    for control in figure.scene.controls:
+        value = solution.get(control.name)
+        if isinstance(control, Slider) and value and not control.reaches(control.check(value)):
+            expected = f"{control.minimum:g} and steps of {control.step:g}"
+            return f"{control.name}: {value} is between two steps; legal: {expected}"
+    return ""
+
+
+def reply_at(quiz: Quiz, figure: Simulation, values: Mapping[str, object]) -> Option:
+    """The answer that holds at these settings. Raises `ControlError`, `ExpressionError`."""
+    settings = figure.scene.check(values)
+    frame = frame_at(figure.scene, settings, figure.tier)
+    asked = conditions(quiz)
+    met = first_true(asked, settings, frame)
+    return quiz.options[len(asked) if met is None else met]
+
+
+def check_glossary(book: Book, problems: Diagnostics) -> None:
+    """Report terms whose explaining section never uses them."""
+    used = {(use.term, ch.id, use.section) for ch in book.chapters for use in ch.term_uses}
+    for definition in book.glossary:
+        term, place = definition.term, definition.explained
+        if place and (term.name, place.chapter, place.id) not in used:
+            sections = [
+                f"{chapter}#{section}" if section else chapter
+                for name, chapter, section in sorted(used)
+                if name == term.name
+            ]
+            expected = ", ".join(sections[:6]) or "a section that does"
+            message = f"{term.name!r} is not in the text of {term.explained!r}; legal: {expected}"
+            problems.add(GLOSSARY, term.line, message)
+
+
+def check_order(book: Book, problems: Diagnostics) -> None:
+    """Warn of terms used before the section that explains them, unless the author marked the use:
+    a mark shows the definition."""
+    unexplained = {item.term.name: item.explained for item in book.glossary if item.explained}
+    for chapter in book.chapters:
+        for use in chapter.term_uses:
+            place = unexplained.pop(use.term, None)
+            if place and not use.by_author and not _is_in(use, chapter.id, place):
+                message = f"{use.term!r} is used before {place.name}, which explains it"
+                better = f"explain it here, or mark it: {{term}}`{use.term}`"
+                problems.warn(chapter.path, use.line, f"{message}; better: {better}")
+
+
+def _is_in(use: TermUse, chapter: str, place: Target) -> bool:
+    return chapter == place.chapter and place.id in ("", use.section)
+
+
+def check_symbols(book: Book, problems: Diagnostics) -> None:
+    """Report symbols without a meaning and meanings of no symbol; warn of those in no formula."""
+    if not book.symbols:
+        return
+    chapters = {chapter.id: chapter for chapter in book.chapters}
+    used: set[int] = set()
+    for chapter in book.chapters:
+        expected = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
+        for tex, formula in _first_uses(chapter):
+            covering = [item for name, item in expected if covers(name, tex)]
+            used |= {item.symbol.line for item in covering}
+            if not covering:
+                names = [name for name, _ in expected]
+                message = unknown(f"symbol in {chapter.id}", tex, names)
+                problems.add(chapter.path, formula.line, f"{message} (in {FILE})")
+    for name, declared in book.symbols.items():
+        if name != BOOK and name not in chapters:
+            line = declared[0].symbol.line - 1 if declared else 1
+            problems.add(FILE, line, unknown("chapter", name, [BOOK, *chapters]))
+        for item in declared:
+            symbol = item.symbol
+            if not spelt(symbol.tex):
+                problems.add(FILE, symbol.line, f"{symbol.tex!r}; legal: one symbol, such as 'k_1'")
+            elif symbol.line not in used:
+                problems.warn(FILE, symbol.line, f"'{symbol.tex}' is in no formula of {name}")
+
+
+def _first_uses(chapter: Chapter) -> Iterator[tuple[str, Formula]]:
+    seen: set[str] = set()
+    for formula in chapter.formulae:
+        for symbol in symbols_of(formula.tex):
+            if symbol not in seen:
+                seen.add(symbol)
+                yield symbol, formula
+
+
+PLACEHOLDERS = (
+    "What this book is about, in a sentence.",
+    "What its reader should know.",
+    "In one sentence, what this chapter tells.",
+    "say one thing that one could not say before",
+    "Begin with something that one can see or hear.",
+    "Say what happens, then why.",
+    "What comes out, if 21 is doubled?",
+    ": what is drawn here, in a sentence.",
+    ": which law this is, in a sentence.",
+    ": what is computed here in several ways.",
+)
+"""Sentences of the templates in ``scaffold/``."""
+ROOMS = ("scenes", "ladders", "models")
+"""Folders of ``simulations`` in which ``new`` writes."""
+
+
+def check_skeletons(sources: Sources, book: Book) -> None:
+    """Warn of each such sentence."""
+    for path in _written(sources.root, book):
+        data = (sources.root / path).read_bytes()
+        for sentence in PLACEHOLDERS:
+            if (place := data.find(sentence.encode())) >= 0:
+                said = f"{sentence.lstrip(': ')!r} is still as `new` wrote it; better: your own"
+                sources.problems.warn(path, data.count(b"\n", 0, place) + 1, said)
+
+
+def _written(root: Path, book: Book) -> Iterator[str]:
+    """Paths of files that ``new`` may have written."""
+    paths = (OUTLINE, *(chapter.path for chapter in book.chapters))
+    yield from (path for path in paths if (root / path).is_file())
+    for room in ROOMS:
+        for file in sorted((root / "simulations" / room).rglob("*.py")):
+            yield file.relative_to(root).as_posix()
 
 
 def check_book(book: Book, problems: Diagnostics) -> None:
@@ -49,7 +265,7 @@ def _check_links(chapters: Sequence[Chapter], book: Book, problems: Diagnostics)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in chapters:
         for link in chapter.links:
-            if message := _fault_of(link, chapter, by_file):
+            if message := _fault_of_link(link, chapter, by_file):
                 problems.add(chapter.path, link.line, message)
 
 
@@ -64,7 +280,7 @@ def _check_ids(kind: str, items: Sequence[Quiz | Prediction], problems: Diagnost
 
 def _check_cited(book: Book, problems: Diagnostics) -> None:
     cited = {citation.key for chapter in book.chapters for citation in chapter.citations}
-    for key, work in book.bibliography.works.items():
+    for key, work in book.bibliography.items():
         if key not in cited:
             message = f"work {key!r} is cited nowhere; legal: '{{cite}}`{key}`' in a chapter"
             problems.add(BIBLIOGRAPHY, work.line, message)
@@ -95,7 +311,7 @@ def _check_needs(book: Book, problems: Diagnostics) -> None:
                 problems.warn(chapter.path, need.line, message)
 
 
-def _fault_of(link: Link, chapter: Chapter, by_file: dict[str, Chapter]) -> str:
+def _fault_of_link(link: Link, chapter: Chapter, by_file: dict[str, Chapter]) -> str:
     """What is wrong with ``link``; nothing where it leads somewhere."""
     file, _, anchor = link.target.partition("#")
     if not link.target or ":" in file or file.startswith("/"):

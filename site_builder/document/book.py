@@ -7,8 +7,7 @@ from operator import attrgetter
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.document.blocks import Block, Simulation, Source, contents
-from site_builder.document.passage import Passage
+from site_builder.document.blocks import Block, Prediction, Quiz, Simulation, Source, contents
 from site_builder.document.places import (
     Citation,
     Definition,
@@ -18,14 +17,14 @@ from site_builder.document.places import (
     Link,
     Meaning,
     Need,
+    Passage,
     Position,
     Target,
     TermUse,
 )
-from site_builder.document.questions import Prediction, Quiz
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.references.bibliography import EMPTY, Bibliography
-from site_builder.references.news import News
+from site_builder.references.bibliography import NO_WORKS, Works
+from site_builder.references.terms import News
 from site_builder.settings.declared import TEXT, key, texts
 from site_builder.settings.model import FILE_NAME, Settings
 
@@ -166,7 +165,7 @@ class Book:
     """Appendices at the end."""
     starts: tuple[tuple[str, str], ...] = ()
     """Words and addresses of the links of the landing page, relative to the site's root."""
-    bibliography: Bibliography = EMPTY
+    bibliography: Works = NO_WORKS
     lecture_plan: LecturePlan | None = None
     glossary: tuple[Definition, ...] = ()
     """In alphabetical order."""

@@ -1,12 +1,74 @@
-"""What lies on a page: headings and numbered things, and what leads from one to another."""
+"""Runs of Markdown between parsing and rendering, what lies on a page, and what leads from one
+place to another.
+
+A passage is the parser's tokens, the same for each medium; the renderers in
+``site_builder/render/`` make HTML, XHTML or plain words of it.
+"""
 
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import PurePosixPath
+from typing import Literal
 
-from site_builder.document.passage import Passage
-from site_builder.references.glossary import Term
-from site_builder.references.symbols import Symbol
+from markdown_it.token import Token
+
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.references.terms import Symbol, Term
+
+META = ("mathml", "before", "after", "target", "id", "subId", "label")
+"""What renderers use of a token's ``meta``: a formula as MathML and the text beside it, the target
+of a heading or equation, the numbers of footnotes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """Inline words, or paragraphs, lists, headings, formulae: what plain Markdown makes."""
+
+    tokens: tuple[Token, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.tokens)
+
+
+type Channel = Literal["text", "figure", "question"]
+
+
+@dataclass(frozen=True, slots=True)
+class Plain:
+    """What a directive is in plain words, before those of the blocks inside it."""
+
+    words: tuple[str | Passage, ...] = ()
+    channel: Channel = "text"
+    """What the search takes them for."""
+
+
+def passage(tokens: Sequence[Token]) -> Passage:
+    """A passage of tokens without directives; copies, without what only reading needed."""
+    return Passage(tuple(_copy(token) for token in tokens if not _is_empty(token)))
+
+
+def _is_empty(token: Token) -> bool:
+    if token.type == "inline":
+        return not token.children
+    if token.type in ("html_block", "html_inline"):
+        return not token.content.strip()
+    return token.type == "front_matter"
+
+
+def _copy(token: Token) -> Token:
+    return Token(
+        token.type,
+        token.tag,
+        token.nesting,
+        attrs=dict(token.attrs),
+        children=None if token.children is None else [_copy(child) for child in token.children],
+        content=token.content,
+        info=token.info,
+        meta={name: token.meta[name] for name in META if name in token.meta},
+        block=token.block,
+        hidden=token.hidden,
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,3 +211,52 @@ class Link:
 def chapter_id(file: str) -> str:
     """``lens-distortion`` for ``04-lens-distortion.md``."""
     return re.sub(r"^\d+-", "", PurePosixPath(file).stem) or "unnamed"
+
+
+@dataclass(frozen=True, slots=True)
+class Targets:
+    """Targets of the whole book."""
+
+    chapters: Mapping[str, Target] = field(default_factory=dict)
+    """By their ids, in the order of the book."""
+    inside: Mapping[str, Sequence[Target]] = field(default_factory=dict)
+    """By the id of the chapter they stand in."""
+
+    def find(self, given: str, here: str) -> Target:
+        """What ``given`` names on the page ``here``: ``chapter``, ``chapter#id``, ``#id``, or an
+        ``id`` of this page or, where no other page has it, of another. Raises `LookupError`."""
+        chapter, mark, name = given.partition("#")
+        if mark and not chapter:
+            return _one(name, self.inside.get(here, ()), "target on this page")
+        if mark:
+            self._chapter(chapter)
+            return _one(name, self.inside.get(chapter, ()), f"target in {chapter}")
+        if given in self.chapters:
+            return self.chapters[given]
+        return self._anywhere(given, here)
+
+    def _chapter(self, name: str) -> Target:
+        if name not in self.chapters:
+            raise LookupError(unknown("chapter", name, self.chapters))
+        return self.chapters[name]
+
+    def _anywhere(self, name: str, here: str) -> Target:
+        for target in self.inside.get(here, ()):
+            if target.id == name:
+                return target
+        every = [target for targets in self.inside.values() for target in targets]
+        found = [target for target in every if target.id == name]
+        if len(found) > 1:
+            expected = " or ".join(repr(f"{target.chapter}#{name}") for target in found[:3])
+            raise LookupError(f"target {name!r} is in {len(found)} chapters; legal: {expected}")
+        if not found:
+            names = dict.fromkeys((*self.chapters, *(target.id for target in every)))
+            raise LookupError(unknown("target", name, names))
+        return found[0]
+
+
+def _one(name: str, targets: Sequence[Target], kind: str) -> Target:
+    by_id = {target.id: target for target in targets}
+    if name not in by_id:
+        raise LookupError(unknown(kind, name, by_id))
+    return by_id[name]

@@ -1,23 +1,138 @@
-"""The book as both editions on paper have it: the site's own pages, reduced, and the answers."""
+"""The book as both editions on paper have it: the site's own pages, reduced, the answers, and small
+multiples: what a figure's main control does, shown by a few stills."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import groupby, pairwise
 from operator import attrgetter
 from xml.etree.ElementTree import Element
 
+import numpy as np
+
+from simulations.engine.controls import Choice, Control, Slider, Value
+from simulations.engine.frame import Panel
 from site_builder.assets.pages import Files, gather_assets
 from site_builder.build import Options, check_site
-from site_builder.document.blocks import Simulation
 from site_builder.document.book import Book, Chapter
-from site_builder.editions.multiples import Row, render_rows
 from site_builder.editions.tree import elements, parse
+from site_builder.figures.frames import Picture, StaticFrame, pixels, static_frame
+from site_builder.figures.initial_frames import InitialFrame, InitialFrames, main_control
+from site_builder.languages.words import Words
 from site_builder.pages.back_matter import BACK_MATTER, back_matter_pages
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.page import Site, render_page
 from site_builder.pages.views.question import numbered_quizzes
-from site_builder.render.paper import paper_renderer
-from site_builder.runtime.pinned import Versions
+from site_builder.pages.views.simulation import value_text
+from site_builder.render.screen import paper_renderer
+from site_builder.runtime.store import Versions
+
+MOST = 4
+"""Stills in a row, at most."""
+WAYS = (1 / 8, 1 / 2, 7 / 8)
+"""The positions of a slider that is at its start, as parts of its range."""
+
+
+@dataclass(frozen=True, slots=True)
+class Multiple:
+    text: str
+    """The control's value, as the figure writes it."""
+    panel: Panel
+    file: str
+    """Name of its picture; nothing for a pure diagram."""
+    picture: Picture | None
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """What one control does to one panel."""
+
+    label: str
+    """The control's."""
+    multiples: tuple[Multiple, ...]
+
+
+def render_rows(
+    book: Book, initial_frames: InitialFrames
+) -> tuple[dict[str, dict[str, Row]], dict[str, bytes]]:
+    """The row of each figure that has one, by chapter and element id; and the pictures' files."""
+    rows: dict[str, dict[str, Row]] = {chapter.id: {} for chapter in book.chapters}
+    files: dict[str, bytes] = {}
+    for chapter in book.chapters:
+        for figure in chapter.simulations:
+            still = initial_frames[figure.path, figure.line]
+            row = _row(f"{chapter.id}--{figure.id}", still, files, book.words)
+            rows[chapter.id] |= {figure.id: row} if row else {}
+    return rows, files
+
+
+def _row(name: str, still: InitialFrame, files: dict[str, bytes], words: Words) -> Row | None:
+    figure, scene = still.figure, still.figure.scene
+    control = main_control(figure)
+    if control is None:
+        return None
+    values = shown_values(control, still.values[control.name])
+    settings = [scene.check({**figure.values, control.name: value}) for value in values]
+    frames = [static_frame(scene, one, figure.tier) for one in settings]
+    shown = _most_changed(frames)
+    if shown is None:
+        return None
+    multiples: list[Multiple] = []
+    for value, drawn in zip(values, frames, strict=True):
+        panel = next(panel for panel in drawn.frame.panels if panel.name == shown)
+        picture, file = drawn.pictures.get(shown), ""
+        if picture:
+            file = f"{name}--{shown}--{len(multiples)}.webp"
+            files[file] = picture.webp
+        multiples.append(Multiple(value_text(control, value, words), panel, file, picture))
+    return Row(control.label, tuple(multiples))
+
+
+def shown_values(control: Control, now: Value) -> list[Value]:
+    """The values that the row shows, in their order, that of the figure among them."""
+    match control:
+        case Slider():
+            return list(_slider_values(control, float(now)))
+        case Choice():
+            return _near(list(control.options), str(now))
+        case _:
+            return []
+
+
+def _slider_values(slider: Slider, now: float) -> list[float]:
+    """Half-way to either end; where there is no way to one of them, points on the other's."""
+    low, high = slider.minimum, slider.maximum
+    wide = (high - low) / 10
+    if now - low > wide and high - now > wide:
+        places = [(low + now) / 2, now, (now + high) / 2]
+    else:
+        end = high if now - low <= wide else low
+        places = [now, now + (end - now) * WAYS[1], now + (end - now) * WAYS[2]]
+    return sorted({now, *(slider.nearest(place) for place in places if place != now)})
+
+
+def _near(options: list[str], now: str) -> list[Value]:
+    """A window of the options around the present one."""
+    start = min(max(0, options.index(now) - MOST // 2), max(0, len(options) - MOST))
+    return list(options[start : start + MOST])
+
+
+def _most_changed(frames: Sequence[StaticFrame]) -> str | None:
+    """Name of the panel whose pictures differ most or, where none has any, whose drawings do; None
+    where nothing changes."""
+
+    def change(name: str) -> tuple[float, int]:
+        panels = [panel for each in frames for panel in each.frame.panels if panel.name == name]
+        if len(panels) < len(frames):
+            return 0.0, 0
+        rasters = [pixels(each.pictures[name].webp) for each in frames if name in each.pictures]
+        pairs = ((a, b) for a, b in pairwise(rasters) if a.shape == b.shape)
+        difference = sum(float(np.abs(a.astype(float) - b).mean()) for a, b in pairs)
+        return difference, len({panel.overlay for panel in panels}) - 1
+
+    changes = {panel.name: change(panel.name) for panel in frames[0].frame.panels}
+    name = max(changes, key=changes.__getitem__, default=None)
+    return name if name and any(changes[name]) else None
+
 
 ANSWERS = "answers"
 
@@ -54,7 +169,6 @@ class Composed:
 
     @property
     def parts(self) -> tuple[tuple[str, tuple[Section, ...]], ...]:
-        """Title and sections of each."""
         groups = groupby(self.sections, attrgetter("part"))
         return tuple((title, tuple(sections)) for title, sections in groups)
 
@@ -71,7 +185,7 @@ def compose(options: Options) -> Composed:
     site = Site(options.root, book, initial_frames, assets.folder, "")
     licences = gather_licences(options.root, Versions(), settings=book.settings, words=book.words)
     sections = [
-        *(_chapter(site, chapter, rows) for chapter in book.chapters),
+        *(_chapter(site, chapter, rows[chapter.id]) for chapter in book.chapters),
         *_answers(site),
         *_back_matter(site),
     ]
@@ -82,11 +196,8 @@ def compose(options: Options) -> Composed:
     return Composed(book, tuple(sections), cover, assets.folder, assets.files, licences)
 
 
-def _chapter(site: Site, chapter: Chapter, rows: Mapping[tuple[str, str], Row]) -> Section:
-    def row_of(figure: Simulation) -> Row | None:
-        return rows.get((chapter.id, figure.id))
-
-    html = render_page(site, "chapter.html", "../", rows=row_of, chapter=chapter, sections=())
+def _chapter(site: Site, chapter: Chapter, rows: Mapping[str, Row]) -> Section:
+    html = render_page(site, "chapter.html", "../", rows=rows, chapter=chapter, sections=())
     words = paper_renderer()
     headings = tuple((item.id, words(item.words)) for item in chapter.headings if item.level == 2)
     return Section(chapter.id, chapter.title, chapter.name, parse(html), headings, chapter.part)
@@ -95,12 +206,8 @@ def _chapter(site: Site, chapter: Chapter, rows: Mapping[tuple[str, str], Row]) 
 def _back_matter(site: Site) -> Iterator[Section]:
     """What the site has of it."""
     for id, context in back_matter_pages(site.book).items():
-        html = render_page(site, f"{id}.html", "../", rows=_no_rows, **context)
+        html = render_page(site, f"{id}.html", "../", rows={}, **context)
         yield Section(id, site.book.words(BACK_MATTER[id]), "", parse(html))
-
-
-def _no_rows(_figure: Simulation) -> None:
-    return None
 
 
 def _answers(site: Site) -> Iterator[Section]:
@@ -110,7 +217,7 @@ def _answers(site: Site) -> Iterator[Section]:
         if (questions := list(numbered_quizzes(chapter.body)))
     ]
     if chapters:
-        html = render_page(site, "editions/answers.html", "../", rows=_no_rows, chapters=chapters)
+        html = render_page(site, "editions/answers.html", "../", rows={}, chapters=chapters)
         article = parse(html)
         for (chapter, _), answers in zip(
             chapters, elements(article, kind="answers-of"), strict=True

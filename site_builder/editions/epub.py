@@ -10,7 +10,7 @@ from urllib.parse import quote, unquote
 from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
-from site_builder.document.book import Book, Colours
+from site_builder.document.book import Colours
 from site_builder.editions.compose import Composed, Section
 from site_builder.editions.tree import (
     LinkTarget,
@@ -24,9 +24,9 @@ from site_builder.editions.tree import (
 )
 from site_builder.figures.frames import as_png
 from site_builder.files.folders import archive_of
-from site_builder.output.assets import content_bytes
 from site_builder.output.fonts import face_rules
 from site_builder.output.style_sheets import style_of_drawings
+from site_builder.output.writer import content_bytes
 from site_builder.pages.environment import render_template
 
 MEDIA = {
@@ -55,10 +55,14 @@ def make_epub(composed: Composed, root: Path) -> bytes:
         page = render_template(f"editions/epub-{name}.html", composed.book, composed=composed)
         trees[f"{name}.xhtml"] = parse(page)
     images = _take_images(trees, composed)
+    book, identifier = composed.book, f"urn:uuid:{uuid5(NAMESPACE_URL, composed.book.title)}"
+    ncx = render_template(
+        "editions/epub-ncx.xml", book, identifier=identifier, sections=composed.sections
+    )
     files: dict[str, bytes] = {
         **{name: xhtml(tree) for name, tree in trees.items()},
-        NCX: _ncx(composed).encode(),
-        "style/book.css": book_style(root, composed.book.colours).encode(),
+        NCX: ncx.encode(),
+        "style/book.css": book_style(root, book.colours).encode(),
         **{
             f"fonts/{Path(name).name}": content_bytes(content)
             for name, content in composed.files.items()
@@ -66,7 +70,15 @@ def make_epub(composed: Composed, root: Path) -> bytes:
         },
         **images,
     }
-    return _packed(composed.book, {"book.opf": _package(composed, trees, files), **files})
+    package = _package(composed, identifier, trees, files)
+    container = render_template("editions/epub-container.xml", book, package=f"{FOLDER}book.opf")
+    members = {
+        "mimetype": b"application/epub+zip",  # the first file of the archive
+        "META-INF/container.xml": container.encode(),
+        f"{FOLDER}book.opf": package,
+        **{FOLDER + name: content for name, content in files.items()},
+    }
+    return archive_of(members, stored=["mimetype"])
 
 
 def _part(section: Section, composed: Composed) -> Element:
@@ -119,7 +131,9 @@ def _free_name(picture: Path, taken: Mapping[str, bytes]) -> str:
     return target
 
 
-def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[str, bytes]) -> bytes:
+def _package(
+    composed: Composed, identifier: str, trees: Mapping[str, Element], files: Mapping[str, bytes]
+) -> bytes:
     """The list of all files, and what the book is."""
     items = [
         (f"item-{place}", name, MEDIA[Path(name).suffix], _properties(name, trees))
@@ -132,7 +146,7 @@ def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[st
     package = render_template(
         "editions/epub-package.xml",
         composed.book,
-        identifier=_identifier(composed.book),
+        identifier=identifier,
         modified=now.strftime("%Y-%m-%dT%H:%M:%SZ"),
         items=items,
         spine=[by_name[name] for name in spine],
@@ -141,41 +155,16 @@ def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[st
     return package.encode()
 
 
-def _identifier(book: Book) -> str:
-    return f"urn:uuid:{uuid5(NAMESPACE_URL, book.title)}"
-
-
-def _ncx(composed: Composed) -> str:
-    return render_template(
-        "editions/epub-ncx.xml",
-        composed.book,
-        identifier=_identifier(composed.book),
-        sections=composed.sections,
-    )
-
-
 def _properties(name: str, trees: Mapping[str, Element]) -> str:
-    tree = trees.get(name)
     cover = next((image.get("src") for image in elements(trees["title.xhtml"], "img")), None)
-    names = {element.tag for element in tree.iter()} if tree is not None else set()
-    found = [
-        *(["cover-image"] if name == cover else []),
-        *(["nav"] if name == "nav.xhtml" else []),
-        *(["mathml"] if "math" in names else []),
-        *(["svg"] if "svg" in names else []),
-    ]
-    return " ".join(found)
-
-
-def _packed(book: Book, files: Mapping[str, bytes]) -> bytes:
-    """The archive, whose first file is its media type."""
-    container = render_template("editions/epub-container.xml", book, package=f"{FOLDER}book.opf")
-    members = {
-        "mimetype": b"application/epub+zip",
-        "META-INF/container.xml": container.encode(),
-        **{FOLDER + name: content for name, content in files.items()},
+    names = {element.tag for element in trees[name].iter()} if name in trees else set()
+    found = {
+        "cover-image": name == cover,
+        "nav": name == "nav.xhtml",
+        "mathml": "math" in names,
+        "svg": "svg" in names,
     }
-    return archive_of(members, stored=["mimetype"])
+    return " ".join(property for property, has in found.items() if has)
 
 
 OWN = Path(__file__).with_name("epub.css")
@@ -225,15 +214,8 @@ def _draw_in_one(view: Element) -> None:
     drawing, picture = next(drawings), next(pictures, None)
     if picture is not None:
         _, _, width, height = drawing.get("viewBox", "").split()
-        image = Element(
-            "image",
-            {
-                "href": picture.get("src", ""),
-                "width": width,
-                "height": height,
-                "preserveAspectRatio": "none",
-            },
-        )
+        size = {"width": width, "height": height, "preserveAspectRatio": "none"}
+        image = Element("image", {"href": picture.get("src", ""), **size})
         if "pixelated" in classes(picture):
             image.set("style", "image-rendering: pixelated")
         drawing.insert(0, image)

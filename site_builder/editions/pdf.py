@@ -8,10 +8,9 @@ from copy import deepcopy
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
-from site_builder.assets.pages import Files
 from site_builder.editions.compose import Composed, Section
 from site_builder.editions.tree import LinkTarget, bind_links, elements, first, parse, xhtml
-from site_builder.output.assets import content_bytes
+from site_builder.output.writer import content_bytes
 from site_builder.pages.back_matter import BACK_MATTER
 from site_builder.pages.environment import render_template
 from site_builder.programs.chromium import launch_arguments, require_chromium
@@ -122,11 +121,11 @@ def make_pdf(composed: Composed) -> bytes:
 
         def answer(route: Route) -> None:
             name = route.request.url.removeprefix(SITE)
-            content = files[name] if name in files else _content(composed.files, name)
-            if content is None:
+            if (found := files.get(name, composed.files.get(name))) is None:
                 route.abort()
             else:
-                route.fulfill(body=content, content_type=_type(name))
+                kind = mimetypes.guess_type(name)[0] or "application/octet-stream"
+                route.fulfill(body=content_bytes(found), content_type=kind)
 
         def printed(document: bytes) -> bytes:
             files[DOCUMENT] = document
@@ -167,11 +166,3 @@ def anchor_pages(pdf: bytes) -> dict[str, int]:
         if number is not None:
             found[name.removeprefix("/")] = number + 1
     return found
-
-
-def _content(files: Files, name: str) -> bytes | None:
-    return content_bytes(files[name]) if name in files else None
-
-
-def _type(name: str) -> str:
-    return mimetypes.guess_type(name)[0] or "application/octet-stream"

@@ -1,7 +1,8 @@
-"""Temml, which sets TeX as MathML, and the Speech Rule Engine, which puts it in words: a process of
-Node that answers line by line.
+"""TeX to MathML, at build time. What cannot be set is an error, never garbled output.
 
-It starts with the first formula that is not cached. Each process of a build has its own.
+Temml sets TeX as MathML, and the Speech Rule Engine puts it in words, in a process of Node that
+answers line by line. It starts with the first formula that is not cached. Each process of a build
+has its own.
 """
 
 import atexit
@@ -9,10 +10,14 @@ import json
 import os
 import re
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
+from simulations.engine import frame
+from site_builder.cache.results import cached
+from site_builder.diagnostics.diagnostic import unknown
+from site_builder.files.folders import file_hash
 from site_builder.programs.node import NODE, NodeError, installed_packages
 
 COMMAND = re.compile(r"\\([A-Za-z]+)")
@@ -58,13 +63,11 @@ class TemmlError(RuntimeError):
     """Temml could not be had, or ended."""
 
 
-class TexError(ValueError):
-    """Temml refuses the formula; the message is its own."""
-
-
-def set_tex(tex: str, *, display: bool, spoken: bool, macros: Mapping[str, str]) -> str:
-    """A ``<math>`` element, with English words as ``alttext`` where it is ``spoken``; the names of
-    ``macros`` have their backslashes. Raises `TexError` and `TemmlError`."""
+def set_tex(
+    tex: str, *, display: bool, spoken: bool, macros: Mapping[str, str]
+) -> Mapping[str, str]:
+    """``mathml``, an element with English words as ``alttext`` where it is ``spoken``, or
+    ``error``; the names of ``macros`` have their backslashes. Raises `TemmlError`."""
     process = _process(os.getpid())
     assert process.stdin
     assert process.stdout
@@ -78,10 +81,8 @@ def set_tex(tex: str, *, display: bool, spoken: bool, macros: Mapping[str, str])
     if not line:
         _process.cache_clear()
         raise TemmlError(f"Temml ended with exit code {process.wait()} at {tex!r}")
-    answer = json.loads(line)
-    if "error" in answer:
-        raise TexError(answer["error"])
-    return str(answer["mathml"])
+    answer: dict[str, str] = json.loads(line)
+    return answer
 
 
 @cache
@@ -105,3 +106,78 @@ def _process(_owner: int) -> subprocess.Popen[str]:
 def _end(process: subprocess.Popen[str], owner: int) -> None:
     if owner == os.getpid():
         process.communicate()
+
+
+COLOURS = (*frame.ROLES[1:], "muted")
+"""Roles of colours that a formula may name; frames also have the empty role."""
+INSTEAD = {"tag": "a label behind the formula", "qty": r"'\pu{1.5 m}'"}
+"""Commands of Temml with no meaning, or another than is likely meant; what is legal instead."""
+EMPTY = r"a formula that shows nothing; legal: '$…$' around one, or '\$' for the sign itself"
+UNKNOWN = re.compile(r"(?:Unsupported function name|Undefined control sequence): (\\\w+|\S+)")
+
+
+type Macros = Mapping[str, str]
+"""TeX commands of the book's own, without their backslashes, and what each stands for."""
+NO_MACROS: Macros = {}
+SPOKEN = "en"
+"""The language in which formulae have words."""
+
+
+class UnsupportedTexError(ValueError):
+    """The formula cannot be set; the message names the part."""
+
+
+def to_mathml(
+    tex: str,
+    *,
+    display: bool,
+    macros: Macros = NO_MACROS,
+    language: str = SPOKEN,
+    colours: Sequence[str] = (),
+) -> str:
+    """A ``<math>`` element, in English with words as ``alttext``. Besides `COLOURS` it may name
+    the book's own. Raises `UnsupportedTexError`."""
+    sources = tuple(file_hash(file) for file in SOURCES)
+    named = _as_classes(tex, (*COLOURS, *colours))
+    bodies = {name: _as_classes(body, (*COLOURS, *colours)) for name, body in macros.items()}
+    return _to_mathml(named, display, language == SPOKEN, bodies, sources)
+
+
+@cached
+def _to_mathml(tex: str, display: bool, spoken: bool, macros: Macros, _sources: object) -> str:
+    if not tex.strip():
+        raise UnsupportedTexError(EMPTY)
+    for name, legal in INSTEAD.items():
+        if re.search(rf"\\{name}(?![A-Za-z])", tex):
+            raise UnsupportedTexError(rf"\{name} in {quoted(tex)}; legal: {legal}")
+    bodies = {f"\\{name}": common_tex(body) for name, body in macros.items()}
+    answer = set_tex(common_tex(tex), display=display, spoken=spoken, macros=bodies)
+    if "error" in answer:
+        raise UnsupportedTexError(_in_words(answer["error"], tex))
+    mathml = answer["mathml"]
+    if not re.search(r">[^<\s]", mathml):
+        raise UnsupportedTexError(EMPTY)
+    return mathml
+
+
+def quoted(tex: str) -> str:
+    r"""TeX as its author wrote it, on one line: ``'\frac{a}{b}'``, its backslashes single."""
+    return f"'{' '.join(tex.split())}'"
+
+
+def _as_classes(tex: str, colours: Sequence[str]) -> str:
+    """With its colours as classes."""
+
+    def named(match: re.Match[str]) -> str:
+        if match[1] not in colours:
+            raise UnsupportedTexError(unknown("colour role", match[1], colours))
+        return rf"\class{{role-{match[1]}}}"
+
+    return re.sub(r"\\role\{([\w-]*)\}", named, tex)
+
+
+def _in_words(message: str, tex: str) -> str:
+    """Temml's message, with the formula."""
+    if found := UNKNOWN.match(message):
+        return f"unsupported TeX command '{found[1]}' in {quoted(tex)}"
+    return f"cannot set {quoted(tex)}: {message[:1].lower()}{message[1:]}"

@@ -1,17 +1,90 @@
-"""Chapters of the guide that are made of declarations: what there is stands in them, and nothing
-else can."""
+"""``python -m site_builder guide``: write the guide as a book, then build or serve it.
 
+Some of its chapters are made of declarations: what there is stands in them, and nothing else can.
+"""
+
+import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+import subprocess
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from importlib import import_module
+from inspect import Parameter, getdoc, signature
 from pathlib import Path
 from typing import Any
 
+from simulations.engine.controls import KINDS as CONTROLS
+from simulations.engine.frame import ROLES as COLOUR_ROLES
+from site_builder.files.engine import ENGINE, STATIC, own_or_engine
 from site_builder.markdown.directive import Directive, OptionLine
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.questions.kinds import KINDS
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
+from site_builder.scaffold.pieces import HERE as SCAFFOLD
+from site_builder.scaffold.pieces import SUFFIX, filled
 from site_builder.settings.model import settings_table
+
+VERSION = re.compile(r"^## (.+)$", re.MULTILINE)
+FOR_AUTHORS = re.compile(r"^### For authors$\n(.*?)(?=^### |\Z)", re.MULTILINE | re.DOTALL)
+HEAD = """---
+title: What changed
+summary: What an author notices, by version of the builder.
+---
+
+The newest version comes first. What only readers notice is in the changelog of the builder.
+"""
+
+
+def changes_page(changelog: Path) -> str:
+    """The sections ``For authors`` of a changelog, under the names of their versions."""
+    _, *parts = VERSION.split(changelog.read_text(encoding="utf-8"))
+    sections = [
+        f"\n## {version}\n\n{found[1].strip().replace('#### ', '### ')}\n"
+        for version, text in zip(parts[::2], parts[1::2], strict=True)
+        if (found := FOR_AUTHORS.search(text))
+    ]
+    return HEAD + "".join(sections)
+
+
+CLASS_RULE = re.compile(
+    r"^\.overlay (text|rect)?\.([a-z]+)(?:,\n.+)* \{\n((?:  .*\n)+)\}", re.MULTILINE
+)
+UNSEEN = ("swatch",)
+"""Classes of what has a colour of its own."""
+
+
+type Names = tuple[str, ...]
+
+
+def read_classes(overlay: Path) -> tuple[Names, dict[str, str], Names]:
+    """Roles, manners with how they look, ``stroke-width: 1px``, and the classes of labels in the
+    style sheet of drawings."""
+    found = CLASS_RULE.findall(overlay.read_text(encoding="utf-8"))
+    looks = {name: " ".join(body.split()).rstrip(";") for text, name, body in found if not text}
+    manners = {name: look for name, look in looks.items() if name not in UNSEEN}
+    texts = tuple(name for text, name, _ in found if text)
+    return (*filter(None, COLOUR_ROLES), "muted"), manners, texts
+
+
+MARK = "[controls]\n"
+"""Where the table stands in a page of the guide."""
+
+
+def controls_table() -> str:
+    """A row for each: how it is written, and its documentation."""
+    rows = []
+    for kind in CONTROLS:
+        stated = getattr(import_module(f"simulations.engine.controls.{kind}.kind"), kind)
+        doc = (getdoc(stated) or "").replace("\n", " ").replace("``", "`")
+        rows.append(f"| `{kind}({_parameters(stated)})` | {doc} |\n")
+    return f"| Control | Is |\n|---|---|\n{''.join(rows)}"
+
+
+def _parameters(stated: Callable[..., object]) -> str:
+    parameters = signature(stated).parameters.values()
+    return ", ".join(str(each.replace(annotation=Parameter.empty)) for each in parameters)
+
 
 MEASURED = """\
 ## Colours that are measured
@@ -176,3 +249,67 @@ def _shown(example: str) -> str:
 def _chapter(title: str, summary: str, opening: str, parts: Iterable[str]) -> str:
     body = "\n".join(parts)
     return f"---\ntitle: {title}\nsummary: '{summary}'\n---\n\n{opening}\n\n{body}"
+
+
+OWN = Path(__file__).with_name("book")
+SCENE = "content/06-a-scene.md"
+TAKEN = "simulations/"
+"""The folder that the guide takes from the template of a new book."""
+
+
+def guide_files() -> dict[str, bytes]:
+    """Every file of the guide by its path. Raises `NoExampleError`."""
+    roles, manners, texts = read_classes(STATIC / "css" / "overlay.css")
+    made = {
+        "content/03-directives.md": directive_page(),
+        "content/04-roles.md": role_page(),
+        "content/05-drawings.md": drawing_page(roles, manners, texts),
+        SCENE: (OWN / SCENE).read_text(encoding="utf-8").replace(MARK, controls_table()),
+        "content/08-settings.md": settings_page(),
+        "content/11-changes.md": changes_page(own_or_engine(ENGINE, "CHANGELOG.md")),
+        "simulations/models/classes.py": (
+            f'"""Made by the guide."""\n\nROLES = {roles!r}\n'
+            f"MANNERS = {tuple(manners)!r}\nTEXTS = {texts!r}\n"
+        ),
+    }
+    new_book = {
+        path: filled(f"book/{file.relative_to(SCAFFOLD / 'book').as_posix()}").encode()
+        for file in sorted((SCAFFOLD / "book").rglob("*"))
+        if file.is_file()
+        for path in (file.relative_to(SCAFFOLD / "book").as_posix().removesuffix(SUFFIX),)
+        if path.startswith(TAKEN)
+    }
+    own = {
+        file.relative_to(OWN).as_posix().removesuffix(SUFFIX): file.read_bytes()
+        for file in sorted(OWN.rglob("*"))
+        if file.is_file()
+    }
+    return {**new_book, **own, **{path: text.encode() for path, text in made.items()}}
+
+
+def write_guide(folder: Path) -> None:
+    """Replace the contents of ``folder`` by the guide. Unchanged files are left alone, so that a
+    server of the guide builds only what has changed."""
+    files = guide_files()
+    for old in sorted(folder.rglob("*")) if folder.is_dir() else ():
+        if old.is_file() and old.relative_to(folder).as_posix() not in files:
+            old.unlink()
+    for path, data in files.items():
+        file = folder / path
+        if not file.is_file() or file.read_bytes() != data:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(data)
+
+
+FOLDER = Path("build", "guide")
+
+
+def run_guide(place: tuple[str, int] | None, *, runtime: bool = True, folder: Path = FOLDER) -> int:
+    """Serve it at ``place``, host and port, or only build it; the exit code of that."""
+    book, site = folder.resolve() / "book", folder.resolve() / "site"
+    write_guide(book)
+    how = ["serve", "--host", place[0], "--port", str(place[1])] if place else ["build"]
+    command = [sys.executable, "-m", "site_builder", *how, "--out", str(site)]
+    given = [] if runtime else ["--no-runtime"]
+    environment = {**os.environ, "PYTHONPATH": str(ENGINE)}  # from the folder of another book
+    return subprocess.run([*command, *given], cwd=book, env=environment, check=False).returncode

@@ -94,7 +94,6 @@ def load_words(language: str) -> Words:
 
 
 def languages() -> tuple[str, ...]:
-    """All that there are."""
     return tuple(sorted(file.stem for file in HERE.glob("*.toml")))
 
 

@@ -1,16 +1,82 @@
-"""A flat list of tokens to a tree of blocks: runs of prose, and what directives make."""
+"""A flat list of tokens to a tree of blocks: runs of prose, and what directives make, each checked
+against its declaration; and the bodies that several directives share."""
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.diagnostics.blame import CodeError, raised_by_code
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.blocks import Block, Prose
-from site_builder.document.passage import passage
-from site_builder.markdown.directive import Directive, DirectiveCall
+from site_builder.document.places import Passage, passage
+from site_builder.markdown.content_files import fault_of_file
+from site_builder.markdown.directive import Body, Directive, DirectiveCall, OptionLine, OptionValue
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import end_of_element
-from site_builder.markdown.usage import checked
+
+
+def checked(
+    directive: Directive[Any], call: DirectiveCall, context: ParseContext
+) -> DirectiveCall | None:
+    """The call with legal options only and with their defaults; None where its argument is missing
+    or illegal. Everything illegal is reported."""
+    options = _checked_options(directive, call, context)
+    if fault := _fault_of_argument(directive, call, context):
+        context.problem(call.line, fault)
+        return None
+    return replace(call, options=options)
+
+
+def _fault_of_argument(
+    directive: Directive[Any], call: DirectiveCall, context: ParseContext
+) -> str:
+    """What is wrong with the argument; nothing where nothing is."""
+    argument, given, fence = directive.argument, call.argument, f":::{{{call.name}}}"
+    if argument is None:
+        fault = f"{{{call.name}}} with an argument, {given!r}; legal: {fence!r}, no more"
+        return fault if given else ""
+    if argument.expected is not None and given not in argument.expected:
+        return unknown(argument.kind, given, argument.expected)
+    if argument.lacks and not given:
+        return f"{{{call.name}}} {argument.lacks}; legal: '{fence} {argument.form}'"
+    return fault_of_file(given, context.content, argument.file) if argument.file else ""
+
+
+def _checked_options(
+    directive: Directive[Any], call: DirectiveCall, context: ParseContext
+) -> dict[str, OptionValue]:
+    declared = {option.name: option for option in directive.options}
+    options: dict[str, OptionValue] = {}
+    for name, given in call.options.items():
+        fault = ""
+        if name in declared:
+            fault = _fault_of_option(declared[name], given.text, call, context)
+        elif not directive.more_options:
+            fault = unknown(f"option of {{{call.name}}}", name, declared)
+        if fault:
+            context.problem(given.line, fault)
+        else:
+            options[name] = given
+    for option in directive.options:
+        if option.required and not (option.name in call.options and call.text(option.name)):
+            message = f"{{{call.name}}} has no ':{option.name}:'; legal: {option.doc}"
+            context.problem(call.line, message)
+        if option.expected:
+            options.setdefault(option.name, OptionValue(option.expected[0], call.line))
+    return options
+
+
+def _fault_of_option(
+    option: OptionLine, given: str, call: DirectiveCall, context: ParseContext
+) -> str:
+    if option.expected and given not in option.expected:
+        return unknown(f"{option.name} of {call.name}", given, option.expected)
+    if option.form and given and not re.fullmatch(option.form, given):
+        return f"{option.name} {given!r}; legal: {option.doc}"
+    return fault_of_file(given, context.content, option.file) if option.file and given else ""
 
 
 def read_blocks(tokens: Sequence[Token], context: ParseContext) -> tuple[Block, ...]:
@@ -48,7 +114,11 @@ def _read_directive(element: Sequence[Token], context: ParseContext) -> Block | 
         return None
     expected = checked(directive, call, context)
     body = directive.body.read(call, element[1:-1], context)
-    content = directive.read(expected, body, context) if expected else None
+    try:
+        content = directive.read(expected, body, context) if expected else None
+    except CodeError as error:
+        context.problem(call.line, str(error), raised_by_code(error))
+        return None
     if content is None:
         return None
     inside = body if directive.body.nests else ()
@@ -67,3 +137,39 @@ def _without_directives(element: Sequence[Token], context: ParseContext) -> list
             )
             return []
     return list(element)
+
+
+def plain_tokens(
+    call: DirectiveCall, tokens: Sequence[Token], context: ParseContext
+) -> Sequence[Token]:
+    """The tokens as they are; a directive among them, which would not be shown, is reported."""
+    inner = next((token for token in tokens if token.type == "directive_open"), None)
+    if inner is not None:
+        found: DirectiveCall = inner.meta["call"]
+        where = f"directive {{{found.name}}} inside {{{call.name}}}"
+        context.problem(found.line, f"{where}; legal: plain Markdown")
+    return tokens
+
+
+def _passage(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> Passage:
+    return passage(plain_tokens(call, tokens, context))
+
+
+def _inner_blocks(
+    call: DirectiveCall, tokens: Sequence[Token], context: ParseContext
+) -> tuple[Block, ...]:
+    if not tokens:
+        context.problem(call.line, f"{{{call.name}}} is empty; legal: some text")
+    return read_blocks(tokens, context)
+
+
+def _nothing(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> None:
+    if tokens:
+        context.problem(call.line, f"{{{call.name}}} with a body; legal: nothing below its options")
+
+
+CAPTION = Body("a caption", _passage)
+"""Plain Markdown, or nothing; the reader gets a `Passage`."""
+BLOCKS = Body("text and other directives", _inner_blocks, nests=True)
+"""Anything, but something; the template gets it as ``inside``."""
+NO_BODY = Body("nothing", _nothing)

@@ -10,7 +10,7 @@ the text claims; expressions below it use both. The block itself is not shown.
 
 import ast
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from importlib import import_module
@@ -118,17 +118,19 @@ def names_for(context: ParseContext) -> dict[str, object]:
 def number(text: str, line: int, context: ParseContext, **more: object) -> float | None:
     """The finite number that ``text`` stands for, or None and a diagnostic; it may also name what
     ``more`` holds."""
-    try:
-        return _as_number(evaluate(text, {**names_for(context), **more}), text)
-    except ExpressionError as error:
-        context.problem(line, str(error), raised_by_code(error))
-        return None
+    names = {**names_for(context), **more}
+    return or_problem(lambda: _as_number(evaluate(text, names), text), line, context)
 
 
 def truth(text: str, line: int, context: ParseContext) -> bool | None:
     """Whether the condition ``text`` holds, or None and a diagnostic."""
+    return or_problem(lambda: bool(evaluate(text, names_for(context))), line, context)
+
+
+def or_problem[T](compute: Callable[[], T], line: int, context: ParseContext) -> T | None:
+    """What is computed, or None and a diagnostic of what is wrong with its expressions."""
     try:
-        return bool(evaluate(text, names_for(context)))
+        return compute()
     except ExpressionError as error:
         context.problem(line, str(error), raised_by_code(error))
         return None

@@ -10,7 +10,7 @@ from typing import Any
 
 from markdown_it.token import Token
 
-from site_builder.document.passage import Plain
+from site_builder.document.places import Plain
 from site_builder.markdown.parse_context import ParseContext
 
 
@@ -120,7 +120,8 @@ class Directive[B]:
     argument: Argument | None
     body: Body[B]
     read: Callable[[DirectiveCall, B, ParseContext], object | None]
-    """What the template shows; None, and a report, where mistakes leave nothing to show."""
+    """What the template shows; None, and a report, where mistakes leave nothing to show. Raises
+    `CodeError`, which is reported at the opening fence."""
     template: str
     """Its file below ``templates/blocks/``, without ``.html``."""
     options: tuple[OptionLine, ...] = ()

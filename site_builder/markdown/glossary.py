@@ -6,16 +6,14 @@ from typing import Any
 from markdown_it.token import Token
 
 from site_builder.document.book import Book, Chapter
-from site_builder.document.passage import Passage
-from site_builder.document.places import Definition, IndexMark, Meaning, TermUse
+from site_builder.document.places import Definition, IndexMark, Meaning, Passage, TermUse
 from site_builder.markdown.directive import Directive, DirectiveCall
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.roles.words import term_link
+from site_builder.markdown.roles.references import term_link
 from site_builder.markdown.text.symbols import spelt
 from site_builder.markdown.text.tokens import located
-from site_builder.references.glossary import Term
-from site_builder.references.symbols import BOOK, Symbol, Symbols
+from site_builder.references.terms import BOOK, Symbol, Symbols, Term
 
 
 def read_definitions(context: ParseContext) -> tuple[Definition, ...]:

@@ -5,22 +5,19 @@ from collections.abc import Callable, Mapping, Sequence
 
 from markdown_it.token import Token
 
-from simulations.engine.expressions import ExpressionError
 from site_builder.diagnostics.blame import raised_by_code
 from site_builder.diagnostics.diagnostic import unknown
-from site_builder.document.passage import Passage, passage
-from site_builder.document.places import Link, chapter_id
-from site_builder.markdown.calculation import BLOCK, compute_formula, define_names
+from site_builder.document.places import Link, Passage, chapter_id, passage
+from site_builder.formulae.temml import UnsupportedTexError, to_mathml
+from site_builder.markdown.calculation import BLOCK, compute_formula, define_names, or_problem
 from site_builder.markdown.directive import DirectiveCall
-from site_builder.markdown.headings import list_headings
+from site_builder.markdown.numbering import list_headings
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.questions.draws import BODY, draw
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
-from site_builder.markdown.text.code import UnknownLanguageError, check_language
-from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
-from site_builder.markdown.text.tokens import located, plain_text
-from site_builder.markdown.text.typography import displayed_parts, glue_formulae
+from site_builder.markdown.text.code import code_html
+from site_builder.markdown.text.tokens import displayed_parts, glue_formulae, located, plain_text
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
 BARE_ROLE = re.compile(r"\{([\w-]+)\}(?!`)")
@@ -57,11 +54,10 @@ def _draw_numbers(token: Token, _line: int, context: ParseContext) -> None:
 
 
 def _set_formula(token: Token, line: int, context: ParseContext) -> None:
-    try:
-        token.content = tex = compute_formula(token.content, context)
-    except ExpressionError as error:
-        context.problem(line, str(error), raised_by_code(error))
+    tex = or_problem(lambda: compute_formula(token.content, context), line, context)
+    if tex is None:
         return
+    token.content = tex
     context.formulae.append((line, tex, token.type != "math_inline"))
     try:
         token.meta["mathml"] = _mathml(token, context.shared)
@@ -89,8 +85,8 @@ def _set_code(token: Token, line: int, context: ParseContext) -> None:
         define_names(token, line, context)
         return
     try:
-        check_language(token.info.strip())
-    except UnknownLanguageError as error:
+        code_html("", token.info.strip())
+    except ValueError as error:
         context.problem(line, str(error))
 
 

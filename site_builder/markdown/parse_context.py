@@ -20,14 +20,13 @@ from site_builder.document.places import (
     Link,
     Position,
     Target,
+    Targets,
     TermUse,
 )
+from site_builder.formulae.temml import Macros
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.markdown.targets import Targets
-from site_builder.markdown.text.math import Macros
-from site_builder.references.bibliography import EMPTY, Bibliography
-from site_builder.references.glossary import EMPTY as NO_TERMS
-from site_builder.references.glossary import Glossary
+from site_builder.references.bibliography import NO_WORKS, Works
+from site_builder.references.terms import NO_TERMS, Glossary
 
 FIRST = Position(0, "0")
 COLLECTED = (
@@ -89,7 +88,7 @@ class Shared:
     """Whether the book's author trusts the HTML of its chapters."""
     macros: Macros = field(default_factory=dict)
     """TeX commands of the book's own."""
-    bibliography: Bibliography = EMPTY
+    bibliography: Works = NO_WORKS
     glossary: Glossary = NO_TERMS
     colours: tuple[str, ...] = ()
     """Names of the book's own."""

@@ -15,11 +15,11 @@ from site_builder.diagnostics.diagnostic import unknown
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directive import Directive, DirectiveCall, OptionValue
 from site_builder.markdown.directives import DIRECTIVES
-from site_builder.markdown.headings import heading_ids_rule
+from site_builder.markdown.numbering import heading_ids_rule
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.stray_marks import stray_marks_rule
-from site_builder.markdown.text.typography import typography_rule
+from site_builder.markdown.text.tokens import typography_rule
 
 OPENING = re.compile(r"(:{3,})\{([\w-]+)\}[ \t]*(.*)")
 CLOSING = re.compile(r"(:{3,})[ \t]*")

@@ -1,4 +1,4 @@
-"""The scripts of pages: TypeScript, bundled by esbuild into few files."""
+"""The scripts of pages, and the code editor: TypeScript, bundled by esbuild into few files."""
 
 import json
 import tempfile
@@ -9,11 +9,10 @@ from posixpath import normpath
 
 from site_builder.cache.results import cached_result
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
-from site_builder.editor.bundle import HERE as PACKAGES
 from site_builder.files.folders import file_hash
 from site_builder.languages.words import Words
-from site_builder.output.assets import Content, content_bytes, content_hash
-from site_builder.programs.node import NodeError, installed_packages, run_node
+from site_builder.output.writer import Content, content_bytes, content_hash
+from site_builder.programs.node import NodeError, Package, installed_packages, run_node
 from site_builder.settings.model import Settings, storage_prefix
 
 STYLE = "style."
@@ -55,6 +54,8 @@ def book_script(settings: Settings, words: Words) -> bytes:
 
 
 DRIVER = Path(__file__).with_name("bundle_scripts.mjs")
+PACKAGES = Path(__file__).parents[1] / "editor"
+"""The folder of the code editor, whose packages have esbuild."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,3 +114,27 @@ def _bundle(sources: Mapping[str, Content], entry: str, others: tuple[str, ...])
             for file in sorted(out.rglob("*.js"))
         }
     return Bundle(files, tuple(result["at_once"]), frozenset(result["beside"]))
+
+
+INGREDIENTS = ("package.json", "package-lock.json", "bundle.mjs", "code_editor.ts")
+
+
+@dataclass(frozen=True, slots=True)
+class EditorBundle:
+    """The code editor; without a script where it could not be made."""
+
+    script: bytes = b""
+    packages: tuple[Package, ...] = ()
+
+
+def bundle_editor() -> EditorBundle:
+    """Raises `NodeError` where its packages cannot be had."""
+    return cached_result("editor", [file_hash(PACKAGES / name) for name in INGREDIENTS], _editor)
+
+
+def _editor() -> EditorBundle:
+    with tempfile.TemporaryDirectory() as out:
+        run_node([str(PACKAGES / "bundle.mjs"), str(installed_packages(PACKAGES)), out], PACKAGES)
+        script = (Path(out) / "code_editor.js").read_bytes()
+        packages = json.loads((Path(out) / "packages.json").read_bytes())
+    return EditorBundle(script, tuple(Package(**item) for item in packages))

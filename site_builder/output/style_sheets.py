@@ -8,7 +8,7 @@ from simulations.engine.frame import ROLES
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Colours
 from site_builder.files.engine import own_or_engine
-from site_builder.output.assets import Content, content_bytes
+from site_builder.output.writer import Content, content_bytes
 
 ENGINE_ROLES = (*ROLES[1:], "muted")
 """Roles whose colours are in ``tokens.css``."""
@@ -40,43 +40,29 @@ simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ 
     )
 
 
-def paper_rules(colours: Colours) -> str:
-    """Colours of roles without themes, for e-books and notebooks."""
-    values = {name: f"var(--{name})" for name in ENGINE_ROLES}
-    values |= {name: light for name, (light, _) in colours.items()}
-    return "".join(
-        f".overlay .{name}, .role-{name} {{ color: {value}; }}\n" for name, value in values.items()
-    )
-
-
 TOKEN = re.compile(r"^  (--[\w-]+): light-dark\(([^,]+), [^)]+\);", re.MULTILINE)
 CONTAINER = re.compile(r"^@container (?:.*\n)*?\}\n", re.MULTILINE)
 
 
 def style_of_drawings(root: Path, more: str, families: Mapping[str, str], colours: Colours) -> str:
-    """The site's sheet for drawings and ``more`` rules, in plain CSS. ``root`` is the book's
-    folder, ``families`` are the faces by the names of their variables, ``colours`` the book's."""
+    """The site's sheet for drawings and ``more`` rules, in plain CSS: in the light theme, without
+    variables and what depends on the width of a place in the page.
+
+    ``root`` is the book's folder, ``families`` are the faces by the names of their variables,
+    ``colours`` the book's. Raises `KeyError` for a variable that is no token.
+    """
     tokens, overlay = (
         own_or_engine(root, f"static/css/{name}.css").read_text(encoding="utf-8")
         for name in ("tokens", "overlay")
     )
-    rules = paper_rules(colours) + without_containers(overlay) + more
-    return resolve(rules, light_tokens(tokens) | dict(families))
-
-
-def light_tokens(sheet: str) -> dict[str, str]:
-    """The colours of the light theme, by the name of their variable."""
-    return dict(TOKEN.findall(sheet))
-
-
-def resolve(sheet: str, tokens: dict[str, str]) -> str:
-    """Without variables. Raises `KeyError` for one that is not a token."""
-    return re.sub(r"var\((--[\w-]+)\)", lambda found: tokens[found[1]], sheet)
-
-
-def without_containers(sheet: str) -> str:
-    """Without what depends on the width of a place in the page."""
-    return CONTAINER.sub("", sheet)
+    inks = {name: f"var(--{name})" for name in ENGINE_ROLES}
+    inks |= {name: light for name, (light, _) in colours.items()}
+    roles = "".join(
+        f".overlay .{name}, .role-{name} {{ color: {ink}; }}\n" for name, ink in inks.items()
+    )
+    values = dict(TOKEN.findall(tokens)) | dict(families)
+    rules = roles + CONTAINER.sub("", overlay) + more
+    return re.sub(r"var\((--[\w-]+)\)", lambda found: values[found[1]], rules)
 
 
 COMMENT = re.compile(r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|/\*.*?\*/""", re.DOTALL)
@@ -98,7 +84,15 @@ def join_style_sheets(
     taken = {found[1]: str(folder / found[1]) for found in IMPORT.finditer(sheet)}
     wrong = [name for name, path in taken.items() if "/" in name or path not in files]
     if wrong:
-        raise BuildError(_mistake(sheet, name, entry) for name in wrong)
+        legal = "legal: a style sheet beside this one"
+        raise BuildError(
+            Diagnostic(
+                f"static/{entry}",
+                sheet[: sheet.index(f'"{name}"')].count("\n") + 1,
+                f"cannot import {name!r}; {legal}",
+            )
+            for name in wrong
+        )
     rest = {path: content for path, content in files.items() if path not in taken.values()}
 
     joined = IMPORT.sub(lambda found: content_bytes(files[taken[found[1]]]).decode("utf-8"), sheet)
@@ -113,10 +107,3 @@ def without_comments(sheet: str) -> str:
     """
     bare = COMMENT.sub(lambda found: found[1] or "", sheet)
     return re.sub(r"\n\s+", "\n", bare)
-
-
-def _mistake(sheet: str, name: str, entry: str) -> Diagnostic:
-    line = sheet[: sheet.index(f'"{name}"')].count("\n") + 1
-    return Diagnostic(
-        f"static/{entry}", line, f"cannot import {name!r}; legal: a style sheet beside this one"
-    )

@@ -8,8 +8,7 @@ from itertools import groupby
 from typing import Any
 
 from site_builder.document.book import Book, Chapter
-from site_builder.document.passage import Passage
-from site_builder.document.places import Definition, Meaning, Target
+from site_builder.document.places import Definition, Meaning, Passage, Target
 from site_builder.languages.words import Words
 from site_builder.markdown.glossary import meanings_in
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
@@ -49,8 +48,6 @@ type Letters[T] = list[tuple[str, list[T]]]
 
 @dataclass(frozen=True, slots=True)
 class Atlas:
-    """The places of a chapter."""
-
     chapter: Chapter
     card: Card
     words: Mapping[str, Passage]
@@ -69,15 +66,7 @@ def atlas(chapter: Chapter) -> Atlas:
 
 
 def card(chapter: Chapter) -> Card:
-    return Card(
-        chapter.id,
-        chapter.url,
-        chapter.mark,
-        chapter.name,
-        chapter.title,
-        chapter.summary,
-        chapter.part,
-    )
+    return Card(*(getattr(chapter, name) for name in Card.__slots__))
 
 
 def by_letter[T](named: Iterable[tuple[str, T]]) -> Letters[T]:
@@ -96,8 +85,6 @@ def _plain(name: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A term with its places."""
-
     definition: Definition
     explained: TermLink | None
     uses: tuple[TermLink, ...]
@@ -155,8 +142,6 @@ OFTEN = 2
 
 @dataclass(frozen=True, slots=True)
 class IndexEntry:
-    """A line of the index."""
-
     name: str
     places: tuple[TermLink, ...]
     see: str = ""
@@ -192,11 +177,8 @@ def _sections(
     for (name, section), count in uses.items():
         if name not in explained:
             continue
-        target = explained[name]
-        explains = target is not None and (target.chapter, target.id) == (
-            places.card.id,
-            section,
-        )
+        target, here = explained[name], (places.card.id, section)
+        explains = target is not None and (target.chapter, target.id) == here
         if explains or count >= OFTEN:
             yield name, places.place(section, "", explains=explains)
 
@@ -206,36 +188,25 @@ type Places = list[tuple[Card, list[str]]]
 
 def cited_works(book: Book) -> list[tuple[Work, Places]]:
     """Each work with, by chapter, the element ids of its citations."""
-    places: dict[str, Places] = {key: [] for key in book.bibliography.works}
+    places: dict[str, Places] = {key: [] for key in book.bibliography}
     for chapter in book.chapters:
         ids: dict[str, list[str]] = {}
         for citation in chapter.citations:
             ids.setdefault(citation.key, []).append(citation.id)
         for key, found in ids.items():
             places.setdefault(key, []).append((card(chapter), found))
-    return [(work, places[key]) for key, work in book.bibliography.works.items()]
+    return [(work, places[key]) for key, work in book.bibliography.items()]
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
-    """A symbol, what it means, and the section in which it is introduced."""
-
-    meaning: Meaning
-    introduced: TermLink
-
-
-def view_symbols(book: Book) -> list[tuple[Card, list[Row]]]:
-    """The meanings of each chapter's symbols, in the order of their first use."""
+def view_symbols(book: Book) -> list[tuple[Card, list[tuple[Meaning, TermLink]]]]:
+    """The meanings of each chapter's symbols, in the order of their first use, each with the
+    section in which it is introduced."""
     chapters = ((atlas(chapter), introductions(book, chapter)) for chapter in book.chapters)
     return [
-        (places.card, [_row(item, section, places) for item, section in rows])
+        (places.card, [(item, places.place(section, section)) for item, section in rows])
         for places, rows in chapters
         if rows
     ]
-
-
-def _row(meaning: Meaning, section: str, places: Atlas) -> Row:
-    return Row(meaning, places.place(section, section))
 
 
 def introductions(book: Book, chapter: Chapter) -> list[tuple[Meaning, str]]:
@@ -271,7 +242,7 @@ def back_matter_pages(book: Book) -> dict[str, dict[str, Any]]:
     found: dict[str, dict[str, Any]] = {
         "glossary": {"letters": view_glossary(book)} if book.glossary else {},
         "symbols": {"chapters": view_symbols(book)} if book.symbols else {},
-        "references": {"works": cited_works(book)} if book.bibliography.works else {},
+        "references": {"works": cited_works(book)} if book.bibliography else {},
         "index-of-terms": {"letters": letters} if (letters := view_index(book)) else {},
         "lecture-plan": {"plan": book.lecture_plan} if book.lecture_plan else {},
     }

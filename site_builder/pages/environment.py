@@ -17,9 +17,9 @@ from jinja2.runtime import Context
 from markupsafe import Markup
 from platformdirs import user_cache_path
 
-from site_builder.benchmarks.quantities import milliseconds, quantity
+from site_builder.benchmarks.judgements import milliseconds, quantity
 from site_builder.document.book import Book
-from site_builder.document.passage import Passage
+from site_builder.document.places import Passage
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.markdown.text.code import highlighted_lines
@@ -27,9 +27,9 @@ from site_builder.output.scripts import script_words
 from site_builder.pages.back_matter import marked_terms
 from site_builder.pages.policy import json_for_html, page_policy
 from site_builder.pages.versions import lead_to_original, original_of, original_page
-from site_builder.pages.views.control import FOLDER as CONTROL_KINDS
 from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
 from site_builder.pages.views.question import kind_view, question_data
+from site_builder.pages.views.simulation import CONTROL_KINDS
 from site_builder.render.screen import PassageRenderer, named, screen_renderer
 from site_builder.settings.model import storage_prefix
 

@@ -11,7 +11,7 @@ from site_builder.document.book import UNSET
 from site_builder.files.engine import DISTRIBUTION, PACKED
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.programs.node import Package
-from site_builder.runtime.pinned import Versions
+from site_builder.runtime.store import Versions
 from site_builder.settings.model import Settings
 
 OPEN_FONT = "SIL Open Font License 1.1"
@@ -54,26 +54,39 @@ def gather_licences(
     ``search`` those that search the pages, ``decoder`` those that decode raw files, ``asked_for``
     those that the book asks for; ``settings`` are the book's, ``words`` its language's.
     """
+    code = "https://github.com/"
     terms = words("licences.book", code=settings.licence.code, text=settings.licence.text)
-    text = _text_of(root / "LICENSE")
-    return (
-        Licence(settings.title, "", terms, words("licences.this_book"), "", text),
-        *_of_the_engine(words),
-        *(_of_the_runtime(versions, words) if versions.pyodide else ()),
-        *(_of_a_package(package, words) for package in asked_for),
-        *_of_the_editor(editor, words),
-        *(_of_the_search(package, words) for package in search),
-        *(_of_the_decoder(package, words) for package in decoder),
-        *_of_the_fonts(words),
-    )
-
-
-def _of_the_engine(words: Words) -> Iterator[Licence]:
-    """The licence of an installed wheel; in the engine's repository it is also the book's."""
-    if PACKED.is_dir():
+    text, use = _text_of(root / "LICENSE"), words("licences.this_book")
+    licences = [Licence(settings.title, "", terms, use, "", text)]
+    if PACKED.is_dir():  # the engine's, as a wheel; in its repository it is also the book's
         text = _packaged_text(DISTRIBUTION, "licenses/LICENSE")
-        terms = text[max(text.find("MIT License\n"), 0) :]  # what is before is of another book
-        yield Licence(DISTRIBUTION, __version__, "MIT", words("licences.engine"), "", terms)
+        text = text[max(text.find("MIT License\n"), 0) :]  # what is before is of another book
+        engine = words("licences.engine")
+        licences.append(Licence(DISTRIBUTION, __version__, "MIT", engine, "", text))
+    if versions.pyodide:
+        licences += _of_the_runtime(versions, words)
+    for each in asked_for:
+        licences.append(_of(each, each.name, words("licences.package"), each.home))
+    licences += _of_the_editor(editor, words)
+    for each in search:
+        name, use, home = SEARCH[each.name]
+        licences.append(_of(each, name, words(use), code + home))
+    for each in decoder:
+        use = words("licences.decoder", name=f"{each.name} {each.version}")
+        home = f"{code}LibRaw/LibRaw"
+        licences.append(Licence("LibRaw", "", each.license, use, home, each.text))
+    ofl = _packaged_text("font-source-serif-pro", "files/LICENSE.txt")
+    body = ofl[max(ofl.find("This Font Software is licensed under"), 0) :]  # others hold its rights
+    for part, use, home, text in (
+        (words("licences.fonts_name"), "licences.fonts", "adobe-fonts", ofl),
+        ("STIX Two Math", "licences.maths_font", "stipub/stixfonts", body),
+    ):
+        licences.append(Licence(part, "", OPEN_FONT, words(use), code + home, text))
+    return tuple(licences)
+
+
+def _of(package: Package, name: str, use: str, home: str) -> Licence:
+    return Licence(name, package.version, package.license, use, home, package.text)
 
 
 def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
@@ -89,11 +102,6 @@ def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
     yield Licence("NumPy", versions.numpy, terms, use, "https://numpy.org/", bsd)
 
 
-def _of_a_package(package: Package, words: Words) -> Licence:
-    use = words("licences.package")
-    return Licence(package.name, package.version, package.license, use, package.home, package.text)
-
-
 def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licence]:
     """One entry for all packages, each text once below the names of those that it covers."""
     if not packages:
@@ -105,27 +113,6 @@ def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licenc
     terms = f" {words('licences.and')} ".join(sorted({package.license for package in packages}))
     name, use = words("licences.editor_name"), words("licences.editor")
     yield Licence(name, "", terms, use, "https://codemirror.net/", text)
-
-
-def _of_the_search(package: Package, words: Words) -> Licence:
-    name, use, home = SEARCH[package.name]
-    address = f"https://github.com/{home}"
-    return Licence(name, package.version, package.license, words(use), address, package.text)
-
-
-def _of_the_decoder(package: Package, words: Words) -> Licence:
-    use = words("licences.decoder", name=f"{package.name} {package.version}")
-    home = "https://github.com/LibRaw/LibRaw"
-    return Licence("LibRaw", "", package.license, use, home, package.text)
-
-
-def _of_the_fonts(words: Words) -> Iterator[Licence]:
-    ofl = _packaged_text("font-source-serif-pro", "files/LICENSE.txt")
-    name, use = words("licences.fonts_name"), words("licences.fonts")
-    yield Licence(name, "", OPEN_FONT, use, "https://github.com/adobe-fonts", ofl)
-    use, home = words("licences.maths_font"), "https://github.com/stipub/stixfonts"
-    body = ofl[max(ofl.find("This Font Software is licensed under"), 0) :]  # others hold its rights
-    yield Licence("STIX Two Math", "", OPEN_FONT, use, home, body)
 
 
 def _packaged_text(package: str, ending: str) -> str:

@@ -1,6 +1,6 @@
 """One page of the site or of an edition, from its template. No markup is made here."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -9,18 +9,16 @@ from markupsafe import Markup
 from site_builder.document.blocks import Block, Simulation
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.figures.initial_frames import InitialFrames, describing
-from site_builder.markdown.directives.pictures import DrawnIllustration
-from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
+from site_builder.markdown.directives.media import DrawnIllustration
 from site_builder.pages.environment import book_context, template_environment
-from site_builder.pages.versions import Version, versions_of
+from site_builder.pages.versions import EMBED_FOLDER, Version, versions_of
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
-from site_builder.references.glossary import FILE as GLOSSARY
-from site_builder.references.symbols import FILE as SYMBOLS
-from site_builder.render.paper import paper_renderer
-from site_builder.render.sections import Describe, sections_of
+from site_builder.references.terms import GLOSSARY, SYMBOLS
+from site_builder.render.screen import paper_renderer
+from site_builder.render.words import Describe, sections_of
 from site_builder.settings.declared import PATH
-from site_builder.sources.lecture_plan import FILE as LECTURE_PLAN
+from site_builder.sources.outline import LECTURE_PLAN
 from site_builder.sources.translations.files import figure_markup
 
 BOOK_CARD = "card.png"
@@ -75,8 +73,6 @@ FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
 
 @dataclass(frozen=True, slots=True)
 class Site:
-    """What all pages share."""
-
     root: Path
     """The project, with the modules that chapters quote."""
     book: Book
@@ -109,12 +105,12 @@ def render_page(
     template: str,
     root: str,
     path: str = "",
-    rows: Callable[[Simulation], object] | None = None,
+    rows: Mapping[str, object] | None = None,
     **context: object,
 ) -> str:
     """One page, or a part of one. ``root`` is the site's root relative to it, ``path`` its own
-    place below that; nothing where it has none to be known by. With ``rows``, which finds the small
-    multiples of a figure, it is XHTML for paper."""
+    place below that; nothing where it has none to be known by. With ``rows``, the small
+    multiples of figures by their ids, it is XHTML for paper."""
     environment = template_environment()
     assets = f"{root}{site.assets}"
     given = context.get("chapter")
@@ -155,7 +151,7 @@ def render_page(
         "block_html": block_html,
         "simulation_view": simulation_view,
         "paper": rows is not None,
-        "row_of": rows,
+        "rows": rows or {},
         "minutes": reading_minutes(chapter, describing(site.initial_frames)) if chapter else 0,
     }
     return environment.get_template(template).render(

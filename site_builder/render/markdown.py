@@ -10,8 +10,7 @@ from textwrap import indent
 
 from markdown_it.tree import SyntaxTreeNode
 
-from site_builder.document.passage import Passage
-from site_builder.document.places import Target
+from site_builder.document.places import Passage, Target
 from site_builder.formulae.temml import plain_tex
 
 SPECIAL = re.compile(r"([\\`*_\[\]<$~])")

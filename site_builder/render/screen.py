@@ -1,4 +1,5 @@
-"""Passages as HTML for the screen. Only tokens that markdown-it renders otherwise have a rule."""
+"""Passages as HTML for the screen, and as XHTML for paper: PDF and e-book, where nothing can be
+pressed. Only tokens that markdown-it renders otherwise have a rule."""
 
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -13,8 +14,7 @@ from markdown_it.utils import EnvType, OptionsDict
 from markupsafe import Markup
 from mdit_py_plugins.footnote import footnote_plugin
 
-from site_builder.document.passage import Passage
-from site_builder.document.places import Target
+from site_builder.document.places import Passage, Target
 from site_builder.languages.words import Words
 from site_builder.markdown.text.code import code_html
 
@@ -154,3 +154,33 @@ RULES: Rules = {
     "table_close": table_close,
 }
 """Rules of every medium in HTML."""
+
+
+def paper_renderer() -> PassageRenderer:
+    return renderer_with(
+        {
+            **RULES,
+            "heading_close": plain_heading_close,
+            "table_open": plain_table_open,
+            "link_open": plain_open,
+            "role_open": plain_open,
+        }
+    )
+
+
+def plain_heading_close(token: Token) -> str:
+    return f"</{token.tag}></div>\n"
+
+
+def plain_table_open(_token: Token) -> str:
+    return '<div class="table-wrapper"><table>\n'
+
+
+def plain_open(token: Token) -> str:
+    """Without the attributes that are for scripts."""
+    attributes = (
+        f' {name}="{escape(str(value))}"'
+        for name, value in token.attrs.items()
+        if not name.startswith(("data-", "aria-"))
+    )
+    return f"<{token.tag}{''.join(attributes)}>"

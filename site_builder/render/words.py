@@ -1,12 +1,19 @@
-"""Passages as plain words: for the search, and for lengths as they are read."""
+"""Passages as plain words, for the search and for lengths as they are read; and the book in plain
+words, section by section, as the search sees it.
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+Answers, and what is hidden until a guess, are left out of sections.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from xml.etree import ElementTree
 
 from markdown_it.token import Token
 
-from site_builder.document.passage import Passage
+from site_builder.document.blocks import Block, Prose, Simulation
+from site_builder.document.book import Book, Chapter
+from site_builder.document.places import Channel, Passage
+from site_builder.markdown.directives import DIRECTIVES
 
 LONGEST_FORMULA = 14
 """Characters of a formula that the search shows; a longer one becomes an ellipsis."""
@@ -15,8 +22,6 @@ SILENT = ("fence", "code_block", "math_block", "math_block_label", "html_block",
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """Some words of a passage."""
-
     text: str
     term: str = ""
     """What they end: words that are emphasised, which is how terms are introduced."""
@@ -79,3 +84,104 @@ def _text(token: Token, longest_formula: int) -> str:
 def _formula(mathml: str) -> str:
     """The letters of a formula, without spaces."""
     return "".join("".join(ElementTree.fromstring(f"<m>{mathml}</m>").itertext()).split())
+
+
+PLAIN = {directive.template: directive.plain for directive in DIRECTIVES}
+"""What each directive is in plain words, by its template."""
+type Describe = Callable[[Simulation], str]
+"""What a figure shows at first, in a sentence."""
+
+
+@dataclass(slots=True)
+class Section:
+    """A heading and what stands below it, up to the next."""
+
+    anchor: str
+    """Element id of the heading; nothing for what stands before the first."""
+    title: str = ""
+    terms: list[str] = field(default_factory=list)
+    """Words that are introduced here: set in bold or italics."""
+    said: dict[Channel, list[str]] = field(default_factory=dict)
+    """Text; titles, descriptions and captions of figures; questions without their answers."""
+
+    def add(self, channel: Channel, text: str) -> None:
+        self.said.setdefault(channel, []).append(text)
+
+    def text(self, channel: Channel) -> str:
+        return " ".join("".join(self.said.get(channel, ())).split())
+
+    def count_words(self) -> int:
+        return sum(len(text.split()) for text in (self.title, *map(self.text, self.said)))
+
+
+def sections_of(
+    blocks: Iterable[Block], describe: Describe, first: Section | None = None
+) -> tuple[Section, ...]:
+    """What stands before the first heading, and each section; empty ones are left out."""
+    reader = _Reader(describe, [first or Section("")])
+    reader.read(blocks)
+    return reader.finished()
+
+
+def chapter_sections(chapter: Chapter, describe: Describe) -> tuple[Section, ...]:
+    """With the chapter's title and summary at the head of the first."""
+    first = Section("", chapter.title, said={"text": [f"{chapter.summary} "]})
+    return sections_of(chapter.body, describe, first)
+
+
+def glossary_sections(book: Book, summary: str) -> Iterator[Section]:
+    """One for each term."""
+    yield Section("", book.words("glossary.title"), said={"text": [summary]})
+    for definition in book.glossary:
+        term = definition.term
+        entry = Section(term.id, term.name)
+        reader = _Reader(lambda _figure: "", [entry])
+        reader.add_words(definition.words, "text")
+        if term.also:
+            entry.add("text", f" {book.words('glossary.also')} {', '.join(term.also)}.")
+            entry.terms += term.also
+        yield from reader.finished()
+
+
+@dataclass(slots=True)
+class _Reader:
+    describe: Describe
+    drafts: list[Section]
+
+    def read(self, blocks: Iterable[Block]) -> None:
+        for block in blocks:
+            if isinstance(block.content, Prose):
+                self.add_words(block.content.words, "text")
+            elif plain := PLAIN[block.template]:
+                content = plain(block.content)
+                if block.target and content.channel != "question":
+                    self.drafts[-1].add(content.channel, f"{block.target.name} ")
+                if isinstance(block.content, Simulation):
+                    self.drafts[-1].add("figure", f"{self.describe(block.content)} ")
+                for words in content.words:
+                    self.add_words(words, content.channel)
+                self.read(block.inside)
+
+    def add_words(self, words: str | Passage, channel: Channel) -> None:
+        if isinstance(words, str):
+            if words:
+                self.drafts[-1].add(channel, f"{words.rstrip('.')}. ")
+            return
+        for piece in pieces(words):
+            if piece.heading is not None:
+                if piece.heading != self.drafts[-1].anchor:
+                    self.drafts.append(Section(piece.heading))
+                self.drafts[-1].title += piece.text
+            elif piece.term:
+                if channel == "text":
+                    self.drafts[-1].terms.append(piece.term)
+            else:
+                self.drafts[-1].add(channel, piece.text)
+        self.drafts[-1].add(channel, " ")
+
+    def finished(self) -> tuple[Section, ...]:
+        for draft in self.drafts:
+            draft.title = " ".join(draft.title.split())
+            terms = (" ".join(term.split()).rstrip(".,:;?") for term in draft.terms)
+            draft.terms = [*dict.fromkeys(terms)]
+        return tuple(draft for draft in self.drafts if draft.title or draft.text("text"))

@@ -12,7 +12,7 @@ from site_builder.files.engine import ENGINE, is_engine
 from site_builder.files.folders import archive_of, file_hash, integrity
 from site_builder.programs.node import Package
 from site_builder.runtime import store as stores
-from site_builder.runtime.downloads import fetch_runtime
+from site_builder.runtime.downloads import fetch_packages, fetch_runtime
 from site_builder.runtime.freeze import (
     DRIVER,
     INTERPRETER,
@@ -36,15 +36,14 @@ from site_builder.runtime.imports import (
     reach,
     sources_of,
 )
-from site_builder.runtime.packages import fetch_packages
-from site_builder.runtime.pinned import (
+from site_builder.runtime.snapshot import SNAPSHOT, make_snapshot
+from site_builder.runtime.store import (
     NUMPY_WHEEL,
     PYTHON_LIBRARY,
     PYTHON_VERSION,
     VERSIONS,
     Versions,
 )
-from site_builder.runtime.snapshot import SNAPSHOT, make_snapshot
 
 TABLE_NAME = "runtime.json"
 SIMULATIONS = "simulations"

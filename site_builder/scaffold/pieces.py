@@ -1,21 +1,157 @@
-"""A new chapter, scene, model, ladder or directive, with tests, or a chapter to translate."""
+"""A new book, in a folder of its own; a new chapter, scene, model, ladder or directive, with tests;
+or a chapter to translate."""
 
+import json
+import keyword
 import re
+import sys
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.metadata import distribution
 from itertools import pairwise
 from pathlib import Path
 
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from site_builder import __version__
 from site_builder.benchmarks.measurements import COMMAND
 from site_builder.document.book import OUTLINE
 from site_builder.document.places import chapter_id
+from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, SHARED, own_or_engine
 from site_builder.files.text import Sources
 from site_builder.languages.words import languages
-from site_builder.markdown.headings import slug
+from site_builder.markdown.numbering import slug
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.text.tokens import plain_text
-from site_builder.scaffold.files import Name, ScaffoldError, filled, packages, read_name, write_new
-from site_builder.scaffold.new_book import make_book
 from site_builder.settings.model import read_settings
+
+FORM = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+
+
+class ScaffoldError(ValueError):
+    """Something new cannot be made."""
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """``falling-ball``: lower case, with hyphens."""
+
+    text: str
+
+    @property
+    def module(self) -> str:
+        return self.text.replace("-", "_")
+
+    @property
+    def constant(self) -> str:
+        return self.module.upper()
+
+    @property
+    def title(self) -> str:
+        return " ".join(word.capitalize() for word in self.text.split("-"))
+
+
+def read_name(kind: str, text: str) -> Name:
+    """Raises `ScaffoldError`."""
+    if not FORM.fullmatch(text):
+        expected = "small letters and digits, with hyphens between words, as in 'falling-ball'"
+        raise ScaffoldError(f"{kind} {text!r}; legal: {expected}")
+    if keyword.iskeyword(text):
+        raise ScaffoldError(f"{kind} {text!r} is a word of Python's own; legal: any other name")
+    return Name(text)
+
+
+HERE = Path(__file__).parent
+SUFFIX = ".jinja"
+
+
+def filled(template: str, **given: object) -> str:
+    """A template of this folder, by its path, with what stands between « and » filled in."""
+    return _environment().get_template(template).render(given)
+
+
+@cache
+def _environment() -> Environment:
+    return Environment(
+        loader=FileSystemLoader(HERE),
+        variable_start_string="«",
+        variable_end_string="»",
+        block_start_string="<%",
+        block_end_string="%>",
+        comment_start_string="<#",
+        comment_end_string="#>",
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+
+
+def write_new(root: Path, files: Mapping[str, str]) -> None:
+    """Write ``files``, by their paths below ``root``. Raises `ScaffoldError` where one is there."""
+    there = [path for path in files if (root / path).exists()]
+    if there:
+        raise ScaffoldError(f"{', '.join(there)} is there already; legal: a name that is not taken")
+    for path, text in files.items():
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(text, encoding="utf-8")
+
+
+def packages(root: Path, module: str) -> dict[str, str]:
+    """An empty ``__init__.py`` for each folder around ``module`` that lacks one, but for those that
+    a book and the engine share."""
+    folders = [folder.as_posix() for folder in Path(module).parents]
+    paths = [f"{folder}/__init__.py" for folder in folders if folder not in (".", *SHARED)]
+    return {path: "" for path in paths if not (root / path).exists()}
+
+
+WORKFLOW = ".github/workflows/publish.yml"
+"""Publishes this repository's book, and any other."""
+
+
+def make_book(folder: Path) -> list[str]:
+    """Write a working book into ``folder``, which must be empty or not there; its files by path.
+
+    Raises `ScaffoldError`.
+    """
+    name = read_name("book", folder.resolve().name)
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise ScaffoldError(f"{folder} is not empty; legal: a folder that is empty or not there")
+    given = {
+        "name": name.text,
+        "title": name.title,
+        "engine": _requirement(),
+        "version": __version__,
+    }
+    files = {
+        ".python-version": f"{sys.version_info.major}.{sys.version_info.minor}\n".encode(),
+        WORKFLOW: own_or_engine(ENGINE, WORKFLOW).read_bytes(),
+    }
+    for template in sorted((HERE / "book").rglob("*")):
+        if template.is_file():
+            path = template.relative_to(HERE / "book").as_posix()
+            text = filled(f"book/{path}", **given) if path.endswith(SUFFIX) else None
+            data = template.read_bytes() if text is None else text.encode()
+            files[path.removesuffix(SUFFIX).replace("dot-", ".")] = data
+    for path, data in files.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_bytes(data)
+    return sorted(files)
+
+
+def _requirement() -> str:
+    """The engine that runs, as pip reads it: this repository or, where it is installed, what
+    it came from."""
+    if not PACKED.is_dir():
+        return f"{DISTRIBUTION} @ {ENGINE.as_uri()}"
+    origin = distribution(DISTRIBUTION).read_text("direct_url.json")
+    if origin is None:
+        return f"{DISTRIBUTION}=={__version__}"
+    found = json.loads(origin)
+    vcs = found.get("vcs_info")
+    address = f"{vcs['vcs']}+{found['url']}@{vcs['commit_id']}" if vcs else found["url"]
+    return f"{DISTRIBUTION} @ {address}"
 
 
 def translation(root: Path, text: str) -> tuple[dict[str, str], str]:
@@ -136,12 +272,14 @@ def _write(root: Path, name: Name, templates: Mapping[str, str], **more: str) ->
 def _listed(text: str, name: Name) -> str:
     """The list of directives with one more, imports in their order."""
     line = f"from site_builder.markdown.directives.{name.module} import {name.constant}"
-    imports = re.findall(r"^from site_builder\.markdown\.directives\..*$", text, re.MULTILINE)
+    form = r"^from site_builder\.markdown\.directives\.\w+ import (?:\([^)]*\)|.*)$"
+    imports = re.findall(form, text, re.MULTILINE)
     whole = "\n".join(imports)
     if whole not in text or "\n)\n" not in text:
         raise ScaffoldError("the list of directives is not as it was; legal: imports, then a tuple")
     ordered = "\n".join(sorted([*imports, line], key=lambda item: item.split(" import ")[0]))
-    return text.replace(whole, ordered).replace("\n)\n", f"\n    {name.constant},\n)\n", 1)
+    imported, _, rest = text.replace(whole, ordered).rpartition("\n)\n")
+    return f"{imported}\n    {name.constant},\n)\n{rest}"
 
 
 def _refuse_taken(root: Path, folder: str, name: Name) -> None:
@@ -153,8 +291,8 @@ def _refuse_taken(root: Path, folder: str, name: Name) -> None:
 
 def _fill(template: str, name: Name, **more: str) -> str:
     given = {
-        "name": name.text, "module": name.module, "title": name.title, "words": name.words,
-        "class": name.class_name, "constant": name.constant,
+        "name": name.text, "words": name.text.replace("-", " "), "module": name.module,
+        "title": name.title, "class": name.title.replace(" ", ""), "constant": name.constant,
     }  # fmt: skip
     return filled(f"skeletons/{template}.jinja", **given, **more)
 

@@ -1,7 +1,7 @@
 """The keys that tables of TOML files may have: declared as fields of a class, read and checked."""
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from datetime import date, datetime
 from typing import Any
@@ -46,8 +46,6 @@ def _is_plain(given: str) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """One kind of value."""
-
     expected: str
     """What is legal, as error messages name it."""
     legal: Callable[[Any], bool]
@@ -167,13 +165,17 @@ class Reader:
     def table[T](self, of: type[T], values: object, at: Keys = (), **others: object) -> T:
         """The table at the keys ``at``, with defaults for what is left out or wrong. ``others`` are
         the fields of the class that are no keys."""
+        return of(**others, **self.values(keys_of(of), values, at))
+
+    def values(self, declared: Iterable[Key], values: object, at: Keys = ()) -> dict[str, Any]:
+        """The values of these keys, without what is left out or wrong."""
         given = values if isinstance(values, dict) else {}
-        declared = {item.name: item for item in keys_of(of)}
+        known = {item.name: item for item in declared}
         for name in given:
-            if name not in declared:
-                self.report((*at, name), unknown(f"key{_inside(at)}", name, declared))
-        read = {name: self._value(item, given, at) for name, item in declared.items()}
-        return of(**others, **{name: each for name, each in read.items() if each is not MISSING})
+            if name not in known:
+                self.report((*at, name), unknown(f"key{_inside(at)}", name, known))
+        read = {name: self._value(item, given, at) for name, item in known.items()}
+        return {name: each for name, each in read.items() if each is not MISSING}
 
     def tables[T](
         self, of: type[T], name: str, others: Collection[str] = ()

@@ -1,43 +1,109 @@
-"""Reading ``content/``: the chapters of the outline, and what they are read with."""
+"""Reading ``content/``: the chapters of the outline, surveyed for what others may refer to and then
+read, and what they are read with."""
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.measurements import Measurements
 from site_builder.cache.hashing import hash_of, source_hash
-from site_builder.cache.results import cached_reading
+from site_builder.cache.results import cached_reading, cached_result
+from site_builder.diagnostics.blame import CodeError, raised_by_code
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostics, unknown
 from site_builder.document.blocks import Simulation
-from site_builder.document.book import OUTLINE, Book
-from site_builder.document.passage import Passage
+from site_builder.document.book import OUTLINE, Book, Chapter
+from site_builder.document.places import Passage, Position, Target, Targets, chapter_id
 from site_builder.files.engine import ENGINE
 from site_builder.files.folders import file_hash, folder_files, folder_hash
 from site_builder.files.text import Sources
 from site_builder.languages.words import languages
-from site_builder.markdown.chapter import find_targets
+from site_builder.markdown.chapter import (
+    Draft,
+    Survey,
+    find_targets,
+    parse_chapter,
+    read_chapter,
+    survey,
+)
 from site_builder.markdown.glossary import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
-from site_builder.markdown.scenes import find_scene
-from site_builder.markdown.targets import Targets
-from site_builder.references.bibliography import EMPTY as NO_WORKS
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
-from site_builder.references.bibliography import read_bibliography
-from site_builder.references.glossary import EMPTY as NO_TERMS
-from site_builder.references.glossary import FILE as GLOSSARY
-from site_builder.references.glossary import Glossary, read_glossary
-from site_builder.references.news import read_news
-from site_builder.references.symbols import FILE as SYMBOLS
-from site_builder.references.symbols import read_symbols
-from site_builder.sources.chapters import ChapterFile, targets_state
-from site_builder.sources.lecture_plan import read_lecture_plan
-from site_builder.sources.outline import Outline, check_addresses, read_outline
+from site_builder.references.bibliography import NO_WORKS, read_bibliography
+from site_builder.references.terms import (
+    GLOSSARY,
+    NO_TERMS,
+    SYMBOLS,
+    Glossary,
+    read_glossary,
+    read_news,
+    read_symbols,
+)
+from site_builder.sandbox.loading import loaded
+from site_builder.sources.outline import Outline, check_addresses, read_lecture_plan, read_outline
 from site_builder.sources.translations.files import find_languages, folder_of
+
+
+@dataclass(slots=True)
+class ChapterFile:
+    path: str
+    """Relative to the root of the project."""
+    text: str
+    position: Position
+    shared: Shared
+    state: bytes
+    """Hash of what is shared, and of all files that a chapter may show or run, besides chapters."""
+    _draft: Draft | None = field(default=None, init=False)
+    """Parsed already, and not yet read: reading changes it."""
+
+    def survey(self) -> Survey:
+        """What others may refer to in it; its mistakes are reported when it is read."""
+        return cached_result("survey", self._given(), lambda: survey(self._parsed()))
+
+    def read(self, targets: Targets, state: bytes, problems: Diagnostics) -> Chapter:
+        """The whole chapter; mistakes go to ``problems`` and reading goes on. ``state``:
+        `targets_state` of the targets."""
+        key = hash_of(self._given(), state)
+
+        def read(own: Diagnostics) -> Chapter:
+            draft, self._draft = self._parsed(), None
+            chapter = read_chapter(draft, targets)
+            own.found.extend(draft.context.problems.found)
+            own.doubts.extend(draft.context.problems.doubts)
+            return replace(chapter, cache_key=key)
+
+        return cached_reading("chapter", (key, self.shared.load_scene), problems, read)
+
+    def _given(self) -> tuple[object, ...]:
+        return self.state, self.path, self.text, self.position
+
+    def _parsed(self) -> Draft:
+        if self._draft is None:
+            context = ParseContext(
+                self.path,
+                self.shared,
+                Diagnostics(),
+                chapter=chapter_id(self.path),
+                position=self.position,
+            )
+            self._draft = parse_chapter(self.text, context)
+        return self._draft
+
+
+def targets_state(targets: Targets) -> bytes:
+    """Hash of what a chapter can show of others: not on which line that stands."""
+
+    def shown(target: Target) -> tuple[object, ...]:
+        return target.kind, target.chapter, target.id, target.number, target.title, target.labelled
+
+    inside = {chapter: [shown(one) for one in found] for chapter, found in targets.inside.items()}
+    chapters = {chapter: shown(target) for chapter, target in targets.chapters.items()}
+    return hash_of(chapters, inside)
+
 
 SCENE_FILE = re.compile(r"scenes/([^_/]\w*)[/.]")
 """A file of one scene: a module, or part of a package. Shared code is in modules and packages whose
@@ -122,9 +188,13 @@ def list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[C
     for name, line, position in outline.chapters:
         path, own = f"content/{name}.md", f"content/{outline.folder}{name}.md"
         if not sources.has(path):
-            problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(sources.root)))
+            folder = sources.root / "content"
+            files = sorted(file.stem for file in folder.glob("*.md") if file.is_file())
+            problems.add(OUTLINE, line, unknown("chapter", name, files))
             continue
-        _check_name(name, line, problems)
+        # A number in front is for the listing of the folder; it means nothing.
+        if not re.fullmatch(r"(\d+-)?[a-z0-9]+(-[a-z0-9]+)*", name):
+            problems.add(OUTLINE, line, f"chapter {name!r}; legal: 'NN-slug'")
         path = own if sources.has(own) else path
         yield ChapterFile(path, sources.text(path), position, shared, state_of(path))
 
@@ -147,25 +217,13 @@ def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
         file = root / path
         text = file.read_text(encoding="utf-8", errors="replace") if file.is_file() else ""
         named = code.keys() & set(WORDS.findall(text.replace("-", "_")))
-        scenes = [(code[s], *map(source_hash, _scene_modules(s))) for s in sorted(named)]
+        modules = ("simulations.scenes.{}", "simulations.scenes.{}.scene")  # a file, or a package
+        scenes = [
+            (code[s], *(source_hash(module.format(s)) for module in modules)) for s in sorted(named)
+        ]
         return hash_of(shared, scenes)
 
     return state_of
-
-
-def _scene_modules(name: str) -> tuple[str, str]:
-    """Names of a scene's module: as a single file, and in a package."""
-    return f"simulations.scenes.{name}", f"simulations.scenes.{name}.scene"
-
-
-def _chapter_files(root: Path) -> list[str]:
-    return sorted(file.stem for file in (root / "content").glob("*.md") if file.is_file())
-
-
-def _check_name(name: str, line: int, problems: Diagnostics) -> None:
-    """A number in front is for the listing of the folder; it means nothing."""
-    if not re.fullmatch(r"(\d+-)?[a-z0-9]+(-[a-z0-9]+)*", name):
-        problems.add(OUTLINE, line, f"chapter {name!r}; legal: 'NN-slug'")
 
 
 def _check_unlisted(sources: Sources, outline: Outline) -> None:
@@ -190,20 +248,14 @@ def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simul
     settings = outline.settings
     if not settings.hero:
         return None
-    context = ParseContext(OUTLINE, shared, problems)
-    scene = find_scene(settings.hero, outline.hero_line, context)
-    caption = read_hero_caption(outline, shared, problems)
-    if scene is None:
+    line, caption = outline.hero_line, read_hero_caption(outline, shared, problems)
+    try:
+        scene = loaded("simulation", settings.hero, shared.load_scene, CodeError)
+    except CodeError as error:
+        problems.add(OUTLINE, line, str(error), raised_by_code(error))
         return None
-    return Simulation(
-        scene=scene,
-        id=f"figure-{scene.id}",
-        values={},
-        tier=scene.default_tier,
-        caption=caption,
-        path=OUTLINE,
-        line=outline.hero_line,
-    )
+    name, tier = f"figure-{scene.id}", scene.default_tier
+    return Simulation(scene, name, {}, tier, caption, OUTLINE, line)
 
 
 def read_hero_caption(outline: Outline, shared: Shared, problems: Diagnostics) -> Passage:

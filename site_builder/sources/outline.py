@@ -1,17 +1,23 @@
-"""``book.toml`` of a book: its settings and words, and its chapters in order."""
+"""``book.toml`` of a book, its settings and words, and its chapters in order; and
+``content/lecture-plan.toml``: the sections of another textbook, and ours that teach them.
+
+The lecture plan only names sections. Their figures and questions are found in the chapters.
+"""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
+from itertools import takewhile
 from string import ascii_uppercase
 
-from site_builder.checks.colours import check_colours
+from site_builder.checks.frames import check_colours
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.document.book import OUTLINE
-from site_builder.document.places import Position, chapter_id
+from site_builder.document.book import OUTLINE, LecturePlan, Lesson, Taught
+from site_builder.document.places import Position, Target, Targets, chapter_id
 from site_builder.files.text import Sources, Toml
+from site_builder.formulae.temml import Macros
 from site_builder.languages.words import Words, languages, load_words
-from site_builder.markdown.text.math import Macros
+from site_builder.settings.declared import Reader
 from site_builder.settings.model import FILE_NAME, Settings, read_settings
 
 
@@ -123,3 +129,58 @@ def check_addresses(outline: Outline, problems: Diagnostics) -> None:
             message = f"chapter {name!r} has the address {slug}/, as {taken[slug]} has"
             problems.add(OUTLINE, line, f"{message}; legal: one of its own")
         taken.setdefault(slug, f"chapter {name!r}")
+
+
+LECTURE_PLAN = "content/lecture-plan.toml"
+END = "questions"
+"""Id of the section that closes a chapter."""
+
+
+def read_lecture_plan(sources: Sources, targets: Targets) -> LecturePlan | None:
+    """The plan; None where there is no such file. Mistakes are reported."""
+    toml = sources.toml(LECTURE_PLAN)
+    if toml is None:
+        return None
+    reader = Reader(LECTURE_PLAN, toml, sources.problems)
+    read = reader.tables(Lesson, "section", ("intro",))
+    if read is None:
+        return None
+    lessons: list[Lesson] = []
+    for place, lesson in enumerate(read):
+        sections = tuple(_sections(lesson, toml.line("section", place), targets, reader))
+        chapters = dict.fromkeys(item.section.chapter for item in sections)
+        closing = (end for chapter in chapters if (end := _closing(chapter, targets)))
+        lessons.append(replace(lesson, sections=sections, closing=tuple(closing)))
+    return LecturePlan(str(toml.table.get("intro", "")), tuple(lessons))
+
+
+def _sections(lesson: Lesson, line: int, targets: Targets, reader: Reader) -> Iterator[Taught]:
+    for name in lesson.taught:
+        try:
+            yield _taught(_section(name, targets), targets)
+        except LookupError as error:
+            reader.problems.add(LECTURE_PLAN, reader.toml.line_of_text(name, line), str(error))
+
+
+def _section(name: str, targets: Targets) -> Target:
+    found = targets.find(name, "")
+    if found.kind != "Section" or "#" not in name:
+        raise LookupError(f"{name!r} is {found.name}; legal: a section, 'chapter#section'")
+    return found
+
+
+def _taught(section: Target, targets: Targets) -> Taught:
+    inside = targets.inside[section.chapter]
+    own = [*takewhile(lambda each: each.kind != "Section", inside[inside.index(section) + 1 :])]
+    return Taught(
+        chapter=targets.chapters[section.chapter],
+        section=section,
+        figures=tuple(target for target in own if target.kind == "Figure"),
+        questions=tuple(target for target in own if target.kind == "Question"),
+    )
+
+
+def _closing(chapter: str, targets: Targets) -> Taught | None:
+    """The questions at the end of a chapter; None where it has none."""
+    found = [t for t in targets.inside[chapter] if t.kind == "Section" and t.id == END]
+    return _taught(found[0], targets) if found else None

@@ -10,22 +10,26 @@ from site_builder.benchmarks.measurements import Measurements
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import Book, Chapter
-from site_builder.document.places import Position
+from site_builder.document.places import Position, Targets
 from site_builder.files.text import Sources
 from site_builder.languages.words import load_words
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary import read_definitions
 from site_builder.markdown.parse_context import ParseContext, Shared
-from site_builder.markdown.targets import Targets
-from site_builder.references.glossary import read_glossary
-from site_builder.sources.book import list_pages, read_hero_caption, read_shared, read_starts
-from site_builder.sources.chapters import ChapterFile, targets_state
+from site_builder.references.terms import read_glossary
+from site_builder.sources.book import (
+    ChapterFile,
+    list_pages,
+    read_hero_caption,
+    read_shared,
+    read_starts,
+    targets_state,
+)
 from site_builder.sources.outline import Outline, check_parts, positions, read_outline
 from site_builder.sources.translations.agreement import check_contents, check_places, with_shared
 from site_builder.sources.translations.files import (
     file_of,
     folder_of,
-    glossary_of,
     read_labels,
     translated_glossary,
     translated_settings,
@@ -50,7 +54,9 @@ def read_translations(
         pages = list(list_pages(own, shared, known))
         targets = find_targets([page.survey() for page in pages], known.problems)
         chapters = _chapters(pages, targets, original, own, problems)
-        definitions = ParseContext(glossary_of(language), shared, problems, targets=targets)
+        definitions = ParseContext(
+            file_of(language, "glossary.toml"), shared, problems, targets=targets
+        )
         return replace(
             original,
             title=own.settings.title,

@@ -13,8 +13,8 @@ from support.static_server import StaticServer, serving
 
 from site_builder.cache.results import Cache, using
 from site_builder.files.folders import folder_files
-from site_builder.pages.embeds import FOLDER as EMBED_FOLDER
-from site_builder.publishing.compressed import compressed_copies
+from site_builder.pages.versions import EMBED_FOLDER
+from site_builder.publishing.hosting import compressed_copies
 
 NEEDED = re.compile(r'<link rel="(?:preload" as="font|stylesheet)"[^>]* href="([^"]+)"')
 """What a head names that the first paint waits for, or is fetched before what it does not."""

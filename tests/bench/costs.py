@@ -11,8 +11,8 @@ from typing import Any
 
 from support.places import ROOT
 
-from site_builder.benchmarks.costs import DATA
-from site_builder.benchmarks.record import write
+from site_builder.benchmarks.measuring import write
+from site_builder.benchmarks.readouts import DATA
 
 SITE = ROOT / "build" / "site"
 """The built book, which all these tools measure."""

@@ -22,7 +22,7 @@ from bench.start import SITE, Run, Start, laid_out, measure_book, measure_plain,
 from playwright.sync_api import Page, sync_playwright
 from support.chromium import HOW_TO, find_chromium
 
-from site_builder.benchmarks.record import significant
+from site_builder.benchmarks.measuring import significant
 
 TIMES = 6
 SLOWED = f"{sys.executable} {Path(__file__).with_name('slowed.py')} {TIMES}"

@@ -13,7 +13,7 @@ from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.registry import load_scene
-from site_builder.benchmarks.record import write
+from site_builder.benchmarks.measuring import write
 
 DATA = Path(__file__).resolve().parents[2] / "content" / "stage-costs.json"
 PAIRS = 9

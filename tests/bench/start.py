@@ -29,11 +29,11 @@ from support.reader import DESK
 from support.static_server import serving
 
 from simulations.registry import scene_module
-from site_builder.benchmarks.record import significant
+from site_builder.benchmarks.measuring import significant
 from site_builder.runtime.downloads import fetch_runtime
 from site_builder.runtime.imports import imports_of, reach
 from site_builder.runtime.pack import book_modules, chunk_archive
-from site_builder.runtime.pinned import LOCK_INFO, NUMPY_WHEEL, VERSIONS
+from site_builder.runtime.store import LOCK_INFO, NUMPY_WHEEL, VERSIONS
 
 SITE = ROOT / "build" / "site"
 SCENE = "lens-distortion"

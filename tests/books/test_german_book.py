@@ -104,7 +104,7 @@ def test_its_e_book_is_in_german(engine: Engine, tmp_path: Path) -> None:
     assert {page.get(f"{XML}lang") or page.get("lang") for page in chapters} == {"de"}
     shown = "\n".join("\n".join(root.itertext()) for root in roots.values())
     assert [text for _, text in phrases(ENGLISH) if text in shown and text not in GERMAN] == []
-    for key in ("edition.answers", "edition.contents", "glossary.title"):
+    for key in ("edition.answers", "frame.contents", "glossary.title"):
         assert WORDS(key) in shown
 
 

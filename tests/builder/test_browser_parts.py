@@ -15,26 +15,26 @@ from support.small_package import PACKAGE, small_package
 from simulations.editing import definitions
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.assets import browser_parts
-from site_builder.assets import python as browser_python
+from site_builder.assets import browser_parts as browser_python
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import Diagnostic
-from site_builder.editor.bundle import EditorBundle
 from site_builder.editor.scene_code import read_module, scene_sources, uses_of
 from site_builder.files.engine import ENGINE
 from site_builder.languages.words import ENGLISH, languages
-from site_builder.output.assets import content_bytes
+from site_builder.output.scripts import EditorBundle
+from site_builder.output.writer import content_bytes
 from site_builder.programs.node import NodeError
 from site_builder.runtime.pack import RuntimeBundle
-from site_builder.runtime.pinned import VERSIONS
+from site_builder.runtime.store import VERSIONS
 from site_builder.search.index import (
     STEMMERS,
     Means,
+    Record,
     SearchLibrary,
     fetch_library,
     index_of,
     indexing,
 )
-from site_builder.search.records import Record
 
 
 def test_every_package_is_pinned_by_a_hash_and_no_lock_names_an_address() -> None:

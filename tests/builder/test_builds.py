@@ -31,8 +31,8 @@ from site_builder.sources.outline import OWN_FOLDERS
 BOOK = FIXTURES / "small_book"
 ONE = {"TZ": "UTC", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "1"}
 OTHER = {"TZ": "Pacific/Auckland", "LC_ALL": "C", "PYTHONHASHSEED": "77"}
-PLAIN = "import sys; from pathlib import Path; from site_builder.build import build_site; "
-PLAIN += "build_site(Path(sys.argv[1]), Path(sys.argv[2]), runtime=False)"
+PLAIN = "import sys; from pathlib import Path; from site_builder.build import Options, build_site; "
+PLAIN += "build_site(Options(Path(sys.argv[1]), runtime=False), Path(sys.argv[2]))"
 OUTSIDE = ("address", "source", "hero")
 """Keys of what takes long to draw: cards for other sites, and the cover."""
 EDITS = (

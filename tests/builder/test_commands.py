@@ -18,9 +18,15 @@ from support.small_package import PACKAGE, small_package
 
 from site_builder.__main__ import find
 from site_builder.build import Options, render_site
-from site_builder.diagnostics.as_json import column_of, suggestion_of
 from site_builder.diagnostics.blame import at_settings
-from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, Diagnostics, cause
+from site_builder.diagnostics.diagnostic import (
+    BuildError,
+    Diagnostic,
+    Diagnostics,
+    cause,
+    column_of,
+    suggestion_of,
+)
 from site_builder.runtime import freeze, pack
 from site_builder.sandbox.data import Code, called
 from site_builder.sandbox.pool import LimitError, Limits, limited, run_limited

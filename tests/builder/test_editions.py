@@ -30,9 +30,8 @@ from simulations.engine.frame import Frame
 from simulations.engine.stages import Outputs
 from site_builder.build import check_site, load
 from site_builder.document.blocks import Prose, contents
-from site_builder.editions.compose import compose
+from site_builder.editions.compose import compose, shown_values
 from site_builder.editions.epub import FOLDER, book_style, make_epub
-from site_builder.editions.multiples import shown_values
 from site_builder.editions.notebooks.notebook import make_notebooks
 from site_builder.editions.pdf import (
     PageNumberError,
@@ -49,9 +48,8 @@ from site_builder.editions.tree import (
     parse,
     words,
 )
-from site_builder.figures import prerendered_frames
-from site_builder.output.assets import content_bytes
-from site_builder.output.style_sheets import resolve
+from site_builder.figures import initial_frames as prerendered_frames
+from site_builder.output.writer import content_bytes
 from site_builder.pages.environment import render_template
 from site_builder.programs import chromium
 from site_builder.render.markdown import MarkdownRenderer, code, quoted, table
@@ -109,7 +107,6 @@ def test_an_e_book_names_its_authors_and_its_cover(make_book: MakeBook) -> None:
 
 
 def test_the_style_of_an_e_book_is_that_of_the_light_theme_without_variables() -> None:
-    assert resolve("a { color: var(--ink); }", {"--ink": "#123"}) == "a { color: #123; }"
     assert "var(" not in book_style(ROOT, {"heat": ("#ad4209", "#f79c63")})
 
 

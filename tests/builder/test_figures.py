@@ -21,10 +21,10 @@ from simulations.registry import tier_labels
 from site_builder.build import Options
 from site_builder.checks import frames as frame_checks
 from site_builder.document.blocks import Simulation
-from site_builder.document.passage import Passage
+from site_builder.document.places import Passage
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.output.style_sheets import colour_rules, style_of_drawings
-from site_builder.pages.views.control import ControlView, control_cells, readouts_in_sight
+from site_builder.pages.views.simulation import ControlView, control_cells, readouts_in_sight
 
 STYLES = ".overlay .ray { stroke: red }\n.world {}\n"
 FIGURE = ":::{simulation} demo\n:::\n"

@@ -14,7 +14,6 @@ from support.places import GERMAN_BOOK, LADDERS, SCENES
 
 from site_builder.cache.results import Cache, using
 from site_builder.runtime import pack, store
-from site_builder.runtime.data_module import changed_runs, data_module
 from site_builder.runtime.downloads import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError, Frozen, freeze_libraries
 from site_builder.runtime.imports import ENTRY, imports_of, outside, reach
@@ -25,8 +24,8 @@ from site_builder.runtime.pack import (
     pack_runtime,
     page_modules,
 )
-from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY
-from site_builder.runtime.snapshot import SNAPSHOT, make_snapshot
+from site_builder.runtime.snapshot import SNAPSHOT, changed_runs, data_module, make_snapshot
+from site_builder.runtime.store import NUMPY_WHEEL, PYTHON_LIBRARY
 
 FETCHED = fetch_runtime()
 MACHINE = {name: FETCHED[name] for name in INTERPRETER}

@@ -16,9 +16,7 @@ from support.static_server import serving
 from site_builder.build import render_site
 from site_builder.editions.notebooks.blocks import PARTS
 from site_builder.files.engine import ENGINE, STATIC
-from site_builder.guide.classes import read_classes
-from site_builder.guide.command import guide_files
-from site_builder.guide.pages import NoExampleError, directive_page
+from site_builder.guide.pages import NoExampleError, directive_page, guide_files, read_classes
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.directives.questions import QUIZ
 from site_builder.markdown.parser import OPENING
@@ -26,7 +24,7 @@ from site_builder.markdown.questions.kind import HERE, QuestionKind
 from site_builder.markdown.questions.kinds import KINDS
 from site_builder.markdown.role import USE
 from site_builder.markdown.roles import ROLES
-from site_builder.output.assets import content_bytes
+from site_builder.output.writer import content_bytes
 from site_builder.pages.environment import TEMPLATES
 
 SOURCES = {".py", ".html", ".ts", ".css", ".mjs"}
@@ -57,7 +55,7 @@ def test_nothing_but_the_list_imports_a_kind_or_its_script(kind: QuestionKind) -
         if file.suffix in SOURCES and (HERE / kind.folder) not in file.parents
         if any(name in file.read_text(encoding="utf-8") for name in named)
     }
-    own_checks = {"site_builder/checks/questions.py"}
+    own_checks = {"site_builder/checks/whole_book.py"}
     assert found - own_checks == {"site_builder/markdown/questions/kinds.py"}
 
 
@@ -114,10 +112,10 @@ def test_every_class_of_drawings_is_on_their_page_and_every_colour_role_is_a_rol
     styled = {name for rule in rules for name in re.findall(r"\.([a-z-]+)", rule)}
     assert {"dashed", "ground", "on-swatch", "small", "sub"} <= styled
     page = guide_files()["content/05-drawings.md"].decode()
-    classes = read_classes(STATIC / "css" / "overlay.css")
-    assert {"small", "strong"} <= set(classes.texts)
-    assert {name for name in {*styled, *classes.roles} if f"`{name}`" not in page} == set()
-    assert set(classes.roles) <= {role.name for role in ROLES}
+    roles, _, texts = read_classes(STATIC / "css" / "overlay.css")
+    assert {"small", "strong"} <= set(texts)
+    assert {name for name in {*styled, *roles} if f"`{name}`" not in page} == set()
+    assert set(roles) <= {role.name for role in ROLES}
 
 
 @pytest.mark.browser

@@ -14,10 +14,9 @@ from support.places import ROOT
 
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import BuildError
-from site_builder.output.assets import hashed_folder
 from site_builder.output.scripts import bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets
-from site_builder.output.writer import advice, write_site
+from site_builder.output.writer import advice, hashed_folder, write_site
 
 NOBODY = 65534
 """The user without rights."""

@@ -25,11 +25,11 @@ from support.little_book import (
 
 from site_builder.build import check_site, render_site
 from site_builder.markdown.content_files import picture_size
-from site_builder.markdown.directives.download import size_words
-from site_builder.output.assets import Content, content_bytes
+from site_builder.markdown.directives.media import size_words
+from site_builder.output.writer import Content, content_bytes
 from site_builder.pages.licences import gather_licences
 from site_builder.pages.page import reading_minutes
-from site_builder.runtime.pinned import VERSIONS
+from site_builder.runtime.store import VERSIONS
 
 BOOK = "content/book.toml"
 POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy" content="([^"]*)">')

@@ -19,9 +19,15 @@ from support.little_book import OUTLINE, MakeBook, plain_scripts, rendered, writ
 from support.places import ROOT
 
 from site_builder.diagnostics.diagnostic import BuildError
-from site_builder.publishing.cards import MOST_LINES, set_title
-from site_builder.publishing.offline import LIST, WORKER, no_release, release_files
-from site_builder.publishing.vector import FILE, SIZES, make_icons, whole_fonts
+from site_builder.publishing.hosting import LIST, WORKER, no_release, release_files
+from site_builder.publishing.vector import (
+    ICON,
+    ICONS,
+    MOST_LINES,
+    make_icons,
+    set_title,
+    whole_fonts,
+)
 from site_builder.settings.declared import site_address, source_address
 
 ADDRESS = "https://host.example/books/small/"
@@ -227,11 +233,11 @@ def test_a_value_that_is_no_address_is_refused(
 
 def test_each_icon_has_its_size_and_one_that_is_no_drawing_is_reported(tmp_path: Path) -> None:
     for name, data in make_icons(ROOT).items():
-        assert Image.open(io.BytesIO(data)).size == (SIZES[name], SIZES[name])
-    file = tmp_path / FILE
+        assert Image.open(io.BytesIO(data)).size == (ICONS[name], ICONS[name])
+    file = tmp_path / ICON
     file.parent.mkdir(parents=True)
     file.write_text("<p>", encoding="utf-8")
-    with pytest.raises(BuildError, match=f"{FILE}:1: "):
+    with pytest.raises(BuildError, match=f"{ICON}:1: "):
         make_icons(tmp_path)
 
 

@@ -17,7 +17,7 @@ from support.qti import QTI, answered
 
 from site_builder.build import Options, load
 from site_builder.document.book import Book
-from site_builder.editions.questions.export import asked_in, left_out, make_moodle, make_qti
+from site_builder.editions.questions import asked_in, left_out, make_moodle, make_qti
 from site_builder.render.words import plain_words
 
 SITE = "https://host/book/"

@@ -21,8 +21,17 @@ from simulations.registry import SCENE_MODULES
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.programs.node import Package
-from site_builder.runtime import packages, store
-from site_builder.runtime.downloads import RuntimeFetchError, Source, fetch_runtime
+from site_builder.runtime import downloads, store
+from site_builder.runtime.downloads import (
+    PackageError,
+    RuntimeFetchError,
+    Source,
+    differing,
+    fetch_runtime,
+    needed,
+    read_package,
+)
+from site_builder.runtime.freeze import WheelError, unpack_for_browser
 from site_builder.runtime.imports import (
     CORE,
     ENTRY,
@@ -40,9 +49,7 @@ from site_builder.runtime.pack import (
     pack_runtime,
     page_modules,
 )
-from site_builder.runtime.packages import PackageError, differing, needed, read_package
-from site_builder.runtime.pinned import NUMPY_VERSION, RuntimeFile
-from site_builder.runtime.unpack import WheelError, unpack_for_browser
+from site_builder.runtime.store import NUMPY_VERSION, RuntimeFile
 
 CONTENT = {"engine.wasm": b"machine code", "library.zip": b"modules"}
 FILES = tuple(RuntimeFile(name, store.sha256(data)) for name, data in CONTENT.items())
@@ -172,7 +179,7 @@ def test_a_wheel_has_its_licences_and_its_page_and_different_versions_are_report
     }
     expected = Package("lens", "1.0", "MIT", "Permission is granted.", "https://a.b/c")
     assert read_package(wheel(tmp_path, members)) == expected
-    monkeypatch.setattr(packages, "version", {"lens": "1.1", "glass": "2.0"}.__getitem__)
+    monkeypatch.setattr(downloads, "version", {"lens": "1.1", "glass": "2.0"}.__getitem__)
     (found,) = differing([expected, Package("glass", "2.0", "", "")])
     assert found.startswith("lens is 1.1 here and 1.0 in the browser; better: ")
     assert np.__version__ == NUMPY_VERSION

@@ -11,10 +11,8 @@ from filelock import FileLock
 from support.engine import Engine, build_wheel, new_engine, run
 from support.places import ROOT
 
-from site_builder.checks.skeletons import PLACEHOLDERS
-from site_builder.scaffold.files import ScaffoldError, read_name
-from site_builder.scaffold.new_book import make_book
-from site_builder.scaffold.pieces import PIECES, make_new
+from site_builder.checks.whole_book import PLACEHOLDERS
+from site_builder.scaffold.pieces import PIECES, ScaffoldError, make_book, make_new, read_name
 
 PIECES_MADE = (
     ("chapter", "second-fall"),

@@ -14,11 +14,9 @@ from starlette.testclient import TestClient
 from support.engine import Engine
 from support.places import GERMAN_BOOK
 
-from site_builder.server import builds as module
-from site_builder.server.app import make_app
-from site_builder.server.builds import Builds, changes
-from site_builder.server.command import listen
-from site_builder.server.news import News, State
+from site_builder.server import command as module
+from site_builder.server.app import News, State, make_app
+from site_builder.server.command import Builds, changes, listen
 
 FILES = ("a.mjs", "a.wasm", "404.html", "book.json", "a.woff2", "folder/a.css", "b/index.html")
 
@@ -175,7 +173,7 @@ def builds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Builds:
     """Builds of a book whose builder is a script of the test's."""
     (tmp_path / "site_builder").mkdir()
     (tmp_path / "site").mkdir()
-    monkeypatch.setattr("site_builder.server.builds.ENGINE", tmp_path)
+    monkeypatch.setattr("site_builder.server.command.ENGINE", tmp_path)
     return Builds(tmp_path, tmp_path / "site", True, News(), "http://localhost:8000/")
 
 

@@ -13,7 +13,7 @@ from support import little_book
 from support.little_book import OUTLINE, MakeBook, diagnostics
 
 from site_builder.checks import pictures as picture_checks
-from site_builder.checks.svg import SVG, read_overlay, read_svg
+from site_builder.checks.pictures import SVG, read_overlay, read_svg
 from site_builder.files.text import Sources, Toml
 
 type Files = Mapping[str, bytes | Callable[[Path], object] | None]

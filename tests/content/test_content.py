@@ -19,11 +19,11 @@ from support.worked_numbers import CONTENT, Calculation, source
 
 from simulations.registry import LADDER_MODULES, load_ladder, load_scene
 from simulations.scenes.formation_pipeline.scene import SCENE as PIPELINE
-from site_builder.benchmarks.costs import read_stage_costs
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import Measurements, read_measurements
-from site_builder.benchmarks.record import close, finite
-from site_builder.checks.questions import FEW_LETTERS
+from site_builder.benchmarks.measuring import close, finite
+from site_builder.benchmarks.readouts import read_stage_costs
+from site_builder.checks.whole_book import FEW_LETTERS
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.text import Sources
 from site_builder.sources.translations.files import LABELLED, NUMBER, read_labels

@@ -26,12 +26,11 @@ from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.assets.pages import write_scripts
 from site_builder.benchmarks.charts import linear_axis, log_axis
-from site_builder.benchmarks.quantities import milliseconds, with_unit
+from site_builder.benchmarks.judgements import milliseconds, with_unit
+from site_builder.formulae.temml import to_mathml
 from site_builder.languages.words import ENGLISH
-from site_builder.markdown.text.math import to_mathml
 from site_builder.output.fonts import MATHS_FACES, cut, source_file
-from site_builder.pages.views.control import value_text
-from site_builder.pages.views.simulation import count_stages, reason_text
+from site_builder.pages.views.simulation import count_stages, reason_text, value_text
 
 pytestmark = pytest.mark.browser
 

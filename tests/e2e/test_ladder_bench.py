@@ -10,7 +10,7 @@ from playwright.sync_api import Locator, expect
 from support.places import ROOT
 from support.reader import Reader
 
-from site_builder.benchmarks.record import close
+from site_builder.benchmarks.measuring import close
 
 pytestmark = pytest.mark.browser
 

@@ -16,8 +16,8 @@ from support.reader import Reader, visit
 from support.static_server import Fault, StaticServer, serving
 
 from site_builder.files.folders import folder_files
-from site_builder.output.assets import content_bytes
-from site_builder.publishing.offline import LIST, WORKER, no_release, release_files
+from site_builder.output.writer import content_bytes
+from site_builder.publishing.hosting import LIST, WORKER, no_release, release_files
 
 pytestmark = pytest.mark.browser
 

@@ -11,8 +11,8 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.document.blocks import Simulation
-from site_builder.document.passage import Passage
-from site_builder.figures import prerendered_frames
+from site_builder.document.places import Passage
+from site_builder.figures import initial_frames as prerendered_frames
 
 
 @pytest.mark.parametrize("scene", SCENE_MODULES)

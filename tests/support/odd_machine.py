@@ -31,6 +31,6 @@ class Backwards:
 if __name__ == "__main__":
     os.scandir = Backwards  # type: ignore[assignment]
     os.listdir = lambda *folder: sorted(names(*folder), reverse=True)  # type: ignore[assignment]
-    from site_builder.build import build_site
+    from site_builder.build import Options, build_site
 
-    build_site(Path(sys.argv[1]), Path(sys.argv[2]), runtime=False)
+    build_site(Options(Path(sys.argv[1]), runtime=False), Path(sys.argv[2]))

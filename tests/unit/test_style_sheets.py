@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from simulations.engine.frame import ROLES
-from site_builder.checks.colours import Rgb, contrast, rgb
+from site_builder.checks.frames import Rgb, contrast, rgb
 from site_builder.languages.words import ENGLISH
 from site_builder.output.scripts import STYLE
 

@@ -12,9 +12,21 @@ from typing import Any
 from urllib.parse import quote
 
 from simulations.engine.frame import Panel
-from site_builder.document.blocks import Block, Prose, Simulation, Source, contents, walk
-from site_builder.document.passage import Passage
-from site_builder.document.questions import OTHERWISE, Option, Prediction, Question, Quiz, Reveal
+from site_builder.document.blocks import (
+    OTHERWISE,
+    Block,
+    Option,
+    Prediction,
+    Prose,
+    Question,
+    Quiz,
+    Reveal,
+    Simulation,
+    Source,
+    contents,
+    walk,
+)
+from site_builder.document.places import Passage
 from site_builder.editions.notebooks.cells import (
     ChapterPage,
     Code,
@@ -26,11 +38,8 @@ from site_builder.editions.notebooks.cells import (
 )
 from site_builder.editions.notebooks.tables import extremes, ladder, ladder_table, stage_costs
 from site_builder.figures.frames import pixels
-from site_builder.markdown.directives.callout import Callout, Example
-from site_builder.markdown.directives.download import DataSheet, Download
-from site_builder.markdown.directives.pictures import DrawnIllustration, Figure
-from site_builder.markdown.directives.recordings import Audio, Video
-from site_builder.markdown.directives.table import Table
+from site_builder.markdown.directives.boxes import Box
+from site_builder.markdown.directives.media import Download, DrawnIllustration, Media
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.pages.environment import render_template
 from site_builder.render.markdown import code, escaped, fenced, link, quoted
@@ -75,23 +84,23 @@ def illustration(drawn: DrawnIllustration, block: Block, page: ChapterPage) -> I
     yield _pictured(block, page, drawn.description, {name: picture}, drawn.caption)
 
 
-def figure(shown: Figure, block: Block, page: ChapterPage) -> Iterator[Part]:
+def figure(shown: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
     yield _pictured(block, page, shown.alt, _file(shown.file, page), shown.caption)
 
 
-def video(film: Video, block: Block, page: ChapterPage) -> Iterator[Part]:
+def video(film: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
     """Its still, and a link to the film, which lies beside the notebook."""
     yield _pictured(block, page, film.alt, _file(film.poster, page), film.caption)
     yield Text(link(escaped(film.alt), f"content/{film.file}"))
 
 
-def audio(recording: Audio, block: Block, page: ChapterPage) -> Iterator[Part]:
+def audio(recording: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
     """The recording lies beside the notebook; its transcript is folded."""
     licence = f" ({escaped(recording.licence)})" if recording.licence else ""
     parts = (
         f'<audio controls src="content/{quote(recording.file)}"></audio>',
-        f"{named(block.target)}{escaped(recording.title)}{licence}",
-        folded(page.words("figure.transcript"), page.markdown(recording.transcript)),
+        f"{named(block.target)}{escaped(recording.alt)}{licence}",
+        folded(page.words("figure.transcript"), page.markdown(recording.caption)),
     )
     yield Text("\n\n".join(parts))
 
@@ -193,11 +202,11 @@ def prose(content: Prose, _block: Block, page: ChapterPage) -> Iterator[Part]:
         yield Text(page.markdown(Passage(tokens[start:end])))
 
 
-def callout(content: Callout, block: Block, page: ChapterPage) -> Iterator[Part]:
+def callout(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:
     return _quoted(f"**{page.markdown(content.title)}**", block, page)
 
 
-def example(content: Example, block: Block, page: ChapterPage) -> Iterator[Part]:
+def example(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:
     return _quoted(f"{named(block.target)}{page.markdown(content.title)}", block, page)
 
 
@@ -232,8 +241,8 @@ def source(content: Source, _block: Block, page: ChapterPage) -> Iterator[Part]:
     yield Code(f"from {content.module} import {content.name.partition('.')[0]}")
 
 
-def table(content: Table, block: Block, page: ChapterPage) -> Iterator[Part]:
-    caption = f"{named(block.target)}{page.markdown(content.caption)}"
+def table(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:
+    caption = f"{named(block.target)}{page.markdown(content.title)}"
     yield Text(f"{caption}\n\n{page.markdown(content.table)}")
 
 
@@ -243,7 +252,7 @@ def download(content: Download, _block: Block, page: ChapterPage) -> Iterator[Pa
     yield Text(f"{given}\n\n{page.markdown(content.words)}".strip())
 
 
-def data_sheet(content: DataSheet, _block: Block, page: ChapterPage) -> Iterator[Part]:
+def data_sheet(content: Prose, _block: Block, page: ChapterPage) -> Iterator[Part]:
     """Its words alone: a notebook measures no photographs."""
     yield Text(page.markdown(content.words))
 

@@ -85,8 +85,6 @@ PX_PER_UNIT = 1.25
 
 @dataclass(frozen=True)
 class ChapterPage:
-    """One chapter."""
-
     checked: CheckedBook
     chapter: Chapter
     content: Path

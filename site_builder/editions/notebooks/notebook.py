@@ -11,8 +11,8 @@ from site_builder.build import CheckedBook
 from site_builder.document.book import Colours
 from site_builder.editions.notebooks.blocks import parts_of
 from site_builder.editions.notebooks.cells import ChapterPage, Code, Part, Text, cell_of
-from site_builder.output.assets import Content
 from site_builder.output.style_sheets import style_of_drawings
+from site_builder.output.writer import Content
 from site_builder.publishing.vector import Fonts, whole_fonts
 from site_builder.render.markdown import escaped, link
 from site_builder.runtime.imports import archive_path
@@ -68,7 +68,7 @@ def _head(page: ChapterPage) -> str:
 
 
 def _references(page: ChapterPage) -> str:
-    works = page.book.bibliography.works
+    works = page.book.bibliography
     cited = dict.fromkeys(citation.key for citation in page.chapter.citations)
     lines = [
         f"- {escaped(works[key].reference)} {link(escaped(works[key].address), works[key].address)}"

@@ -3,11 +3,16 @@
 from collections.abc import Iterable, Iterator
 
 from simulations.engine.frame import Panel
-from site_builder.benchmarks.quantities import milliseconds, quantity
+from site_builder.benchmarks.judgements import milliseconds, quantity
 from site_builder.document.blocks import Block
 from site_builder.editions.notebooks.cells import ChapterPage, Part, Text, folded, named
-from site_builder.markdown.directives.extremes import HardCaseRow, HardCaseTable
-from site_builder.markdown.directives.ladder import LadderFigure, LadderTable, StageCostTable
+from site_builder.markdown.directives.measured import (
+    HardCaseRow,
+    HardCaseTable,
+    LadderFigure,
+    LadderTable,
+    StageCostTable,
+)
 from site_builder.pages.views.ladder import (
     LadderView,
     TierRow,

@@ -1,16 +1,146 @@
-"""``{quiz}`` asks, ``{predict}`` asks for a guess, and ``{answer}`` is hidden until it was made."""
+"""``{quiz}`` asks, ``{predict}`` asks for a guess, and ``{answer}`` is hidden until it was made.
 
-from collections.abc import Sequence
+Every question has an id, options that fit its kind, and answers that the kind reads.
+"""
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
 
 from markdown_it.token import Token
 
-from site_builder.document.blocks import Block
-from site_builder.document.passage import Passage, passage
-from site_builder.document.questions import Prediction, Quiz, Reveal
-from site_builder.markdown.bodies import BLOCKS
-from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered
+from site_builder.document.blocks import Block, Prediction, Question, Quiz, Reveal
+from site_builder.document.places import Passage, Plain, passage
+from site_builder.markdown.blocks import BLOCKS, plain_tokens
+from site_builder.markdown.directive import (
+    Argument,
+    Body,
+    Directive,
+    DirectiveCall,
+    Numbered,
+    OptionLine,
+)
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.question import prediction_id, question_directive
+from site_builder.markdown.questions.draws import DRAW, report_first
+from site_builder.markdown.questions.kinds import (
+    KINDS,
+    kind_named,
+    names_of_kinds,
+    options_of_kinds,
+)
+from site_builder.markdown.text.tokens import plain_text
+
+ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+
+
+def question_directive[Q: Question](
+    name: str,
+    made: type[Q],
+    read_prompt: Callable[[DirectiveCall, Sequence[Token], ParseContext], Passage],
+    *,
+    doc: str,
+    kind_doc: str,
+    numbered: Numbered,
+    draws: bool = False,
+) -> Directive[Any]:
+    """A directive that asks a question of one of the `KINDS`; it becomes a ``made``. ``draws``:
+    it may draw numbers."""
+
+    def read(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Q | None:
+        _check_id(call, context)
+        _check_options(call, context)
+        if call.line not in context.drawn:
+            return ask(call, body, context)
+        if kind_named(call.text("kind")).needs_page:
+            return None
+        drawn = context.drawn[call.line]
+        variants = [ask(call, each.body, each.context, each.named) for each in drawn]
+        if report_first(drawn, context):
+            return None
+        return _joined(call, [each for each in variants if each], context)
+
+    def ask(
+        call: DirectiveCall, body: Sequence[Token], context: ParseContext, drawn: str = ""
+    ) -> Q | None:
+        plain_tokens(call, body, context)
+        asked = kind_named(call.text("kind")).read(call, body, context)
+        if asked is None:
+            return None
+        texts = (plain_text(token) for token in asked.prompt if token.type == "inline")
+        return made(
+            id=call.argument,
+            kind=call.text("kind"),
+            prompt=read_prompt(call, asked.prompt, context),
+            prompt_text=" ".join(texts),
+            options=asked.options,
+            path=context.path,
+            line=call.line,
+            details=asked.details,
+            decides=asked.decides,
+            drawn=drawn,
+        )
+
+    kind = OptionLine("kind", doc=kind_doc, expected=names_of_kinds(name))
+    return Directive(
+        name=name,
+        doc=doc,
+        argument=Argument("id", lacks="has no id"),
+        options=(kind, *options_of_kinds(name), *([DRAW] if draws else [])),
+        body=Body("the question, and its answers as a list", lambda _call, body, _context: body),
+        read=read,
+        template=name,
+        numbered=numbered,
+        plain=lambda question: Plain((question.prompt,), "question"),
+    )
+
+
+def _joined[Q: Question](
+    call: DirectiveCall, variants: Sequence[Q], context: ParseContext
+) -> Q | None:
+    """The first variant of a question, with the others; None where drawing leaves nothing."""
+    editions: dict[str, Q] = {}
+    for variant in variants:
+        other = editions.setdefault(variant.edition, variant)
+        if other is not variant:
+            what = f"{call.name} {call.argument!r} is the same with {other.drawn}"
+            message = f"{what} and with {variant.drawn}; legal: numbers that it uses"
+            context.problem(call.line_of(DRAW.name), message)
+            return None
+    return replace(variants[0], others=tuple(variants[1:])) if variants else None
+
+
+def prediction_id(call: DirectiveCall) -> str:
+    """Element id of the prediction that this is, or is the answer to."""
+    return f"predict-{call.argument}"
+
+
+def _check_id(call: DirectiveCall, context: ParseContext) -> None:
+    if not ID.fullmatch(call.argument):
+        expected = "small letters, digits and hyphens"
+        context.problem(call.line, f"{call.name} id {call.argument!r}; legal: {expected}")
+
+
+def _check_options(call: DirectiveCall, context: ParseContext) -> None:
+    """Report options that mean nothing to this kind of question."""
+    own = call.text("kind")
+    if DRAW.name in call.options and kind_named(own).needs_page:
+        kinds = [name for name in names_of_kinds(call.name) if not kind_named(name).needs_page]
+        expected = f"with ':kind:' {', '.join(kinds)}"
+        message = f"option {DRAW.name!r} of a {own!r} {call.name}; legal: {expected}"
+        context.problem(call.line_of(DRAW.name), message)
+    for name, option in call.options.items():
+        kinds = [
+            each
+            for kind in KINDS
+            if name in (line.name for line in kind.options)
+            for each in kind.names(call.name)
+        ]
+        if kinds and own not in kinds:
+            expected = " or ".join(f"with ':kind: {each}'" for each in kinds)
+            context.problem(
+                option.line, f"option {name!r} of a {own!r} {call.name}; legal: {expected}"
+            )
 
 
 def _prompt(call: DirectiveCall, prompt: Sequence[Token], context: ParseContext) -> Passage:

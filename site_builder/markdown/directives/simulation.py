@@ -7,9 +7,10 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
+from site_builder.diagnostics.blame import CodeError
 from site_builder.document.blocks import Simulation
-from site_builder.document.passage import Plain, passage
-from site_builder.markdown.bodies import plain_tokens
+from site_builder.document.places import Plain, passage
+from site_builder.markdown.blocks import plain_tokens
 from site_builder.markdown.directive import (
     LABEL,
     Argument,
@@ -20,7 +21,8 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.scenes import find_scene, read_settings
+from site_builder.markdown.roles.set import read_settings
+from site_builder.sandbox.loading import loaded
 
 FOR_THE_PAGE = ("show", "yours", LABEL.name)
 """Options that are no settings of the scene."""
@@ -30,10 +32,8 @@ FIRST = 3
 
 def read_simulation(
     call: DirectiveCall, body: Sequence[Token], context: ParseContext
-) -> Simulation | None:
-    scene = find_scene(call.argument, call.line, context)
-    if scene is None:
-        return None
+) -> Simulation:
+    scene = loaded("simulation", call.argument, context.shared.load_scene, CodeError)
     given = {name: option for name, option in call.options.items() if name not in FOR_THE_PAGE}
     values = read_settings(scene, given, context)
     yours = call.text("yours") == "yes"

@@ -4,45 +4,37 @@ import ast
 from pathlib import Path
 from textwrap import dedent
 
+from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.blocks import Source
-from site_builder.document.passage import Passage
+from site_builder.document.places import Passage
 from site_builder.files.engine import own_or_engine
-from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.blocks import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 
 type Definition = ast.FunctionDef | ast.ClassDef
 
 
-def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) -> Source | None:
+def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) -> Source:
     module, _, name = call.argument.partition(":")
-    path = f"{module.replace('.', '/')}.py"
+    path, root = f"{module.replace('.', '/')}.py", context.shared.root
+    file = own_or_engine(root, path)
+    if not file.is_file() or not module.startswith("simulations."):
+        raise CodeError(unknown("module", module, _modules(root / "simulations")))
+    source = file.read_text(encoding="utf-8-sig", errors="replace")
     try:
-        source = _text_of(module, path, context.shared.root)
         definitions = _definitions(source)
-        if name not in definitions:
-            public = [known for known in definitions if not known.startswith("_")]
-            raise LookupError(unknown(f"definition in {module}", name, public))
-    except LookupError as error:
-        context.problem(call.line, str(error.args[0]))
-        return None
     except (SyntaxError, ValueError) as error:
         line = getattr(error, "lineno", None) or 1
-        context.problem(call.line, f"module {module!r} is no Python: {path}:{line}")
-        return None
+        raise CodeError(f"module {module!r} is no Python: {path}:{line}") from None
+    if name not in definitions:
+        public = [known for known in definitions if not known.startswith("_")]
+        raise CodeError(unknown(f"definition in {module}", name, public))
     first, last = _span(definitions[name])
     code = dedent("\n".join(source.split("\n")[first - 1 : last])) + "\n"
     start, end = _docstring(definitions[name])
     return Source(module, name, path, first, code, (start - first, end - first), caption)
-
-
-def _text_of(module: str, path: str, root: Path) -> str:
-    """The module's file. Raises `LookupError`."""
-    file = own_or_engine(root, path)
-    if not file.is_file() or not module.startswith("simulations."):
-        raise LookupError(unknown("module", module, _modules(root / "simulations")))
-    return file.read_text(encoding="utf-8-sig", errors="replace")
 
 
 def _definitions(source: str) -> dict[str, Definition]:

@@ -9,32 +9,14 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.document.passage import Passage, passage
-from site_builder.document.questions import OTHERWISE, Option
+from site_builder.document.blocks import OTHERWISE, Option
+from site_builder.document.places import Passage, passage
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.text.tokens import plain_text
+from site_builder.markdown.text.tokens import end_of_element, plain_text
 
 MARKS = {"[ ]": "wrong", "[x]": "right", "[X]": "right", "[?]": "computed"}
 LEGAL_MARKS = "'- [ ] …' or '- [x] …'"
-
-
-@dataclass(frozen=True, slots=True)
-class Item:
-    """The tokens of one item of the list."""
-
-    paragraphs: tuple[Token, ...]
-    line: int
-
-
-@dataclass(frozen=True, slots=True)
-class Parts:
-    """A question taken apart."""
-
-    prompt: tuple[Token, ...]
-    items: tuple[Item, ...]
-    rest: tuple[Token, ...]
-    """What stands below the list."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,77 +33,73 @@ class Answer:
     line: int
 
 
-def split_body(body: Sequence[Token], kind: str = "bullet") -> Parts:
-    """What is asked, the items of the last list at the margin, and what follows."""
-    margin = body[0].level if body else 0
-    starts = [
-        index
-        for index, token in enumerate(body)
-        if token.type == f"{kind}_list_open" and token.level == margin
-    ]
-    if not starts:
-        return Parts(tuple(body), (), ())
-    end = next(
-        index
-        for index in range(starts[-1], len(body))
-        if body[index].type == f"{kind}_list_close" and body[index].level == margin
-    )
-    items: list[Item] = []
-    paragraphs: list[Token] = []
-    for token in body[starts[-1] + 1 : end]:
-        if token.type == "list_item_open" and token.level == margin + 1:
-            paragraphs, item = [], token
-        elif token.type == "inline":
-            paragraphs.append(token)
-        elif token.type == "list_item_close" and token.level == margin + 1:
-            items.append(Item(tuple(paragraphs), (item.map or [0])[0] + 1))
-    return Parts(tuple(body[: starts[-1]]), tuple(items), tuple(body[end + 1 :]))
+@dataclass(frozen=True, slots=True)
+class Answers:
+    prompt: tuple[Token, ...]
+    read: tuple[Answer, ...]
+    count: int
+    """Items of the list, with those that could not be read."""
 
 
-def check_parts(call: DirectiveCall, parts: Parts, context: ParseContext) -> None:
-    """There is something above the answers, and nothing below: it would not be shown."""
-    what = f"{call.name} {call.argument!r}"
-    if not parts.prompt:
-        expected = "some text above its answers"
-        context.problem(call.line, f"{what} asks no question; legal: {expected}")
-    if parts.rest:
-        line = (parts.rest[0].map or [call.line - 1])[0] + 1
-        expected = "nothing after the answers, each explained by a ': …' line below it"
-        context.problem(line, f"text below the answers of {what}; legal: {expected}")
-
-
-def read_answer(
-    item: Item,
+def read_answers(
+    call: DirectiveCall,
+    body: Sequence[Token],
     context: ParseContext,
     *,
+    kind: str = "bullet",
     marked: bool = True,
     coded: bool = False,
     replies: bool = True,
+) -> Answers:
+    """What is asked, and the items of the last list at the margin; mistakes are reported.
+
+    ``coded``: each begins with an expression in code, as marks that are computed do too;
+    ``replies``: each has a reply.
+    """
+    margin = body[0].level if body else 0
+    opens = [at for at, token in enumerate(body) if token.type == f"{kind}_list_open"]
+    start = next((at for at in reversed(opens) if body[at].level == margin), len(body))
+    end = end_of_element(body, start) if start < len(body) else start
+    items: list[tuple[list[Token], int]] = []
+    for token in body[start + 1 : end]:
+        if token.type == "list_item_open" and token.level == margin + 1:
+            items.append(([], (token.map or [0])[0] + 1))
+        elif token.type == "inline":
+            items[-1][0].append(token)
+    what, rest = f"{call.name} {call.argument!r}", body[end:]
+    if not start:
+        expected = "some text above its answers"
+        context.problem(call.line, f"{what} asks no question; legal: {expected}")
+    if rest:  # it would not be shown
+        line = (rest[0].map or [call.line - 1])[0] + 1
+        expected = "nothing after the answers, each explained by a ': …' line below it"
+        context.problem(line, f"text below the answers of {what}; legal: {expected}")
+    read = [_answer(*item, context, marked, coded, replies) for item in items]
+    return Answers(tuple(body[:start]), tuple(filter(None, read)), len(items))
+
+
+def _answer(
+    paragraphs: Sequence[Token],
+    line: int,
+    context: ParseContext,
+    marked: bool,
+    coded: bool,
+    replies: bool,
 ) -> Answer | None:
-    """The item, or None and a diagnostic. ``coded``: it begins with an expression in code, as
-    marks that are computed do too; ``replies``: it has a reply."""
-    lines = [line for paragraph in item.paragraphs for line in _split_lines(paragraph)]
-    mark = _take_mark(lines, item.line, context) if marked else ""
+    lines = [part for paragraph in paragraphs for part in _split_lines(paragraph)]
+    mark = _take_mark(lines, line, context) if marked else ""
     if mark is None:
         return None
     said, reply = _said_and_reply(lines)
     code = _take_code(said) if coded or mark == "computed" else ""
-    words = Token("inline", "", 0, children=said)
+    words, replied = (Token("inline", "", 0, children=part) for part in (said, reply))
     text = plain_text(words)
     if not text and not code:
-        context.problem(item.line, "an answer without text; legal: '- [ ] some text'")
+        context.problem(line, "an answer without text; legal: '- [ ] some text'")
     if replies and not reply:
-        what = text or code
         expected = "a ': …' line below it"
-        context.problem(item.line, f"answer {what!r} is not explained; legal: {expected}")
-    return Answer(
-        mark=mark,
-        code=code,
-        words=passage([words]),
-        text=text,
-        reply=passage([Token("inline", "", 0, children=reply)]),
-        line=item.line,
-    )
+        context.problem(line, f"answer {text or code!r} is not explained; legal: {expected}")
+    return Answer(mark, code, passage([words]), text, passage([replied]), line)
 
 
 def _take_mark(lines: list[list[Token]], line: int, context: ParseContext) -> str | None:
@@ -171,39 +149,37 @@ def _split_lines(inline: Token) -> list[list[Token]]:
 def check_answers(
     call: DirectiveCall,
     options: Sequence[Option],
-    items: int,
+    count: int,
     context: ParseContext,
     *,
     least: int = 2,
     form: str = "- [ ] …",
     right: str = "one",
-) -> bool:
-    """Whether ``items`` are enough, one of them is right and no two are alike; what is not so is
-    reported. ``right`` says what is legal where several are; nothing: any number of them."""
+    otherwise: bool = False,
+) -> None:
+    """Report where ``count`` answers are not enough, none of them is right or two are alike.
+
+    ``right`` says what is legal where several are; nothing: any number of them. ``otherwise``: the
+    last answer is the reply to whatever no other recognises.
+    """
     what = f"{call.name} {call.argument!r}"
     correct = sum(option.correct for option in options)
-    if items < least:
-        fault = f"{what} has {items} answers; legal: a list of {least} or more '{form}'"
-    elif len(options) < items:
-        return False  # a mistake already reported would be counted twice
+    fault = ""
+    if count < least:
+        fault = f"{what} has {count} answers; legal: a list of {least} or more '{form}'"
+    elif len(options) < count:
+        return  # a mistake already reported would be counted twice
     elif correct == 0:
         fault = f"{what} has no right answer; mark one with [x]"
     elif correct > 1 and right:
         fault = f"{what} has {correct} right answers; legal: {right}"
     elif len({option.text for option in options}) < len(options):
         fault = f"{what} gives the same answer twice; legal: answers that differ"
-    else:
-        return True
-    context.problem(call.line, fault)
-    return False
-
-
-def check_otherwise(call: DirectiveCall, options: Sequence[Option], context: ParseContext) -> None:
-    """The last answer is the reply to whatever no other recognises."""
-    if options[-1].text != OTHERWISE:
-        what = f"{call.name} {call.argument!r} has no reply to other answers"
+    elif otherwise and options[-1].text != OTHERWISE:
         expected = f"'- [ ] {OTHERWISE}' at the end, with a ': …' line below it"
-        context.problem(call.line, f"{what}; legal: {expected}")
+        fault = f"{what} has no reply to other answers; legal: {expected}"
+    if fault:
+        context.problem(call.line, fault)
 
 
 def report_not_coded(answer: Answer, context: ParseContext) -> None:

@@ -14,8 +14,7 @@ from math import prod
 from markdown_it.token import Token
 
 from simulations.engine.expressions import ExpressionError
-from site_builder.diagnostics.blame import raised_by_code
-from site_builder.markdown.calculation import numbers
+from site_builder.markdown.calculation import numbers, or_problem
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext, Variant
 from site_builder.markdown.text.tokens import end_of_element
@@ -57,10 +56,8 @@ def draw(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> t
     """The body with each combination, the first of each name first; nothing, and a report, where
     mistakes leave none. What the first collects of links and formulae is the page's."""
     option = call.options[DRAW.name]
-    try:
-        columns = _columns(option.text, context)
-    except ExpressionError as error:
-        context.problem(option.line, str(error), raised_by_code(error))
+    columns = or_problem(lambda: _columns(option.text, context), option.line, context)
+    if columns is None:
         return ()
     count = prod(map(len, columns.values()))
     if not 2 <= count <= MOST:

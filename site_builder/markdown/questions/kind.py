@@ -17,8 +17,7 @@ from typing import Any
 
 from markdown_it.token import Token
 
-from site_builder.document.blocks import Simulation
-from site_builder.document.questions import Option, Question
+from site_builder.document.blocks import Option, Question, Simulation
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 
@@ -52,8 +51,6 @@ def _no_view(_question: Question, _figures: Sequence[Simulation]) -> None:
 
 @dataclass(frozen=True, slots=True)
 class QuestionKind:
-    """One kind of question."""
-
     folder: str
     doc: str
     """In the authors' guide: ``a number within a tolerance``."""

@@ -1,6 +1,6 @@
 """All kinds of questions. To add one: its folder, its import, and its name in `KINDS`."""
 
-from site_builder.document.questions import Question
+from site_builder.document.blocks import Question
 from site_builder.markdown.directive import OptionLine
 from site_builder.markdown.questions.choice.kind import CHOICE
 from site_builder.markdown.questions.figure.kind import FIGURE

@@ -12,22 +12,23 @@ processor, python, numpy, …     what it was measured on
 """
 
 from simulations.engine.expressions import ExpressionError
-from site_builder.benchmarks.costs import Cost, CostError, read_costs
-from site_builder.benchmarks.judgements import efficiency, frame_percent, nanoseconds_each
+from site_builder.benchmarks.judgements import (
+    efficiency,
+    error_text,
+    frame_percent,
+    is_none,
+    milliseconds,
+    nanoseconds_each,
+    quantity,
+    with_unit,
+)
 from site_builder.benchmarks.measurements import (
     SIDES,
     MeasuredLadder,
     MeasurementError,
     Measurements,
 )
-from site_builder.benchmarks.quantities import (
-    error_text,
-    is_none,
-    milliseconds,
-    quantity,
-    with_unit,
-)
-from site_builder.benchmarks.readouts import ReadoutError
+from site_builder.benchmarks.readouts import Cost, ReadoutError, read_cost
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.calculation import number_text
@@ -123,7 +124,6 @@ MEASURED = Role(
     form=f"LADDER TIER [over TIER] {WANTED} [bare]",
     doc="a number from the file that `python -m site_builder bench` writes",
     text=_text,
-    refuses=MeasurementError,
 )
 
 
@@ -142,7 +142,7 @@ CALC = Role(
 
 
 def _cost(asked: str, context: ParseContext) -> str:
-    found = read_costs(context.shared.root).find(asked)
+    found = read_cost(context.shared.root, asked)
     if not isinstance(found, Cost):
         return found
     exact = found.unit in ("", "KB", "MB")
@@ -156,7 +156,6 @@ COST = Role(
     form="NAME … NAME",
     doc="a number from the file that `make bench` writes",
     text=_cost,
-    refuses=CostError,
 )
 
 
@@ -180,5 +179,4 @@ READOUT = Role(
     form=FORM,
     doc="a number that a figure shows at that setting",
     text=readout_text,
-    refuses=ReadoutError,
 )

@@ -1,4 +1,5 @@
-"""``{cite}`zhang2000; hartley2004, §4.4```: the works behind a claim, linked to the references.
+"""``{cite}`zhang2000; hartley2004, §4.4```: the works behind a claim, linked to the references;
+``{ref}``, ``{term}`` and ``{index}``; and ``{ray}`the ray```: words in the colour of their idea.
 
 Works are parted by semicolons; what follows the key and a comma says where in the work. ``{cite}``
 sets all in brackets, (Zhang 2000); ``{citet}`` makes the authors a part of the sentence, Zhang
@@ -13,9 +14,12 @@ from markdown_it.token import Token
 
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.places import Citation, Target
+from site_builder.formulae.temml import COLOURS as NAMES
+from site_builder.markdown.numbering import slug
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Linked, Role
 from site_builder.references.bibliography import Work
+from site_builder.references.terms import Term
 
 FORM = "KEY[, PLACE]; …"
 
@@ -24,7 +28,7 @@ def cited(
     words: str, line: int, context: ParseContext, *, in_sentence: bool = False
 ) -> Sequence[Token]:
     """``(Zhang 2000; Hartley and Zisserman 2004, §4.4)``; ``Zhang (2000)`` ``in_sentence``."""
-    works = context.shared.bibliography.works
+    works = context.shared.bibliography
     tokens: list[Token] = []
     for part in words.split(";"):
         key, _, place = (piece.strip() for piece in part.partition(","))
@@ -140,4 +144,60 @@ REF = Role(
     doc="a link to a chapter, section, figure, equation, table, example or question, with its "
     "number; the words may say `{name}`, `{number}`, `{title}`, `{chapter}`",
     link=reference,
+)
+
+
+COLOURS = tuple(
+    Role(name=name, form="words", doc="the words in the colour of their idea, as in the figures")
+    for name in NAMES
+)
+"""One for each colour that a formula may name with ``\\role``."""
+
+
+def indexed(words: str, given: str | None, line: int, context: ParseContext) -> Linked:
+    """The words with an id, and the entry to list them under."""
+    entry = words if given is None else given
+    name = context.free_id(f"index-{slug(entry)}", line)
+    return Linked({"id": name}, meta={"index": entry})
+
+
+INDEX = Role(
+    name="index",
+    form="WORDS` or `WORDS <ENTRY>",
+    doc="the words, listed in the index of terms",
+    link=indexed,
+)
+
+
+NONE = "none"
+
+
+def marked(words: str, given: str | None, line: int, context: ParseContext) -> Linked:
+    """The link; one without attributes where no term is meant, or, with a report, where there is
+    none of that name."""
+    if given == NONE:
+        return Linked({})
+    try:
+        term = context.shared.glossary.find(words if given is None else given)
+    except LookupError as error:
+        context.problem(line, str(error.args[0]))
+        return Linked({})
+    return Linked(term_link(term, line, context), meta={"term": term})
+
+
+def term_link(term: Term, line: int, context: ParseContext) -> dict[str, str]:
+    """Attributes of a link to the glossary."""
+    return {
+        "class": "term",
+        "id": context.free_id(f"term-{term.id}", line),
+        "href": f"../glossary/#{term.id}",
+        "aria-describedby": f"definition-{term.id}",
+    }
+
+
+TERM = Role(
+    name="term",
+    form="WORDS` or `WORDS <TERM>` or `WORDS <none>",
+    doc="a link to the glossary where none is made by itself; with `none`, no link",
+    link=marked,
 )

@@ -10,13 +10,12 @@ from collections.abc import Mapping
 from typing import Any
 from urllib.parse import urlencode
 
-from simulations.engine.controls import Value
+from simulations.engine.controls import ControlError, Slider, Value
 from simulations.engine.scene import Scene
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.markdown.directive import OptionValue
 from site_builder.markdown.parse_context import FigurePlace, ParseContext
 from site_builder.markdown.role import Linked, Role
-from site_builder.markdown.scenes import read_settings
 from site_builder.sandbox.loading import loaded
 
 FORM = "WORDS <[FIGURE] CONTROL=VALUE … [tier=ID]>"
@@ -86,6 +85,34 @@ def _text(value: Value) -> str:
             return f"{value:g}"
         case _:
             return str(value)
+
+
+def read_settings(
+    scene: Scene[Any], given: Mapping[str, OptionValue], context: ParseContext
+) -> dict[str, Value]:
+    """Controls as an author sets them, and the accuracy as ``tier``; those that the scene cannot
+    take are reported and left out."""
+    values: dict[str, Value] = {}
+    for name, option in given.items():
+        if name == "tier":
+            if option.text in scene.tiers:
+                values[name] = option.text
+            else:
+                kind = f"tier of {scene.id}"
+                context.problem(option.line, unknown(kind, option.text, scene.tiers))
+            continue
+        try:
+            scene.check({name: option.text})
+        except ControlError as error:
+            context.problem(option.line, f"{scene.id}: {error}")
+            continue
+        control = next(control for control in scene.controls if control.name == name)
+        values[name] = value = control.check(option.text)
+        if isinstance(control, Slider) and not control.reaches(float(value)):
+            expected = f"{control.minimum:g} and steps of {control.step:g}"
+            message = f"{scene.id}: {name}: {value:g} is between two steps; legal: {expected}"
+            context.problem(option.line, message)
+    return values
 
 
 SET = Role(

@@ -8,16 +8,6 @@ from site_builder.diagnostics.diagnostic import unknown
 LANGUAGES = ("python", "console", "text", "bash", "javascript", "json", "toml", "markdown")
 
 
-class UnknownLanguageError(ValueError):
-    """A code fence names a language that nothing can colour."""
-
-
-def check_language(language: str) -> None:
-    """Raises `UnknownLanguageError`."""
-    if language:
-        highlighted_lines("", language)
-
-
 def code_html(code: str, language: str) -> str:
     """``code`` as a ``<pre>``; plain where ``language`` is empty."""
     if not language:
@@ -29,7 +19,7 @@ def code_html(code: str, language: str) -> str:
 
 @cached
 def highlighted_lines(code: str, language: str) -> list[str]:
-    """Each line of ``code`` as HTML of its own. Raises `UnknownLanguageError`."""
+    """Each line of ``code`` as HTML of its own. Raises `ValueError` for an unknown language."""
     # Imported only where something is not cached.
     from pygments import highlight
     from pygments.formatters import HtmlFormatter
@@ -39,7 +29,7 @@ def highlighted_lines(code: str, language: str) -> list[str]:
     try:
         lexer = get_lexer_by_name(language)
     except ClassNotFound:
-        raise UnknownLanguageError(unknown("language", language, LANGUAGES)) from None
+        raise ValueError(unknown("language", language, LANGUAGES)) from None
     # Pygments closes its spans at the end of each line.
     lines: list[str] = highlight(code, lexer, HtmlFormatter(nowrap=True)).rstrip("\n").split("\n")
     return lines

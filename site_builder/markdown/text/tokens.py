@@ -1,8 +1,14 @@
-"""Walking the parser's tokens."""
+"""Walking the parser's tokens; and dashes, ellipses, and no-break spaces before units.
 
+(Quotation marks are markdown-it's ``smartquotes``; its ``replacements`` rule is not used, because
+it would turn an enumeration's "(c)" into a copyright sign.)
+"""
+
+import re
 from collections.abc import Iterator, Sequence
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
+from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
 
@@ -39,3 +45,72 @@ def plain_text(inline: Token) -> str:
         for child in inline.children or ()
     )
     return "".join(parts).strip()
+
+
+UNITS = "nm|µm|mm|cm|m|km|px|dB|rad|ms|s|Hz|EV|DN|kB|MB"
+"""Units that stay on the line of their number."""
+
+REPLACEMENTS = (
+    (re.compile(r"(?<!-)---(?!-)"), "—"),
+    (re.compile(r"(?<!-)--(?!-)"), "–"),
+    (re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
+    (re.compile(rf"(?<=\d) (?=(?:{UNITS})\b)"), "\u00a0"),
+)
+
+
+def typography_rule(state: StateCore) -> None:
+    """Replace in running text; code and formulae stay as they are."""
+    for block in state.tokens:
+        for token in block.children or ():
+            if token.type == "text":
+                for pattern, character in REPLACEMENTS:
+                    token.content = pattern.sub(character, token.content)
+
+
+OPENING = re.compile(r"[(\[“‘„‚]+$")
+MARKS = r"^(?:[^\s\w(\[“‘]{1,3})?"
+CLOSING = re.compile(MARKS)
+CLOSING_AND_UNIT = re.compile(rf"{MARKS}(?:[\u00a0\u202f][^\s]+|^ (?:{UNITS})\b)?")
+LONG = 30
+"""Characters of TeX from which a formula may part from its unit: together they fill a phone."""
+
+
+def glue_formulae(tokens: Sequence[Token]) -> None:
+    """Keep brackets, stops and units on the line of their formula, in place."""
+    for token in tokens:
+        if not any(child.type == "math_inline" for child in token.children or ()):
+            continue
+        children = [child for child in token.children or () if child.content or child.tag]
+        for text, formula in pairwise(children):
+            if text.type == "text" and formula.type == "math_inline":
+                _take(formula, text, OPENING)
+        for formula, text in pairwise(children):
+            if text.type == "text" and formula.type == "math_inline":
+                long = len(formula.content) > LONG
+                _take(formula, text, CLOSING if long else CLOSING_AND_UNIT)
+
+
+def _take(formula: Token, text: Token, pattern: re.Pattern[str]) -> None:
+    """Move what ``pattern`` finds in the neighbouring text to the formula: renderers keep both on
+    one line."""
+    found = pattern.search(text.content)
+    if not found or not found[0] or "mathml" not in formula.meta:
+        return
+    text.content = text.content[: found.start()] + text.content[found.end() :]
+    formula.meta["before" if pattern is OPENING else "after"] = found[0].replace(" ", "\u00a0")
+
+
+def displayed_parts(tex: str) -> list[str]:
+    r"""The formulae of one displayed row, which the author sets apart by ``\qquad``.
+
+    A space inside of braces or of an environment parts nothing.
+    """
+    parts, depth = [""], 0
+    for piece in re.split(r"(\\begin\b|\\end\b|\\left\b|\\right\b|\\[{}]|[{}]|\\qquad\b)", tex):
+        if piece == r"\qquad" and depth == 0:
+            parts.append("")
+            continue
+        depth += piece in ("{", r"\begin", r"\left")
+        depth -= piece in ("}", r"\end", r"\right")
+        parts[-1] += piece
+    return [part.strip() for part in parts if part.strip()]

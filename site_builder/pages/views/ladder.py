@@ -8,19 +8,17 @@ from site_builder.benchmarks.judgements import (
     Choice,
     default_choice,
     efficiency,
-    frame_percent,
-    nanoseconds_each,
-    verdict,
-)
-from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
-from site_builder.benchmarks.quantities import (
     error_text,
+    frame_percent,
     is_none,
+    nanoseconds_each,
     quantity,
+    verdict,
     with_unit,
 )
+from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.markdown.directives.ladder import LadderFigure
+from site_builder.markdown.directives.measured import LadderFigure
 from site_builder.pages.policy import json_for_html
 
 

@@ -1,19 +1,83 @@
-"""A question as its templates need it, and as the script of its page does."""
+"""Questions as templates and the scripts of pages need them; and ``book.json``, which has chapters,
+simulations and questions as plain data, for programs that read."""
 
+import json
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import asdict
 from typing import Any
 
 from jinja2 import pass_context
 from jinja2.runtime import Context
 from markupsafe import Markup
 
-from site_builder.document.blocks import Block
-from site_builder.document.book import Book
-from site_builder.document.questions import OTHERWISE, Option, Question, Quiz
-from site_builder.languages.words import Words
+from simulations.engine.controls import Points, describe
+from simulations.engine.scene import Scene
+from site_builder.document.blocks import OTHERWISE, Block, Option, Prediction, Question, Quiz
+from site_builder.document.book import Book, Chapter
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.pages.policy import json_for_html
 from site_builder.render.words import plain_words
+from site_builder.runtime.store import Versions
+
+
+def catalogue(book: Book, versions: Versions) -> bytes:
+    """``book.json``."""
+    chapters = [
+        {
+            "number": chapter.number,
+            "id": chapter.id,
+            "title": chapter.title,
+            "url": chapter.url,
+            "simulations": list(dict.fromkeys(figure.scene.id for figure in chapter.simulations)),
+            "quizzes": [quiz.id for quiz in chapter.quizzes],
+        }
+        for chapter in book.chapters
+    ]
+    data = {
+        "title": book.title,
+        "runtime": asdict(versions),
+        "chapters": chapters,
+        "simulations": [_simulation(scene) for scene in book.scenes],
+        "quizzes": [_entry(each, of) for of in book.chapters for each in of.quizzes],
+        "predictions": [_entry(each, of) for of in book.chapters for each in of.predictions],
+    }
+    return (json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode()
+
+
+def _simulation(scene: Scene[Any]) -> dict[str, object]:
+    return {
+        "id": scene.id,
+        "title": scene.title,
+        "tiers": list(scene.tiers),
+        "controls": [describe(each) for each in scene.controls if not isinstance(each, Points)],
+    }
+
+
+def _entry(question: Quiz | Prediction, chapter: Chapter) -> dict[str, object]:
+    entry = {"id": question.id, "chapter": chapter.id, "kind": question.kind, **_asked(question)}
+    if not question.others:
+        return entry
+    variants = [{"drawn": each.drawn, **_asked(each)} for each in question.variants]
+    return {**entry, "variants": variants}
+
+
+def _asked(question: Quiz | Prediction) -> dict[str, object]:
+    def option(option: Option) -> dict[str, object]:
+        return {"text": option.text, "correct": option.correct}
+
+    options = _options(question, option)
+    catalogued = kind_of(question).catalogue(question)
+    return {"prompt": question.prompt_text, "options": options, **catalogued}
+
+
+def _options(
+    question: Question, entry: Callable[[Option], dict[str, object]]
+) -> list[dict[str, object]]:
+    """An entry for each, with the number that the answer is where one is asked for."""
+    return [
+        entry(option) | ({} if option.value is None else {"value": option.value})
+        for option in question.options
+    ]
 
 
 @pass_context
@@ -38,16 +102,15 @@ def question_data(
 
 
 def _said(context: Context, question: Question) -> dict[str, object]:
-    options = [
-        {"correct": option.correct, "explanation_html": context["renderer"](option.explanation)}
-        | ({} if option.value is None else {"value": option.value})
-        for option in question.options
-    ]
+    def option(option: Option) -> dict[str, object]:
+        explanation = context["renderer"](option.explanation)
+        return {"correct": option.correct, "explanation_html": explanation}
+
     return {
         "id": question.id,
         "kind": question.kind,
         "edition": question.edition,
-        "options": options,
+        "options": _options(question, option),
         **kind_of(question).page_data(question),
     }
 
@@ -62,37 +125,31 @@ def numbered_quizzes(blocks: Iterable[Block]) -> Iterator[tuple[str, Quiz]]:
 
 def class_data(book: Book) -> Markup:
     """JSON that is safe inside a script element: all questions, in the order of the book."""
+
+    def option(option: Option) -> dict[str, object]:
+        otherwise = book.words("question.otherwise") if option.text == OTHERWISE else ""
+        text = otherwise or plain_words(option.words) or option.text
+        return {"correct": option.correct, "explanation_html": "", "text": text}
+
+    def variant(quiz: Quiz) -> dict[str, object]:
+        return {
+            "id": quiz.id,
+            "drawn": quiz.drawn,
+            "kind": quiz.kind,
+            "edition": quiz.edition,
+            "options": _options(quiz, option),
+            **kind_of(quiz).page_data(quiz),
+        }
+
     return json_for_html(
         [
-            _question(name, f"{chapter.url}#quiz-{quiz.id}", quiz, book.words)
+            {
+                "id": quiz.id,
+                "name": name,
+                "place": f"{chapter.url}#quiz-{quiz.id}",
+                "variants": [*map(variant, quiz.variants)],
+            }
             for chapter in book.chapters
             for name, quiz in numbered_quizzes(chapter.body)
         ]
     )
-
-
-def _question(name: str, place: str, quiz: Quiz, words: Words) -> dict[str, Any]:
-    """Its variants are those of a question that draws numbers, else the question alone."""
-    variants = [_variant(each, words) for each in quiz.variants]
-    return {"id": quiz.id, "name": name, "place": place, "variants": variants}
-
-
-def _variant(quiz: Quiz, words: Words) -> dict[str, Any]:
-    return {
-        "id": quiz.id,
-        "drawn": quiz.drawn,
-        "kind": quiz.kind,
-        "edition": quiz.edition,
-        "options": [
-            {"correct": option.correct, "explanation_html": "", "text": _text(option, words)}
-            | ({} if option.value is None else {"value": option.value})
-            for option in quiz.options
-        ],
-        **kind_of(quiz).page_data(quiz),
-    }
-
-
-def _text(option: Option, words: Words) -> str:
-    if option.text == OTHERWISE:
-        return words("question.otherwise")
-    return plain_words(option.words) or option.text

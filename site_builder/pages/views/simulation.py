@@ -1,24 +1,103 @@
-"""A still as its template needs it: addresses, texts and schema worked out, nothing left to do."""
+"""A still as its template needs it: addresses, texts, controls, readouts and schema worked out,
+nothing left to do."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 from typing import Any
 
-from simulations.engine.controls import Control, Points, describe
+from simulations.engine.controls import Control, Points, Value, describe
 from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.ladder import Ladder
 from simulations.engine.message import Message
 from simulations.engine.photograph import Whole
 from simulations.registry import load_ladder, tier_labels
+from site_builder.benchmarks.judgements import with_unit
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import Chapter
-from site_builder.figures.initial_frames import InitialFrame, InitialFrames, PictureFile
+from site_builder.figures.initial_frames import InitialFrame, InitialFrames
+from site_builder.files.engine import ENGINE
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.policy import json_for_html
-from site_builder.pages.views.control import Cell, control_cells, readouts_in_sight, value_text
 from site_builder.sandbox.loading import loaded
 from site_builder.sources.translations.files import figure_text
+
+CONTROL_KINDS = ENGINE / "simulations" / "engine" / "controls"
+"""Where the kinds of controls lie."""
+IN_SIGHT = 3
+"""Controls, and readouts, that a figure shows at first; the others are folded."""
+TIER = "tier"
+"""Name of the menu of accuracies."""
+
+
+@dataclass(frozen=True, slots=True)
+class ControlView:
+    """A control and its starting state."""
+
+    control: Control
+    id: str
+    value: Value
+    text: str
+    """A slider's value with its unit; a button's present label."""
+    longest: str
+    """The longest that a slider's text can be: its room is kept, so that nothing moves."""
+
+
+type Cell = tuple[ControlView, ...]
+"""A control, or buttons in a run; empty for the menu of accuracies."""
+
+
+def control_cells(
+    still: InitialFrame, *, tiers: bool, words: Words = ENGLISH
+) -> tuple[tuple[Cell, ...], tuple[Cell, ...]]:
+    """The cells in sight, and the folded ones.
+
+    In sight are the controls that the author of the page names, else the first: a scene states its
+    settings in the order of their weight.
+    """
+    runs = [*gather_buttons(still.figure.scene.controls), *([()] if tiers else [])]
+    names = [[control.name for control in run] or [TIER] for run in runs]
+    places = {name: place for place, run in enumerate(names) for name in run}
+    chosen = dict.fromkeys(places[name] for name in still.figure.in_sight if name in places)
+    shown = [runs[place] for place in chosen] or [run for run in runs if run][:IN_SIGHT]
+    folded = [run for run in runs if run not in shown]
+    cells = [
+        tuple(tuple(_control(still, control, words) for control in run) for run in part)
+        for part in (shown, folded)
+    ]
+    return cells[0], cells[1]
+
+
+def gather_buttons(controls: Sequence[Control]) -> list[tuple[Control, ...]]:
+    """Each control by itself, but buttons that follow each other together."""
+    runs: list[tuple[Control, ...]] = []
+    for is_action, run in groupby(controls, key=lambda control: control.kind == "action"):
+        together = tuple(run)
+        runs += [together] if is_action else [(control,) for control in together]
+    return runs
+
+
+def readouts_in_sight(still: InitialFrame) -> tuple[tuple[Readout, ...], tuple[Readout, ...]]:
+    """The readouts in sight, and the folded ones: those that the author names, else the first."""
+    readouts, named = still.frame.readouts, still.figure.in_sight
+    chosen = tuple(shown for shown in readouts if shown.name in named)
+    shown = chosen if named else readouts[:IN_SIGHT]
+    return shown, tuple(each for each in readouts if each not in shown)
+
+
+def _control(still: InitialFrame, control: Control, words: Words) -> ControlView:
+    value = still.values[control.name]
+    text = value_text(control, value, words)
+    ends = (value_text(control, end, words) for end in control.extremes())
+    longest = max((text, *ends), key=len)
+    return ControlView(control, f"{still.figure.id}-{control.name}", value, text, longest)
+
+
+def value_text(control: Control, value: Value, words: Words = ENGLISH) -> str:
+    """The value as ``formatValue`` in ``static/js/page/text.ts`` writes it: ``f/2.8``, ``30°``."""
+    return with_unit(*control.text(value, words.numeral))
+
 
 SECOND = 0.53
 """Width of a panel beside one that leads, as a share of that one's (``static/css/figure.css``)."""
@@ -199,8 +278,10 @@ def _keys(driven: Sequence[Control], words: Words) -> str:
 
 
 def schema(still: InitialFrame) -> dict[str, object]:
-    """What the page's script must know of the figure: controls, starting values, tiers."""
+    """What the page's script must know of the figure: controls, starting values, tiers; of a
+    photograph width and height in px, or most megapixels."""
     scene = still.figure.scene
+    photograph = scene.photograph
     return {
         "title": scene.title,
         "controls": [describe(control) for control in scene.controls],
@@ -209,7 +290,7 @@ def schema(still: InitialFrame) -> dict[str, object]:
         "default_tier": still.figure.tier,
         "draft_tier": scene.draft_tier,
         "drafted": list(scene.drafted),
-        "photograph": _size(scene.photograph),
+        "photograph": photograph.most_megapixels if isinstance(photograph, Whole) else photograph,
         "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
         "own_drafts": {tier: scene.drafts_of(tier) for tier in scene.tiers or ("",)},
     }
@@ -220,11 +301,6 @@ def _makes_files(figure: Simulation) -> bool:
     if scene.measures_photographs:
         return figure.yours and bool(scene.exports or scene.develop)
     return bool(scene.exports)
-
-
-def _size(photograph: tuple[int, int] | Whole | None) -> tuple[int, int] | float | None:
-    """Width and height in px, or most megapixels."""
-    return photograph.most_megapixels if isinstance(photograph, Whole) else photograph
 
 
 def reason_text(reason: str | Sequence[Message], words: Words = ENGLISH) -> str:
@@ -242,20 +318,9 @@ def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:
     return words("script.stage_report.count", **counts)
 
 
-@dataclass(frozen=True, slots=True)
-class Thumbnail:
-    """A panel of a figure, without handles."""
-
-    panel: Panel
-    picture: PictureFile | None
-    """Its pixels; None of a pure drawing."""
-
-
-def thumbnail(chapter: Chapter, initial_frames: InitialFrames) -> Thumbnail | None:
-    """The main panel of the chapter's first figure with a picture there, else of its first; None
-    where it has no figure."""
-    stills = (initial_frames[figure.path, figure.line] for figure in chapter.simulations)
-    shown = [
-        Thumbnail(still.main_panel, still.pictures.get(still.main_panel.name)) for still in stills
-    ]
-    return next((each for each in shown if each.picture), next(iter(shown), None))
+def thumbnail(chapter: Chapter, initial_frames: InitialFrames) -> InitialFrame | None:
+    """The chapter's first figure with a picture in its main panel, else its first; None where it
+    has no figure."""
+    stills = [initial_frames[figure.path, figure.line] for figure in chapter.simulations]
+    pictured = (still for still in stills if still.main_panel.name in still.pictures)
+    return next(pictured, next(iter(stills), None))

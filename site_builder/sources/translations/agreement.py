@@ -2,14 +2,13 @@
 the same ids, the same figures and the same questions."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from site_builder.cache.hashing import hash_of
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.document.blocks import Block, Simulation
+from site_builder.document.blocks import Block, Question, Simulation
 from site_builder.document.book import Chapter
 from site_builder.document.places import Target
-from site_builder.document.questions import Prediction, Question, Quiz
 from site_builder.markdown.questions.kinds import kind_of
 
 
@@ -90,34 +89,6 @@ def _judged(question: Question) -> tuple[object, ...]:
     return question.kind, answers, question.decides, details, question.drawn
 
 
-@dataclass(frozen=True, slots=True)
-class _Shared:
-    """Parts of the original, by ids."""
-
-    figures: Mapping[str, Simulation]
-    quizzes: Mapping[str, Question]
-    guesses: Mapping[str, Question]
-
-    def block(self, block: Block) -> Block:
-        return replace(
-            block,
-            content=self.content(block.content),
-            inside=tuple(self.block(part) for part in block.inside),
-        )
-
-    def content(self, content: object) -> object:
-        match content:
-            case Simulation():
-                first = self.figures.get(content.id, content)
-                return replace(content, path=first.path, line=first.line)
-            case Quiz():
-                return _answered_as(content, self.quizzes.get(content.id, content))
-            case Prediction():
-                return _answered_as(content, self.guesses.get(content.id, content))
-            case _:
-                return content
-
-
 def _answered_as[Q: Question](question: Q, original: Question) -> Q:
     """With the edition of the original, for all numbers that it may draw."""
     pairs = zip(question.others, original.others, strict=False)
@@ -131,14 +102,25 @@ def _answered_as[Q: Question](question: Q, original: Question) -> Q:
 def with_shared(translated: Chapter, original: Chapter, folder: str) -> Chapter:
     """The chapter with the figures that are drawn for the original, and with the editions of its
     questions, under which answers are stored; its page in ``folder``."""
-    shared = _Shared(
-        {figure.id: figure for figure in original.simulations},
-        {quiz.id: quiz for quiz in original.quizzes},
-        {guess.id: guess for guess in original.predictions},
-    )
+    figures, questions = {each.id: each for each in original.simulations}, _by_id(original)
+
+    def shared(content: object) -> object:
+        match content:
+            case Simulation():
+                first = figures.get(content.id, content)
+                return replace(content, path=first.path, line=first.line)
+            case Question():
+                asked = questions.get((type(content).__name__, content.id), content)
+                return _answered_as(content, asked)
+        return content
+
+    def block(part: Block) -> Block:
+        inside = tuple(map(block, part.inside))
+        return replace(part, content=shared(part.content), inside=inside)
+
     return replace(
         translated,
-        body=tuple(map(shared.block, translated.body)),
+        body=tuple(map(block, translated.body)),
         folder=folder,
         cache_key=hash_of(translated.cache_key, original.cache_key, folder),
     )

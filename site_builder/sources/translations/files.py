@@ -4,15 +4,15 @@ import re
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from types import MappingProxyType
 
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.book import Languages
 from site_builder.document.places import chapter_id
 from site_builder.files.text import Sources, Toml
 from site_builder.languages.words import Words, languages
-from site_builder.references.glossary import EMPTY, NAMES, Glossary, Term, check_names
-from site_builder.settings.declared import TEXT, Reader, entries, key, table, texts
+from site_builder.references.terms import NAMES, Glossary, check_names
+from site_builder.references.terms import NO_TERMS as EMPTY
+from site_builder.settings.declared import TEXT, Reader, key, keys_of
 from site_builder.settings.model import Labels, Settings, storage_prefix
 
 
@@ -30,10 +30,6 @@ def find_languages(root: Path, settings: Settings) -> Languages:
 
 
 def folder_of(language: str) -> str:
-    """
-    >>> folder_of("de")
-    'de/'
-    """
     return f"{language}/"
 
 
@@ -48,7 +44,7 @@ SPOKEN = re.compile(
 
 
 def read_labels(sources: Sources, language: str) -> Mapping[str, str]:
-    path = f"content/{language}/labels.toml"
+    path = file_of(language, "labels.toml")
     toml = sources.toml(path)
     labels: dict[str, str] = {}
     for text, label in toml.table.items() if toml else ():
@@ -84,8 +80,6 @@ def figure_markup(html: str, words: Words) -> str:
 
 @dataclass(frozen=True, slots=True)
 class TranslatedTerm:
-    """One entry."""
-
     name: str = key(TEXT)
     says: str = key(TEXT)
     """Its definition, as Markdown."""
@@ -93,86 +87,38 @@ class TranslatedTerm:
     words: tuple[str, ...] = key(NAMES, default=())
 
 
-def glossary_of(language: str) -> str:
-    """
-    >>> glossary_of("de")
-    'content/de/glossary.toml'
-    """
-    return f"content/{language}/glossary.toml"
-
-
 def translated_glossary(sources: Sources, words: Words, original: Glossary) -> Glossary:
     """The terms that the file translates; the others, as no definition is translated by itself,
     are unknown to the translation."""
-    path = glossary_of(words.language)
+    path = file_of(words.language, "glossary.toml")
     toml, problems = sources.toml(path), sources.problems
     if toml is None:
         return EMPTY
     reader, terms = Reader(path, toml, problems), []
+    endings = tuple(words("language.plural_endings").split())
     for name, entry in toml.table.items():
         line, term = toml.line(name), original.terms.get(name)
         if term is None:
             problems.add(path, line, unknown("term", name, original.terms))
         else:
-            own = reader.table(TranslatedTerm, entry, (name,))
-            terms.append(_translated(term, own, line, words))
+            own = asdict(reader.table(TranslatedTerm, entry, (name,)))
+            terms.append(
+                replace(term, **own, related=(), line=line, endings=endings, original=name)
+            )
     glossary = Glossary({term.name: term for term in terms})
     check_names(glossary, path, problems)
     return glossary
 
 
-def _translated(term: Term, own: TranslatedTerm, line: int, words: Words) -> Term:
-    return replace(
-        term,
-        name=own.name,
-        says=own.says,
-        also=own.also,
-        words=own.words,
-        related=(),
-        line=line,
-        endings=tuple(words("language.plural_endings").split()),
-        original=term.name,
-    )
+TRANSLATED = (
+    "title", "subtitle", "prerequisites", "hero_caption", "made_by", "search_examples", "parts",
+    "labels", "starts",
+)  # fmt: skip
+"""Keys of the outline that a translation may have; what it leaves out is the original's."""
 
 
-AS_ORIGINAL = "the original's"
-
-
-@dataclass(frozen=True, slots=True)
-class TranslatedSettings:
-    """The whole file; empty what holds as in the original."""
-
-    title: str = key(TEXT, "what the book is called", "", without=AS_ORIGINAL)
-    subtitle: str = key(TEXT, "what it is about, in a sentence", "", without=AS_ORIGINAL)
-    prerequisites: str = key(TEXT, "what its reader should know", "", without=AS_ORIGINAL)
-    hero_caption: str = key(
-        TEXT, "a sentence about the figure of the title page", "", without=AS_ORIGINAL
-    )
-    made_by: str = key(TEXT, "who made it, in a sentence", "", without=AS_ORIGINAL)
-    search_examples: tuple[str, ...] = key(
-        texts('["one", "another"]'), "what one may search for", (), without=AS_ORIGINAL
-    )
-    parts: Mapping[str, str] = key(
-        entries('a table of titles with first chapters, "Geometry" = "chapter"'),
-        "headings of the contents, each with the chapter that begins it",
-        MappingProxyType({}),
-        without=AS_ORIGINAL,
-    )
-    labels: Labels = key(table(Labels), "what numbered things are called", Labels())
-    starts: Mapping[str, str] = key(
-        entries('a table of texts with places, "Begin here" = "chapter#figure-id"'),
-        "where the title page invites to start",
-        MappingProxyType({}),
-        without=AS_ORIGINAL,
-    )
-
-
-def file_of(language: str) -> str:
-    """
-    >>> file_of("de")
-    'content/de/book.toml'
-    """
-    return f"content/{language}/book.toml"
+def file_of(language: str, name: str = "book.toml") -> str:
+    return f"content/{language}/{name}"
 
 
 def translated_settings(
@@ -182,13 +128,8 @@ def translated_settings(
     browser stores is the same."""
     path = file_of(language)
     toml = sources.toml(path) or Toml()
-    own = Reader(path, toml, sources.problems).table(TranslatedSettings, toml.table)
-    given = {name: getattr(own, name) for name in TranslatedSettings.__slots__}
-    settings = replace(
-        original,
-        **{name: value for name, value in given.items() if value and name != "labels"},
-        labels=own.labels if any(asdict(own.labels).values()) else Labels(),
-        language=language,
-        storage=storage_prefix(original),
-    )
-    return settings, toml
+    keys = (replace(item, default="") for item in keys_of(Settings) if item.name in TRANSLATED)
+    own = Reader(path, toml, sources.problems).values(keys, toml.table)
+    given = {"labels": Labels(), **{name: value for name, value in own.items() if value}}
+    storage = storage_prefix(original)
+    return replace(original, **given, language=language, storage=storage), toml

@@ -22,11 +22,11 @@ from site_builder.benchmarks.judgements import (
     frame_percent,
     nanoseconds_each,
     off_the_front,
+    quantity,
     verdict,
 )
 from site_builder.benchmarks.measurements import MeasuredLadder
-from site_builder.benchmarks.quantities import quantity
-from site_builder.benchmarks.record import close, finite, merge, timing
+from site_builder.benchmarks.measuring import close, finite, merge, timing
 
 ABACUS, SLIDE_RULE = {"processor": "abacus"}, {"processor": "slide rule"}
 TIERS = toy_data()["ladders"]["toy"]["tiers"]

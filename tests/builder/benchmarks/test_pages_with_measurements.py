@@ -15,10 +15,10 @@ from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
-from site_builder.benchmarks.costs import DATA as COSTS
-from site_builder.benchmarks.costs import STAGE_DATA as DATA
-from site_builder.benchmarks.costs import CostError, StageCostError, read_costs, read_stage_costs
 from site_builder.benchmarks.measurements import COMMAND, MeasurementError
+from site_builder.benchmarks.readouts import DATA as COSTS
+from site_builder.benchmarks.readouts import STAGE_DATA as DATA
+from site_builder.benchmarks.readouts import read_cost, read_stage_costs
 from site_builder.build import Options
 from site_builder.markdown.roles.numbers import LEGAL, measured_text
 
@@ -131,17 +131,17 @@ def test_a_cost_that_the_ladder_does_not_state() -> None:
     ],
 )
 def test_costs_of_pages(asked: str, found: tuple[float, str] | str, tmp_path: Path) -> None:
-    with pytest.raises(CostError, match="run `make bench`"):
-        read_costs(tmp_path)
+    with pytest.raises(MeasurementError, match="run `make bench`"):
+        read_cost(tmp_path, "start")
     file = tmp_path / COSTS
     file.parent.mkdir()
     start = {"cold": {"book_ms": 1234.5, "ratio": 0.41}}
     file.write_text(json.dumps({"start": start, "machine": {"cores": 2}}), encoding="utf-8")
     if isinstance(found, str):
-        with pytest.raises(CostError, match=found):
-            read_costs(tmp_path).find(asked)
+        with pytest.raises(MeasurementError, match=found):
+            read_cost(tmp_path, asked)
     else:
-        cost = read_costs(tmp_path).find(asked)
+        cost = read_cost(tmp_path, asked)
         assert not isinstance(cost, str)
         assert (cost.value, cost.unit) == found
 
@@ -204,5 +204,5 @@ def test_stages_that_a_move_runs_again(
 )
 def test_stale_costs_of_stages(make_book: MakeBook, content: object, message: str) -> None:
     options = make_book(files={str(DATA): None if content is None else json.dumps(content)})
-    with pytest.raises(StageCostError, match=f"(?s){message}.*bench.stage_costs"):
+    with pytest.raises(MeasurementError, match=f"(?s){message}.*bench.stage_costs"):
         read_stage_costs(options.root, options.load_scene("demo"))

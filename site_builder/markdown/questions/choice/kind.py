@@ -4,17 +4,11 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
-from site_builder.document.questions import Option
+from site_builder.document.blocks import Option
 from site_builder.markdown.calculation import truth
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.answers import (
-    Answer,
-    check_answers,
-    check_parts,
-    read_answer,
-    split_body,
-)
+from site_builder.markdown.questions.answers import Answer, check_answers, read_answers
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 
 SEVERAL = "multiple"
@@ -22,10 +16,8 @@ SEVERAL = "multiple"
 
 
 def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
-    parts = split_body(body)
-    check_parts(call, parts, context)
-    answers = (read_answer(item, context) for item in parts.items)
-    judged = ((answer, _is_right(answer, context)) for answer in answers if answer)
+    asked = read_answers(call, body, context)
+    judged = ((answer, _is_right(answer, context)) for answer in asked.read)
     options = tuple(
         Option(answer.words, answer.text, right, answer.reply)
         for answer, right in judged
@@ -33,8 +25,8 @@ def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContex
     )
     one = f"one, or ':kind: {SEVERAL}'" if call.name == "quiz" else "one"
     right = "" if call.text("kind") == SEVERAL else one
-    check_answers(call, options, len(parts.items), context, right=right)
-    return Asked(parts.prompt, options)
+    check_answers(call, options, asked.count, context, right=right)
+    return Asked(asked.prompt, options)
 
 
 def _is_right(answer: Answer, context: ParseContext) -> bool | None:

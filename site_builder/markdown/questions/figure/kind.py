@@ -5,19 +5,11 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.document.blocks import Simulation
-from site_builder.document.passage import Passage
-from site_builder.document.questions import OTHERWISE, Option, Question
+from site_builder.document.blocks import OTHERWISE, Option, Question, Simulation
+from site_builder.document.places import Passage
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.answers import (
-    check_answers,
-    check_otherwise,
-    check_parts,
-    read_answer,
-    report_not_coded,
-    split_body,
-)
+from site_builder.markdown.questions.answers import check_answers, read_answers, report_not_coded
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 
 
@@ -33,18 +25,16 @@ class Task:
 
 def read_state(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
     """What is wrong with the conditions is reported when the figure is drawn."""
-    parts = split_body(body)
-    check_parts(call, parts, context)
+    asked = read_answers(call, body, context, coded=True)
     options: list[Option] = []
-    for answer in (read_answer(item, context, coded=True) for item in parts.items):
-        if answer and (answer.code or answer.text == OTHERWISE):
+    for answer in asked.read:
+        if answer.code or answer.text == OTHERWISE:
             right = answer.mark == "right"
             options.append(Option(Passage(), answer.code or OTHERWISE, right, answer.reply))
-        elif answer:
+        else:
             report_not_coded(answer, context)
-    if check_answers(call, options, len(parts.items), context):
-        check_otherwise(call, options, context)
-    return Asked(parts.prompt, tuple(options), Task(call.text("figure"), _solution(call, context)))
+    check_answers(call, options, asked.count, context, otherwise=True)
+    return Asked(asked.prompt, tuple(options), Task(call.text("figure"), _solution(call, context)))
 
 
 def _solution(call: DirectiveCall, context: ParseContext) -> dict[str, str]:

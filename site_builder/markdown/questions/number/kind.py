@@ -7,22 +7,18 @@ from dataclasses import dataclass
 from markdown_it.token import Token
 
 from simulations.engine.frame import format_number
-from site_builder.benchmarks.quantities import with_unit
-from site_builder.document.passage import passage
-from site_builder.document.questions import OTHERWISE, Option, Prediction, Question
+from site_builder.benchmarks.judgements import with_unit
+from site_builder.document.blocks import OTHERWISE, Option, Prediction, Question
+from site_builder.document.places import passage
 from site_builder.languages.words import Words
 from site_builder.markdown.calculation import number
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import (
     Answer,
-    Item,
     check_answers,
-    check_otherwise,
-    check_parts,
-    read_answer,
+    read_answers,
     report_not_coded,
-    split_body,
 )
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 
@@ -44,25 +40,20 @@ class Measure:
 
 def read_number(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
     is_quiz = call.name == "quiz"
-    parts = split_body(body)
-    check_parts(call, parts, context)
-    options, tolerance = _read_options(call, parts.items, context, replies=is_quiz)
-    if not is_quiz:
-        form = "- [x] `expression`"
-        check_answers(call, options, len(parts.items), context, least=1, form=form)
-    elif check_answers(call, options, len(parts.items), context):
-        check_otherwise(call, options, context)
+    asked = read_answers(call, body, context, coded=True, replies=is_quiz)
+    options, tolerance = _read_options(call, asked.read, context)
+    least, form = (2, "- [ ] …") if is_quiz else (1, "- [x] `expression`")
+    check_answers(call, options, asked.count, context, least=least, form=form, otherwise=is_quiz)
     measure = Measure(call.text("unit"), tolerance)
-    return Asked(parts.prompt, options, measure, decides=tolerance if is_quiz else None)
+    return Asked(asked.prompt, options, measure, decides=tolerance if is_quiz else None)
 
 
 def _read_options(
-    call: DirectiveCall, items: Sequence[Item], context: ParseContext, *, replies: bool
+    call: DirectiveCall, answers: Sequence[Answer], context: ParseContext
 ) -> tuple[tuple[Option, ...], float]:
     """The right number and those that known mistakes lead to, computed, and the tolerance."""
-    answers = [read_answer(item, context, coded=True, replies=replies) for item in items]
     values: list[tuple[Answer, float | None]] = []
-    for answer in (answer for answer in answers if answer):
+    for answer in answers:
         if answer.code:
             value = number(answer.code, answer.line, context)
             values += [(answer, value)] if value is not None else []

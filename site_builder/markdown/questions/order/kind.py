@@ -5,28 +5,18 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
-from site_builder.document.blocks import Simulation
-from site_builder.document.questions import Option, Question
+from site_builder.document.blocks import Option, Question, Simulation
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.answers import (
-    check_answers,
-    check_parts,
-    read_answer,
-    split_body,
-)
+from site_builder.markdown.questions.answers import check_answers, read_answers
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 
 
 def read_order(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
-    parts = split_body(body, "ordered")
-    check_parts(call, parts, context)
-    answers = (read_answer(item, context, marked=False) for item in parts.items)
-    options = tuple(
-        Option(answer.words, answer.text, True, answer.reply) for answer in answers if answer
-    )
-    check_answers(call, options, len(parts.items), context, form="1. …", right="")
-    return Asked(parts.prompt, options)
+    asked = read_answers(call, body, context, kind="ordered", marked=False)
+    options = tuple(Option(each.words, each.text, True, each.reply) for each in asked.read)
+    check_answers(call, options, asked.count, context, form="1. …", right="")
+    return Asked(asked.prompt, options)
 
 
 def in_any_order(

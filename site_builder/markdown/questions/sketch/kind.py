@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from markdown_it.token import Token
 
 from simulations.engine.drawing import coordinate
-from site_builder.document.questions import Question
+from site_builder.document.blocks import Question
 from site_builder.markdown.calculation import number
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.answers import Parts, check_parts
+from site_builder.markdown.questions.answers import read_answers
 from site_builder.markdown.questions.kind import Asked, QuestionKind
 
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 384.0, 32.0, 206.0
@@ -40,45 +40,23 @@ class Curve:
     """Along the axis, from its start to its end."""
 
 
-@dataclass(frozen=True, slots=True)
-class Tick:
-    """A number on an axis, and where."""
-
-    place: str
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
-class SketchView:
-    """The field in which a curve is drawn, ready for ``kind.html``."""
-
-    x: Axis
-    y: Axis
-    x_ticks: tuple[Tick, ...]
-    y_ticks: tuple[Tick, ...]
-    truth: str
-    """The true curve, as the data of a path."""
-    places: tuple[str, ...]
-    """Along the axis, in its unit, in words: where the points are."""
-    middle: str
-    """Where each point begins."""
-    step: str
-
-
-def view_sketch(curve: Curve) -> SketchView:
-    across = (coordinate(_along(curve.x, x, LEFT, RIGHT)) for x, _ in curve.samples)
-    up = (coordinate(_along(curve.y, y, BOTTOM, TOP)) for _, y in curve.samples)
-    points = (f"{x} {y}" for x, y in zip(across, up, strict=True))
-    return SketchView(
-        x=curve.x,
-        y=curve.y,
-        x_ticks=_ticks(curve.x, LEFT, RIGHT),
-        y_ticks=_ticks(curve.y, BOTTOM, TOP),
-        truth="M" + "L".join(points),
-        places=tuple(_short(x) for x, _ in marked_points(curve)),
-        middle=f"{(curve.y.start + curve.y.end) / 2:g}",
-        step=f"{(curve.y.end - curve.y.start) / STEPS:g}",
-    )
+def view_sketch(curve: Curve) -> dict[str, object]:
+    """The field in which a curve is drawn, as ``kind.html`` shows it: the axes with the places and
+    texts of their ticks, the true curve as the data of a path, and along the axis, in its unit,
+    where the points are; where each begins, and the step by which it moves."""
+    x, y = curve.x, curve.y
+    across = (coordinate(_along(x, at, LEFT, RIGHT)) for at, _ in curve.samples)
+    up = (coordinate(_along(y, at, BOTTOM, TOP)) for _, at in curve.samples)
+    return {
+        "x": x,
+        "y": y,
+        "x_ticks": _ticks(x, LEFT, RIGHT),
+        "y_ticks": _ticks(y, BOTTOM, TOP),
+        "truth": "M" + "L".join(map(" ".join, zip(across, up, strict=True))),
+        "places": [_short(at) for at, _ in marked_points(curve)],
+        "middle": f"{(y.start + y.end) / 2:g}",
+        "step": f"{(y.end - y.start) / STEPS:g}",
+    }
 
 
 def marked_points(curve: Curve) -> tuple[tuple[float, float], ...]:
@@ -90,11 +68,9 @@ def _along(axis: Axis, value: float, start: float, end: float) -> float:
     return start + (end - start) * (value - axis.start) / (axis.end - axis.start)
 
 
-def _ticks(axis: Axis, start: float, end: float) -> tuple[Tick, ...]:
+def _ticks(axis: Axis, start: float, end: float) -> list[tuple[str, str]]:
     values = [axis.start + (axis.end - axis.start) * part / 4 for part in range(5)]
-    return tuple(
-        Tick(coordinate(_along(axis, value, start, end)), _short(value)) for value in values
-    )
+    return [(coordinate(_along(axis, value, start, end)), _short(value)) for value in values]
 
 
 def _short(value: float) -> str:
@@ -106,7 +82,7 @@ SAMPLES = 97
 
 
 def read_sketch(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked | None:
-    check_parts(call, Parts(tuple(body), (), ()), context)
+    read_answers(call, body, context, kind="no")  # there is a question
     curve = _read_curve(call, context)
     if curve is None:
         return None

@@ -1,13 +1,21 @@
-"""``content/glossary.toml``: the terms of the book, each with a definition and the section that
-explains it.
+"""What chapters refer to in TOML files: terms, symbols, and the news.
 
-A table for each term. ``says`` defines it, in one paragraph of Markdown; ``explained`` is a target
-as a ``{ref}`` names it. ``also`` lists other names, ``related`` other terms. ``words`` lists what
-counts as a use in the text; left out, all its names do, and their plurals.
+``content/glossary.toml`` has a table for each term. ``says`` defines it, in one paragraph of
+Markdown; ``explained`` is the target of the section that explains it, as a ``{ref}`` names it.
+``also`` lists other names, ``related`` other terms. ``words`` lists what counts as a use in the
+text; left out, all its names do, and their plurals.
+
+``content/symbols.toml`` has what each symbol of the formulae means, and its unit: a table for each
+chapter, by its id, with lines ``'k_1' = ["meaning", "unit"]``; a pure number has no unit. The table
+``book`` has what holds in every chapter that says nothing else.
+
+``content/news.toml`` has what changed in the book, for those who follow its feed, newest first: an
+``[[entry]]`` for each change, with ``date``, ``title``, ``says``, both plain text, and ``chapter``
+where it is about one.
 """
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import groupby
@@ -15,16 +23,14 @@ from itertools import groupby
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.files.text import Sources
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.settings.declared import TEXT, Reader, key, texts
+from site_builder.settings.declared import DAY, TEXT, Reader, key, texts
 
-FILE = "content/glossary.toml"
+GLOSSARY = "content/glossary.toml"
 NAMES = texts('["one", "another"]')
 
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One entry."""
-
     name: str
     says: str = key(TEXT)
     """Its definition, as Markdown."""
@@ -93,7 +99,7 @@ class Glossary:
         raise LookupError(unknown("term", name, names))
 
 
-EMPTY = Glossary()
+NO_TERMS = Glossary()
 
 
 def _first(form: str) -> str:
@@ -111,10 +117,10 @@ def _spelt(name: str) -> str:
 
 def read_glossary(sources: Sources, words: Words = ENGLISH) -> Glossary:
     """The terms in the file; none where there is no such file. Mistakes are reported."""
-    toml = sources.toml(FILE)
+    toml = sources.toml(GLOSSARY)
     if toml is None:
-        return EMPTY
-    reader = Reader(FILE, toml, sources.problems)
+        return NO_TERMS
+    reader = Reader(GLOSSARY, toml, sources.problems)
     endings = tuple(words("language.plural_endings").split())
     terms = [
         reader.table(Term, entry, (name,), name=name, line=toml.line(name), endings=endings)
@@ -122,7 +128,7 @@ def read_glossary(sources: Sources, words: Words = ENGLISH) -> Glossary:
     ]
     terms.sort(key=lambda term: term.name.casefold())
     glossary = Glossary({term.name: term for term in terms})
-    check_names(glossary, FILE, sources.problems)
+    check_names(glossary, GLOSSARY, sources.problems)
     return glossary
 
 
@@ -141,3 +147,92 @@ def check_names(glossary: Glossary, path: str, problems: Diagnostics) -> None:
                 problems.add(
                     path, term.line, unknown(f"term related to {term.name!r}", name, others)
                 )
+
+
+SYMBOLS = "content/symbols.toml"
+BOOK = "book"
+FORM = '["meaning", "unit"]'
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """One symbol as it is declared."""
+
+    tex: str
+    means: str
+    """Markdown."""
+    unit: str
+    """Nothing of a pure number."""
+    line: int
+
+
+type Symbols = Mapping[str, tuple[Symbol, ...]]
+"""Symbols by the chapter for which they are declared, or `BOOK`."""
+
+
+def read_symbols(sources: Sources) -> Symbols:
+    """The symbols in the file; none where there is no such file. Mistakes are reported."""
+    read, problems = sources.toml(SYMBOLS), sources.problems
+    if read is None:
+        return {}
+    found: dict[str, tuple[Symbol, ...]] = {}
+    for chapter, table in read.table.items():
+        if not isinstance(table, dict):
+            message = f"{chapter!r} outside a table; legal: '[{BOOK}]' above it"
+            problems.add(SYMBOLS, read.line(chapter), message)
+            continue
+        rows = [_symbol(tex, row, read.line(chapter, tex)) for tex, row in table.items()]
+        for tex, row in zip(table, rows, strict=True):
+            if row is None:
+                problems.add(SYMBOLS, read.line(chapter, tex), f"{tex!r}; legal: {FORM}")
+        found[chapter] = tuple(row for row in rows if row)
+    return found
+
+
+def _symbol(tex: str, row: object, line: int) -> Symbol | None:
+    texts = [item for item in row if isinstance(item, str)] if isinstance(row, list) else []
+    if not isinstance(row, list) or len(row) not in (1, 2) or len(texts) != len(row):
+        return None
+    return Symbol(tex, texts[0], texts[1] if len(texts) > 1 else "", line) if texts[0] else None
+
+
+NEWS = "content/news.toml"
+ENTRY = "entry"
+
+
+@dataclass(frozen=True, slots=True)
+class News:
+    date: str = key(DAY)
+    """``2026-11-22``."""
+    title: str = key(TEXT)
+    says: str = key(TEXT)
+    chapter: str = key(TEXT, default="")
+    """Id of the chapter that it is about; nothing where it is about the book."""
+
+    @property
+    def id(self) -> str:
+        """Unique in the feed, and the same as long as date and title are."""
+        return f"{self.date}-{re.sub(r'[^a-z0-9]+', '-', self.title.lower()).strip('-')}"
+
+
+def read_news(sources: Sources, chapters: Collection[str]) -> tuple[News, ...]:
+    """All entries; none where there is no such file. Mistakes are reported."""
+    toml = sources.toml(NEWS)
+    if toml is None:
+        return ()
+    reader = Reader(NEWS, toml, sources.problems)
+    news = reader.tables(News, ENTRY) or ()
+    _check_news(news, chapters, reader)
+    return news
+
+
+def _check_news(news: Sequence[News], chapters: Collection[str], reader: Reader) -> None:
+    """Report unknown chapters, entries out of order, and repeated ones."""
+    for index, entry in enumerate(news):
+        at, earlier = (ENTRY, index), news[:index]
+        if entry.chapter and entry.chapter not in chapters:
+            reader.report((*at, "chapter"), unknown("chapter", entry.chapter, chapters))
+        if earlier and entry.date > earlier[-1].date:
+            reader.report(at, f"{entry.date} stands below an older entry; legal: above it")
+        if entry.id in [other.id for other in earlier]:
+            reader.report(at, f"a second {entry.title!r} of {entry.date}; legal: one")

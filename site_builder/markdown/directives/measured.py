@@ -1,11 +1,24 @@
-"""``{ladder}``, ``{ladder-table}`` and ``{stage-costs}``: charts and tables of measurements."""
+"""``{ladder}``, ``{ladder-table}`` and ``{stage-costs}``: charts and tables of measurements; and
+``{extremes}``: a table of a model's hard cases, computed while the book is built."""
 
 from dataclasses import dataclass
+from functools import partial
 
-from site_builder.benchmarks.costs import StageCostError, StageCosts, read_stage_costs
-from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
-from site_builder.document.passage import Passage, Plain
-from site_builder.markdown.bodies import CAPTION, NO_BODY
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
+    answer,
+    naive_answer,
+    read_table,
+    show,
+)
+from simulations.registry import hard_case_tables
+from site_builder.benchmarks.measurements import MeasuredLadder
+from site_builder.benchmarks.readouts import StageCosts, read_stage_costs
+from site_builder.diagnostics.blame import CodeError
+from site_builder.diagnostics.diagnostic import cause
+from site_builder.document.places import Passage, Plain
+from site_builder.markdown.blocks import CAPTION, NO_BODY
 from site_builder.markdown.directive import (
     LABEL,
     Argument,
@@ -16,7 +29,8 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.scenes import find_scene
+from site_builder.sandbox.loading import loaded
+from site_builder.sandbox.pool import run_limited
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,14 +47,8 @@ class LadderFigure:
     """Whether chart and table are shown at first."""
 
 
-def read_ladder(
-    call: DirectiveCall, caption: Passage, context: ParseContext
-) -> LadderFigure | None:
-    try:
-        measured = context.shared.measurements.find(call.argument, call.text("metric"))
-    except MeasurementError as error:
-        context.problem(call.line, str(error))
-        return None
+def read_ladder(call: DirectiveCall, caption: Passage, context: ParseContext) -> LadderFigure:
+    measured = context.shared.measurements.find(call.argument, call.text("metric"))
     name, default = context.placed[call.line].id, _read_default(call, measured, context)
     return LadderFigure(measured, name, caption, default, call.text("chart") == "open")
 
@@ -89,14 +97,8 @@ class LadderTable:
     caption: Passage
 
 
-def read_ladder_table(
-    call: DirectiveCall, _body: None, context: ParseContext
-) -> LadderTable | None:
-    try:
-        rows = context.shared.measurements.all()
-    except MeasurementError as error:
-        context.problem(call.line, str(error))
-        return None
+def read_ladder_table(call: DirectiveCall, _body: None, context: ParseContext) -> LadderTable:
+    rows = context.shared.measurements.all()
     return LadderTable(rows, inline_passage(call.argument, call.line, context))
 
 
@@ -122,15 +124,9 @@ class StageCostTable:
 
 def read_stage_cost_table(
     call: DirectiveCall, caption: Passage, context: ParseContext
-) -> StageCostTable | None:
-    scene = find_scene(call.argument, call.line, context)
-    if scene is None:
-        return None
-    try:
-        return StageCostTable(read_stage_costs(context.shared.root, scene), caption)
-    except StageCostError as error:
-        context.problem(call.line, str(error))
-        return None
+) -> StageCostTable:
+    scene = loaded("simulation", call.argument, context.shared.load_scene, CodeError)
+    return StageCostTable(read_stage_costs(context.shared.root, scene), caption)
 
 
 STAGE_COSTS = Directive(
@@ -142,4 +138,74 @@ STAGE_COSTS = Directive(
     read=read_stage_cost_table,
     template="stage-costs",
     numbered=Numbered("Table", lambda call: f"table-costs-{call.argument}"),
+)
+
+
+FILES = hard_case_tables()
+
+
+@dataclass(frozen=True, slots=True)
+class HardCaseRow:
+    """A line of a table: a hard case with every answer computed and put into words."""
+
+    id: str
+    call: str
+    answer: str
+    why: str
+    returns: str
+    naive: str
+    naive_answer: str
+    library: str
+    library_answer: str
+
+
+@dataclass(frozen=True, slots=True)
+class HardCaseTable:
+    """What a model answers at the edge of what it is made for."""
+
+    id: str
+    """Element id: ``extremes-`` and the model's."""
+    title: str
+    rows: tuple[HardCaseRow, ...]
+
+
+def read_hard_cases(call: DirectiveCall, _body: None, context: ParseContext) -> HardCaseTable:
+    name = context.placed[call.line].id
+    try:
+        text = FILES[call.argument].read_text(encoding="utf-8")
+        title, rows = run_limited(partial(_computed, call.argument, text))
+        return HardCaseTable(name, title, rows)
+    except Exception as error:  # whatever its code may raise is the author's to see
+        message = f"hard cases {call.argument!r} cannot be computed: {cause(error)}"
+        raise CodeError(message) from error
+
+
+def _computed(table_id: str, text: str) -> tuple[str, tuple[HardCaseRow, ...]]:
+    """Title and rows of a table."""
+    table = read_table(table_id, text)
+    return table.title, tuple(_row(table, case) for case in table.cases)
+
+
+def _row(table: HardCases, case: HardCase) -> HardCaseRow:
+    return HardCaseRow(
+        id=case.id,
+        call=case.call,
+        answer=show(answer(table, case.call)),
+        why=case.why,
+        returns=case.returns,
+        naive=case.naive,
+        naive_answer=show(naive_answer(table, case.naive)) if case.naive else "",
+        library=case.library,
+        library_answer=case.library_answer,
+    )
+
+
+EXTREMES = Directive(
+    name="extremes",
+    doc="the hard cases of a model",
+    argument=Argument("model", "names no table", FILES, "table of extremes"),
+    body=NO_BODY,
+    read=read_hard_cases,
+    template="extremes",
+    numbered=Numbered("Table", lambda call: f"extremes-{call.argument}"),
 )

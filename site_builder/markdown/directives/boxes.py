@@ -1,0 +1,91 @@
+"""``{note}``, ``{tip}``, ``{warning}``, ``{key-idea}`` and ``{example}``, boxes with titles; and
+``{table}``, a table that has a caption."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from site_builder.document.blocks import Block
+from site_builder.document.places import Passage, Plain, passage
+from site_builder.markdown.blocks import BLOCKS, plain_tokens
+from site_builder.markdown.directive import (
+    LABEL,
+    Argument,
+    Body,
+    Directive,
+    DirectiveCall,
+    Numbered,
+)
+from site_builder.markdown.inline import inline_passage
+from site_builder.markdown.numbering import slug
+from site_builder.markdown.parse_context import ParseContext
+
+KINDS = {
+    "tip": "an aside that helps",
+    "note": "an aside that adds",
+    "warning": "an aside that warns",
+    "key-idea": "what to remember",
+}
+"""Kinds of callout, which are their classes in the style sheet, and what each makes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A callout or a worked example, whose text is in the blocks inside; or a table."""
+
+    kind: str
+    """Name of the directive."""
+    title: Passage
+    table: Passage
+
+
+def read_box(call: DirectiveCall, body: Sequence[Block] | Passage, context: ParseContext) -> Box:
+    """With the title that the language has, where the author gives none."""
+    title = call.argument or context.shared.words(f"callout.{call.name}")
+    table = body if isinstance(body, Passage) else Passage()
+    return Box(call.name, inline_passage(title, call.line, context), table)
+
+
+def _one_table(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> Passage:
+    margin = [token.type for token in tokens if token.level == tokens[0].level]
+    if margin != ["table_open", "table_close"]:
+        found = "more than a table" if "table_open" in margin else "no table"
+        context.problem(call.line, f"{{table}} holds {found}; legal: one table, nothing else")
+    return passage(plain_tokens(call, tokens, context))
+
+
+CALLOUTS = tuple(
+    Directive(
+        name=name,
+        doc=doc,
+        argument=Argument("Title"),
+        body=BLOCKS,
+        read=read_box,
+        template="callout",
+        plain=lambda _callout: Plain(),
+    )
+    for name, doc in KINDS.items()
+)
+EXAMPLE = Directive(
+    name="example",
+    doc="a worked number",
+    argument=Argument("Title", lacks="has no title"),
+    options=(LABEL,),
+    body=BLOCKS,
+    read=read_box,
+    template="example",
+    numbered=Numbered("Example", lambda call: f"example-{slug(call.argument)}"),
+    plain=lambda example: Plain((example.title,)),
+)
+TABLE = Directive(
+    name="table",
+    doc="a table that has a caption",
+    argument=Argument("Caption", lacks="has no caption"),
+    options=(LABEL,),
+    body=Body("one table", _one_table),
+    read=read_box,
+    template="table",
+    numbered=Numbered("Table", lambda call: f"table-{slug(call.argument)}"),
+    plain=lambda table: Plain((table.title, table.table)),
+)
