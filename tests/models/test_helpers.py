@@ -9,9 +9,8 @@ from scipy.optimize import least_squares
 from simulations.models.arrays import Floats, as_array, as_floats, as_matrices, as_vectors
 from simulations.models.error_measures import psnr_db, root_mean_square
 from simulations.models.least_squares import levenberg_marquardt
-from simulations.models.pixel_grid import centred
 from simulations.models.quantiles import quantile_of
-from simulations.models.require import require, require_one_of, require_positive
+from simulations.models.require import require
 from simulations.models.whole_numbers import as_whole
 
 FLAT = np.zeros((20, 30))
@@ -54,36 +53,16 @@ def test_a_refusal_states_name_value_and_what_is_legal(value: object, shown: str
     assert str(refused.value) == f"gain {shown}; legal: above 0"
 
 
-def test_numbers_that_are_not_positive_and_unknown_words_are_refused() -> None:
-    require_positive("scale", 1e-300)
-    require_one_of("method", "nearest", ("nearest", "bilinear"))
-    for value in (0.0, -1.0, np.inf, -np.inf, np.nan):
-        with pytest.raises(ValueError, match="scale"):
-            require_positive("scale", value)
-    with pytest.raises(ValueError, match="nearest, bilinear"):
-        require_one_of("method", "cubic", ("nearest", "bilinear"))
-
-
 @pytest.mark.parametrize("value", [3, 3.0, np.int64(3), np.float32(3)])
 def test_whole_numbers_of_any_type_become_ints(value: Any) -> None:
     assert type(as_whole("count", value, 1)) is int
     assert as_whole("count", value, 1, 3) == as_whole("count", value, 3) == 3
 
 
-@pytest.mark.parametrize("value", [0, 4, 2.5, -1, np.nan, np.inf, -np.inf])
-def test_other_numbers_are_refused_with_the_range(value: float) -> None:
-    with pytest.raises(ValueError, match=f"count {value}; legal: whole numbers, 1 to 3"):
-        as_whole("count", value, 1, 3)
-
-
 @pytest.mark.parametrize("share", [0.0, 0.05, 0.5, 1.0])
 def test_a_quantile_is_that_of_numpy(share: float) -> None:
     values = np.random.default_rng(0).normal(size=(7, 9))
     assert quantile_of(values, share) == np.percentile(values, 100 * share, method="nearest")
-
-
-def test_pixels_are_counted_from_the_middle_of_a_row() -> None:
-    assert [centred(n).tolist() for n in (1, 3, 4)] == [[0], [-1, 0, 1], [-1.5, -0.5, 0.5, 1.5]]
 
 
 @pytest.mark.parametrize(

@@ -60,13 +60,6 @@ def test_the_matching_functions_are_near_the_tables_of_the_cie() -> None:
     assert (np.sqrt(np.mean(off**2, axis=0)) < [0.0061, 0.0029, 0.0047]).all()
 
 
-def test_colours_of_the_chart_are_those_of_the_tables_within_two_delta_e() -> None:
-    patches = np.stack([surfaces.chart_patch(name) for name in surfaces.CHART])
-    ours = observer.tristimulus(patches * D65, D65)
-    theirs = patches * D65 @ TABULATED / (D65 @ TABULATED[:, 1])
-    assert lab_distance(xyz_to_lab(ours), xyz_to_lab(theirs)).max() < 2.0
-
-
 def test_the_chart_is_within_a_third_delta_e_of_its_measurements() -> None:
     names = {"sky": "blue sky", "white": "white 9.5 (.05 D)"}
     measured = oracle.SDS_COLOURCHECKERS["ColorChecker N Ohta"]

@@ -1,13 +1,12 @@
 """Cosine transforms, blocks and symbols of JPEG, against SciPy, Pillow and the standard."""
 
 import io
-import math
 
 import numpy as np
 import pytest
 import scipy.fft
 import skimage.data
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import DTypeLike
 from PIL import Image
 from PIL.JpegImagePlugin import JpegImageFile
 from scipy.fft import dctn
@@ -20,7 +19,7 @@ from simulations.models.compression.cosine_transforms import (
     TRANSFORMS,
     exact_block_dct,
 )
-from simulations.models.compression.entropy import LARGEST, run_symbols, size, symbol_bits
+from simulations.models.compression.entropy import run_symbols, size
 from simulations.models.compression.zigzag import RANK, ZIGZAG, first_in_order
 
 
@@ -65,14 +64,6 @@ def test_halves_are_told_as_well_as_the_transforms_numbers_can(
     assert (codes == sign * kept).all()
 
 
-def test_codes_are_the_coefficients_in_steps() -> None:
-    plane = np.random.default_rng(4).normal(0, 40, (8, 16))
-    codes = compression.quantise_plane(plane, compression.LUMINANCE_TABLE)
-    theirs = scipy.fft.dctn(plane[:, 8:], norm="ortho") / compression.LUMINANCE_TABLE
-    np.testing.assert_array_equal(codes[0, 1], np.rint(theirs))
-    assert codes.dtype == np.int64
-
-
 CODES = np.random.default_rng(5).integers(-128, 128, (3, 50, 8, 8)).astype(float)
 ORACLE = dctn(CODES, type=2, norm="ortho", axes=(-2, -1))
 
@@ -108,38 +99,6 @@ def test_the_judge_is_scipys_transform_and_keeps_more_digits() -> None:
 ASTRONAUT = skimage.data.astronaut()[:192, 100:340]
 
 
-def one_block(codes: dict[int, int]) -> NDArray[np.int64]:
-    """A block with ``codes`` {place in zigzag order: code}."""
-    block = np.zeros(64, np.int64)
-    for place, code in codes.items():
-        block[ZIGZAG[place]] = code
-    return block.reshape(1, 1, 8, 8)
-
-
-@pytest.mark.parametrize(
-    ("codes", "bits"),
-    [
-        ({}, 0),
-        # Mean 5 (3 bits), then 17 zeros and a 1 (1 bit), then the end. Its symbols are one length
-        # of the mean, which is certain and free, and three others at log2(3) bits each.
-        ({0: 5, 18: 1}, 3 + 1 + 3 * math.log2(3)),
-        (dict.fromkeys(range(1, 64), -1), 63),  # one symbol, certain and free; no end is needed
-        ({1: LARGEST}, 15 + 2),
-        ({1: -LARGEST}, 15 + 2),
-    ],
-    ids=["grey", "by hand", "full", "largest", "least"],
-)
-def test_bits_are_counted_as_by_hand(codes: dict[int, int], bits: float) -> None:
-    assert symbol_bits([one_block(codes)]) == pytest.approx(bits)
-
-
-def test_planes_that_share_their_tables_share_the_rarity_of_symbols() -> None:
-    flat, edge = np.zeros((1, 3, 8, 8), np.int64), one_block({0: 1})
-    apart = symbol_bits([flat]) + symbol_bits([edge])
-    assert apart == 1
-    assert symbol_bits([flat, edge]) == pytest.approx(1 + 2 + 3 * math.log2(4 / 3))
-
-
 def symbols(codes: list[dict[int, int]]) -> tuple[dict[int, int], float]:
     """{symbol: count} and bits of blocks given as {place: code} of the 63 after the mean."""
     blocks = np.zeros((len(codes), 63), np.int64)
@@ -167,10 +126,6 @@ def test_symbols_are_those_of_the_standard(
     codes: dict[int, int], expected: dict[int, int], bits: int
 ) -> None:
     assert symbols([codes]) == (expected, bits)
-
-
-def test_a_run_of_zeros_ends_with_its_block() -> None:
-    assert symbols([{62: 1}, {2: 1}]) == ({0xF0: 3, 0xE1: 1, 0x21: 1, 0x00: 1}, 2)
 
 
 @pytest.mark.parametrize("quality", [50, 75, 90])

@@ -93,17 +93,6 @@ def asked(points: ArrayLike, lens: Distortion) -> Mask:
     return on_sheet_of_axis(np.asarray(points, float), lens.radial, lens.p1, lens.p2)
 
 
-@pytest.mark.parametrize("sign", [1, -1])
-@pytest.mark.parametrize(("along", "turns"), [((0, -1), 1 / 0.6), ((0, 1), np.inf)])
-def test_along_and_against_p_the_turning_is_where_the_one_dimensional_map_has_it(
-    along: tuple[int, int], turns: float, sign: int
-) -> None:
-    """y + 3 p₁ y² turns at y = −1 / (6 p₁), and nowhere on the other side of the axis."""
-    lens, direction = Distortion(p1=0.1 * sign), sign * np.asarray(along, float)
-    for radius in (0.5, 1.66, 1.67, 3.0, 1e3):
-        assert asked([radius * direction], lens)[0] == (radius < turns)
-
-
 def test_a_fold_however_narrow_is_seen() -> None:
     """1 − 0.9 s + 5 k₂ s² falls below zero over a few parts in a million of the radius."""
     lens = Distortion(k1=-0.3, k2=0.0405 * (1 - 1e-11), p1=1e-30)
@@ -121,9 +110,6 @@ def judged(*polynomials: Polynomial) -> list[bool]:
     size = max(polynomial.coef.size for polynomial in polynomials)
     rows = [np.pad(polynomial.coef, (0, size - polynomial.coef.size)) for polynomial in polynomials]
     return stay_positive(np.array(rows)).tolist()
-
-
-T = Polynomial((0.0, 1.0))
 
 
 @pytest.mark.parametrize("place", [0.03, 0.4, 2 / 3, 0.97])

@@ -1,13 +1,10 @@
 """Lens distortion against OpenCV, analysis, and its own inverses."""
 
-from collections.abc import Callable
-
 import cv2
 import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats
 from simulations.models.distortion.kinds import classify, line_bow
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -19,10 +16,6 @@ from simulations.models.distortion.lens_model import (
 )
 from simulations.models.distortion.undistortion import (
     INVERSES,
-    undistort_bracketed,
-    undistort_fixed_point,
-    undistort_newton,
-    undistort_table,
 )
 
 POINTS = np.random.default_rng(1).uniform(-0.7, 0.7, (200, 2))
@@ -92,24 +85,6 @@ def test_far_points_go_to_infinity_with_the_signs_of_their_direction(
 
 
 RADII = np.stack((np.linspace(0.01, 0.9, 50), np.zeros(50)), axis=-1)
-SCATTERED = np.random.default_rng(0).uniform(-0.5, 0.5, (200, 2))
-
-
-@pytest.mark.parametrize(("k1", "k2"), [(-0.3, 0.1), (0.2, 0.0), (0.0, -0.2)])
-@pytest.mark.parametrize(
-    ("undo", "within"),
-    [
-        (lambda xy, lens: undistort_fixed_point(xy, lens, 60), 1e-12),
-        (lambda xy, lens: undistort_newton(xy, lens, 6), 1e-12),
-        (undistort_table, 1e-6),
-        (undistort_bracketed, 1e-14),
-    ],
-)
-def test_points_all_over_the_picture_come_back(
-    undo: Callable[..., Floats], within: float, k1: float, k2: float
-) -> None:
-    lens = Distortion(k1=k1, k2=k2)
-    np.testing.assert_allclose(undo(distort(SCATTERED, lens), lens), SCATTERED, atol=within)
 
 
 @pytest.mark.parametrize("name", ["closed-form", "checked-table", "newton-bracketed"])

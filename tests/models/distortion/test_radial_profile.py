@@ -1,7 +1,6 @@
 """Radial profiles: slope, fold and inverse, to all digits and knowing where there is none."""
 
 import math
-from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import numpy as np
@@ -10,7 +9,6 @@ from support.radial_profiles import PROFILES, bisect
 
 from simulations.models.arrays import Floats
 from simulations.models.distortion import cubic_inverse
-from simulations.models.distortion.cubic_inverse import shrinkage_of_cubic
 from simulations.models.distortion.lens_model import (
     Distortion,
     undistort,
@@ -107,15 +105,6 @@ def test_the_inverse_bends_nearest_where_the_slope_vanishes_for_real_or_complex_
 ) -> None:
     """s is the squared radius and g = f/r, so that f² is s g²."""
     assert nearest_turning_image(profile) == pytest.approx(image)
-
-
-@pytest.mark.parametrize("profile", [*PROFILES, RadialProfile((-1 / 3,)), RadialProfile((3.0,))])
-@pytest.mark.parametrize("reach", [1e-6, 0.9, 40.0])
-def test_the_inverse_returns_the_radius_to_all_digits(profile: RadialProfile, reach: float) -> None:
-    radii = np.linspace(0.0, min(reach, 0.95 * fold_radius(profile)), 201).reshape(3, 67)
-    found, valid = invert_bracketed(profile, evaluate(profile, radii))
-    assert valid.all()
-    np.testing.assert_allclose(found, radii, rtol=1e-12, atol=1e-15)
 
 
 FOLDS_AT_1, IDENTITY = RadialProfile((-1 / 3,)), RadialProfile((0.0,))
@@ -238,32 +227,6 @@ def test_each_place_is_found_in_its_cell(profile: RadialProfile, reach: float, c
     np.testing.assert_allclose(cell_of(grid, images), places, atol=1e-10)
     last = min(reach, largest_image_radius(profile) ** 2)
     np.testing.assert_allclose(sorted(images[[0, -1]]), [0.0, last], rtol=1e-13, atol=1e-14)
-
-
-@pytest.mark.parametrize(("limit", "folds"), [(15.99, True), (16.0, False), (math.inf, False)])
-def test_a_fold_counts_if_its_squared_image_is_less_than_64_times_the_reach(
-    limit: float, folds: bool
-) -> None:
-    assert grid_for(HARDLY, limit, 4.0, 256).folds is folds
-
-
-def error_in_conditions(k1: float, image_squared: float) -> float:
-    """Relative error in units of 2⁻⁵³ times the condition, by Newton's method in sixty digits."""
-    found = float(shrinkage_of_cubic(k1, np.array(image_squared)))
-    with localcontext(prec=60):
-        k, seen = Decimal(k1), Decimal(image_squared).sqrt()
-        r = Decimal(found) * seen
-        for _ in range(9):
-            r -= (r + k * r**3 - seen) / (1 + 3 * k * r * r)
-        condition = seen / (r * (1 + 3 * k * r * r))
-        return float(abs(Decimal(found) * seen / r - 1) / condition) * 2.0**53
-
-
-@pytest.mark.parametrize("k1", [-50.0, -0.3, -1e-9])
-def test_barrels_are_undone_to_three_units_of_the_condition(k1: float) -> None:
-    limit = largest_image_radius(RadialProfile((k1,)))
-    shares = [*np.logspace(-100, -2, 50), *np.linspace(0.02, 0.99, 60), 0.9999, 1 - 1e-9]
-    assert max(error_in_conditions(k1, (limit * each) ** 2) for each in shares) < 3.5
 
 
 def test_it_vouches_for_nothing_at_the_fold_and_beyond() -> None:

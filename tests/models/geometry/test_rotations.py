@@ -8,25 +8,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
-from support.quaternions import same_up_to_sign, wxyz
+from support.quaternions import same_up_to_sign
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import euler, quaternions, rotation_paths, rotations
 from simulations.models.geometry.quaternion_blends import (
     BLENDS,
-    bisected_arc,
     turn_between_rad,
 )
 
 RNG = np.random.default_rng(1)
 RANDOM = Rotation.random(200, rng=RNG)
-TINY_TO_TURN = [0.0, 1e-300, 1e-9, 1e-4, 1.0, math.pi - 1e-9, math.pi]
-
-
-@pytest.mark.parametrize("angle", TINY_TO_TURN)
-def test_the_logarithm_undoes_the_exponential_from_tiny_angles_to_half_a_turn(angle: float) -> None:
-    v = np.array([2.0, -1.0, 2.0]) / 3.0 * angle
-    assert rotations.logarithm(rotations.exponential(v)) == pytest.approx(v, abs=1e-14, rel=1e-14)
 
 
 @pytest.mark.parametrize("size", [1e-200, 1e-3, 1.0, 1e200])
@@ -38,12 +30,6 @@ def test_the_logarithm_undoes_the_exponential_from_tiny_angles_to_half_a_turn(an
 def test_the_nearest_rotation_of_a_known_matrix_at_any_scale(matrix: Floats, size: float) -> None:
     R = RANDOM[3].as_matrix()
     assert rotations.nearest_rotation(size * R @ matrix) == pytest.approx(R, abs=1e-5)
-
-
-def test_the_quaternion_product_composes_like_matrices() -> None:
-    a, b = wxyz(RANDOM[:100]), wxyz(RANDOM[100:])
-    expected = (RANDOM[:100] * RANDOM[100:]).as_matrix()
-    assert quaternions.to_matrix(quaternions.multiply(a, b)) == pytest.approx(expected, abs=1e-14)
 
 
 def test_the_canonical_quaternion_has_its_first_entry_that_is_not_zero_positive() -> None:
@@ -113,13 +99,6 @@ def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign: i
     assert middle == pytest.approx(np.array([1, sign, 0, 0]) / math.sqrt(2))
 
 
-def test_slerp_goes_on_past_its_ends_at_the_same_speed() -> None:
-    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.4)])
-    shares = np.array([-1.0, -0.5, 1.5, 3.0])
-    angles = quaternions.to_rotation_vector(rotations.slerp(start, end, shares))[:, 2]
-    assert angles == pytest.approx(0.1 + 0.3 * shares)
-
-
 SHARES = np.linspace(0.0, 1.0, 41)
 AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
 
@@ -141,12 +120,6 @@ def scipy_path(start: Floats, end: Floats, shares: Floats = SHARES) -> Rotation:
 def off_deg(blended: Floats, path: Rotation) -> Floats:
     ours = Rotation.from_quat(np.asarray(blended, float), scalar_first=True)
     return np.degrees((path.inv() * ours).magnitude())
-
-
-@pytest.mark.parametrize("angle_deg", [0, 1e-6, 3, 90, 179])
-def test_bisection_finds_scipys_slerp(angle_deg: float) -> None:
-    start, end = pair(angle_deg)
-    assert off_deg(bisected_arc(start, end, SHARES), scipy_path(start, end)).max() < 1e-12
 
 
 @pytest.mark.parametrize("kind", BLENDS)

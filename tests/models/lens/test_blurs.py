@@ -14,14 +14,12 @@ from simulations.models.arrays import Floats
 from simulations.models.lens.depth_of_field import (
     Layer,
     blur_by_depth,
-    blur_layer,
     composite,
 )
 from simulations.models.lens.disc_blur import (
     NARROW_RADIUS,
     disc_blur,
     disc_kernel,
-    fast_length,
 )
 from simulations.models.lens.disc_pyramid import double, halve, pyramid_blur
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
@@ -83,13 +81,6 @@ def test_blur_is_convolution_with_the_weights(radius: float) -> None:
     np.testing.assert_allclose(disc_blur(picture, radius), wanted, atol=2e-6)
 
 
-@pytest.mark.parametrize(
-    ("least", "length"), [(1, 1), (5, 5), (7, 8), (11, 12), (13, 15), (241, 243), (301, 320)]
-)
-def test_grids_have_no_prime_factor_above_five(least: int, length: int) -> None:
-    assert fast_length(least) == length
-
-
 def spread_of(radius: float, offset: int = 0, size: int = 161) -> tuple[Floats, NDArray[np.int64]]:
     """A point of light (size, size) after the blur, and the columns counted from the point."""
     light = np.zeros((1, size, size), np.float32)
@@ -117,14 +108,6 @@ def test_up_to_the_largest_reduced_radius_nothing_is_reduced() -> None:
     assert pyramid_blur(picture, 0.0) is picture
 
 
-def test_it_is_near_the_exact_disc() -> None:
-    picture = np.random.default_rng(0).random((1, 90, 90)).astype(np.float32)
-    picture[:, 30:60, 30:60] += 3
-    for radius in (8.5, 12.0, 20.0):
-        off = pyramid_blur(picture, radius) - disc_blur(picture, radius)
-        assert np.abs(off).max() < 0.03 * 4
-
-
 def test_halving_is_the_transpose_of_doubling() -> None:
     rng = np.random.default_rng(6)
     coarse, fine = rng.random((2, 3, 5)), rng.random((2, 6, 10))
@@ -133,12 +116,6 @@ def test_halving_is_the_transpose_of_doubling() -> None:
     assert there == pytest.approx(4 * (coarse * half).sum(), rel=1e-6)
     assert halve(np.zeros((2, 7, 8), np.float32)).shape == (2, 4, 4)
     assert halve(np.zeros((2, 8, 7), np.float32)).shape == (2, 4, 4)
-
-
-def test_what_is_sharp_comes_back_as_it_is() -> None:
-    layer, picture = Layer(np.ones((4, 3, 3), np.float32), 0, 0), np.ones((3, 4, 4), np.float32)
-    assert blur_layer(layer) is layer
-    assert blur_by_depth(picture, np.zeros((4, 4))) is picture
 
 
 @pytest.mark.parametrize("radius", [0.1, 0.2, 0.7, 2.0, 3.3, 11.0])

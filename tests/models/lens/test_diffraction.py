@@ -42,11 +42,13 @@ def test_defocus_darkens_the_middle_like_a_squared_sinc(waves: float) -> None:
     assert middle == pytest.approx(np.sinc(waves) ** 2, abs=1e-12)
 
 
-def test_transfer_is_continuous_where_defocus_begins() -> None:
-    f = np.linspace(0, 500, 101)
-    np.testing.assert_allclose(
-        lens_transfer(f, 0.55, 4, 1e-6), lens_transfer(f, 0.55, 4), atol=1e-9
-    )
+@pytest.mark.parametrize("short", [0.9, 0.3, 1e-3, 1e-6, 2.0**-30])
+def test_no_digits_are_lost_near_the_cut_off(short: float) -> None:
+    """The textbook's formula in long doubles, for λN = 1 mm."""
+    share = np.longdouble(1.0 - short)
+    expected = 2 * (np.arccos(share) - share * np.sqrt(1 - share * share)) / np.longdouble(math.pi)
+    assert lens_transfer(1.0 - short, 1.0, 1000.0) == pytest.approx(float(expected), rel=1e-9)
+    assert lens_transfer(1.0 - short, 1.0, 1000.0, 1e-3) == pytest.approx(float(expected), rel=1e-7)
 
 
 def test_nothing_passes_beyond_the_cut_off() -> None:

@@ -13,10 +13,7 @@ from simulations.models.lens.aperture import (
     turned_disc,
 )
 from simulations.models.lens.aperture_grid import aperture_grid
-from simulations.models.lens.vignetting import (
-    disc_overlap_area,
-    mechanical_vignetting,
-)
+from simulations.models.lens.vignetting import disc_overlap_area, mechanical_vignetting
 
 
 @pytest.mark.parametrize(
@@ -37,51 +34,41 @@ def test_a_rim_hides_as_much_of_the_pupil_as_it_overlaps(
     np.testing.assert_allclose(found, share, atol=1e-15)
 
 
-@pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (3.0, 2.0), (2.0, 3.0), (5.0, 0.5)])
-def test_two_discs_share_all_of_the_smaller_nothing_or_a_lens(a: float, b: float) -> None:
-    """The lens by the integral of the chords that both discs have."""
-    apart = np.array([0.0, 0.9 * abs(a - b), abs(a - b), a + b, 2 * (a + b)])
-    smaller = np.pi * min(a, b) ** 2
-    np.testing.assert_allclose(
-        disc_overlap_area(apart, a, b), [smaller, smaller, smaller, 0, 0], atol=1e-9
-    )
-    for d in (abs(a - b) + 0.1, 0.5 * (abs(a - b) + a + b), a + b - 0.1):
-        x = np.linspace(-a - b, a + 2 * b, 400_001)
-        half = [np.sqrt(np.maximum(r * r - (x - at) ** 2, 0)) for r, at in ((a, 0.0), (b, d))]
-        area = 2 * np.minimum(*half).sum() * (x[1] - x[0])
-        assert disc_overlap_area(d, a, b) == pytest.approx(area, rel=1e-5)
+def shared_area(apart: float, a: float, b: float) -> float:
+    """Two sectors without the kite between them, in long doubles."""
+    d, one, two = np.longdouble(apart), np.longdouble(a), np.longdouble(b)
+    along = (d * d + one * one - two * two) / (2 * d)
+    half = np.sqrt(one * one - along * along)
+    sectors = one * one * np.arctan2(half, along) + two * two * np.arctan2(half, d - along)
+    return float(sectors - d * half)
 
 
-def beside_an_edge(cut: float) -> float:
-    """Area of a unit disc to the left of x = −cut."""
-    return float(np.arccos(cut) - cut * np.sqrt(1 - cut * cut))
-
-
+@pytest.mark.parametrize("scale", [1e-60, 1.0, 1e60])
 @pytest.mark.parametrize(
-    ("apart", "a", "b", "area", "off"),
+    ("apart", "a", "b"),
     [
-        (0.0, 1e6, 1e-6, np.pi * 1e-12, 1e-18),
-        (0.0, 1e-70, 1e70, np.pi * 1e-140, 1e-146),
-        (2e70, 1e-70, 1e70, 0.0, 0.0),
-        (-1.0, 1.0, 1.0, 2 * np.pi / 3 - np.sqrt(3) / 2, 1e-15),  # to either side alike
-        (1e-6, 1e-6, 1e-6, (2 * np.pi / 3 - np.sqrt(3) / 2) * 1e-12, 1e-26),
-        (1e6, 1e6, 1e6, (2 * np.pi / 3 - np.sqrt(3) / 2) * 1e12, 1e-2),
-        # All but a strip of discs of one size.
-        (1e-5, 1.0, 1.0, np.pi - 2e-5, 1e-13),
-        (1e-10, 1.0, 1.0, np.pi - 2e-10, 1e-13),
-        # On the rim of a large one, which bends away by a strip of area 1/(3 R).
-        *((R, 1.0, R, np.pi / 2 - 1 / (3 * R), 1e-15) for R in (1e6, 1e12, 1e20, 1e60)),
-        # A very large disc cuts another as a straight edge does.
-        *(
-            (2.0**46 + cut, 1.0, 2.0**46, beside_an_edge(cut), 1e-14)
-            for cut in (-0.96875, -0.5, 0.25, 0.9375)
-        ),
+        (1, 1, 1),
+        (1e-5, 1, 1),
+        (1.999, 1, 1),
+        (4.2, 3, 2),
+        (1.5, 2, 3),
+        (4.9, 5, 0.5),
+        (1e4, 1, 1e4),
     ],
 )
-def test_discs_of_any_size_share_what_they_should(
-    apart: float, a: float, b: float, area: float, off: float
+def test_two_discs_share_two_sectors_without_a_kite(
+    apart: float, a: float, b: float, scale: float
 ) -> None:
-    assert disc_overlap_area(apart, a, b) == pytest.approx(area, abs=off, rel=0)
+    found = disc_overlap_area([apart * scale, -apart * scale], a * scale, b * scale)
+    assert found / scale**2 == pytest.approx([shared_area(apart, a, b)] * 2, rel=1e-9)
+    smaller = np.pi * min(a, b) ** 2
+    assert disc_overlap_area([0.0, 1e70], a, b) == pytest.approx([smaller, 0.0])
+
+
+@pytest.mark.parametrize("cut", [-0.96875, 0.0, 0.9375])
+def test_a_large_disc_cuts_another_as_a_straight_edge_does(cut: float) -> None:
+    area = np.arccos(cut) - cut * np.sqrt(1 - cut * cut)
+    assert disc_overlap_area(2.0**46 + cut, 1.0, 2.0**46) == pytest.approx(area, abs=1e-13)
 
 
 @pytest.mark.parametrize("count", [1, 16, 500])
@@ -125,12 +112,6 @@ def test_a_spiral_is_turned_as_a_whole_and_for_each_pixel_by_another_angle() -> 
     np.testing.assert_allclose(turns, turns[:1] + np.zeros_like(turns), atol=1e-5)
     assert len(np.unique(np.angle(turns[0]).round(3))) > 550
     assert abs(turns[0].mean()) < 0.1
-
-
-def test_any_beginning_is_balanced_about_the_centre() -> None:
-    points = np.array(aperture_grid(7))
-    for count in range(12, len(points) + 1):
-        assert np.linalg.norm(points[:count].mean(axis=0)) < 0.2
 
 
 @pytest.mark.parametrize("across", [2, 5, 8])

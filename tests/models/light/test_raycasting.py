@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.rays import AHEAD, ORIGIN, unit
 
-from simulations.models.light.edge_coverage import straight_edge_coverage
 from simulations.models.light.raycasting import (
     Box,
     Sphere,
@@ -64,24 +63,6 @@ def test_a_slanted_ray_has_the_normal_of_the_face_that_it_meets_first() -> None:
     inside = intersect(box, (0.0, 6.0, 0.0), unit([2.0, 1.0, 0.5]))
     assert inside.points == pytest.approx([1, 6.5, 0.25])
     assert inside.normals == pytest.approx([1, 0, 0])
-
-
-def test_a_box_is_met_where_its_edges_lie_along_each_axis() -> None:
-    """Sizes 2, 4 and 6 about (1, 10, −1): seen from in front, above and the side."""
-    box = Box((1.0, 10.0, -1.0), (2.0, 4.0, 6.0))
-    for eye, towards, point in (
-        ((1.5, 0.0, 0.0), (0, 1, 0), (1.5, 8, 0)),
-        ((0.5, 11.0, 9.0), (0, 0, -1), (0.5, 11, 2)),
-        ((-9.0, 9.0, -3.0), (1, 0, 0), (0, 9, -3)),
-        ((20.0, 9.0, -3.0), (-1, 0, 0), (2, 9, -3)),
-        ((1.5, 30.0, 0.0), (0, -1, 0), (1.5, 12, 0)),
-        ((0.5, 11.0, -9.0), (0, 0, 1), (0.5, 11, -4)),
-    ):
-        hit = intersect(box, eye, np.array(towards, float))
-        assert hit.valid
-        assert hit.points == pytest.approx(point)
-        assert hit.distance == pytest.approx(math.dist(eye, point))
-        assert hit.normals == pytest.approx(-np.array(towards))
 
 
 @settings(deadline=None, max_examples=30)
@@ -168,19 +149,6 @@ def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette() -> Non
             assert margin == pytest.approx(-math.sin(off))
 
 
-def test_straight_edges_on_the_grid_are_covered_by_their_distance() -> None:
-    """x − 2.3 px is the distance itself; its rows and columns, and any multiple, are alike."""
-    x = np.arange(6.0)
-    expected = np.clip(0.5 + x - 2.3, 0, 1)
-    for factor in (1e-6, 1.0, 50.0):
-        margin = factor * (x - 2.3) + np.zeros((4, 1))
-        np.testing.assert_allclose(edge_coverage(margin), np.tile(expected, (4, 1)))
-        np.testing.assert_allclose(edge_coverage(margin.T), np.tile(expected, (4, 1)).T)
-    slanted = (3 * x + 4 * np.arange(5.0)[:, None] - 11) / 5
-    behind = straight_edge_coverage(slanted, [0.6, 0.8])
-    np.testing.assert_allclose(edge_coverage(slanted), behind, atol=1e-12)
-
-
 @pytest.mark.parametrize(
     ("offset", "share"), [(-1.0, 0.0), (-0.5, 0.15625), (0.0, 0.5), (0.5, 0.84375), (1.0, 1.0)]
 )
@@ -212,17 +180,6 @@ def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray() -> None:
         assert visibility(box, (x, 0.0, z), light, lamp) == pytest.approx(1 - 0.09 * 2.4)
     just_below = visibility(box, (0.0, 0.0, 0.99), (0, 0, 1.0), lamp)
     assert just_below == 0
-
-
-@pytest.mark.parametrize("turn", [0.4, math.pi / 2, -2.0])
-def test_turning_box_points_and_lamp_together_changes_no_shadow(turn: float) -> None:
-    box, light = Box((0.3, -0.2, 2), (2, 1, 1.5), 0.2), unit([0.5, -0.7, 0.9])
-    points = np.random.default_rng(2).uniform([-3, -3, 0], [3, 3, 0], (200, 3))
-    seen = visibility(box, points, light, 0.05)
-    assert 0 < (seen < 1).sum() < 200
-    R = Box((0, 0, 0), (1, 1, 1), turn).world_to_box.T
-    turned = Box(tuple(R @ box.centre), box.size, 0.2 + turn)
-    assert visibility(turned, points @ R.T, R @ light, 0.05) == pytest.approx(seen, abs=1e-9)
 
 
 def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone() -> None:

@@ -22,17 +22,13 @@ from simulations.models.light.interreflection import (
     bounced,
     edge_factor,
     lamp_light,
-    mean_lamp_light,
     seen_of,
     shadow_end,
 )
 from simulations.models.light.reflectance import (
-    DirectionalLight,
     PointLight,
-    attenuation,
     blinn_phong,
     irradiance,
-    normalise,
     phong,
 )
 
@@ -83,26 +79,6 @@ def test_highlights_at_the_edge_of_what_there_is(
     assert found == pytest.approx(shade, abs=1e-15)
 
 
-def test_fields_are_shaded_one_by_one() -> None:
-    normals, lights, views = normalise(np.random.default_rng(2).normal(size=(3, 4, 5, 3)))
-    for model in (phong, blinn_phong):
-        field = model(normals, lights, views, 0.5, ambient=0.1)
-        each = model(normals[2, 3], lights[2, 3], views[2, 3], 0.5, ambient=0.1)
-        assert field.shape == (4, 5)
-        assert field[2, 3] == pytest.approx(each)
-    found = irradiance([0, 0, 0], normals, [DirectionalLight((0.6, 0, 0.8), (0.5, 1, 2))])
-    cosines = np.maximum(normals @ [0.6, 0, 0.8], 0)
-    np.testing.assert_allclose(found, cosines[..., None] * [0.5, 1, 2], atol=1e-15)
-
-
-def test_lamps_are_white_and_a_centimetre_wide_unless_told_otherwise() -> None:
-    sun, lamp = DirectionalLight((0, 0, 1)), PointLight((0, 0, 1))
-    assert irradiance([0, 0, 0], FRONT, [sun]).tolist() == [1, 1, 1]
-    assert irradiance([0, 0, 0], FRONT, [lamp]).tolist() == [1, 1, 1]
-    assert irradiance([0, 0, 0.999], FRONT, [lamp]) == pytest.approx([1e4] * 3)
-    assert attenuation(0.0) == pytest.approx(1e4)
-
-
 def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square() -> None:
     """At (3, 0, 0) below a lamp at (0, 0, 4): distance 5, cosine 4/5."""
     lamp = PointLight((0, 0, 4), (1.0, 2.0, 3.0))
@@ -110,17 +86,6 @@ def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square() -
     found = irradiance(points, np.broadcast_to(FRONT, (3, 3)), [lamp])
     expected = np.outer([0.8 / 25, 1 / 16, 0], [1, 2, 3])
     np.testing.assert_allclose(found, expected, atol=1e-15)
-
-
-def test_phong_is_the_sum_of_its_three_parts_by_hand() -> None:
-    """Light at 30° to the normal; the eye 10° beside its mirror image."""
-    light = [math.sin(math.radians(30)), 0, math.cos(math.radians(30))]
-    view = [-math.sin(math.radians(40)), 0, math.cos(math.radians(40))]
-    matte = 0.6 * (0.1 + math.cos(math.radians(30)))
-    shade = phong(FRONT, light, view, 0.6, specular=0.7, shininess=20, ambient=0.1)
-    assert shade == pytest.approx(matte + 0.7 * math.cos(math.radians(10)) ** 20)
-    halfway = blinn_phong(FRONT, light, view, 0.6, specular=0.7, shininess=20, ambient=0.1)
-    assert halfway == pytest.approx(matte + 0.7 * math.cos(math.radians(5)) ** 20)
 
 
 def test_the_usual_highlights_are_half_as_bright_as_white_and_fourfold_for_blinn() -> None:
@@ -238,12 +203,3 @@ def test_the_lamps_light_goes_as_the_cosine_and_stops_at_the_shadow() -> None:
     np.testing.assert_allclose(found, np.where(places > 0.364, np.sin(np.radians(110.0)), 0.0))
     for beneath in (0.0, -0.5, -3.0):
         assert not lamp_light(places, beneath, opening).any()
-
-
-@pytest.mark.parametrize("angle", [20.0, 95.0, 110.0, 150.0, 179.0])
-def test_the_strips_have_the_mean_of_their_places(angle: float) -> None:
-    light, opening = np.radians(angle), np.radians(90.0)
-    fine = (np.arange(400_000) + 0.5) / 400_000
-    sums = np.histogram(fine, EDGES, weights=lamp_light(fine, light, opening))[0]
-    counts = np.histogram(fine, EDGES)[0]
-    np.testing.assert_allclose(mean_lamp_light(light, opening), sums / counts, atol=5e-3)

@@ -11,7 +11,6 @@ from simulations.models.arrays import Floats
 from simulations.models.projection import pinhole, vanishing
 from simulations.models.projection.vanishing_lines import (
     fit_vanishing_point,
-    line_residuals,
     pixel_of,
 )
 
@@ -79,19 +78,9 @@ def test_the_angle_between_lines_is_read_off_where_they_vanish() -> None:
     assert angles == pytest.approx(np.arccos(np.abs(cosines)))
 
 
-SEGMENTS = RNG.uniform(0.0, 600.0, (6, 2, 2))
-
-
 def towards(point: tuple[float, float], count: int, rng: np.random.Generator) -> Floats:
     near = rng.uniform((0.0, 0.0), (800.0, 600.0), (count, 2))
     return np.stack([near, near + 0.3 * (np.array(point) - near)], axis=1)
-
-
-def test_a_residual_is_the_distance_of_the_ends_from_the_nearest_line_through_the_point() -> None:
-    residuals, _ = line_residuals(SEGMENTS, (900.0, -200.0, 1.0))
-    seen = SEGMENTS - (900.0, -200.0)
-    smallest = np.linalg.eigvalsh(np.swapaxes(seen, 1, 2) @ seen)[:, 0]
-    np.testing.assert_allclose(residuals**2, smallest, rtol=1e-8)
 
 
 def test_parallel_lines_meet_at_infinity() -> None:

@@ -43,14 +43,6 @@ def test_aliasing_folds_at_any_rate() -> None:
     assert aliasing.alias_frequency(smallest, 3 * smallest) == smallest
 
 
-def test_the_zone_plate_is_its_formula() -> None:
-    x, y = np.array([0.0, 3.0, 0.0, 1.0]), np.array([0.0, 0.0, 2.0, 2.0])
-    expected = 0.5 + 0.5 * np.cos(np.pi * np.array([0, 9, 4, 5]) / 8.0)
-    np.testing.assert_allclose(aliasing.zone_plate(x, y, 8.0), expected, atol=1e-15)
-    assert aliasing.zone_plate(1e200, 0, 8.0) == 0.5
-    assert aliasing.zone_plate([0.0, 0.5], [0.0, 0.0], 0.5) == pytest.approx([1.0, 0.5])
-
-
 @given(st.one_of(st.floats(1e-6, 1.0), st.floats(1.0, 300.0)))
 def test_the_gaussian_has_the_standard_deviation_asked_for(sigma: float) -> None:
     taps = aliasing.gaussian_kernel(sigma)
@@ -77,12 +69,6 @@ def test_contrasts_are_those_of_the_textbook() -> None:
 
 
 FREQUENCIES = np.linspace(0, 1.2, 25)
-
-
-def test_the_box_has_the_transfer_of_a_pixel() -> None:
-    found = prefilters.transfer(prefilters.prefilter("box"), FREQUENCIES)
-    np.testing.assert_allclose(found, np.sinc(FREQUENCIES), atol=1e-6)
-    np.testing.assert_allclose(np.abs(found), aliasing.box_mtf(FREQUENCIES), atol=1e-6)
 
 
 def test_the_gaussian_has_a_gaussian_transfer_of_half_a_pixel() -> None:

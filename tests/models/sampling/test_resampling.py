@@ -7,17 +7,15 @@ import pytest
 from numpy.typing import ArrayLike
 from PIL import Image
 from scipy import ndimage
-from scipy.interpolate import BSpline
 from scipy.ndimage import map_coordinates
 
 from simulations.models.arrays import Floats
-from simulations.models.sampling.bspline import coefficients, weigh
+from simulations.models.sampling.bspline import coefficients
 from simulations.models.sampling.cubic_warp import cubic_warp, warp
 from simulations.models.sampling.magnification import magnify
 from simulations.models.sampling.resampling import (
     KERNELS,
     gather,
-    gather_source,
     gather_table,
     resize,
     sample,
@@ -94,23 +92,8 @@ def test_beyond_the_border_the_border_repeats(kernel: str) -> None:
     np.testing.assert_allclose(found, sample(wide, places + 8, kernel), atol=1e-6)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_a_picture_made_ready_once_is_read_as_the_picture_is(kernel: str) -> None:
-    picture = np.random.default_rng(3).random((7, 9, 3), np.float32)
-    table = gather_table([[2.3, 4.6], [-0.4, 0.1]], (7, 9), kernel, np.float32)
-    ready = gather_source(picture, kernel)
-    np.testing.assert_array_equal(gather(table, ready), gather(table, picture))
-
-
 DRAWS = np.random.default_rng(4)
 NORMAL = DRAWS.normal(size=(33, 41))
-
-
-def test_the_bump_is_scipy_s() -> None:
-    x = np.linspace(-2, 2, 401)
-    oracle = BSpline.basis_element([-2, -1, 0, 1, 2], extrapolate=False)(x)
-    np.testing.assert_allclose(weigh(x), np.nan_to_num(oracle), atol=1e-15)
-    assert weigh(np.array([-1.0, 0.0, 1.0, 2.0, 7.0])) == pytest.approx([1 / 6, 4 / 6, 1 / 6, 0, 0])
 
 
 @pytest.mark.parametrize("order", ["C", "F"])

@@ -24,7 +24,6 @@ from simulations.models.sensor.bayer import filter_colours, red_position
 from simulations.models.sensor.camera_colour import camera_curves, exposed, fit_colour_matrix
 from simulations.models.sensor.demosaicing import METHODS, PATTERNS, demosaic, mosaic
 from simulations.models.sensor.resolution import (
-    nyquist_per_mm,
     pixel_transfer,
     plate_transfer,
 )
@@ -173,9 +172,3 @@ def test_a_pixel_leaves_the_mean_over_its_width(frequency: float) -> None:
 def test_a_plate_leaves_the_mean_of_two_copies(frequency: float) -> None:
     mean = np.cos(2 * np.pi * frequency * np.array([-0.0015, 0.0015])).mean()
     assert plate_transfer(frequency, 3) == pytest.approx(mean, abs=1e-12)
-
-
-def test_nyquist_is_half_a_cycle_to_a_pixel() -> None:
-    assert nyquist_per_mm(4) == 125
-    assert pixel_transfer(nyquist_per_mm(7), 7) == pytest.approx(2 / np.pi)
-    assert plate_transfer(nyquist_per_mm(7), 7) == pytest.approx(0, abs=1e-15)

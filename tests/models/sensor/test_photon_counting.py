@@ -38,11 +38,6 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(7)
 
 
-def test_rounding_adds_one_twelfth_of_variance() -> None:
-    signal = rng().uniform(100, 900, 200_000)
-    assert np.var(quantise(signal, 10) - signal) == pytest.approx(1 / 12, rel=0.01)
-
-
 def test_exposure_counts_light_and_warmth() -> None:
     sensor = Sensor(quantum_efficiency=0.5, dark_current_e_per_s=2.0)
     assert expose(100.0, 3.0, sensor) == pytest.approx(156)
@@ -175,14 +170,6 @@ def test_it_is_scipy_s_quantile_deviate_by_deviate(mean: float) -> None:
     off = counted(mean) - k[np.searchsorted(stats.poisson.cdf(k, mean), PROBABILITY)]
     assert np.abs(off).max() <= 1
     assert np.mean(off != 0) < (1e-5 if mean < FEW else 0.003)
-
-
-def test_an_electron_in_a_billion_is_drawn_where_it_is_due() -> None:
-    """Far out on the tail, where probabilities near 1 have no digits left."""
-    mean = np.array([1e-12, 1e-9, 1e-6, 1e-3])
-    due = stats.norm.isf(-np.expm1(-mean))
-    assert poisson_from_normal(mean, due - 1e-3).tolist() == [0, 0, 0, 0]
-    assert poisson_from_normal(mean, due + 1e-3).tolist() == [1, 1, 1, 1]
 
 
 def test_the_tail_of_the_normal_is_scipy_s() -> None:
