@@ -86,13 +86,6 @@ def test_highlights_are_brightest_in_the_mirrors_direction() -> None:
         assert specular or np.ptp(seen) < 1e-12
 
 
-def test_one_direction_stands_for_the_narrow_cone_of_the_page() -> None:
-    """Exactly, it takes π sin² of its half-angle, times the cosine of its axis."""
-    half, slant = math.radians(12), math.radians(30)
-    exactly = of("page_in_the_sun").radiance() * math.pi * math.sin(half) ** 2 * math.cos(slant)
-    assert of("page_in_the_sun").power() == pytest.approx(exactly, rel=0.015)
-
-
 def test_a_cell_takes_the_mean_of_the_wave_over_its_width() -> None:
     m = of("pixel_footprint")
     wave = lambda x: math.cos(2 * math.pi * m.FREQUENCY * x)  # noqa: E731
@@ -105,12 +98,6 @@ def test_gaps_of_the_toy_format_double_with_each_power_of_two() -> None:
     starts, gaps = numbers[:-1], np.diff(numbers)
     expected = np.maximum(2.0 ** np.floor(np.log2(np.maximum(starts, 0.25))) / 8, 1 / 32)
     np.testing.assert_allclose(gaps[starts < 8], expected[starts < 8])
-
-
-def test_engraved_stops_are_rounded_and_two_surfaces_of_one_colour_differ() -> None:
-    m = of("f_numbers")
-    assert [float(name) for name in m.NAMES] == pytest.approx(m.STOPS, rel=0.015)
-    assert np.abs(np.subtract(*of("one_colour_two_spectra").twins())).max() > 0.1
 
 
 def test_the_drawn_ray_ends_in_the_drawn_point() -> None:

@@ -1,7 +1,6 @@
 """Laws by which single tiers err or agree: powers of the work, closed forms, other libraries."""
 
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any
 
 import cv2
@@ -10,18 +9,14 @@ import pytest
 import skimage.data
 from numpy.typing import NDArray
 from scipy import stats
-from scipy.optimize import least_squares
 from support.ladder_run import run_of
 
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.error_measures import psnr_db
 from simulations.models.geometry.homography_estimation import estimate_homography
 from simulations.models.geometry.quaternion_blends import STRAIGHT
-from simulations.models.lens.aperture import random_disc
-from simulations.models.sampling.fine_detail import FINE
 from simulations.models.sensor.demosaicing import demosaic, mosaic
-from simulations.pictures import cards, moving_ball
-from simulations.pictures.round_windows import FREQUENCIES, GOLDEN_RAD, SIZE
+from simulations.pictures.round_windows import FREQUENCIES, GOLDEN_RAD
 
 type Floats = NDArray[np.floating[Any]]
 
@@ -81,27 +76,6 @@ def test_on_photographs_the_default_is_the_best_that_stays_in_light(name: str) -
     assert shown["menon-encoded"] > shown[default]
 
 
-def test_four_times_the_independent_rays_are_worth_six_decibels() -> None:
-    run = run_of("depth-of-field")
-    work = run.work
-    rays = random_disc(64, work.seen.shape, np.random.default_rng(7)) * np.float32(work.lens_radius)
-    mean = sum((cards.radiance(work.seen, x, y) for x, y in rays), np.zeros_like(run.truth)) / 64
-    gained = run.metrics["psnr"](mean, run.truth, work) - run.error("psnr", "random-16")
-    assert gained == pytest.approx(10 * np.log10(4), abs=0.5)
-
-
-def test_turning_the_spiral_makes_grain_of_ghosts() -> None:
-    """Grain is an error that does not go on in the next pixel; a ghost's edge does."""
-    run = run_of("depth-of-field")
-
-    def continued(tier: str) -> float:
-        error = (run.result(tier) - run.truth)[:, 8:-8, 8:-8]
-        return float((error[..., 1:] * error[..., :-1]).mean() / (error**2).mean())
-
-    assert continued("fibonacci-16") > continued("turned-16") + 0.15
-    assert abs(continued("random-16")) < 0.05
-
-
 def test_counting_on_the_edge_or_in_bytes_counts_as_the_definition_does() -> None:
     run = run_of("edge-coverage")
     for edge, everywhere in zip(run.result("edge-box-16"), run.result("box-16"), strict=True):
@@ -123,15 +97,6 @@ def test_a_straight_edge_errs_by_the_bulge_of_the_circle(which: int, exact: floa
     bulge = (run.result("straight")[which] - truth)[row, edge]
     assert bulge == pytest.approx(1 / (24 * disc.radius), rel=exact)
     assert abs((run.result("curved")[which] - truth)[row, edge]) < bulge / 10
-
-
-def test_a_smear_stays_within_the_outline_that_the_ball_has_at_half_time() -> None:
-    run = run_of("exposure-blur")
-    outside = ~moving_ball.on_ball(run.work.x, run.work.y, 0.5)
-    wall = moving_ball.wall(run.work.x, run.work.y)
-    np.testing.assert_array_equal(run.result("smear")[outside], wall[outside])
-    middle = (47, round(moving_ball.START_X + moving_ball.TRAVEL / 2))  # no wall comes so deep in
-    assert run.result("smear")[middle] == pytest.approx(run.truth.picture[middle], abs=0.02)
 
 
 def mapped(H: Floats, points: Floats) -> Floats:
@@ -188,41 +153,6 @@ def test_least_squares_in_the_second_picture_is_opencvs_refined_estimate(
     assert apart < 0.1 * run.error(name, "one-sided")
 
 
-def test_weighing_by_both_noises_agrees_with_moving_the_points_themselves() -> None:
-    """The gold standard: unknown are the map and where each point of the first picture is."""
-    run = run_of("homography-estimation")
-    matches, view = run.work[1], run.module.VIEWS[1]
-    source, target = matches.source[0], matches.target[0]
-    size = np.abs(view.homography)
-
-    def homography(unknown: Floats) -> Floats:
-        return np.append(unknown[:8] * size, 1.0).reshape(3, 3)
-
-    def residuals(unknown: Floats) -> Floats:
-        points = unknown[8:].reshape(-1, 2) * 1e3
-        off = mapped(homography(unknown), points) - target
-        return np.concatenate(((points - source).ravel(), off.ravel()))
-
-    start = np.concatenate((np.array(view.homography) / size, source.ravel() / 1e3))
-    best = least_squares(residuals, start, method="lm", xtol=1e-12, ftol=1e-12).x
-    ours, gold = run.result("two-sided")[1][0], homography(best)
-    apart = rms_apart(mapped(ours, matches.check), mapped(gold, matches.check))
-    assert apart < 0.1 * run.error("wall", "two-sided")
-
-
-def test_one_sided_distances_are_best_for_an_exact_first_picture() -> None:
-    run = run_of("homography-estimation")
-    matches, H = run.work[1], np.append(run.module.VIEWS[1].homography, 1.0).reshape(3, 3)
-    errors = {}
-    for name in ("one_sided", "two_sided"):
-        estimate = getattr(run.module, name)
-        found = []
-        for exact, target in zip(matches.exact, matches.target, strict=True):
-            found.append(mapped(estimate(exact, target), matches.check))
-        errors[name] = rms_apart(np.stack(found), mapped(H, matches.check))
-    assert errors["one_sided"] < 0.95 * errors["two_sided"]
-
-
 @pytest.mark.parametrize("tier", ["squared", "normalised"])
 def test_without_its_checks_the_normalised_transform_is_the_models(tier: str) -> None:
     run = run_of("homography-estimation")
@@ -261,51 +191,6 @@ def test_a_camera_at_the_origin_feels_no_distance() -> None:
     assert 8.0 < growth < 32.0
 
 
-def nearest_off_px(angle_deg: float, turns: int) -> Floats:
-    """(N, 2) how far from its true place the nearest neighbour finds a pixel, after turns.
-
-    By its own arithmetic: the places are rounded to the grid and followed.
-    """
-    angle = np.deg2rad(angle_deg)
-    work = run_of("resampling").module.prepare(angle)
-    step = np.clip(np.floor(work.source_px + 0.5), 0, SIZE - 1).astype(int)
-    start = place = np.stack(np.meshgrid(np.arange(SIZE), np.arange(SIZE)), axis=-1)
-    for _ in range(turns):
-        place = step[place[..., 1], place[..., 0]]
-    cos, sin = np.cos(turns * angle), np.sin(turns * angle)
-    from_middle = start - (SIZE - 1) / 2
-    true = from_middle @ np.array([[cos, sin], [-sin, cos]]) + (SIZE - 1) / 2
-    off: Floats = (place - true)[np.hypot(*np.moveaxis(from_middle, -1, 0)) < 40]
-    return off
-
-
-def test_shifts_of_the_nearest_pixel_add_up_like_random_steps() -> None:
-    """Three turns of 30° take the grid onto itself: so the ladder does not use this angle."""
-    for angle_deg in (20.0, 33.0, 41.0):
-        once, often = (
-            rms_apart(nearest_off_px(angle_deg, turns), 0.0 * np.eye(1)) for turns in (1, 12)
-        )
-        assert once == pytest.approx(np.sqrt(1 / 6), rel=0.03), "even within a pixel"
-        assert often == pytest.approx(np.sqrt(12) * once, rel=0.1)
-    back = np.hypot(*nearest_off_px(30.0, 12).T) < 1e-6
-    assert np.mean(back) == pytest.approx(2 / 3, abs=0.03)
-
-
-@pytest.mark.parametrize("angle_deg", [20.0, 29.0, 37.0, 41.0])
-def test_up_to_the_spline_a_dearer_kernel_is_truer_on_every_picture(angle_deg: float) -> None:
-    run = run_of("resampling")
-    work = run.module.prepare(np.deg2rad(angle_deg))
-    truth = run.module.reference(work)
-    results = [run.ladder.tier(t).run(work) for t in ("nearest", "bilinear", "bicubic", "spline")]
-    for shown in ("once", "often"):
-        each = [
-            run.module.psnr_each(getattr(result, shown), getattr(truth, shown))
-            for result in results
-        ]
-        for cheaper, dearer in pairwise(each):
-            assert np.all(np.greater(dearer, cheaper))
-
-
 def test_each_turn_takes_the_contrast_that_the_triangles_spectrum_says() -> None:
     """A triangle passes sinc² f along each axis of the pixel grid; turns multiply."""
     run, left = run_of("resampling"), []
@@ -316,16 +201,6 @@ def test_each_turn_takes_the_contrast_that_the_triangles_spectrum_says() -> None
             left.append(np.prod(np.square(np.sinc(f * np.cos(ways)) * np.sinc(f * np.sin(ways)))))
     waves = run.module.detail_each(run.result("bilinear"), run.truth)[0]
     assert waves.in_place == pytest.approx(np.mean(left), abs=0.01)
-
-
-@pytest.mark.parametrize("name", ["astronaut", "camera", "coffee", "chelsea", "coins", "grass"])
-def test_on_photographs_two_pixels_of_shift_cost_more_than_all_fine_detail(name: str) -> None:
-    photograph = np.asarray(getattr(skimage.data, name)(), float)[:300, :300] / 255
-    grey = photograph.mean(-1) if photograph.ndim == 3 else photograph
-    waves = np.fft.fft2(grey)
-    waves[np.hypot(*np.meshgrid(*map(np.fft.fftfreq, grey.shape), indexing="ij")) >= FINE] = 0
-    dulled = psnr_db(np.fft.ifft2(waves).real, grey, crop=16)
-    assert max(psnr_db(np.roll(grey, 2, axis), grey, crop=16) for axis in (0, 1)) < dulled
 
 
 def test_the_straight_line_errs_as_the_chord_of_the_arc() -> None:

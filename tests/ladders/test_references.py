@@ -20,8 +20,6 @@ from simulations.models.compression.blocks import LUMINANCE_TABLE
 from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
-    fold_radius,
-    largest_distorted_radius,
 )
 from simulations.models.geometry.rotations import logarithm
 from simulations.models.lens.aperture import fibonacci_disc
@@ -74,14 +72,6 @@ def test_lateral_colour_agrees_with_adaptive_quadrature_over_wavelengths() -> No
     assert run.truth[blue, row, column] == pytest.approx(expected, abs=1e-4)
 
 
-def test_near_the_axis_any_number_of_wavelengths_is_enough() -> None:
-    run = run_of("chromatic-aberration")
-    middle = slice(run.module.SIZE // 2 - 3, run.module.SIZE // 2 + 3)
-    np.testing.assert_allclose(run.truth[:, middle, middle], 1.0, atol=1e-6)
-    for tier in run.ladder.tiers:
-        np.testing.assert_allclose(run.result(tier.id)[:, middle, middle], 1.0, atol=1e-5)
-
-
 def test_the_corners_are_where_opencv_projects_the_board() -> None:
     run = run_of("corner-refinement")
     view = run.module._view()
@@ -89,15 +79,6 @@ def test_the_corners_are_where_opencv_projects_the_board() -> None:
     board = run.module.BOARD.points_mm
     oracle, _ = cv2.projectPoints(board, logarithm(pose[:3, :3]), pose[:3, 3], view.K, lens)
     assert np.abs(oracle[:, 0] - run.truth[0]).max() < 1e-9
-
-
-def test_searches_begin_off_the_corners_and_windows_hold_one_corner_each() -> None:
-    run = run_of("corner-refinement")
-    for part in run.work:
-        off = np.sqrt(((part.begin - part.truth) ** 2).sum(axis=-1).mean())
-        assert 0.5 * run.module.OFF_PX < off < 2 * run.module.OFF_PX
-        apart = np.hypot(*(part.truth[:, None] - part.truth).transpose(2, 0, 1))
-        assert apart[apart > 0].min() > 2 * run.module.RADIUS
 
 
 def test_coverage_of_a_disc_agrees_with_quadrature() -> None:
@@ -160,15 +141,6 @@ def test_more_rays_change_the_reference_less_than_any_tier_errs() -> None:
     assert run.metrics["psnr"](more, run.truth, run.work) > run.error("psnr", "fibonacci-64") + 6
 
 
-def test_a_pinhole_sees_the_mean_over_each_pixel() -> None:
-    """Rays of no width against formulas for areas: neither has a line of the other."""
-    run = run_of("depth-of-field")
-    sharp = run.module.reference(replace(run.work, lens_radius=0.0))
-    assert run.metrics["psnr"](run.result("pinhole"), sharp, run.work) > 43
-    on_the_middle_card = (slice(None), slice(17, 24), slice(44, 49))  # which is in focus
-    np.testing.assert_allclose(run.truth[on_the_middle_card], sharp[on_the_middle_card], atol=0.01)
-
-
 def test_a_card_covers_the_share_of_the_lens_that_its_shadow_does() -> None:
     """Seen from a pixel, the card's edge cuts the lens as one disc cuts another."""
     near, lens_radius = cards.CARDS[-1], run_of("depth-of-field").work.lens_radius
@@ -216,17 +188,6 @@ def test_undistorted_points_are_imaged_back_and_agree_with_opencv() -> None:
     coefficients = np.array([-0.3, 0.1, 0.0, 0.0])
     oracle = cv2.undistortPoints(mild.work.seen[:, None], np.eye(3), coefficients, criteria=until)
     assert mild.work.focal_px * np.abs(oracle[:, 0, :] - mild.truth).max() < 1e-9
-
-
-def test_the_strong_barrel_is_seen_nearly_to_its_fold() -> None:
-    mild, strong = run_of("inverse-distortion"), run_of("inverse-strong")
-    assert sum(len(part.seen) for part in strong.work) == len(mild.work.seen) == 76_800
-    for part, focal_px in zip((mild.work, *strong.work), (400.0, 200.0, 569.0), strict=True):
-        corner = np.array([319.5, 239.5]) / focal_px
-        assert np.abs(part.seen).max(axis=0) == pytest.approx(corner, rel=0.01)
-    barrel, ideal = strong.work[1], strong.truth[1]
-    assert 0.998 < np.hypot(*barrel.seen.T).max() / largest_distorted_radius(barrel.lens) < 0.999
-    assert np.hypot(*ideal.T).max() < fold_radius(barrel.lens)
 
 
 def test_metrics_of_inverse_lenses_measure_a_known_shift() -> None:
@@ -309,13 +270,6 @@ def test_counts_of_photons_have_scipys_poisson_distribution() -> None:
     for row, mean in enumerate(run.module.LEVELS_E):
         oracle = stats.poisson.cdf(np.arange(run.truth.shape[1]), mean)
         np.testing.assert_allclose(run.truth[row], oracle, atol=1e-14)
-
-
-def test_counts_one_too_high_are_off_by_the_largest_probability() -> None:
-    run = run_of("shot-noise")
-    shifted = run.module.distances(run.result("poisson") + 1, run.truth)
-    largest = [stats.poisson.pmf(int(mean), mean) for mean in run.module.LEVELS_E]
-    np.testing.assert_allclose(shifted, largest, atol=1.63 / np.sqrt(run.module.SAMPLES))
 
 
 KNOWN_ERRORS = [

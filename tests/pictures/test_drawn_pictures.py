@@ -12,7 +12,6 @@ from simulations.pictures import spoked_wheel
 from simulations.pictures.balloon import HEIGHT, WIDTH, Window, balloon
 from simulations.pictures.checker_room import HIGH, LOW, TRIM_M, checker_room
 from simulations.pictures.patterns import (
-    siemens_star,
     stripes,
 )
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
@@ -20,12 +19,6 @@ from simulations.pictures.still_life.depth import depth_met
 from simulations.pictures.still_life.surfaces import surfaces
 from simulations.pictures.still_life.things import view
 from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
-
-
-def test_it_is_drawn_once_for_all_figures_and_cannot_be_written_to() -> None:
-    assert balloon() is balloon()
-    with pytest.raises(ValueError, match="read-only"):
-        balloon()[0, 0, 0] = 1
 
 
 @pytest.mark.parametrize(
@@ -50,15 +43,6 @@ def test_stripes_agree_with_many_point_samples(footprint: float) -> None:
     fine = u[:, None] + footprint * ((np.arange(4000) + 0.5) / 4000 - 0.5)
     sampled = (np.abs(fine - np.round(fine / 0.7) * 0.7) <= 0.1).mean(axis=1)
     np.testing.assert_allclose(stripes(u, 0.7, 0.2, footprint), sampled, atol=1e-3)
-
-
-def test_siemens_star_is_grey_at_its_centre_and_sharp_far_out() -> None:
-    x, y = np.meshgrid(np.arange(-100.0, 101.0), np.arange(-100.0, 101.0))
-    star = siemens_star(x, y, 18)
-    radius = np.hypot(x, y)
-    assert np.abs(star[(radius > 0) & (radius < 3)] - 0.5).max() < 0.25
-    assert ((star < 0.01) | (star > 0.99))[radius > 90].mean() > 0.7
-    assert star[radius > 20].mean() == pytest.approx(0.5, abs=0.01)
 
 
 def test_the_back_wall_ends_where_projection_puts_its_corners() -> None:
@@ -144,21 +128,6 @@ def test_the_mean_over_pixel_and_exposure_is_exact(
 ) -> None:
     found = spoked_wheel.mean_coverage(np.array([place]), duty, pixel, swept)
     assert found[0] == pytest.approx(brute_force(place, duty, pixel, swept), abs=6e-3)
-
-
-@given(
-    st.floats(-9, 9),
-    st.floats(0.02, 1.4),
-    st.floats(0.005, 0.4),
-    st.sampled_from([0.0, 0.4, -2.6]),
-    st.sampled_from([0.0, 0.25, 1.0]),
-)
-def test_the_mean_over_a_pixel_at_one_moment_is_exact(
-    place: float, duty: float, pixel: float, swept: float, time: float
-) -> None:
-    row = spoked_wheel.Bars(np.array([place]), np.array([duty]), np.array([pixel]), swept)
-    found = spoked_wheel.at_moment(row, time)
-    assert found[0] == pytest.approx(brute_force(place - swept * time, duty, pixel, 0.0), abs=6e-3)
 
 
 @pytest.mark.parametrize("swept", [-2.6, -0.03, 0.0, 0.5])

@@ -2,7 +2,6 @@
 
 import math
 
-import cv2
 import numpy as np
 import pytest
 from support.boards import facing_board
@@ -11,10 +10,9 @@ from simulations.models.arrays import Floats
 from simulations.models.chequerboard.board import Board
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.distortion.lens_model import undistort
-from simulations.models.geometry.rotations import logarithm
 from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.pinhole import intrinsics, project, world_to_camera
-from simulations.pictures.chequerboard import Look, photograph_of, true_corners
+from simulations.pictures.chequerboard import Look, photograph_of
 from simulations.pictures.tiled_floor import (
     BOX_PAINT,
     CREAM,
@@ -84,15 +82,6 @@ def test_each_side_has_its_light(name: str) -> None:
 
 BOARD = Board(5, 4, 20.0)
 SLANTED = facing_board(BOARD, 96, 72, focal_px=90.0, tilt=(0.6, -0.5, 0.2), distance_mm=160.0)
-
-
-def test_corners_are_where_opencv_projects_them() -> None:
-    rotation = logarithm(SLANTED.board_to_camera[:3, :3])
-    lens = np.array(SLANTED.lens.opencv)
-    oracle, _ = cv2.projectPoints(
-        BOARD.points_mm, rotation, SLANTED.board_to_camera[:3, 3], SLANTED.K, lens
-    )
-    assert np.abs(oracle[:, 0] - true_corners(BOARD, SLANTED)).max() < 1e-9
 
 
 def test_pixels_are_the_mean_of_samples_under_the_blur() -> None:

@@ -71,25 +71,6 @@ def test_a_label_over_a_picture_has_a_ground_around_its_words(anchor: str, left:
     assert label.text == "horizon"
 
 
-def test_shapes_carry_classes_and_only_computed_colours() -> None:
-    shapes = {
-        "ray dashed": drawing.polyline([(0, 0), (1, 1)], "ray dashed"),
-        "world fill": drawing.polygon([(0, 0), (1, 1), (1, 0)], "world fill"),
-        "muted": drawing.path([[(0, 0), (1, 1)], [(2, 2), (3, 3)]], "muted"),
-        "light": drawing.ellipse((1, 1), (2, 3), "light"),
-        "image": drawing.rectangle((0, 0), 4, 3, "image"),
-        "camera solid": drawing.dot((1, 1), "camera"),
-    }
-    group = ElementTree.fromstring(drawing.group([*shapes.values()], "figure"))
-    assert [child.get("class") for child in group] == [*shapes]
-    assert group[2].get("d") == "M0,0L1,1M2,2L3,3"
-    assert not {"fill", "stroke", "style"} & {name for child in group for name in child.attrib}
-    swatch = ElementTree.fromstring(drafting.swatch((1, 2), 3, 4, (1.2, 0.5, -0.1)))
-    assert swatch.get("fill") == "#ff8000"
-    tinted = drafting.tinted([drawing.line((0, 0), (1, 1), "thin")], (1.0, 0.5, 0.0))
-    assert tinted == '<g color="#ff8000"><line class="thin" x1="0" y1="0" x2="1" y2="1"/></g>'
-
-
 @pytest.mark.parametrize(
     ("content", "spans"),
     [

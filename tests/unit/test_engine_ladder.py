@@ -80,11 +80,6 @@ def test_a_coarse_clock_measures_a_quick_tier_right() -> None:
     assert result.milliseconds == pytest.approx(0.007, rel=0.03)
 
 
-def test_the_front_leaves_out_slower_and_worse_points() -> None:
-    points = [(1.0, 9.0), (2.0, 3.0), (3.0, 4.0), (4.0, 1.0), (4.0, 1.0)]
-    assert pareto_front(points) == (True, True, False, True, True)
-
-
 @given(st.lists(st.tuples(*[st.integers(0, 9).map(float)] * 2), min_size=1, max_size=12))
 def test_whatever_is_off_the_front_is_beaten_by_something_on_it(
     points: list[tuple[float, float]],

@@ -1,7 +1,6 @@
 """Settings: a dataclass whose fields state the controls of a scene; values from authors are
 checked, those of readers brought into range, and lists of points written as text."""
 
-import json
 from dataclasses import dataclass
 
 import pytest
@@ -11,12 +10,10 @@ from hypothesis import strategies as st
 from simulations.engine.controls import (
     Action,
     Choice,
-    Control,
     ControlError,
     PointLists,
     Slider,
     Toggle,
-    describe,
 )
 from simulations.engine.settings import (
     action,
@@ -62,17 +59,6 @@ def test_each_field_states_a_control_of_its_name() -> None:
     ) == (DEPTH, COLUMN, KIND, SHOW, PLAY)
     first: str = choice("Kind", KINDS).default  # type: ignore[attr-defined]
     assert first == "rigid"
-
-
-@pytest.mark.parametrize("control", [DEPTH, KIND, SHOW, PLAY], ids=lambda control: control.kind)
-def test_a_description_is_plain_data_with_the_contracts_keys(control: Control) -> None:
-    entry = describe(control)
-    assert json.loads(json.dumps(entry)) == entry
-    assert {"name", "kind", "label", "default"} <= entry.keys()
-    if control is DEPTH:
-        assert (entry["min"], entry["max"], entry["step"]) == (0.5, 20.0, 0.25)
-    if control is KIND:
-        assert entry["options"] == ["rigid", "affine"]
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,6 @@ from simulations.engine.letters import width_of
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.clipping import clipped
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
-from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.plotting.ticks import log_ticks, round_ticks
@@ -63,12 +62,6 @@ def test_a_place_leads_back_to_its_value(exponent: float, log: bool) -> None:
     value = 10.0 ** (exponent / 4) if log else exponent
     assert axis.value(axis.place(value)) == pytest.approx(value, rel=1e-9, abs=1e-9)
     assert PLOT.values(PLOT.at(3.0, 0.2)) == pytest.approx((3.0, 0.2))
-
-
-def test_a_logarithmic_axis_has_no_place_for_zero_and_holds_it_at_its_end() -> None:
-    assert np.isnan(Axis(1, 10, 0, 100, log=True).position([0.0, -1.0])).all()
-    axis = Axis(1, 100, 10, 90, log=True)
-    assert [axis.clamped(value) for value in (-5.0, 0.0, 1e9)] == [10, 10, 90]
 
 
 @given(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6), st.integers(2, 9))
@@ -170,19 +163,6 @@ def test_a_label_that_is_crowded_away_from_its_point_has_a_leader() -> None:
     crowd = [Label((200, 150 + n), "a long name", leader="muted thin") for n in range(12)]
     assert "<line" not in place_labels(crowd[:1], WHOLE)
     assert 'class="muted thin"' in place_labels(crowd, WHOLE)
-
-
-def test_what_a_legend_leaves_out_keeps_its_place() -> None:
-    places = []
-    for shown in (True, False):
-        entries = [
-            Entry("lens", "ray"),
-            Entry("plate", "muted", shown=shown),
-            Entry("all", "image"),
-        ]
-        names = labels(legend((34, 282), entries), in_figures)
-        places.append([label.box.left for label in names if label.text != "plate"])
-    assert places[0] == places[1]
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,11 @@
 """Radial profiles: slope, fold and inverse, to all digits and knowing where there is none."""
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from support.radial_profiles import PROFILES, bisect
 
 from simulations.models.arrays import Floats
 from simulations.models.distortion import cubic_inverse
@@ -31,6 +31,41 @@ from simulations.models.distortion.radial_table import (
     image_squared_at,
     shrinkage,
 )
+
+PROFILES = [
+    RadialProfile((0.1,)),
+    RadialProfile((-0.05, 0.02, 0.01)),
+    RadialProfile((0.2, 0.1), (0.3, 0.05, 0.01)),
+    RadialProfile((), (0.1, 0.02)),
+    RadialProfile((0.0, 0.2)),
+    RadialProfile((0.0, 0.0, 0.1), (0.0, 0.2)),
+    RadialProfile((1.0,), (2.0,)),  # rises for ever, and tends to r/2
+]
+"""The third and the fourth fold."""
+
+
+def series(coefficients: Sequence[float], s: Floats) -> Floats:
+    total = np.zeros_like(s)
+    for coefficient in (*reversed(coefficients), 1.0):
+        total = total * s + np.longdouble(coefficient)
+    return total
+
+
+def bisect(profile: RadialProfile, image_radius: Floats) -> Floats:
+    """The ideal radius, by halving an interval that holds it until floats run out.
+
+    In 80-bit floats; where those are 64 bits long, as with some compilers, it still serves.
+    """
+    wanted = np.asarray(image_radius).astype(np.longdouble)
+    low = np.zeros_like(wanted)
+    high = np.full_like(wanted, min(fold_radius(profile), 100.0))
+    for _ in range(80):
+        middle = (low + high) / 2
+        s = middle * middle
+        beyond = middle * series(profile.numerator, s) > wanted * series(profile.denominator, s)
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return low
+
 
 RADII = np.linspace(0.0, 1.2, 25)
 

@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
-from support.quaternions import same_up_to_sign
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import euler, quaternions, rotation_paths, rotations
@@ -16,6 +15,17 @@ from simulations.models.geometry.quaternion_blends import (
     BLENDS,
     turn_between_rad,
 )
+
+
+def wxyz(rotation: Rotation) -> Floats:
+    """(..., 4), the real part first, as in our models."""
+    return np.roll(rotation.as_quat(), 1, axis=-1)
+
+
+def same_up_to_sign(a: Floats, b: Floats) -> Floats:
+    """(...) largest difference of the entries; q and −q are one rotation."""
+    return np.minimum(np.abs(a - b).max(axis=-1), np.abs(a + b).max(axis=-1))
+
 
 RNG = np.random.default_rng(1)
 RANDOM = Rotation.random(200, rng=RNG)

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from support.rays import AHEAD, ORIGIN, unit
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.light.raycasting import (
     Box,
     Sphere,
@@ -23,6 +24,16 @@ from simulations.models.light.soft_shadows import (
     visibility,
 )
 from simulations.models.projection import pinhole
+
+ORIGIN = np.zeros(3)
+AHEAD = np.array([0.0, 1.0, 0.0])
+
+
+def unit(vectors: ArrayLike) -> Floats:
+    """(..., 3) of length 1."""
+    vectors = np.asarray(vectors, float)
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+
 
 BALL, CUBE = Sphere((0, 5, 0), 2.0), Box((0, 5, 0), (2, 4, 2))
 
