@@ -1,44 +1,25 @@
 """Aliasing: patterns and the reader's picture, filtered and sampled, against theory."""
 
-from functools import partial
 from itertools import product
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
-from support.frames import estimates_of, frame_of, number_of, pixels_of
+from support.frames import estimates_of, frame_of, number_of
 
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
-from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.sampling.aliasing import zone_plate
 from simulations.models.sampling.prefilters import prefilter
 from simulations.scenes.aliasing.drawing import alias_curve
 from simulations.scenes.aliasing.light import SHOWN, ideal, own_light, pattern_of, sample_own
 from simulations.scenes.aliasing.scene import FILTERS, SCENE
 
-frame = partial(frame_of, SCENE)
-PLATE = {"pattern": "zone_plate"}
-
-
-def row_of(**given: object) -> np.ndarray:
-    return decode_srgb(pixels_of(frame(**given))[0, :, 0] / 255)
-
-
-@pytest.mark.parametrize(
-    ("given", "same"),
-    [
-        ({"frequency": 0.8}, {"frequency": 0.2}),
-        ({"frequency": 0.8}, {"frequency": 1.2, "rate": 1.5}),
-    ],
-)
-def test_waves_with_equal_samples_differ(given: dict[str, object], same: dict[str, object]) -> None:
-    np.testing.assert_allclose(row_of(**given), row_of(**same)[:64], atol=0.01)
-
 
 def test_a_frequency_on_the_fold_is_off_it() -> None:
     for rate in np.arange(0.5, 2.01, 0.1).round(2):
-        shown = frame(frequency=round(rate / 2, 2), rate=rate)
+        shown = frame_of(SCENE, frequency=round(rate / 2, 2), rate=rate)
         assert "exactly at Nyquist" in shown.description, rate
 
 
@@ -79,18 +60,6 @@ def test_the_alias_misses_the_samples(
     on_sample = np.abs(places - np.rint(places)) < 1e-9
     samples = pattern.wave(kernel, at + places[on_sample])
     np.testing.assert_allclose(curve[on_sample], samples, atol=1e-9 if kind == "stripes" else 0.03)
-
-
-def test_a_wave_below_nyquist_has_an_alias() -> None:
-    assert alias_curve(pattern_of("stripes", 0.45, 0.0), prefilter("none"), 0.0) is None
-
-
-def test_the_nyquist_ring_has_another_frequency() -> None:
-    given = {**PLATE, "frequency": 0.8, "rate": 1.2}
-    (place,) = (each for each in frame(**given).handles if each.name == "ring")
-    pattern = pattern_of("zone_plate", 0.8, 0.0, 1.2)
-    sample = (place.x / 400 - 0.5) * pattern.width
-    assert abs(pattern.local_frequency(sample)) == pytest.approx(0.5, abs=1e-4)
 
 
 BOX_2 = (1 - np.cos(np.pi * 0.25 / 2)) / 2 / np.sqrt(2)
@@ -155,17 +124,3 @@ def test_the_error_of_a_readers_waves_differs_from_theory(
 ) -> None:
     (estimate,) = SCENE.estimates(SCENE.check(given), "", StageCache(), waves(cycles))
     assert least <= number_of(estimate.text) < most
-
-
-def test_a_readers_waves_above_nyquist_show_no_alias() -> None:
-    shown = SCENE.render(SCENE.check({}), "", StageCache(), waves(0.8))
-    row = decode_srgb(pixels_of(shown)[20, :, 0] / 255.0)
-    assert np.argmax(np.abs(np.fft.rfft(row - row.mean()))) == round(0.2 * 64)
-
-
-@pytest.mark.parametrize("pattern", ["stripes", "zone_plate"])
-def test_a_readers_picture_has_handles_or_words_of_the_patterns(pattern: str) -> None:
-    given = SCENE.check({"pattern": pattern, "frequency": 0.7, "phase": 0})
-    shown = SCENE.render(given, "", StageCache(), waves(0.3))
-    assert shown.description.startswith("Your own picture at one sample a pixel")
-    assert {place.name for place in shown.handles} == {"frequency", "nyquist"}

@@ -20,12 +20,9 @@ from simulations.scenes.depth_of_field.scene import (
     parameters,
 )
 from simulations.scenes.depth_of_field.stages import (
-    COSTLY,
     FAR_M,
     HEIGHT,
     NEAR_M,
-    QUICK,
-    SPIRALS,
     depth_of,
 )
 
@@ -82,22 +79,6 @@ def test_every_tier_and_its_reference_have_the_same_scale() -> None:
     assert float(after_ten_rays.text) < 3
     for other in others:
         assert np.sqrt(np.mean((other - layered) ** 2)) < 3
-
-
-@pytest.mark.parametrize("tier", [tier for tier in SCENE.tiers if tier not in SPIRALS])
-def test_a_lens_that_is_nearly_a_pinhole_is_drawn_without_a_blur(tier: str) -> None:
-    shown = pixels_of(frame_of(SCENE, tier, aperture=22))
-    sharp = pixels_of(frame_of(SCENE, QUICK if tier in COSTLY else "pinhole", aperture=22))
-    repeated = len(shown) // len(sharp)
-    np.testing.assert_array_equal(shown[::repeated, ::repeated], sharp)
-
-
-@pytest.mark.deep
-def test_a_pinhole_is_off_by_all_of_the_blur_filters_by_edges_only_and_rays_by_least() -> None:
-    off = {tier: float(estimates_of(SCENE, tier)[-1].text) for tier in SCENE.tiers}
-    filters = [off[tier] for tier in ("discs", "binned", "gather")]
-    assert off["pinhole"] > 2.5 * max(filters)
-    assert min(filters) > off["layered"] > 1.9 * off["fibonacci-16"]
 
 
 def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing() -> None:

@@ -14,12 +14,10 @@ from simulations.pictures.checker_room import checker_room
 from simulations.scenes.lens_distortion.scene import SCENE
 from simulations.scenes.lens_distortion.stages import (
     STAGES,
-    TIERS,
     Photo,
     _corrected,
     _map,
     _through_lens,
-    inversion_error_px,
     needs_margin,
     pixel_radii,
 )
@@ -55,16 +53,6 @@ def test_the_picture_is_grey_past_the_fold() -> None:
     np.testing.assert_array_equal(corners, corners[:1].repeat(4, axis=0))
 
 
-@pytest.mark.parametrize("tier", TIERS)
-def test_errors_of_inversion_are_those_of_their_tiers(tier: str) -> None:
-    """The careful tiers are exact, also past the fold; fixed-point iteration is not."""
-    errors = [inversion_error_px(Distortion(k1=k1, k2=-0.1 * k1), tier) for k1 in (-0.5, -0.3, 0.5)]
-    if tier in ("checked-table", "newton-bracketed"):
-        assert max(errors) < 1e-9
-    if tier.startswith(("fixed", "first")):
-        assert inversion_error_px(Distortion(k1=0.5), tier) > 1e-3
-
-
 @pytest.mark.parametrize("shown", ["room", "chart"])
 @pytest.mark.parametrize(("k1", "k2"), [(0.0, 0.0), (0.01, 0.0), (0.0, 0.01), (0.5, 0.2)])
 def test_the_margin_changes_nothing_without_a_barrel(shown: str, k1: float, k2: float) -> None:
@@ -78,19 +66,6 @@ def test_the_margin_changes_nothing_without_a_barrel(shown: str, k1: float, k2: 
     difference = np.abs(tight["encoded"].astype(int) - wide["encoded"])
     assert difference.max() <= 1
     assert (difference > 0).mean() < 1e-3
-
-
-@pytest.mark.parametrize(("name", "moved"), [("point", "k1"), ("outer", "k2"), ("crossing", "k1")])
-def test_a_pull_of_forty_pixels_moves_a_coefficient_within_its_range(name: str, moved: str) -> None:
-    settings = SCENE.check({"k1": 0.05, "k2": 0.05})
-    places = frame_of(SCENE, k1=0.05, k2=0.05).handles
-    at = next((place.x, place.y) for place in places if place.name == name)
-    units = 1.1 if name == "crossing" else 0.55  # of a panel 360 px wide, and of the lead
-    limit = {"k1": 0.5, "k2": 0.3}[moved]
-    for x, y in ((-40.0, 0.0), (0.0, 40.0), (-28.0, -28.0)):
-        values = SCENE.pull(settings, name, (at[0] + units * x, at[1] + units * y))
-        assert set(values) == {moved}
-        assert abs(float(values[moved])) < limit
 
 
 def test_points_are_held_inside_the_photograph_and_hidden_in_a_corrected_one() -> None:

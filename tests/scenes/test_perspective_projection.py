@@ -65,22 +65,6 @@ def test_the_image_is_that_of_object_centred_projection_on_the_drawn_ray(
         assert slope == 0
 
 
-@pytest.mark.parametrize(
-    ("panel", "given", "drawn"),
-    [
-        ("top", {}, "= 80 · 1.0 / 5.0 = 16.0 px"),
-        ("image", {"depth": -2}, "behind the camera: no image"),
-        ("image", {"depth": -2}, "the formula alone would say (−40.0, −20.0)"),
-        ("image", {"depth": -2}, 'class="error" cx="120" cy="110"'),
-        ("image", {"perspective": 0, "depth": 10}, 'class="error solid" cx="216" cy="158"'),
-    ],
-)
-def test_the_drawing_has_the_sum_and_the_place_of_the_bare_formula(
-    panel: str, given: dict[str, object], drawn: str
-) -> None:
-    assert drawn in overlay(panel, **given)
-
-
 @pytest.mark.parametrize(("depth", "widths"), [(4, (30, 60)), (-2, (120,)), (0, (60,))])
 def test_the_house_is_divided_by_its_own_depths(depth: float, widths: tuple[float, ...]) -> None:
     """End walls 3 m wide and 4 m apart; what is behind the camera has no image."""

@@ -34,12 +34,6 @@ def test_the_gain_is_off_by_more_than_its_error(given: dict[str, object]) -> Non
     assert abs(float(shown["gain"]) - 4.0) < 3 * float(shown["gain_error"])
 
 
-@pytest.mark.parametrize("read_noise", [4, 25, 40])
-def test_the_read_noise_is_off_by_more_than_its_error(read_noise: float) -> None:
-    value, error = texts_at(SCENE, read_noise=read_noise)["read"].split(" ± ")
-    assert abs(float(value) - read_noise) < 3 * float(error)
-
-
 def photograph(number: int, codes: NDArray[np.uint8], **facts: float | str) -> Photograph:
     return Photograph(number, codes, f"{number}.png", facts)
 
@@ -145,13 +139,6 @@ def test_cells_are_measured_above_the_black_of_others() -> None:
     np.testing.assert_allclose([level.mean_dn[0] for level in levels], 0.0, atol=0.3)
 
 
-def test_one_photograph_makes_a_pair() -> None:
-    settings, outputs = SCENE.check({}), measured([photograph(1, as_srgb(light_of(100.0, 1)))])
-    assert "There is no pair" in SCENE.draw(settings, outputs).description
-    assert sheet(settings, outputs) == ()
-    assert all(export.make(settings, outputs) for export in SCENE.exports)
-
-
 PAIR = [as_srgb(light_of(50.0, seed)) for seed in (1, 2)]
 CELLS = pairs_of(128, 1, count=1)[0]
 LIKE_CELLS = np.repeat(CELLS[0, ..., None] // 16, 3, axis=2).astype(np.uint8)
@@ -211,19 +198,6 @@ def test_an_unfit_photograph_is_read(unfit: Photograph, words: str) -> None:
 def test_a_large_photograph_is_kept_whole() -> None:
     kept = read(photograph(1, np.zeros((3000, 4001, 3), np.uint8)))
     assert kept["shape"] == [256, 256, 3]
-
-
-@pytest.mark.parametrize(
-    ("codes", "black", "legal"),
-    [
-        (np.zeros((4, 4), np.uint8), BLACK, r"\(H, W\) uint16"),
-        (np.zeros((1, 4), np.uint16), BLACK, r"\(H, W\) uint16"),
-        (np.zeros((4, 4), np.uint16), (4095.0,) * 4, "black < white"),
-    ],
-)
-def test_another_mosaic_is_taken(codes: NDArray[np.uint16], black: Black, legal: str) -> None:
-    with pytest.raises(ValueError, match=legal):
-        raw(1, codes, black)
 
 
 def test_the_files_differ_from_the_figure() -> None:

@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 import pytest
 from scipy import stats
-from support.frames import estimates_of, frame_of, outputs_of, pixels_of, texts_at
+from support.frames import estimates_of, outputs_of
 
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
@@ -44,13 +44,6 @@ def test_two_frames_measure_another_gain_of_unequal_cells(unequal: float) -> Non
     )
     pattern = (unequal / 100 * mean) ** 2
     np.testing.assert_allclose(one - two, pattern, rtol=0.1, atol=SCATTER * one.max())
-
-
-def test_the_pattern_of_the_cells_changes_with_the_take() -> None:
-    """The takes of one patch are correlated by as much of their variance as the pattern makes."""
-    takes = [outputs("poisson", unequal=5, new_noise=n)["codes"][0, 4] for n in (0, 1)]
-    shared, shot = (0.05 * patch_means_e(0)[4]) ** 2, patch_means_e(0)[4]
-    assert np.corrcoef(*takes)[0, 1] == pytest.approx(shared / (shared + shot), abs=0.05)
 
 
 @pytest.mark.parametrize("dark", [0, 2000])
@@ -90,12 +83,6 @@ def test_the_picture_differs_from_the_codes_developed(bits: int) -> None:
     np.testing.assert_array_equal(shown, expected)
 
 
-@pytest.mark.parametrize("patch", [1, 9, 24])
-def test_the_enlarged_patch_is_not_mid_grey(patch: int) -> None:
-    close = pixels_of(frame_of(SCENE, iso="400", exposure=-2, patch=patch, read_noise=3), 1)
-    assert decode_srgb(close[..., 0] / 255).mean() == pytest.approx(0.2, abs=0.02)
-
-
 def detailed() -> Photograph:
     """A picture with detail of its own in every patch: a slant ramp over fine stripes."""
     y, x = np.mgrid[:160, :240]
@@ -117,16 +104,6 @@ def test_detail_of_a_readers_picture_changes_the_gain(iso: str, exposure: float)
     assert {place.name for place in shown.handles} == {"patch"}
     *_, last = SCENE.estimates(settings, "quantile", StageCache(), detailed())
     assert float(last.text) < 1.6 * largest_chance_gap(24, 1600 * EXPOSURES)
-
-
-def test_more_light_draws_other_grain() -> None:
-    """Half a stop: a new draw of the electrons leaves no correlation."""
-    kept, drawn = (
-        np.corrcoef(*(outputs(tier, exposure=ev)["electrons"][0, 20] for ev in (-2, -1.5)))[0, 1]
-        for tier in ("quantile", "poisson")
-    )
-    assert kept > 0.99
-    assert abs(drawn) < 0.5
 
 
 def rounded_normal(mean: float, counts: Floats) -> Floats:
@@ -158,16 +135,3 @@ def test_the_first_estimate_is_of_other_electrons(tier: str) -> None:
     first, *more = estimates(tier, exposure=-4, dark=40)
     assert first.text == f"{gap:.3f}"
     assert len(more) == EXPOSURES - 1
-
-
-@pytest.mark.parametrize("tier", ["gaussian", "quantile", "poisson"])
-def test_the_darkest_patch_has_another_mean(tier: str) -> None:
-    """The chapter's setting: 0.22 electrons and nothing but shot noise. A rounded normal that may
-    not be negative is too bright."""
-    mean = patch_means_e(-6)[-1]
-    held = np.sum(1 - rounded_normal(mean, np.arange(50.0)))
-    assert held > 1.25 * mean
-    given = {"exposure": -6, "iso": "6400", "bits": 14, "read_noise": 0, "patch": 24}
-    shown = float(texts_at(SCENE, tier, **given)["mean"]) * sensor_of(14, "6400", 0).gain_e_per_dn
-    expected = held if tier == "gaussian" else mean
-    assert shown == pytest.approx(expected, abs=4 * math.sqrt(mean / 3200))

@@ -15,7 +15,6 @@ from simulations.engine.reading import UnfitError
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.resolution import pixel_pitch_um
-from simulations.scenes.slanted_edge.edge import box_in
 from simulations.scenes.slanted_edge.results import sheet
 from simulations.scenes.slanted_edge.scene import SCENE
 
@@ -27,13 +26,6 @@ HALF = gaussian_half(1.5)
 def test_the_edge_differs_from_lens_and_pixel(aperture: float, angle: float) -> None:
     shown = texts_at(SCENE, angle=angle, aperture=aperture, noise=0.3)
     assert float(shown["measured"]) == pytest.approx(float(shown["true"]), rel=0.03)
-
-
-def test_sharpening_lowers_mtf50_or_halos_go_unnamed() -> None:
-    shown = [texts_at(SCENE, sharpening=much) for much in (0, 0.5, 1)]
-    halves = [float(each["measured"]) for each in shown]
-    assert halves == sorted(halves)
-    assert ["sharpened" in each["overshoot"] for each in shown] == [False, False, True]
 
 
 def photograph(width: int, height: int, **facts: float) -> Photograph:
@@ -71,13 +63,6 @@ def test_a_photograph_is_measured_in_other_pixels(
     assert float(texts["per_px"]) == pytest.approx(HALF, rel=0.02)
     assert (texts["true"], texts["place"]) == ("unknown", "0")
     assert max(pixels_of(seen).shape) <= 1200
-
-
-def test_a_rectangle_leaves_the_picture() -> None:
-    box = box_in((600, 300), (0.0, 37.5), (20.0, 30.0))
-    assert (box.left, box.right, box.top, box.bottom) == (0, 60, 60, 240)
-    texts = texts_of(shown_of(photograph(600, 300), y=0, height=1))
-    assert texts["measured"] == "not measurable"
 
 
 def test_a_reduced_photograph_keeps_its_pitch() -> None:
@@ -135,10 +120,3 @@ def test_places_kept_are_lost_in_picture_sheet_or_file() -> None:
     (made,) = (each.make for each in SCENE.exports if each.name == "sharpness")
     assert len(json.loads(made(settings, outputs))["kept"]) == 2
     assert SCENE.pull(settings, "forget", (0.0, 0.0)) == {"kept": ""}
-
-
-def test_more_than_eight_places_are_kept() -> None:
-    settings = SCENE.check({})
-    for x in range(20, 65, 5):
-        settings = SCENE.check({**SCENE.pull(settings, "keep", (0.0, 0.0)), "x": x})
-    assert len(outputs_of(SCENE, kept=settings.kept)["places"]) == 8

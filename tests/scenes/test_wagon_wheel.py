@@ -32,18 +32,6 @@ def test_aliased_speeds_have_different_films(time: float) -> None:
     assert np.abs(fast - slow).max() <= 1
 
 
-def test_a_frame_changes_before_the_next() -> None:
-    first, held, new = (film("random-16", shutter=1, time=time) for time in (5.0, 5.95, 6.0))
-    np.testing.assert_array_equal(first, held)
-    assert not np.array_equal(first, new)
-
-
-def test_spokes_are_seen_after_a_long_exposure() -> None:
-    raster = film(speed=3, spokes=8, frame_rate=24, shutter=1)
-    across, down = raster[180, 300:306, 0], raster[114:120, 240, 0]
-    np.testing.assert_allclose(across, down[::-1], atol=2)
-
-
 def brute_force(row: Bars, steps: int = 1500) -> Floats:
     """Mean over the exposure of the share of each pixel that nearby spokes cover."""
     total = np.zeros_like(row.place)
@@ -62,19 +50,6 @@ def test_the_reference_differs_from_the_mean_over_all_moments(swept: float) -> N
     place, duty, pixel = rng.uniform([[-1.0], [0.05], [0.01]], [[1.0], [0.9], [0.3]], (3, 60))
     row = Bars(place, duty, pixel, swept)
     np.testing.assert_allclose(by_changes(row), brute_force(row), atol=1e-3)
-
-
-@pytest.mark.parametrize(
-    "given", [{}, {"shutter": 0}, {"speed": 6, "frame_rate": 8, "spokes": 16, "shutter": 1}]
-)
-def test_the_integral_errs_by_more_than_rounding(given: dict[str, object]) -> None:
-    assert estimates_of(SCENE, "integral", **given)[-1].text == "under 10⁻¹²"
-
-
-def test_tiers_differ_while_the_wheel_stands() -> None:
-    first, *others = (film(tier, speed=0) for tier in SCENE.tiers)
-    for other in others:
-        np.testing.assert_array_equal(other, first)
 
 
 def test_errors_of_instants_differ_from_their_spread() -> None:
@@ -103,8 +78,3 @@ def test_a_quarter_turn_takes_another_time(speed: float, quarters: int) -> None:
     turned = (200 - quarters * (spoke.y - 150), 150 + quarters * (spoke.x - 200))
     time = float(SCENE.pull(SCENE.check(given), "spoke", turned)["time"])
     assert time == pytest.approx(48 + quarters * 0.25 * 24 / speed, abs=0.026)
-
-
-def test_the_wheel_turns_back_before_the_start_of_the_film() -> None:
-    given = SCENE.check({"speed": 0.05, "frame_rate": 60, "time": 0})
-    assert SCENE.pull(given, "spoke", (311.0, 90.0)) == {"time": 0}

@@ -3,15 +3,10 @@
 import json
 from types import SimpleNamespace
 
-import numpy as np
 import pytest
 
 from simulations import browser
-from simulations.engine.photograph import Photograph
-from simulations.engine.stages import StageCache
-from simulations.registry import SCENE_MODULES, load_scene
-
-TAKING = [id_ for id_ in SCENE_MODULES if isinstance(load_scene(id_).photograph, tuple)]
+from simulations.registry import load_scene
 
 
 def test_the_worker_judges_a_figure_at_the_reader_s_values() -> None:
@@ -35,26 +30,6 @@ def test_the_browser_measures_a_tier_of_a_real_ladder() -> None:
     assert result["tier"] == "nlerp"
     assert 0.0 < result["low_ms"] <= result["milliseconds"] <= result["high_ms"]
     assert result["errors"]["worst"] == pytest.approx(7.98, abs=0.01)
-
-
-@pytest.mark.parametrize("scene_id", TAKING)
-def test_a_scene_shows_the_reader_s_picture_and_then_the_book_s_again(scene_id: str) -> None:
-    scene = load_scene(scene_id)
-    assert isinstance(scene.photograph, tuple)
-    width, height = scene.photograph
-    rng = np.random.default_rng(0)
-    codes = rng.integers(0, 256, (height, width, 3), np.uint8)
-    own = Photograph(1, codes)
-    settings, cache = scene.check({}), StageCache()
-    book_s = scene.render(settings, scene.default_tier, cache)
-    reader_s = scene.render(settings, scene.default_tier, cache, own)
-    again = scene.render(settings, scene.default_tier, cache)
-    pictures = [
-        [panel.raster for panel in frame.panels if panel.raster is not None]
-        for frame in (book_s, reader_s, again)
-    ]
-    assert any((a != b).any() for a, b in zip(pictures[0], pictures[1], strict=True))
-    assert all((a == b).all() for a, b in zip(pictures[0], pictures[2], strict=True))
 
 
 def black(width: int, height: int) -> SimpleNamespace:

@@ -1,0 +1,203 @@
+"""Figures of holes and lenses: sharpness, colour, vignetting, and drafts."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from support.frames import computed_in, frame_of, outputs_of, pixels_of, texts_at
+
+from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import decode_srgb
+from simulations.pictures.balloon import balloon
+from simulations.pictures.resolution_chart import resolution_chart
+from simulations.pictures.still_life.things import THINGS, thing_depth
+from simulations.scenes._still_life_camera import SCALED, floor_depth, floor_tangent
+from simulations.scenes.camera.scene import SCENE as CAMERA
+from simulations.scenes.camera.stages import BOWED
+from simulations.scenes.depth_of_field.scene import SCENE as DEPTH_OF_FIELD
+from simulations.scenes.lens_aberrations.scene import SCENE as ABERRATIONS
+from simulations.scenes.lens_aberrations.scene import passing
+from simulations.scenes.lens_aberrations.stages import (
+    FOCAL_PX,
+    LINES_UM,
+    WIDTH_UM,
+    bands,
+    light,
+)
+from simulations.scenes.pinhole import SCENE as PINHOLE
+from simulations.scenes.real_lens.scene import SCENE as REAL_LENS
+from simulations.scenes.still_life import (
+    COLUMNS,
+    HEIGHT,
+    UNITS_PER_TANGENT,
+    WIDTH,
+    Settings,
+    disc_width,
+    floor_row,
+)
+from simulations.scenes.still_life import (
+    SCENE as STILL_LIFE,
+)
+
+
+def light_through(**given: object) -> Floats:
+    return decode_srgb(pixels_of(frame_of(PINHOLE, **given))[..., :3] / 255.0)
+
+
+def test_the_light_goes_with_the_area_of_the_hole_unless_the_exposure_is_longer() -> None:
+    wide, half = (float(light_through(hole=hole).mean()) for hole in (2.0, 1.0))
+    assert half / wide == pytest.approx(1 / 4, rel=0.01)
+    means = [float(light_through(hole=hole, longer=True).mean()) for hole in (0.1, 0.5, 2.0)]
+    assert means == pytest.approx([means[0]] * 3, rel=0.02)
+
+
+def test_the_picture_is_sharpest_at_about_four_tenths_of_a_millimetre() -> None:
+    pictures = [light_through(hole=hole, longer=True) for hole in (2.0, 1.0, 0.4, 0.2, 0.1)]
+    sharp = [float(np.abs(np.diff(picture, axis=1)).mean()) for picture in pictures]
+    assert sharp[0] < sharp[1] < sharp[2] > sharp[3] > sharp[4]
+
+
+def test_the_picture_is_the_scene_upside_down_with_left_and_right_exchanged() -> None:
+    seen, scene = light_through(hole=0.4, longer=True), balloon()
+    assert np.corrcoef(seen.ravel(), scene[::-1, ::-1].ravel())[0, 1] > 0.95
+    assert np.corrcoef(seen.ravel(), scene.ravel())[0, 1] < 0.5
+
+
+def number(name: str, **given: object) -> float:
+    return float(texts_at(REAL_LENS, "exact", **given)[name].replace("\u2212", "-"))
+
+
+@pytest.mark.parametrize("vergence", [0, 5, 12.5, 20])
+def test_images_and_angles_obey_the_lens_equation_and_snell(vergence: float) -> None:
+    image = number("thin_at", vergence=vergence)
+    assert vergence / 1000 + 1 / image == pytest.approx(25 / 1000, abs=1e-5)
+    angles = [number(name, vergence=vergence, index=1.7) for name in ("incidence", "refracted")]
+    outside, inside = (math.sin(math.radians(angle)) for angle in angles)
+    assert outside == pytest.approx(1.7 * inside, abs=0.003)
+
+
+def test_aberration_grows_with_the_square_of_the_height_and_with_the_wrong_way_round() -> None:
+    off = number("true_at") - number("thick_at")
+    assert number("aberration") == pytest.approx(off, abs=0.011)
+    two, four = (number("aberration", height=height) for height in (2, 4))
+    assert four == pytest.approx(4 * two, rel=0.05)
+    one, other = (
+        number("aberration", front=front, back=40 - front, thickness=6) for front in (40, 0)
+    )
+    assert 3.5 < other / one < 4.5
+
+
+def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_difference_in_size() -> None:
+    """An edge of the chart's border, 150 px right of the centre: where its area puts it."""
+    planes = outputs_of(ABERRATIONS, "gauss-1", glass="flint", stop=15, aperture=16)["channels"]
+    edges = []
+    for channel in (0, 2):
+        row = planes[channel, 116:124, 302:316].mean(axis=0)
+        bright, dark = row[:2].mean(), row[-2:].mean()
+        edges.append(302 + ((row - dark) / (bright - dark)).sum())  # as if the edge were hard
+    radius = np.mean(edges) - 159.5
+    assert edges[1] - edges[0] == pytest.approx(-15 / (24 * 36.4) * radius, abs=0.1)
+
+
+def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself() -> None:
+    given = {"glass": "ideal", "aperture": 16, "rim": 0, "natural": "false"}
+    planes = outputs_of(ABERRATIONS, "gauss-1", **given)
+    chart = resolution_chart(336, 256, FOCAL_PX).transpose(2, 0, 1)[:, 8:-8, 8:-8]
+    np.testing.assert_array_equal(planes["channels"], chart)
+    assert (planes["vignetting"] == 1).all()
+
+
+def test_even_wavelengths_leave_out_nothing_that_a_channel_sees() -> None:
+    for band, line in zip(bands("even-31", "flint"), LINES_UM, strict=True):
+        off = (band.wavelengths_um - line) / WIDTH_UM
+        assert off.min() < -3.5 < 3.5 < off.max()
+        assert [band.shares @ off, band.shares @ off**2] == pytest.approx([0, 1], abs=0.03)
+
+
+def test_the_edge_of_a_band_is_smeared_by_the_spread_of_its_sizes() -> None:
+    """The vertical edge 150 px from the centre: the variance of its place is that of the scales."""
+
+    def spread(**given: object) -> tuple[float, float]:
+        channels: Floats = outputs_of(ABERRATIONS, "even-31", aperture=16, **given)["channels"]
+        steps = -np.diff(channels[2, 116:124, 302:314].mean(axis=0).astype(float))
+        steps /= steps.sum()
+        at = np.arange(steps.size) + 302.5 - 159.5
+        return float(steps @ (at - steps @ at) ** 2), float(steps @ at)
+
+    (wide, radius), (sharp, _) = spread(glass="flint", stop=15), spread(glass="ideal")
+    band = bands("even-31", "flint")[2]
+    sizes = 15 / 24 * (1 / 36.4) / (0.4861**-2 - 0.6563**-2) * band.wavelengths_um**-2
+    expected = radius**2 * float(band.shares @ (sizes - band.shares @ sizes) ** 2)
+    assert wide - sharp == pytest.approx(expected, rel=0.15)
+
+
+@pytest.mark.parametrize("aperture", [1.4, 2.8, 16])
+@pytest.mark.parametrize("rim", [0, 3, 6, 10])
+def test_the_bundle_as_drawn_is_cut_where_the_corner_loses_light(aperture: float, rim: int) -> None:
+    (share,) = light(np.array([1.0]), aperture, rim, False)[1]
+    drawn = passing(aperture, rim)
+    assert (drawn is None) == (share == 0)
+    assert (drawn is not None and drawn[1] == -drawn[0]) == (share == 1)
+
+
+BY_NAME = {thing.name: thing for thing in THINGS}
+
+
+def test_the_floor_has_another_depth_in_its_row() -> None:
+    depth = outputs_of(STILL_LIFE)["light"].base_depth[:, 3]
+    for wanted in (2.0, 3.0, 5.0):
+        row = floor_row(wanted) * len(depth) / HEIGHT
+        assert np.interp(row - 0.5, np.arange(len(depth)), depth) == pytest.approx(wanted, rel=0.01)
+        assert floor_depth(floor_tangent(wanted)) == pytest.approx(wanted)
+    assert floor_depth(-0.1) == np.inf
+
+
+@pytest.mark.parametrize("name", ["red ball", "striped ball", "green ball"])
+def test_a_press_on_a_thing_focuses_elsewhere(name: str) -> None:
+    x, _, top = BY_NAME[name].solid.centre
+    depth = thing_depth(BY_NAME[name])
+    across = WIDTH / 2 + UNITS_PER_TANGENT * x / depth
+    down = floor_row(depth) - UNITS_PER_TANGENT * top / depth
+    focus = STILL_LIFE.pull(Settings(), "aim", (across, down))["focus"]
+    assert float(focus) == pytest.approx(depth, abs=0.05)
+
+
+def test_the_striped_ball_is_sharper_out_of_focus() -> None:
+    depth = thing_depth(BY_NAME["striped ball"])
+
+    def contrast(focus: float) -> float:
+        picture = pixels_of(frame_of(STILL_LIFE, focus=focus)).astype(float)
+        x = int((0.5 - 0.1 * UNITS_PER_TANGENT / depth / WIDTH) * COLUMNS)
+        y = int((floor_row(depth) - 80.0) / WIDTH * COLUMNS)
+        window = picture[y - 60 : y + 60, x - 60 : x + 60, :3]
+        return float((np.diff(window, axis=0) ** 2).mean())
+
+    assert contrast(depth) > 1.2 * max(contrast(2.0), contrast(7.0))
+    assert disc_width(2.0, 3.2, 3.2) == 0.0
+    assert disc_width(4.0, 3.2, 8.0) == pytest.approx(disc_width(2.0, 3.2, 8.0) / 2)
+
+
+BEFORE_THE_LENS = {"pinhole rays", "surfaces", "light"}
+
+
+@pytest.mark.parametrize(
+    ("scene", "draft", "control", "values"),
+    [
+        (CAMERA, SCALED, "focus", (1.2, 3.2)),
+        (CAMERA, BOWED, "k1", (0.4, 0.0, -0.18, -0.4)),
+        (DEPTH_OF_FIELD, SCALED, "focus", (1.2, 3.2)),
+    ],
+)
+def test_a_draft_draws_the_world_once(
+    scene: Scene[Any], draft: str, control: str, values: tuple[float, ...]
+) -> None:
+    assert scene.drafts_of(scene.default_tier)[control] == draft
+    for focal_length in (24.0, 135.0) if control == "k1" else (50.0,):
+        cache = StageCache()
+        for number, value in enumerate(values):
+            given = {"aperture": 2.0, "focal_length": focal_length, control: value}
+            shown = frame_of(scene, draft, cache, **given)
+            assert number == 0 or not BEFORE_THE_LENS & set(computed_in(shown))
