@@ -4,7 +4,6 @@ search."""
 import re
 import tomllib
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any, Literal
 
 import pytest
@@ -386,21 +385,3 @@ def test_the_index_is_fetched_by_a_hand_near_the_button_and_again_where_it_did_n
     again.click()
     expect(again).to_be_hidden()
     first_hit(plain_reader, dialog, "vignetting")
-
-
-def test_no_answer_of_a_question_is_in_the_index(built_site: Path, book: Any) -> None:
-    """Only answers long enough to differ from other sentences count."""
-    index = (built_site / "search" / "index.json").read_text(encoding="utf-8")
-    chapters = [
-        (built_site / chapter["url"] / "index.html").read_text(encoding="utf-8")
-        for chapter in book["chapters"]
-    ]
-    options = [
-        option["text"]
-        for quiz in book["quizzes"]
-        if quiz["kind"] in ("single", "multiple")
-        for option in quiz["options"]
-        if len(option["text"]) > 40 and sum(page.count(option["text"]) for page in chapters) < 2
-    ]
-    assert options
-    assert not [option for option in options if option in index]

@@ -1,4 +1,5 @@
-"""The calibration figure: simulated photographs, the reader's, and the files that it makes."""
+"""The calibration figure: simulated photographs, the reader's, and the files that it makes; and the
+board to print."""
 
 import json
 import re
@@ -23,6 +24,16 @@ from simulations.pictures.chequerboard import Look, photograph_of, true_corners
 from simulations.scenes.calibration import boards
 from simulations.scenes.calibration.boards import SIGMA_PX, read, rendered, simulated_sitting
 from simulations.scenes.calibration.scene import SCENE, Settings, measured, sheet
+from simulations.scenes.chequerboard import SCENE as CHEQUERBOARD
+
+
+def test_the_file_has_the_squares_of_the_settings_in_millimetres() -> None:
+    (export,) = CHEQUERBOARD.exports
+    drawn = ET.fromstring(export.make(CHEQUERBOARD.check({"side": 20, "across": 5, "down": 4}), {}))
+    assert drawn.get("width") == "140mm"
+    squares = next(path for path in drawn if path.get("fill") == "#000")
+    assert (squares.get("d") or "").count("z") == 10
+
 
 FACTS = {"focal_mm": 4.0, "focal_35mm_mm": 26.0, "make": "Acme", "model": "A1"}
 

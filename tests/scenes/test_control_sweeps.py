@@ -5,7 +5,6 @@ drawing or numbers, no warning (pytest turns those into errors), and the same pa
 so that nothing in the page jumps.
 """
 
-import itertools
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -29,6 +28,7 @@ type Setting = dict[str, object]
 
 STEPS, MANY_STEPS = 2, 7
 """Positions of a slider between and including its ends."""
+MIXED = 40
 
 RESIZED = ("aliasing", "bayer-demosaic", "resolution")
 """Scenes that draw as many pixels as there are samples to be seen."""
@@ -48,31 +48,12 @@ def positions(control: Control, steps: int) -> list[object]:
     return [*between, low + step, high - step, *zero]
 
 
-def pairwise_settings(controls: tuple[Control, ...]) -> list[Setting]:
-    """Few settings in which every pair of ends of every two controls occurs together.
-
-    Greedy: each setting starts with a pair not yet met, and every further control takes the end
-    that meets most of the remaining pairs.
-    """
-    levels = {control.name: control.extremes() for control in controls}
-    waiting = {
-        frozenset(((a, i), (b, j)))
-        for a, b in itertools.combinations(levels, 2)
-        for i in range(len(levels[a]))
-        for j in range(len(levels[b]))
-    }
-    settings: list[Setting] = []
-    while waiting:
-        chosen = dict(min(waiting, key=sorted))
-        for name in levels:
-            if name not in chosen:
-                chosen[name] = max(
-                    range(len(levels[name])),
-                    key=lambda i: sum(frozenset(((name, i), c)) in waiting for c in chosen.items()),
-                )
-        waiting -= {frozenset(pair) for pair in itertools.combinations(chosen.items(), 2)}
-        settings.append({name: levels[name][i] for name, i in chosen.items()})
-    return settings
+def mixed_extremes(controls: tuple[Control, ...]) -> Iterator[Setting]:
+    """Settings of extremes at random; any two ends of two controls nearly certainly meet."""
+    rng = np.random.default_rng(0)
+    for _ in range(MIXED):
+        extremes = {control.name: control.extremes() for control in controls}
+        yield {name: values[rng.integers(len(values))] for name, values in extremes.items()}
 
 
 def overshoots(control: Slider) -> Iterator[tuple[float, float]]:
@@ -204,9 +185,9 @@ def changes(swept: Swept, control: Control, starts: Iterable[Setting]) -> Iterat
 
 
 @pytest.mark.deep
-def test_every_pair_of_extremes_is_sound(swept: Swept) -> None:
+def test_mixed_extremes_are_sound(swept: Swept) -> None:
     expected = swept.see({}).shape
-    for setting in pairwise_settings(swept.scene.controls):
+    for setting in mixed_extremes(swept.scene.controls):
         assert swept.see(setting).shape == expected, setting
 
 

@@ -1,6 +1,6 @@
 """Only what a scene requires is computed: for every scene with stages, control by control."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -13,14 +13,10 @@ from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
 from simulations.engine.stages import Parameter, Stage, StageCache
-from simulations.models.arrays import Floats
 from simulations.models.lens.aperture import fibonacci_disc
-from simulations.pictures.checker_room import checker_room
-from simulations.pictures.resolution_chart import resolution_chart
 from simulations.registry import SCENE_MODULES, load_scene
 from simulations.scenes.camera import stages as camera_stages
 from simulations.scenes.depth_of_field import stages as depth_stages
-from simulations.scenes.lens_distortion import stages as distortion_stages
 
 SCENES = {scene_id: load_scene(scene_id) for scene_id in SCENE_MODULES}
 
@@ -113,27 +109,6 @@ def few_rays(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(depth_stages.SPIRALS, "fibonacci-16", fibonacci_disc(2))
 
 
-@pytest.fixture
-def drawn_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The pictures before the lens, which no tier changes and nobody may write into."""
-    monkeypatch.setattr(distortion_stages, "checker_room", CHECKER_ROOM)
-    monkeypatch.setattr(distortion_stages, "resolution_chart", RESOLUTION_CHART)
-
-
-def read_only(draw: Callable[..., Floats]) -> Callable[..., Floats]:
-    @cache
-    def drawn(*given: float) -> Floats:
-        picture = draw(*given)
-        picture.setflags(write=False)
-        return picture
-
-    return drawn
-
-
-CHECKER_ROOM = read_only(checker_room)
-RESOLUTION_CHART = read_only(resolution_chart)
-
-
 @cache
 def cold_start(scene_id: str, tier: str) -> Frame:
     """The first frame, through few rays: what several walks come back to."""
@@ -148,7 +123,7 @@ WALKS = [
 ]
 
 
-@pytest.mark.usefixtures("few_rays", "drawn_once")
+@pytest.mark.usefixtures("few_rays")
 @pytest.mark.parametrize(("scene_id", "tier", "every_value"), WALKS)
 def test_a_warm_frame_is_bit_equal_to_a_cold_one(
     scene_id: str, tier: str, every_value: bool
@@ -161,7 +136,7 @@ def test_a_warm_frame_is_bit_equal_to_a_cold_one(
         assert_same(warm, cold, (given, tier))
 
 
-@pytest.mark.usefixtures("few_rays", "drawn_once")
+@pytest.mark.usefixtures("few_rays")
 @pytest.mark.parametrize("scene_id", [name for name, scene in SCENES.items() if scene.tiers])
 def test_a_settled_frame_does_not_remember_the_draft(scene_id: str) -> None:
     """There and back through all tiers, and nothing forgotten: each once comes after each other."""
