@@ -94,7 +94,7 @@ screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m site_builder bench $(LADDER:%=--ladder %)
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
-	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.start --keep)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.start)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.bytes)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.memory || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.twins || :)

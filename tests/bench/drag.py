@@ -17,12 +17,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from bench.costs import keep
+from bench.costs import SITE, keep
 from playwright.sync_api import JSHandle, Page
 from support.chromium import open_chromium
-from support.places import ROOT
 from support.reader import DESK
 from support.static_server import serving
+
+from site_builder.benchmarks.record import significant
 
 FRAME_MS = 1000 / 60
 BOUND_FRAMES = 2
@@ -35,6 +36,7 @@ MOVES, ROUNDS = 6, 2
 READ_MS = 2000
 """What a reader takes at least before a hand comes: drafts are computed meanwhile."""
 DRAG = "([drag, figure, hand]) => drag.drag({...hand, figure})"
+EXERCISE = "([drag, figure, hand]) => drag.exercise({...hand, figure})"
 SCRIPTS = Path(__file__).parent / "js"
 CENTRE = """figure => figure.scrollIntoView({block: 'center', behavior: 'instant'})"""
 RESTS = """() => [...document.querySelectorAll('simulation-figure')]
@@ -79,9 +81,9 @@ def line(found: Latency) -> str:
 
 
 @contextmanager
-def open_book(site: Path) -> Iterator[tuple[Page, str]]:
-    """A page, and the address of the book."""
-    with open_chromium() as browser, serving(site) as server:
+def open_book() -> Iterator[tuple[Page, str]]:
+    """A page, and the address of the built book."""
+    with open_chromium() as browser, serving(SITE) as server:
         page = browser.new_page(viewport=DESK, service_workers="block", bypass_csp=True)
         page.set_default_timeout(60_000)
         yield page, server.url
@@ -128,34 +130,36 @@ def measure(
                     yield row(scene, control["name"], **page.evaluate(DRAG, [drag, figure, hand]))
 
 
-def summary(rows: Sequence[Latency]) -> dict[str, float]:
-    """All sliders in few numbers."""
-    late = sum(found.late for found in rows)
+def summary(rows: Sequence[Latency], slowest: Sequence[float], late: int) -> dict[str, float]:
+    """All sliders in few numbers; ``slowest`` has one of each."""
     return {
         "sliders": len(rows),
         "late": late,
         "in_time": len(rows) - late,
-        "median_ms": round(statistics.median(found.median for found in rows), 1),
-        "slowest_ms": max(found.p95 for found in rows),
+        "median_ms": significant(statistics.median(found.median for found in rows), 3),
+        "slowest_ms": significant(max(slowest), 3),
     }
+
+
+def read_book() -> Any:
+    """``book.json`` of the built book."""
+    return json.loads((SITE / "book.json").read_text(encoding="utf-8"))
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="bench.drag", description=__doc__)
     parser.add_argument("--scene", action="append", default=[])
-    parser.add_argument("--site", type=Path, default=ROOT / "build" / "site")
-    asked = parser.parse_args()
-    book = json.loads((asked.site / "book.json").read_text(encoding="utf-8"))
+    asked, book = parser.parse_args(), read_book()
     wanted = asked.scene or [each["id"] for each in book["simulations"]]
     print(f"{'scene':24} {'control':16} {'n':>4} {'median':>8} {'p95':>8} {'Python':>8}")
     rows = []
-    with open_book(asked.site) as (page, address):
+    with open_book() as (page, address):
         for found in measure(page, address, book, wanted):
             rows.append(found)
             print(line(found), flush=True)
-    if not asked.scene:
-        keep("frames", summary(rows))
     late = [found for found in rows if found.late]
+    if not asked.scene:
+        keep("frames", summary(rows, [found.p95 for found in rows], len(late)))
     print(f"{len(rows) - len(late)} of {len(rows)} sliders are followed in time")
     print(*(line(found) for found in late), sep="\n", end="\n" if late else "", file=sys.stderr)
     return 1 if late else 0

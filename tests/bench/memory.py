@@ -7,20 +7,16 @@ The first half fills what is kept on purpose; what has grown from there to the e
 fails. What is held in the end goes to what pages cost, which the book prints.
 """
 
-import argparse
 import json
 import sys
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 from bench.costs import keep
-from bench.drag import figure_at_rest, hand_script, open_book
+from bench.drag import EXERCISE, figure_at_rest, hand_script, open_book, read_book
 from playwright.sync_api import Page
-from support.places import ROOT
 
 FRAMES, TURNS, PARTS = 2000, 100, 4
 SCENE, CONTROL = "lens-distortion", "k1"
-EXERCISE = "([drag, figure, hand]) => drag.exercise({...hand, figure})"
 TURN = """url => {
   const link = Object.assign(document.createElement('a'), {href: url});
   document.body.append(link);
@@ -85,14 +81,9 @@ def grown(parts: Sequence[Held]) -> Iterator[str]:
             yield f"{name}: {half[name]:g} to {last[name]:g}, {growth:.1%}; at most {most:.0%}"
 
 
-def report(what: str, found: Held) -> None:
-    print(f"{what:24}", *(f"{name} {value:g}" for name, value in found.items()), flush=True)
-
-
 def drawn(page: Page, address: str, url: str) -> Iterator[tuple[str, Held]]:
     page.goto(address + url)
     figure, drag = figure_at_rest(page, SCENE), hand_script(page)
-    report("at rest", held(page, 0))
     for part in range(1, PARTS + 1):
         hand = {"name": CONTROL, "frames": FRAMES // PARTS}
         page.evaluate(EXERCISE, [drag, figure, hand])
@@ -111,28 +102,26 @@ def turned(page: Page, address: str, urls: list[str]) -> Iterator[tuple[str, Hel
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="bench.memory", description=__doc__)
-    parser.add_argument("--site", type=Path, default=ROOT / "build" / "site")
-    site = parser.parse_args().site
-    chapters = json.loads((site / "book.json").read_text(encoding="utf-8"))["chapters"]
-    urls = [each["url"] for each in chapters if each["simulations"]]
+    urls = [each["url"] for each in read_book()["chapters"] if each["simulations"]]
     urls.sort(key=lambda url: not url.startswith(SCENE))
-    with open_book(site) as (page, address):
-        after_frames = reported(drawn(page, address, urls[0]))
-        after_chapters = reported(turned(page, address, urls))
-    keep("memory", {"frames": as_cost(after_frames), "chapters": as_cost(after_chapters)})
-    more = [*grown(after_frames), *grown(after_chapters)]
+    costs: dict[str, Held] = {}
+    more: list[str] = []
+    with open_book() as (page, address):
+        for name, parts in (
+            ("frames", drawn(page, address, urls[0])),
+            ("chapters", turned(page, address, urls)),
+        ):
+            kept = []
+            for what, found in parts:
+                print(
+                    f"{what:24}", *(f"{one} {value:g}" for one, value in found.items()), flush=True
+                )
+                kept.append(found)
+            costs[name] = as_cost(kept)
+            more += grown(kept)
+    keep("memory", costs)
     print(*more or ["nothing piles up"], sep="\n", file=sys.stderr if more else sys.stdout)
     return 1 if more else 0
-
-
-def reported(parts: Iterator[tuple[str, Held]]) -> list[Held]:
-    """The parts, each printed as it is measured."""
-    kept = []
-    for what, found in parts:
-        report(what, found)
-        kept.append(found)
-    return kept
 
 
 def as_cost(parts: Sequence[Held]) -> dict[str, float]:

@@ -6,21 +6,19 @@ measured as by ``bench.start``, beside plain Pyodide under the same throttle, an
 tell.
 """
 
-import argparse
 import json
 import statistics
 import sys
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 from bench.costs import keep
-from bench.drag import Latency, figure_at_rest, hand_script
+from bench.drag import EXERCISE, Latency, figure_at_rest, hand_script, read_book, summary
 from bench.drag import measure as measure_drags
-from bench.start import SITE, Run, Start, laid_out, measure_book, measure_plain, profile, summary
-from playwright.sync_api import Page, sync_playwright
-from support.chromium import HOW_TO, find_chromium
+from bench.start import Start, profiles
+from bench.start import measure as measure_starts
+from playwright.sync_api import Page
 
 from site_builder.benchmarks.measuring import significant
 
@@ -35,8 +33,7 @@ PHONE: dict[str, Any] = {
 }
 BOUND_MS = 250
 """Within which half of the moves of a slider are answered."""
-FRAMES = 60
-EXERCISE = "([drag, figure, hand]) => drag.exercise({...hand, figure})"
+FRAMES, ROUNDS = 60, 3
 DRAWN = {"light": ("perspective-projection", "depth"), "middle": ("lens-distortion", "k1")}
 DRAWN["heavy"] = ("camera", "focal_length")
 BUSY = """() => {
@@ -88,19 +85,11 @@ def slowness(start: Start, address: str) -> dict[str, float]:
         return {name: significant(times, 2) for name, times in found.items()}
 
 
-def measure_start(start: Start, address: str, rounds: int) -> dict[str, Any]:
-    runs: list[Run] = []
-    for _ in range(rounds):
-        runs.append({**measure_book(start, address), **measure_plain(start, address)})
-        print(" ".join(f"{name} {value:.0f}" for name, value in runs[-1].items()), flush=True)
-    return summary(runs)
-
-
-def measure_first(page: Page, address: str, rounds: int) -> dict[str, float]:
+def measure_first(page: Page, address: str) -> dict[str, float]:
     """When text is on the screen, and how soon a slider answers before Python runs."""
     painted: list[float] = []
     answers: list[float] = []
-    for _ in range(rounds):
+    for _ in range(ROUNDS):
         page.goto(f"{address}lens-distortion/", wait_until="commit")
         page.wait_for_selector("simulation-figure[data-state=starting]", state="attached")
         answers += page.evaluate(EARLY, "k1") or []
@@ -125,35 +114,19 @@ def measure_frames(page: Page, address: str, book: Any) -> dict[str, dict[str, f
 
 
 def drag_summary(rows: Sequence[Latency]) -> dict[str, float]:
-    """All sliders in few numbers."""
-    late = sum(found.median > BOUND_MS for found in rows)
-    return {
-        "sliders": len(rows),
-        "late": late,
-        "in_time": len(rows) - late,
-        "median_ms": significant(statistics.median(found.median for found in rows), 3),
-        "slowest_ms": significant(max(found.median for found in rows), 3),
-    }
+    medians = [found.median for found in rows]
+    return summary(rows, medians, sum(median > BOUND_MS for median in medians))
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="bench.slow_phone", description=__doc__)
-    parser.add_argument("--site", type=Path, default=SITE)
-    parser.add_argument("--rounds", type=int, default=3)
-    asked = parser.parse_args()
-    book = json.loads((asked.site / "book.json").read_text(encoding="utf-8"))
-    executable = find_chromium()
-    if executable is None:
-        raise SystemExit(HOW_TO)
-    with sync_playwright() as playwright, laid_out(asked.site) as address:
-        prefix = f"--renderer-cmd-prefix={SLOWED}"
-        slow = partial(profile, playwright.chromium, str(executable), prefix, **PHONE)
+    book = read_book()
+    with profiles(f"--renderer-cmd-prefix={SLOWED}", **PHONE) as (slow, address):
         found: dict[str, Any] = slowness(slow, address)
         print(found, flush=True)
-        found |= measure_start(slow, address, asked.rounds)
+        found |= measure_starts(slow, address, ROUNDS)
         with slow(service_workers="block") as browser:
             page = browser.pages[0]
-            found |= {"first": measure_first(page, address, asked.rounds)}
+            found |= {"first": measure_first(page, address)}
             found |= measure_frames(page, address, book)
             rows, interpreters = [], 1
             scenes = [each["id"] for each in book["simulations"]]

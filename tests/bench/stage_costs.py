@@ -18,39 +18,36 @@ from site_builder.benchmarks.measuring import write
 DATA = Path(__file__).resolve().parents[2] / "content" / "stage-costs.json"
 PAIRS = 9
 
-START: dict[str, dict[str, Value]] = {"camera": {"aperture": 2.0, "k1": -0.1}}
+SCENE: Scene[Any] = load_scene("camera")
+START: dict[str, Value] = {"aperture": 2.0, "k1": -0.1}
 """Settings at which no stage is neutral."""
-MOVES: dict[str, dict[str, Value]] = {
-    "camera": {
-        "noise_sigma": 6.0,
-        "exposure": 0.1,
-        "k1": -0.11,
-        "aperture": 2.1,
-        "light_angle": 41.0,
-        "focus": 3.3,
-        "focal_length": 51.0,
-        "back": 0.1,
-    }
+MOVES: dict[str, Value] = {
+    "noise_sigma": 6.0,
+    "exposure": 0.1,
+    "k1": -0.11,
+    "aperture": 2.1,
+    "light_angle": 41.0,
+    "focus": 3.3,
+    "focal_length": 51.0,
+    "back": 0.1,
 }
 """One step of each slider, from the cheapest to the costliest."""
 
 
-def time_frame(scene: Scene[Any], given: dict[str, Value], cache: StageCache) -> float:
-    settings = scene.check(given)
+def time_frame(given: dict[str, Value], cache: StageCache) -> float:
+    settings = SCENE.check(given)
     begun = time.process_time()
-    scene.render(settings, scene.default_tier, cache)
+    SCENE.render(settings, SCENE.default_tier, cache)
     return (time.process_time() - begun) * 1e3
 
 
-def measure_move(
-    scene: Scene[Any], start: dict[str, Value], moved: dict[str, Value]
-) -> dict[str, float]:
+def measure_move(moved: dict[str, Value]) -> dict[str, float]:
     whole, after = [], []
     for _ in range(PAIRS):
         warm, cold = StageCache(), StageCache()
-        time_frame(scene, start, warm)
-        after.append(time_frame(scene, {**start, **moved}, warm))
-        whole.append(time_frame(scene, {**start, **moved}, cold))
+        time_frame(START, warm)
+        after.append(time_frame({**START, **moved}, warm))
+        whole.append(time_frame({**START, **moved}, cold))
     fastest, fastest_whole = min(after), min(whole)
     return {
         "ms": round(fastest, 2),
@@ -59,16 +56,14 @@ def measure_move(
     }
 
 
-def measure(scene_id: str) -> dict[str, object]:
-    """All moves of a scene."""
-    scene, start = load_scene(scene_id), START[scene_id]
-    time_frame(scene, start, StageCache())  # whatever is prepared once only
+def main() -> None:
+    time_frame(START, StageCache())  # whatever is prepared once only
     moves = {}
-    for control, value in MOVES[scene_id].items():
-        moves[control] = {"to": value, **measure_move(scene, start, {control: value})}
-        print(f"{scene_id}: {control} {moves[control]}")
-    return {"start": start, "moves": moves}
+    for control, value in MOVES.items():
+        moves[control] = {"to": value, **measure_move({control: value})}
+        print(f"{control} {moves[control]}")
+    write({SCENE.id: {"start": START, "moves": moves}}, DATA)
 
 
 if __name__ == "__main__":
-    write({scene_id: measure(scene_id) for scene_id in MOVES}, DATA)
+    main()

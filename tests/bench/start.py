@@ -7,10 +7,9 @@ is touched at once. The other page is what Pyodide's documentation tells authors
 Pyodide, numpy and the modules, import them, draw. It has the files of Pyodide's release, from the
 same server.
 
-``--keep`` puts medians and ratios among the costs that the book tells.
+Medians and ratios go among the costs that the book tells.
 """
 
-import argparse
 import json
 import shutil
 import tempfile
@@ -21,7 +20,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from bench.costs import keep
+from bench.costs import SITE, keep
 from playwright.sync_api import BrowserContext, BrowserType, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.places import ROOT
@@ -35,11 +34,11 @@ from site_builder.runtime.imports import imports_of, reach
 from site_builder.runtime.pack import book_modules, chunk_archive
 from site_builder.runtime.store import LOCK_INFO, NUMPY_WHEEL, VERSIONS
 
-SITE = ROOT / "build" / "site"
 SCENE = "lens-distortion"
 REST_MS = 4000
 """What a reader takes at least before turning the page: the book may prepare for it."""
 LONGEST_MS = 60_000
+ROUNDS = 5
 PLAIN = "plain/"
 KEPT = "navigator.serviceWorker.controller !== null"
 """The first visit lasts until the browser has the whole book."""
@@ -120,24 +119,29 @@ frame`);
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="bench.start", description=__doc__)
-    parser.add_argument("--site", type=Path, default=SITE)
-    parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--keep", action="store_true", help="tell them in the book")
-    given = parser.parse_args()
+    with profiles() as (start, address):
+        record = measure(start, address, ROUNDS)
+    print(json.dumps(record, indent=1))
+    keep("start", record)
+
+
+@contextmanager
+def profiles(*arguments: str, **device: Any) -> Iterator[tuple[Start, str]]:
+    """Starts a browser with a profile of its own; and the address of the book."""
     executable = find_chromium()
     if executable is None:
         raise SystemExit(HOW_TO)
+    with sync_playwright() as playwright, laid_out() as address:
+        yield partial(profile, playwright.chromium, str(executable), *arguments, **device), address
+
+
+def measure(start: Start, address: str, rounds: int) -> dict[str, Any]:
+    """All starts, the book's and the other page's in turns."""
     runs: list[Run] = []
-    with sync_playwright() as playwright, laid_out(given.site) as address:
-        start = partial(profile, playwright.chromium, str(executable))
-        for _ in range(given.rounds):
-            runs.append({**measure_book(start, address), **measure_plain(start, address)})
-            print(" ".join(f"{name} {value:.0f}" for name, value in runs[-1].items()), flush=True)
-    record = summary(runs)
-    print(json.dumps(record, indent=1))
-    if given.keep:
-        keep("start", record)
+    for _ in range(rounds):
+        runs.append({**measure_book(start, address), **measure_plain(start, address)})
+        print(" ".join(f"{name} {value:.0f}" for name, value in runs[-1].items()), flush=True)
+    return summary(runs)
 
 
 def summary(runs: Sequence[Run]) -> dict[str, Any]:
@@ -209,11 +213,11 @@ def profile(
 
 
 @contextmanager
-def laid_out(site: Path) -> Iterator[str]:
-    """The address of the book, with the other page beside it."""
+def laid_out() -> Iterator[str]:
+    """The address of the built book, with the other page beside it."""
     with tempfile.TemporaryDirectory() as folder:
         served = Path(folder) / "site"
-        shutil.copytree(site, served)
+        shutil.copytree(SITE, served)
         lay_out_plain(served / PLAIN)
         with serving(served) as server:
             yield server.url

@@ -7,21 +7,17 @@ bound: what the figure does besides, its drawings, readouts and words, counts ag
 outside nothing is quicker than the screen's refresh, so the time to compute is kept as well.
 """
 
-import argparse
 import base64
-import json
 import statistics
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from bench.costs import keep
-from bench.drag import DRAG, MOVES, ROUNDS, figure_at_rest, hand_script, open_book
+from bench.drag import DRAG, MOVES, ROUNDS, figure_at_rest, hand_script, open_book, read_book
 from numpy.typing import NDArray
 from playwright.sync_api import JSHandle, Page
-from support.places import ROOT
 
 from simulations.engine.controls import Slider
 from simulations.engine.frame import Raster
@@ -205,12 +201,9 @@ def medians(page: Page, twin: Twin, figure: JSHandle) -> tuple[float, float]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="bench.twins", description=__doc__)
-    parser.add_argument("--site", type=Path, default=ROOT / "build" / "site")
-    site = parser.parse_args().site
-    chapters = json.loads((site / "book.json").read_text(encoding="utf-8"))["chapters"]
+    chapters = read_book()["chapters"]
     found: dict[str, dict[str, float]] = {}
-    with open_book(site) as (page, address):
+    with open_book() as (page, address):
         for make in TWINS:
             twin = make()
             url = next(each["url"] for each in chapters if twin.scene in each["simulations"])
