@@ -62,6 +62,14 @@ def test_the_alias_misses_the_samples(
     np.testing.assert_allclose(curve[on_sample], samples, atol=1e-9 if kind == "stripes" else 0.03)
 
 
+def test_the_nyquist_ring_has_another_frequency() -> None:
+    shown = frame_of(SCENE, pattern="zone_plate", frequency=0.8, rate=1.2)
+    (place,) = (each for each in shown.handles if each.name == "ring")
+    pattern = pattern_of("zone_plate", 0.8, 0.0, 1.2)
+    sample = (place.x / 400 - 0.5) * pattern.width
+    assert abs(pattern.local_frequency(sample)) == pytest.approx(0.5, abs=1e-4)
+
+
 BOX_2 = (1 - np.cos(np.pi * 0.25 / 2)) / 2 / np.sqrt(2)
 
 

@@ -23,7 +23,7 @@ from simulations.models.error_measures import root_mean_square
 from simulations.pictures.chequerboard import Look, photograph_of, true_corners
 from simulations.scenes.calibration import boards
 from simulations.scenes.calibration.boards import SIGMA_PX, read, rendered, simulated_sitting
-from simulations.scenes.calibration.scene import SCENE, Settings, measured, sheet
+from simulations.scenes.calibration.scene import ERRORS, SCENE, Settings, measured, sheet
 from simulations.scenes.chequerboard import SCENE as CHEQUERBOARD
 
 
@@ -100,6 +100,14 @@ def test_corners_of_the_rendered_photographs_are_as_noisy_as_the_simulated_ones(
         near = np.hypot(*np.moveaxis(places[:, None] - true, -1, 0)).argmin(axis=1)
         off.append(places - true[near])
     assert root_mean_square(np.concatenate(off)) == pytest.approx(SIGMA_PX, rel=0.25)
+
+
+def test_the_drawing_has_the_errors_of_one_or_all_photographs_and_the_straight_board() -> None:
+    one, every = (frame_of(SCENE, photographs=8, arrows=arrows).panels[0] for arrows in ERRORS)
+    assert one.overlay.count("<circle") == 54
+    assert every.overlay.count("M") == 2 * 8 * 54
+    used, unused = (frame_of(SCENE, shown=shown).panels[0].overlay for shown in (5, 6))
+    assert ["not used" in overlay for overlay in (used, unused)] == [False, True]
 
 
 def test_corners_of_the_reader_replace_the_simulated_ones() -> None:

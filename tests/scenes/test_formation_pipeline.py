@@ -1,5 +1,6 @@
 """The formation pipeline: the numbers of the book's worked example, and the moving marker."""
 
+import itertools
 import math
 import re
 
@@ -7,6 +8,7 @@ import numpy as np
 import pytest
 
 from simulations.models.color.srgb import encode_srgb
+from simulations.scenes.formation_pipeline.scene import route, travelled
 from simulations.scenes.formation_pipeline.stations import CELLS, light_around, stations, travel
 
 
@@ -58,6 +60,15 @@ def test_the_places_in_the_ledger_follow_from_one_another(distance: float) -> No
     assert bent == pytest.approx([factor * each for each in ideal], abs=2e-5)
     assert pixel == pytest.approx([320 + 800 * bent[0], 240 + 800 * bent[1]], abs=0.01)
     assert lines[4].endswith(f"in cell ({round(pixel[0])}, {round(pixel[1])})")
+
+
+def test_the_marker_stands_on_each_station_at_whole_numbers_and_never_jumps() -> None:
+    legs = route(4.0)
+    for index, leg in enumerate(legs):
+        assert travelled(legs, index)[-1] == pytest.approx(leg[0])
+        assert travelled(legs, index + 1)[-1] == pytest.approx(leg[-1])
+    way = [travelled(legs, step / 50)[-1] for step in range(50 * len(legs) + 1)]
+    assert max(math.dist(a, b) for a, b in itertools.pairwise(way)) < 6
 
 
 @pytest.mark.parametrize("distance", [2.0, 4.0, 8.0])
