@@ -250,10 +250,12 @@ def whole_font() -> str:
 def seen(reader: Reader) -> tuple[list[float], list[float]]:
     """Widths of the formulae, and how many pixels' worth of black each holds."""
     data = np.frombuffer(reader.page.locator("#kinds").screenshot(), np.uint8)
-    rows = np.split(cv2.imdecode(data, cv2.IMREAD_GRAYSCALE), len(KINDS))
+    picture: Any = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
+    rows = np.split(picture, len(KINDS))
     return reader.page.evaluate(WIDTHS), [float(np.sum(1 - row / 255.0)) for row in rows]
 
 
+@pytest.mark.deep
 def test_the_cut_faces_draw_formulae_as_the_whole_font_does(plain_reader: Reader) -> None:
     plain_reader.open("lecture-plan/", live=False)
     formulae = [to_mathml(formula, display=True) for formula in KINDS.values()]
