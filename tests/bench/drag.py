@@ -23,7 +23,7 @@ from support.chromium import open_chromium
 from support.reader import DESK
 from support.static_server import serving
 
-from site_builder.benchmarks.record import significant
+from site_builder.benchmarks.measuring import significant
 
 FRAME_MS = 1000 / 60
 BOUND_FRAMES = 2
