@@ -6,7 +6,7 @@ import json
 import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import PurePosixPath
-from urllib.parse import urlsplit
+from urllib.parse import quote, urlsplit
 
 import brotli
 
@@ -114,10 +114,10 @@ def worker(assets: str, release: str) -> bytes:
 
 def address(name: str) -> str:
     """
-    >>> address("lens-distortion/index.html")
-    'lens-distortion/'
+    >>> address("lens-distortion/index.html"), address("content/Fig #3.png")
+    ('lens-distortion/', 'content/Fig%20%233.png')
     """
-    return name.removesuffix("index.html") if name.split("/")[-1] == "index.html" else name
+    return quote(name.removesuffix("index.html") if name.split("/")[-1] == "index.html" else name)
 
 
 FILES: Mapping[str, str] = {"apache": ".htaccess", "netlify": "_headers", "nginx": "nginx.conf"}

@@ -1,84 +1,287 @@
 """The book without a network, and the turn from one release to the next."""
 
-import os
+import json
+import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import pytest
 from playwright.sync_api import Browser, Page
 from playwright.sync_api import Error as PlaywrightError
+from support.engines import ENGINES, HOW_TO
+from support.engines.engine import call
 from support.limits import limit_ms, limit_s
 from support.page_scripts import FRUGAL
-from support.reader import Reader, visit
+from support.places import ROOT
+from support.reader import visit
 from support.static_server import Fault, StaticServer, serving
 
+from site_builder.assets.pages import write_scripts
 from site_builder.files.folders import folder_files
 from site_builder.output.writer import content_bytes
-from site_builder.publishing.hosting import LIST, WORKER, no_release, release_files
+from site_builder.publishing.hosting import WORKER, address, no_release, release_files
 
 pytestmark = pytest.mark.browser
 
-PAGE, OTHER = "glossary/", "references/"
-"""Without figures; in these the turn of releases is tried."""
-FILM = "film.bin"
-"""A film that a page could show."""
-NEW = "A sentence of the next release."
+OTHER = "references/"
+"""A page of the book without figures."""
+FILM, ODD = "film.bin", "Fig #3 50%.bin"
+"""Files of the small site: a film for a page, and one whose name is no address."""
+MOMENTS = ("loading", "at rest", "offline")
+UPDATES = ("whole", "cut", "arriving", "none")
+TABLE = {
+    "whole": ("1 1 1 1", "1 1 1 1", "2 1 1 1"),
+    "cut": ("2 2 2 1", "2 2 2 1", "2 - - 1"),
+    "damaged": ("2 2 2 1", "2 2 2 1", "2 - - 1"),
+    "none": ("2 2 2", "2 2 2", "2 - -"),
+}
+"""Which release a page shows: by what is stored of release 1; by what the page does as it looks for
+release 2 (`MOMENTS`); and by what arrives of that (`UPDATES`). A host has one release at a time."""
+ROWS = {
+    (stored, moment, update): shown
+    for stored, cells in TABLE.items()
+    for moment, cell in zip(MOMENTS, cells, strict=True)
+    for update, shown in zip(UPDATES, cell.split(), strict=False)
+}
+IN_FIREFOX = [
+    ("whole", "loading", "arriving"),
+    ("whole", "offline", "whole"),
+    ("cut", "offline", "cut"),
+    ("damaged", "at rest", "none"),
+]
+
+HTML = """<!DOCTYPE html><title>{release}</title><script>
+  window.shared = () => import(new URL("{root}assets/{release}/shared.js", location.href));
+</script>"""
+SHARED = 'export const late = async () => (await import("./late.js")).release;'
+"""The same in both releases; the file beside it is not."""
+SHOWN = "async () => document.title + (await (await shared()).late())"
+SEEK = """async () => {
+  const known = await navigator.serviceWorker.getRegistration();
+  const registration = known ?? (await navigator.serviceWorker.register('sw.js'));
+  if (known) await known.update();
+  const worker = registration.installing ?? registration.waiting;
+  window.end = new Promise((resolve) => {
+    const look = () => !/^(activated|redundant)$/.test(worker?.state ?? 'activated') || resolve();
+    worker?.addEventListener('statechange', look);
+    look();
+  });
+}"""
+"""Look for a release; `end` comes when it is taken up, or is not."""
+EACH = """async (act) => {
+  for (const name of await caches.keys()) {
+    const cache = await caches.open(name);
+    for (const key of await cache.keys()) await act(cache, key);
+  }
+}"""
+SPOIL = {
+    "cut": f"() => ({EACH})((cache, key) => /json/.test(key.url) || cache.delete(key))",
+    "damaged": f"""() => ({EACH})(async (cache, key) => {{
+      const {{headers}} = await cache.match(key);
+      await cache.put(key, new Response('<title>damaged</title>', {{headers}}));
+    }})""",
+}
+STORED = f"""async () => {{
+  const texts = [];
+  await ({EACH})(async (cache, key) => texts.push(await (await cache.match(key)).text()));
+  return texts;
+}}"""
+
+
+class Tab(Protocol):
+    """What the table needs of an `Engine`."""
+
+    def open(self, url: str) -> None: ...
+
+    def ask(self, expression: str, /, *arguments: Any) -> Any: ...
+
+
+class ChromiumTab:
+    def __init__(self, page: Page) -> None:
+        self.page = page
+
+    def open(self, url: str) -> None:
+        try:
+            self.page.goto(url)
+        except PlaywrightError:
+            self.page.wait_for_url("chrome-error:**")  # else it interrupts what is opened next
+            raise
+
+    def ask(self, expression: str, /, *arguments: Any) -> Any:
+        return json.loads(self.page.evaluate(call(expression, arguments)))
+
+
+@pytest.fixture(scope="module")
+def sites(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, Path]:
+    """Two releases of a small site."""
+    folder = tmp_path_factory.mktemp("sites")
+    write_scripts(ROOT, folder, ["offline/service_worker"])
+    scripts = {name: content_bytes(file) for name, file in folder_files(folder).items()}
+    for release in "12":
+        assets = f"assets/{release}/"
+        files = {
+            "index.html": HTML.format(release=release, root="").encode(),
+            "other/index.html": HTML.format(release=release, root="../").encode(),
+            f"{assets}shared.js": SHARED.encode(),
+            f"{assets}late.js": f"export const release = {release};".encode(),
+            f"{assets}{ODD}": release.encode(),
+            f"{assets}{FILM}": b"0123456789",
+            **{assets + name: script for name, script in scripts.items()},
+        }
+        for name, content in {**files, **release_files(files, assets)}.items():
+            file = folder / release / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+    return {release: folder / release for release in "12"}
 
 
 @pytest.fixture
-def host(release: Path) -> Iterator[StaticServer]:
-    with serving(release) as server:
+def host(sites: Mapping[str, Path]) -> Iterator[StaticServer]:
+    """Each is an origin of its own, where nothing is stored yet."""
+    with serving(sites["1"]) as server:
         yield server
 
 
 @pytest.fixture
-def keeper(brisk_chromium: Browser, host: StaticServer) -> Iterator[Reader]:
-    """A reader whose browser may keep the book."""
+def small(brisk_chromium: Browser, host: StaticServer) -> Iterator[Tab]:
     with visit(brisk_chromium, host, service_workers="allow") as someone:
-        yield someone
+        yield ChromiumTab(someone.page)
 
 
-@pytest.fixture(scope="module")
-def release(built_site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Some pages of the book, and all files that they may fetch."""
-    site = folder_files(built_site)
-    assets = next(name for name in site if name.startswith("assets/")).split("/")[1]
-    files = {
-        name: content_bytes(site[name])
-        for name in site
-        if name.split("/")[0] in ("assets", "search", PAGE[:-1], OTHER[:-1])
-        and "/stills/" not in name
-    }
-    files[FILM] = b"0123456789"
-    return publish(files, assets, tmp_path_factory.mktemp("release"))
+@pytest.mark.parametrize("row", ROWS, ids="-".join)
+def test_a_release_is_there_whole_or_not_at_all_whatever_is_stored_and_arrives(
+    row: tuple[str, str, str], small: Tab, host: StaticServer, sites: Mapping[str, Path]
+) -> None:
+    turn_of_releases(row, small, host, sites)
 
 
-@pytest.fixture(scope="module")
-def next_release(release: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The same with one more sentence, and assets in a folder of another name."""
-    old = next((release / "assets").iterdir()).name
-    new = old[::-1]
-    files = {
-        name.replace(old, new): content_bytes(content)
-        .replace(old.encode(), new.encode())
-        .replace(b"</h1>", f"</h1><p>{NEW}</p>".encode())
-        for name, content in folder_files(release).items()
-    }
-    root = publish(files, new, tmp_path_factory.mktemp("next"))
-    for file in root.rglob("*"):  # a host tells releases apart by their times
-        os.utime(file, (time.time() + 60, time.time() + 60))
-    return root
+def test_a_release_is_there_whole_or_not_at_all_in_firefox(
+    sites: Mapping[str, Path], tmp_path: Path
+) -> None:
+    opened = ENGINES["Firefox"](tmp_path)
+    if opened is None:
+        pytest.skip(f"Firefox: {HOW_TO}")
+    with opened as firefox:
+        for row in IN_FIREFOX:
+            with serving(sites["1"]) as host:
+                turn_of_releases(row, firefox, host, sites)
 
 
-def publish(files: dict[str, bytes], assets: str, root: Path) -> Path:
-    files = {name: data for name, data in files.items() if name not in (LIST, WORKER)}
-    for name, data in {**files, **release_files(files, f"assets/{assets}/")}.items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_bytes(data)
-    return root
+def turn_of_releases(
+    row: tuple[str, str, str], tab: Tab, host: StaticServer, sites: Mapping[str, Path]
+) -> None:
+    """A page shows what the table says, and once all arrives the last release is stored whole."""
+    stored, moment, update = row
+    home, last = host.url, "1" if update == "none" else "2"
+    host.uncached = True
+    if stored != "none":
+        take_up(tab, home)
+        if stored in SPOIL:
+            tab.ask(SPOIL[stored])
+    requested, released = threading.Event(), threading.Event()
+
+    def held(content: bytes) -> bytes:
+        requested.set()
+        released.wait(4 * limit_s())
+        return content
+
+    faults = {"cut": Fault(lambda _: b"", status=404), "arriving": Fault(held)}
+    if update in faults:
+        host.faults[address(ODD)] = faults[update]
+    host.root = sites[last]
+    tab.open(home)
+    if moment == "at rest":
+        tab.ask("() => shared()")
+    tab.ask(SEEK)
+    if update == "arriving":
+        assert requested.wait(2 * limit_s())
+    else:
+        tab.ask("() => window.end")
+    if moment == "offline":
+        shown(tab)
+        host.gone = True
+        visible = shown(tab, home)
+    else:
+        visible = shown(tab)
+    assert visible == ROWS[row].replace("1", "11").replace("2", "22"), row
+
+    host.gone = False
+    host.faults.clear()
+    released.set()
+    if update != "arriving" or moment == "offline":
+        tab.open(f"{home}other/")
+        take_up(tab, home)
+    tab.ask("() => window.end")
+    files = folder_files(sites[last])
+    whole = {content_bytes(file).decode() for name, file in files.items() if name != WORKER}
+    until(lambda: whole <= set(tab.ask(STORED)))
+    host.gone = True
+    for page in ("", "other?place=1"):
+        assert shown(tab, home + page) == last * 2, row
+    assert tab.ask("() => location.href").endswith("other/?place=1")
+    until(lambda: sorted(whole) == sorted(tab.ask(STORED)))
+
+
+def take_up(tab: Tab, home: str) -> None:
+    tab.open(home)
+    tab.ask(SEEK)
+    tab.ask("() => window.end")
+
+
+def shown(tab: Tab, url: str = "") -> str:
+    """The releases of a page and of its late script; `-` where the page does not come."""
+    try:
+        if url:
+            tab.open(url)
+        return str(tab.ask(SHOWN))
+    except (PlaywrightError, RuntimeError):
+        return "-"
+
+
+def test_where_the_book_is_no_longer_to_be_stored_it_is_removed(
+    small: Tab, host: StaticServer
+) -> None:
+    take_up(small, host.url)
+    host.damaged["/sw.js"] = no_release("assets/1/")[WORKER]
+    small.open(host.url)
+    with suppress(PlaywrightError):  # the page is loaded anew
+        small.ask(SEEK)
+    until(lambda: not small.ask("() => caches.keys()"))
+
+
+def test_the_browser_s_own_copy_goes_first_a_film_is_wound_forward_and_broken_storage_left_alone(
+    small: ChromiumTab, host: StaticServer
+) -> None:
+    """With its own copy of a script the browser keeps the compiled code."""
+    page = small.page
+    take_up(small, host.url)
+    for cache, is_stored in (("default", True), ("only-if-cached", False)):
+        with page.expect_response("**/late.js") as reply:
+            small.ask(FETCH, "late.js", {"cache": cache, "mode": "same-origin"})
+        assert reply.value.from_service_worker is is_stored
+        assert reply.value.ok
+    host.gone = True
+    assert {part: small.ask(FETCH, FILM, {"headers": {"Range": part}}) for part in PARTS} == PARTS
+    host.gone = False
+    (worker,) = page.context.service_workers
+    worker.evaluate("void (caches.open = () => Promise.reject(new Error('broken')))")
+    assert shown(small, f"{host.url}other/") == "11"
+
+
+FETCH = """async (name, options) => {
+  const reply = await fetch(`assets/1/${name}`, options);
+  return [reply.status, await reply.text(), reply.headers.get('content-range')];
+}"""
+PARTS = {
+    "bytes=2-4": [206, "234", "bytes 2-4/10"],
+    "bytes=0-": [206, "0123456789", "bytes 0-9/10"],
+    "bytes=8-99": [206, "89", "bytes 8-9/10"],
+    "lines=1-2": [200, "0123456789", None],
+}
+"""A host's answers to ranges by RFC 9110, section 14."""
 
 
 def test_after_one_visit_every_page_its_figures_and_the_search_work_without_a_network(
@@ -88,7 +291,8 @@ def test_after_one_visit_every_page_its_figures_and_the_search_work_without_a_ne
         serving(built_site) as host,
         visit(brisk_chromium, host, service_workers="allow") as kept,
     ):
-        keep(kept, "")
+        kept.page.goto(kept.root)
+        kept.page.wait_for_function("navigator.serviceWorker.controller", timeout=2 * limit_ms())
         host.gone = True
         with kept.page.context.new_page() as page:
             page.add_init_script("delete globalThis.WebAssembly")
@@ -112,129 +316,32 @@ TITLES = """(urls) => Promise.all(urls.map(async (url) => {
 }))"""
 
 
-def test_a_new_release_is_there_whole_at_the_second_visit_and_the_old_one_gone(
-    keeper: Reader, host: StaticServer, next_release: Path
-) -> None:
-    """A page that was left open over it still gets its own files. Where the site is no longer kept,
-    the kept one is removed."""
-    page = keeper.page
-    old = keep(keeper)
-    host.root = next_release
-    page.goto(keeper.root + PAGE)
-    assert not is_new(page)
-    new = until(lambda: page.evaluate(TAKEN_UP, old))
-    assert search(page, "vignetting")
-    host.gone = True
-    page.goto(keeper.root + OTHER)
-    assert is_new(page)
-    until(lambda: releases(page) == [new])
-    host.gone = False
-    assets = next((next_release / "assets").iterdir()).name
-    host.damaged["/sw.js"] = no_release(f"assets/{assets}/")[WORKER]
-    page.goto(keeper.root + OTHER)
-    until(lambda: not releases(page))
-
-
-def test_a_release_with_a_wrong_file_is_not_taken_up(
-    keeper: Reader, host: StaticServer, next_release: Path
-) -> None:
-    page = keeper.page
-    keep(keeper)
-    host.root = next_release
-    host.damaged[f"/{OTHER}"] = b"<!DOCTYPE html><title>Sign in</title>"
-    assert page.evaluate(REFUSED) == "redundant"
-    host.gone = True
-    page.goto(keeper.root + OTHER)
-    assert page.title().startswith("References")
-    assert not is_new(page)
-
-
-REFUSED = """async () => {
-  const registration = await navigator.serviceWorker.ready;
-  const found = new Promise((resolve) => registration.addEventListener('updatefound', resolve));
-  registration.update().catch(() => {});
-  await found;
-  const worker = registration.installing;
-  return new Promise((resolve) => {
-    worker.addEventListener('statechange', () => resolve(worker.state));
-  });
-}"""
-"""Look for a release; its first state."""
-TAKEN_UP = """async (old) => {
-  const registration = await navigator.serviceWorker.ready;
-  const busy = registration.installing ?? registration.waiting;
-  const name = (await caches.keys()).find((name) => name !== old);
-  return !busy && registration.active.state === 'activated' && name;
-}"""
-"""The release after the old one, once it answers for the pages."""
-
-
 @pytest.mark.parametrize("file", [WORKER, OTHER])
 def test_why_the_book_is_not_stored_is_said_once_and_the_page_works_on(
-    keeper: Reader, host: StaticServer, file: str
+    brisk_chromium: Browser, built_site: Path, file: str
 ) -> None:
-    host.faults[f"/{file}"] = Fault(status=404)
-    keeper.open(PAGE, live=False)
-    said = keeper.page.locator(".notice")
-    said.wait_for()
-    assert file in said.inner_text()
-    assert "404" in said.inner_text()
-    keeper.page.reload()
-    assert search(keeper.page, "vignetting")
-    assert not said.count()
+    with (
+        serving(built_site) as host,
+        visit(brisk_chromium, host, service_workers="allow") as reader,
+    ):
+        host.faults[f"/{file}"] = Fault(lambda _: b"", status=404)
+        reader.open("glossary/", live=False)
+        said = reader.page.locator(".notice")
+        said.wait_for()
+        assert file in said.inner_text()
+        assert "404" in said.inner_text()
+        reader.page.reload()
+        assert search(reader.page, "vignetting")
+        assert not said.count()
 
 
-def test_the_browser_s_own_copy_goes_first_a_film_is_wound_forward_and_broken_storage_left_alone(
-    keeper: Reader, host: StaticServer
-) -> None:
-    """With its own copy of a script the browser keeps the compiled code."""
-    page = keeper.page
-    keep(keeper)
-    script = page.evaluate("new URL(document.body.dataset.assets + 'js/main.js', location).href")
-    for cache, is_kept in (("default", True), ("only-if-cached", False)):
-        with page.expect_response(script) as reply:
-            page.evaluate(ASK, [script, cache])
-        assert reply.value.from_service_worker is is_kept
-        assert reply.value.ok
-    host.gone = True
-    assert {part: page.evaluate(PART, {"Range": part}) for part in PARTS} == PARTS
-    host.gone = False
-    (worker,) = page.context.service_workers
-    worker.evaluate("void (caches.open = () => Promise.reject(new Error('broken')))")
-    keeper.open(OTHER, live=False)
-    assert search(page, "vignetting")
-
-
-ASK = """([url, cache]) => fetch(url, {cache, mode: "same-origin"}).then(() => 0)"""
-PARTS = {
-    "bytes=2-4": [206, "234", "bytes 2-4/10"],
-    "bytes=0-": [206, "0123456789", "bytes 0-9/10"],
-    "bytes=8-99": [206, "89", "bytes 8-9/10"],
-    "lines=1-2": [200, "0123456789", None],
-}
-"""A host's answers to ranges by RFC 9110, section 14."""
-PART = f"""async (headers) => {{
-  const reply = await fetch(new URL('../{FILM}', location.href), {{headers}});
-  const told = (name) => reply.headers.get(name);
-  return [reply.status, await reply.text(), told('content-range')];
-}}"""
-
-
-def keep(reader: Reader, address: str = PAGE) -> str:
-    """Visit a page until the book is kept; the name of its release."""
-    reader.page.goto(reader.root + address)
-    reader.page.wait_for_function("navigator.serviceWorker.controller", timeout=2 * limit_ms())
-    (release,) = releases(reader.page)
-    return release
-
-
-def until(ask: Callable[[], Any]) -> Any:
+def until(ask: Callable[[], Any]) -> None:
     """Ask until the answer is yes. (Playwright's own waiting takes any promise for a yes.)"""
     deadline = time.monotonic() + 2 * limit_s()
     while time.monotonic() < deadline:
-        with suppress(PlaywrightError):  # the page was turned while it was asked
-            if answer := ask():
-                return answer
+        with suppress(PlaywrightError, RuntimeError):  # the page was turned while it was asked
+            if ask():
+                return
         time.sleep(0.1)
     pytest.fail("the answer stays no")
 
@@ -244,15 +351,6 @@ def search(page: Page, words: str) -> str | None:
     page.keyboard.press("/")
     page.locator("dialog[open] input[type=search]").fill(words)
     return page.locator("a[data-result]").first.get_attribute("href")
-
-
-def releases(page: Page) -> list[str]:
-    names: list[str] = page.evaluate("caches.keys()")
-    return names
-
-
-def is_new(page: Page) -> bool:
-    return page.get_by_text(NEW).count() > 0
 
 
 def test_a_page_of_an_earlier_release_runs_on_says_so_and_leads_to_a_whole_page_of_the_next(

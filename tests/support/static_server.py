@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from urllib.parse import unquote
 
 TYPES = {
     ".mjs": "text/javascript",
@@ -110,7 +111,7 @@ class Handler(SimpleHTTPRequestHandler):
                 return
         for ending, fault in self.owner.faults.items():
             if path.endswith(ending):
-                file = self.owner.root / path.removeprefix("/book/")
+                file = self.owner.root / unquote(path.removeprefix("/book/"))
                 file = file / "index.html" if file.is_dir() else file
                 self.hand_out(path, fault.change(file.read_bytes()), fault)
                 return

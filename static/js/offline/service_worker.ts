@@ -2,131 +2,168 @@
  * Stores the whole book on the reader's device, a release at a time. The file `sw.js`, which the
  * builder writes, names the release and loads this one.
  *
- * A release is the list of its files in `offline.json`, each with the hash of what is in it, and
- * its name is the hash of that list. It is used when every file is there and is the right one, so no
- * page meets the assets of another release. Pages that were open before go on with the release that
- * they came from.
- * Addresses below the book's root, and `sha256-` hashes.
+ * A release is the list of its files in `offline.json`, each with the hash of its content; its name is
+ * the hash of that list. All files are in one store, each under its hash, so releases share what they
+ * have in common. A file is checked against its hash whenever it is read; one that is missing or
+ * damaged is fetched and stored again. A worker is installed only once it has every file, so no page
+ * gets the assets of another release. Pages that were open before keep the release that they came from.
+ * Addresses are below the book's root; hashes are those of `integrity`.
  */
-type Files = Record<string, string>;
+
+type Files = Map<string, string>;
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
 
-/** The release, as the `integrity` of its list; empty where the book is not to be stored. */
+/** The hash of this worker's list; empty where the book is not to be stored. */
 const release = (self as unknown as { RELEASE: string }).RELEASE;
 const root = worker.registration.scope;
-const LIST = `${root}offline.json`;
-const PREFIX = `${root} `;
-const OWN = PREFIX + release;
+const LIST = "offline.json";
+const STORE = `files of ${root}`;
+/** Begins the names of the caches that earlier versions of this script made, one for each release. */
+const FORMER = `${root} `;
 /** Files fetched at once: readers may be reading. */
 const AT_ONCE = 4;
-/** Milliseconds after which the page that was left for another is certainly gone. */
-const TURN = 1000;
 
-/** The assets that each open page came with, as it said. */
-const assetsOf: Map<string, string> = new Map();
+const lists: Map<string, Promise<Files>> = new Map();
+/** The open pages that came from this release, as far as this worker knows. */
+const own: Set<string> = new Set();
+let isTidy = false;
+/** Whether a file was missing or damaged: others may be. */
+let isSuspect = false;
 
 worker.addEventListener("install", (event) => {
-  const taking = release ? takeUp() : Promise.resolve();
-  event.waitUntil(taking.then(() => worker.skipWaiting(), complain));
+  const stored = release ? alone(takeUp) : Promise.resolve();
+  event.waitUntil(stored.then(() => worker.skipWaiting()));
 });
-worker.addEventListener("activate", (event) => event.waitUntil(release ? tidy() : leave()));
-worker.addEventListener("message", (event) => {
-  const page = event.source;
-  if (!release || !(page instanceof Client)) return;
-  assetsOf.set(page.id, event.data.assets);
-  event.waitUntil(new Promise((resolve) => setTimeout(resolve, TURN)).then(tidy));
+worker.addEventListener("activate", (event) => {
+  event.waitUntil(release ? worker.clients.claim() : leave());
 });
 worker.addEventListener("fetch", (event) => {
   const { method, url, cache } = event.request;
   if (cache === "only-if-cached") return; // the browser's own copy, with what it compiled of it
-  if (release && method === "GET" && url.startsWith(root)) {
-    event.respondWith(answer(event.request).catch(() => fetch(event.request)));
-  }
+  if (!release || method !== "GET" || !url.startsWith(root)) return;
+  const reply = answer(event).catch(() => fetch(event.request));
+  event.respondWith(reply);
+  event.waitUntil(reply.then(() => upkeep(event.clientId)).catch(() => {}));
 });
 
-/** Have every file of the release, or fail and leave all as it was. */
-async function takeUp() {
-  const reply = await fetch(LIST, { cache: "no-cache", integrity: release });
-  const files = Object.entries((await reply.clone().json()) as Files);
-  const cache = await caches.open(OWN);
-  const earlier = await earlierFiles();
-  const take = async () => {
-    for (let file = files.pop(); file; file = files.pop()) {
-      const [address, hash] = file;
-      const url = root + address;
-      if (await cache.match(url)) continue; // from an attempt that was cut short
-      await cache.put(url, (await earlier(hash)) ?? (await fetchExactly(url, hash)));
-    }
-  };
-  try {
-    await Promise.all(Array.from({ length: AT_ONCE }, take));
-    await cache.put(LIST, reply); // last: a cache without it is not whole
-  } catch (error) {
-    if (error instanceof DOMException && error.name === "QuotaExceededError") {
-      await caches.delete(OWN);
-    }
-    throw error;
-  }
+/** One at a time, in all workers: what one stores, no other deletes. */
+function alone(action: () => Promise<void>): Promise<void> {
+  return navigator.locks.request(STORE, action);
 }
 
-/** Tell open pages why the book is not stored; throws that again. */
-async function complain(error: Error) {
+/** Store every file of the release, or fail; a later attempt fetches only what is missing. */
+async function takeUp() {
+  const store = await caches.open(STORE);
+  await store.delete(keyOf(LIST, release)); // stored anew, it is the last list
+  const failed = (await storeAll(await filesOf(release))).at(-1);
+  isSuspect = false;
+  if (!failed) return;
+  const { address, error } = failed;
+  const isFull = error instanceof DOMException;
   const pages = await worker.clients.matchAll({ type: "window", includeUncontrolled: true });
-  for (const page of pages) page.postMessage({ problem: error.message });
+  const problem = isFull ? error.message : "";
+  for (const page of pages) page.postMessage({ address: root + address, problem });
+  if (isFull) await keepOnly((await releases()).filter((name) => name !== release));
   throw error;
 }
 
+/** @returns The files that could not be stored. */
+async function storeAll(files: Files) {
+  const left = [...files];
+  const failed: { address: string; error: Error }[] = [];
+  const take = async () => {
+    for (let file = left.pop(); file; file = left.pop()) {
+      const [address, hash] = file;
+      await exactly(address, hash).catch((error) => {
+        failed.push({ address, error });
+        if (error instanceof DOMException) left.length = 0; // the store is full
+      });
+    }
+  };
+  await Promise.all(Array.from({ length: AT_ONCE }, take));
+  return failed;
+}
+
+/** The file with this content, from the store or else from the network, which stores it. */
+async function exactly(address: string, hash: string): Promise<Response> {
+  const store = await caches.open(STORE);
+  const key = keyOf(address, hash);
+  const stored = await store.match(key);
+  if (stored && (await isUndamaged(stored.clone(), hash))) return stored;
+  const reply = await fetchExactly(root + address, hash);
+  await store.put(key, reply.clone());
+  isSuspect = true;
+  return reply;
+}
+
+/** The last part of the address tells files of one content and several types apart. */
+function keyOf(address: string, hash: string) {
+  const folder = address === LIST ? root : `${root}files/`;
+  return `${folder}${address.slice(address.lastIndexOf("/") + 1)}?${hash}`;
+}
+
+async function isUndamaged(file: Response, hash: string) {
+  try {
+    const digest = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());
+    return hash === `sha256-${btoa(String.fromCharCode(...new Uint8Array(digest)))}`;
+  } catch {
+    return false; // it cannot even be read
+  }
+}
+
 /**
- * Machine code as the browser has it, if it has: asked whether that is still new, a host would renew
- * it, and the browser forget what it compiled of it.
+ * Machine code is taken as the browser has it, if it has: asked whether that is still new, a host would
+ * renew it, and the browser forget what it compiled of it. The reply has no address of its own, since
+ * scripts find their neighbours by that of the request.
  */
 async function fetchExactly(url: string, hash: string) {
   const ask = (cache: RequestCache) => fetch(url, { cache, integrity: hash });
-  const asIs = url.endsWith(".wasm") ? await ask("force-cache").catch(() => null) : null;
-  const reply = asIs ?? (await ask("no-cache"));
+  const first = url.endsWith(".wasm") ? "force-cache" : "no-cache";
+  const reply = await ask(first).catch(() => ask("reload")); // the browser's copy may be damaged
   if (!reply.ok) throw new Error(`${url} does not arrive: ${reply.status}`);
-  return reply.redirected ? new Response(reply.body, { headers: reply.headers }) : reply;
+  const headers = new Headers(reply.headers);
+  headers.delete("vary"); // the store has one copy of each file
+  return new Response(reply.body, { headers });
 }
 
-/** Finds a file that is stored already, by what is in it. */
-async function earlierFiles(): Promise<(hash: string) => Promise<Response | undefined>> {
-  const found: Map<string, [Cache, string]> = new Map();
-  for (const name of await releases()) {
-    const cache = await caches.open(name);
-    for (const [address, hash] of Object.entries(await filesOf(cache))) {
-      found.set(hash, [cache, root + address]);
-    }
-  }
-  return async (hash) => {
-    const [cache, url] = found.get(hash) ?? [];
-    return url === undefined ? undefined : cache?.match(url);
+/** The files of a release, and its list. */
+function filesOf(name: string): Promise<Files> {
+  const read = async () => {
+    const files: Record<string, string> = await (await exactly(LIST, name)).json();
+    return new Map([[LIST, name], ...Object.entries(files)]);
   };
+  const files = lists.get(name) ?? read();
+  lists.set(name, files);
+  return files;
 }
 
-async function filesOf(cache: Cache): Promise<Files> {
-  return (await (await cache.match(LIST))?.json()) ?? {};
-}
-
-/** Names of the caches that hold this book. */
+/** The releases whose lists are stored, in the order in which they came. */
 async function releases() {
-  return (await caches.keys()).filter((name) => name.startsWith(PREFIX));
+  const store = await caches.open(STORE);
+  const keys = await store.keys(root + LIST, { ignoreSearch: true });
+  return keys.map(({ url }) => url.slice(url.indexOf("?") + 1));
 }
 
 /**
- * What the release has under the address; else what an earlier one has, for a page of that; else
- * what the network says.
+ * What the release has under the address; else what another one has, for a page of that; else what
+ * the network says.
  */
-async function answer(request: Request) {
-  const { origin, pathname } = new URL(request.url);
-  const url = origin + pathname.replace(/\/index\.html$/, "/");
-  const own = await caches.open(OWN);
-  const stored = await own.match(url);
-  if (stored) return asAsked(stored, request);
-  if (await own.match(`${url}/`)) return Response.redirect(`${url}/`);
+async function answer({ request, resultingClientId }: FetchEvent): Promise<Response> {
+  const { origin, pathname, search } = new URL(request.url);
+  const address = (origin + pathname).slice(root.length).replace(/(^|\/)index\.html$/, "$1");
+  const seek = async (name: string) => {
+    const files = await filesOf(name);
+    const hash = files.get(address);
+    if (hash !== undefined) return asAsked(await exactly(address, hash), request);
+    return files.has(`${address}/`) ? Response.redirect(`${root}${address}/${search}`) : null;
+  };
+  const found = await seek(release);
+  if (found && request.mode === "navigate") own.add(resultingClientId);
+  if (found) return found;
   for (const name of await releases()) {
-    const left = await (await caches.open(name)).match(url);
-    if (left) return asAsked(left, request);
+    const left = await seek(name).catch(() => null);
+    if (left) return left;
   }
   return fetch(request);
 }
@@ -146,19 +183,36 @@ async function asAsked(stored: Response, { headers }: Request): Promise<Response
   return new Response(part, { status: 206, headers: { "content-range": range } });
 }
 
-/** Answer for all pages; drop earlier releases once no open page came from one. */
-async function tidy() {
-  await worker.clients.claim();
+/** After an answer to this page: mend the store, or drop the releases that no open page came from. */
+async function upkeep(page: string) {
+  if (isSuspect) {
+    isSuspect = false;
+    await storeAll(await filesOf(release));
+    isSuspect = false;
+  }
+  if (isTidy || !own.has(page)) return;
   const pages = await worker.clients.matchAll({ type: "window" });
-  const own = Object.keys(await filesOf(await caches.open(OWN))).map((name) => root + name);
-  if (!pages.every((page) => own.includes(assetsOf.get(page.id) ?? ""))) return;
-  for (const name of await releases()) if (name !== OWN) await caches.delete(name);
-  await caches.delete(`${root}#memory`); // of releases that stored an interpreter's memory
+  if (!pages.every(({ id }) => own.has(id))) return;
+  isTidy = true;
+  await alone(async () => {
+    if ((await releases()).at(-1) === release) await keepOnly([release]);
+  });
+  for (const name of await caches.keys()) if (name.startsWith(FORMER)) await caches.delete(name);
+}
+
+/** Delete what belongs to no release of these. */
+async function keepOnly(names: string[]) {
+  const store = await caches.open(STORE);
+  const files = (await Promise.all(names.map(filesOf))).flatMap((each) => [...each]);
+  const keys = new Set(files.map(([address, hash]) => keyOf(address, hash)));
+  for (const { url } of await store.keys()) if (!keys.has(url)) await store.delete(url);
 }
 
 /** Give everything back, and have the pages come from the network again. */
 async function leave() {
-  for (const name of await releases()) await caches.delete(name);
+  for (const name of await caches.keys()) {
+    if (name === STORE || name.startsWith(FORMER)) await caches.delete(name);
+  }
   await worker.registration.unregister();
   const pages = await worker.clients.matchAll({ type: "window", includeUncontrolled: true });
   for (const page of pages) if (page.url.startsWith(root)) await page.navigate(page.url);

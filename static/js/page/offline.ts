@@ -17,15 +17,13 @@ const AGAIN = 3_600_000;
 
 /** Ask for it in the background; where service workers are not to be had, nothing happens. */
 export function installOffline() {
-  const { offline, root = "", assets = "" } = document.body.dataset;
+  const { offline, root = "" } = document.body.dataset;
   const workers = serviceWorkers();
   if (offline === undefined || !workers || isMetered()) return;
-  const release = new URL(`${assets}js/main.js`, location.href).href;
-  const announce = () => workers.controller?.postMessage({ assets: release });
   const address = new URL(`${root}sw.js`, location.href);
-  workers.addEventListener("controllerchange", announce);
-  workers.addEventListener("message", ({ data }) => complain(workers, data.problem));
-  announce();
+  workers.addEventListener("message", async ({ data }) => {
+    complain(workers, data.problem || (await wrongWith(data.address)));
+  });
   const begun = performance.now();
   const look = () => {
     const starting = document.querySelector('simulation-figure[data-state="starting"]');
@@ -46,14 +44,21 @@ function serviceWorkers() {
 }
 
 async function store(workers: ServiceWorkerContainer, address: URL) {
+  setInterval(async () => {
+    const registration = await workers.register(address).catch(() => null);
+    registration?.update().catch(() => {}); // the network may be away
+  }, AGAIN);
   try {
-    const registration = await workers.register(address);
-    setInterval(() => registration.update().catch(() => {}), AGAIN); // the network may be away
+    await workers.register(address);
   } catch (error) {
-    const { data } = await findLoadError(address.href);
-    const isFound = data.kind !== "other";
-    complain(workers, isFound ? words(`runtime.${data.kind}`, data) : message(error));
+    complain(workers, await wrongWith(address.href, message(error)));
   }
+}
+
+/** @param otherwise Said where nothing is wrong with the file. */
+async function wrongWith(address: string, otherwise: string = "") {
+  const { data } = await findLoadError(address);
+  return (data.kind === "other" && otherwise) || words(`runtime.${data.kind}`, data);
 }
 
 /** Say once in a visit why the book can only be read from the network. */

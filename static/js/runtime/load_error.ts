@@ -15,7 +15,7 @@ export class LoadError extends Error {
 
   /** @param detail The status, or the type. */
   constructor(kind: LoadErrorKind, url: string, detail: string = "") {
-    const file = url.slice(url.lastIndexOf("/") + 1);
+    const [file] = /[^/]*\/?$/.exec(url) ?? [""];
     super([file, kind, detail].filter(Boolean).join(" "));
     this.data = { kind, file, detail };
   }
