@@ -138,7 +138,7 @@ def test_a_page_whose_scripts_do_not_arrive_is_as_without_and_says_so(
     server.faults[script if script != "chunk" else f"/{imported[0]}"] = FAULTS[kind]
     plain_reader.open("lens-distortion/", live=False)
     page = plain_reader.page
-    notice = page.locator(".scripts-notice")
+    notice = page.locator(".scripts-notice:visible")
     notice.wait_for()
     assert not page.locator(".control-grid:visible").count()
     plain_reader.complaints.clear()  # the browser's own, of the file
@@ -146,6 +146,14 @@ def test_a_page_whose_scripts_do_not_arrive_is_as_without_and_says_so(
     notice.get_by_role("link").click()
     page.locator("html.js").wait_for()
     assert not notice.is_visible()
+
+
+def test_a_page_that_is_opened_as_a_file_says_how_its_scripts_run(
+    plain_reader: Reader, built_site: Path
+) -> None:
+    plain_reader.page.goto((built_site / OTHER / "index.html").as_uri())
+    expect(plain_reader.page.locator(".scripts-notice:visible")).to_contain_text("http.server")
+    plain_reader.complaints.clear()  # the browser's own, of scripts in files
 
 
 @pytest.mark.parametrize("kind", [pytest.param("missing", marks=pytest.mark.deep), "half"])

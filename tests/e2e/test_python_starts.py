@@ -160,6 +160,8 @@ MOVED = f"""document.addEventListener('readystatechange', () => {{
 }})"""
 
 SAVES_DATA = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}});"
+REDUCED = """const query = matchMedia;
+globalThis.matchMedia = (text) => text.includes('reduced-data') ? {matches: true} : query(text);"""
 SLOW_LINK = "Object.defineProperty(navigator, 'connection', {value: {effectiveType: '2g'}});"
 LITTLE_MEMORY = "Object.defineProperty(navigator, 'deviceMemory', {value: 0.5});"
 LOST = "addEventListener('pagehide', (event) => event.stopImmediatePropagation());"
@@ -179,7 +181,10 @@ def sparing(
 
 @pytest.mark.parametrize(
     "script",
-    [LITTLE_MEMORY, *(pytest.param(x, marks=pytest.mark.deep) for x in (SAVES_DATA, SLOW_LINK))],
+    [
+        LITTLE_MEMORY,
+        *(pytest.param(x, marks=pytest.mark.deep) for x in (SAVES_DATA, REDUCED, SLOW_LINK)),
+    ],
 )
 def test_a_sparing_reader_s_figure_waits_keeps_its_settings_and_starts_when_asked(
     brisk_chromium: Browser, server: StaticServer, book: Any, script: str

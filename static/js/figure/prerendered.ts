@@ -4,6 +4,7 @@
  * at the figure; on a slow link or device as soon as it is near.
  */
 
+import { savesData } from "../page/data_saver.ts";
 import { maybe, one } from "../page/dom.ts";
 import { formatValue } from "../page/text.ts";
 import { words } from "../page/words.ts";
@@ -129,5 +130,5 @@ function nearest(frames: Frame[], value: Value): Frame | undefined {
 /** Whether the link or the device is slow; some browsers say nothing of the link. */
 function isSlow() {
   const { connection } = navigator as { connection?: any };
-  return !connection?.saveData && (begun > LATE || SLOW.includes(connection?.effectiveType));
+  return !savesData() && (begun > LATE || SLOW.includes(connection?.effectiveType));
 }

@@ -14,6 +14,11 @@ export function isMetered() {
   return "metered" in dataset;
 }
 
+/** Whether the reader has asked for little to be fetched. */
+export function savesData() {
+  return dataset.metered === "saves";
+}
+
 /** Whether Python must not start before the reader asks. */
 export function isSparing() {
   return "saving" in dataset;

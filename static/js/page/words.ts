@@ -68,14 +68,19 @@ export function fromNumeral(text: string) {
 }
 
 /**
- * The number that a reader typed or pasted, with any minus sign, a decimal point or comma, and
- * thousands set apart; NaN of what is none. Of `1,000`, in which the sign may be either, the book's
+ * The number that a reader typed or pasted, with any minus sign, a decimal point or comma, thousands
+ * set apart, a power of ten, and digits of any width; NaN of what is none. Of `1,000`, in which the sign may be either, the book's
  * language decides.
  */
 export function numberTyped(text: string) {
   const bare = text
+    .replace(/(?<=10)[⁺⁻⁰¹²³⁴-⁹]+/, "^$&")
+    .normalize("NFKC")
     .trim()
-    .replace(/^[-−–‐‑﹣－]\s*/, "-")
+    .replaceAll(/[−–‐]/g, "-")
+    .replace(/^-\s*/, "-")
+    .replace(/(?<=^[-+]?)(?=10\s*\^)/, "1×")
+    .replace(/\s*[×⋅·*x]\s*10\s*\^\s*([-+]?\d+)$/, "e$1")
     .replaceAll(/(?<=\d)[\s'’](?=\d{3}(?!\d))/g, "");
   const [last = ""] = /[.,](?=[^.,]*$)/.exec(bare) ?? [];
   const isGrouped = last !== current.DECIMAL && /^[-+]?[1-9]\d{0,2}[.,]\d{3}$/.test(bare);
