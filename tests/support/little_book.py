@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from support.html_outline import outline, read_html
 from support.places import ROOT
+from support.toy_ladder import toy_data, toy_ladder
 
 from simulations.engine.drawing import line, polygon, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
@@ -103,13 +104,14 @@ def write_book(
         **{f"static/{name}": (STATIC / name).read_text(encoding="utf-8") for name in SHARED},
         "static/images/favicon.svg": ICON,
         "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg"/>\n',
+        "content/measurements.json": json.dumps(toy_data(), indent=1),
         **(files or {}),
     }
     for path, content in sources.items():
         if content is not None:
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(content, encoding="utf-8")
-    return Options(root, runtime=False, search=False, load_scene=load_demo)
+    return Options(root, runtime=False, search=False, load_scene=load_demo, load_ladder=toy_ladder)
 
 
 @pytest.fixture

@@ -12,6 +12,8 @@ NATIVE_MS = {"rough": 0.5, "fine": 2.0, "waste": 4.0, "exact": 9.0}
 
 
 def toy_ladder(ladder_id: str = "toy") -> Ladder:
+    if ladder_id == "broken":
+        raise ImportError("no module")
     if ladder_id != "toy":
         raise UnknownIdError(f"unknown ladder {ladder_id!r}; legal: toy")
     return Ladder(

@@ -1,19 +1,24 @@
-"""Results and what follows from them: what is recorded, verdicts, defaults, numbers and charts."""
+"""Results and what follows from them: records, verdicts, defaults, numbers, charts and costs."""
 
 import json
 import re
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.little_book import MakeBook
 from support.toy_ladder import timing as timed
 from support.toy_ladder import toy_data, toy_ladder, toy_measurements
 
+from simulations.engine.frame import Frame
 from simulations.engine.ladder import TierResult
+from simulations.engine.scene import Scene
+from simulations.engine.settings import slider
+from simulations.engine.stages import Outputs, Stage
 from site_builder.benchmarks.charts import linear_axis, log_axis, pareto_chart
 from site_builder.benchmarks.judgements import (
     Neighbour,
@@ -25,8 +30,11 @@ from site_builder.benchmarks.judgements import (
     quantity,
     verdict,
 )
-from site_builder.benchmarks.measurements import MeasuredLadder
+from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
 from site_builder.benchmarks.measuring import close, finite, merge, timing
+from site_builder.benchmarks.readouts import DATA as COSTS
+from site_builder.benchmarks.readouts import STAGE_DATA as DATA
+from site_builder.benchmarks.readouts import read_cost, read_stage_costs
 
 ABACUS, SLIDE_RULE = {"processor": "abacus"}, {"processor": "slide rule"}
 TIERS = toy_data()["ladders"]["toy"]["tiers"]
@@ -202,3 +210,93 @@ def test_the_chart_joins_the_front_and_sets_apart_what_is_beaten_or_free_of_erro
     assert chart.marks.count("muted solid") == chart.marks.count("muted hollow") == 1
     assert chart.error.none is not None
     assert chart.error.position(0.0) == chart.error.none > chart.error.position(0.02) + 10.0
+
+
+@pytest.mark.parametrize(
+    ("asked", "found"),
+    [
+        ("start cold book_ms", (1234.5, "ms")),
+        ("start cold ratio", (0.41, "")),
+        ("machine cores", (2.0, "")),
+        ("start cold book", "did you mean 'book_ms'"),
+        ("starts", "did you mean 'start'"),
+        ("start cold", "book_ms, ratio"),
+        ("start cold ratio more", "unknown cost 'more'"),
+    ],
+)
+def test_costs_of_pages(asked: str, found: tuple[float, str] | str, tmp_path: Path) -> None:
+    with pytest.raises(MeasurementError, match="run `make bench`"):
+        read_cost(tmp_path, "start")
+    file = tmp_path / COSTS
+    file.parent.mkdir()
+    start = {"cold": {"book_ms": 1234.5, "ratio": 0.41}}
+    file.write_text(json.dumps({"start": start, "machine": {"cores": 2}}), encoding="utf-8")
+    if isinstance(found, str):
+        with pytest.raises(MeasurementError, match=found):
+            read_cost(tmp_path, asked)
+    else:
+        cost = read_cost(tmp_path, asked)
+        assert not isinstance(cost, str)
+        assert (cost.value, cost.unit) == found
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    number: float = slider("Number", 2, 0, 9, 1)
+    gain: float = slider("Gain", 3, 0, 9, 1)
+    offset: float = slider("Offset", 0, 0, 9, 1)
+
+
+def lifted(value: float, offset: float) -> float:
+    return value + offset
+
+
+def draw(_settings: Settings, outputs: Outputs) -> Frame:
+    return Frame((), (), f"{outputs['lifted']:g} in all.")
+
+
+SUMS = Scene(
+    "sums", "Sums", Settings, draw,
+    stages=(
+        Stage("tens", lambda number: 10 * number),
+        Stage("gained", lambda tens, gain: gain * tens, ("tens",)),
+        Stage("lifted", lifted, ("gained",), neutral=lambda offset: "" if offset else "no offset"),
+    ),
+)  # fmt: skip
+MOVE = {"to": 1, "ms": 1.0, "whole_ms": 2.0, "share": 0.5}
+
+
+@pytest.mark.parametrize(
+    ("start", "control", "again", "reused", "skipped"),
+    [
+        ({}, "offset", ("lifted",), 2, 0),
+        ({}, "number", ("tens", "gained"), 0, 1),
+        ({"offset": 4}, "number", ("tens", "gained", "lifted"), 0, 0),
+    ],
+)
+def test_stages_that_a_move_runs_again(
+    start: object, control: str, again: object, reused: int, skipped: int, tmp_path: Path
+) -> None:
+    (tmp_path / DATA).parent.mkdir()
+    recorded = {"sums": {"start": start, "moves": {control: MOVE}}}
+    (tmp_path / DATA).write_text(json.dumps(recorded), encoding="utf-8")
+    costs = read_stage_costs(tmp_path, SUMS)
+    (move,) = costs.moves
+    assert (move.again, move.reused, move.skipped, costs.stages) == (again, reused, skipped, 3)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (None, "has no scene 'demo'"),
+        ({"other": {}}, "has no scene 'demo'"),
+        ([], "has no scene 'demo'"),
+        ({"demo": {"start": {}}}, "KeyError: 'moves'"),
+        ({"demo": {"start": {}, "moves": {}}}, "no median for empty data"),
+        ({"demo": {"start": {}, "moves": {"zoom": MOVE}}}, "unknown parameter 'zoom'"),
+    ],
+)
+def test_stale_costs_of_stages(make_book: MakeBook, content: object, message: str) -> None:
+    options = make_book(files={str(DATA): None if content is None else json.dumps(content)})
+    with pytest.raises(MeasurementError, match=f"(?s){message}.*bench.stage_costs"):
+        read_stage_costs(options.root, options.load_scene("demo"))
