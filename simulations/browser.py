@@ -10,6 +10,7 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
+from simulations.editing.shared import restore_modules
 from simulations.engine.frame import Frame, Raster, Readout, Samples, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.photograph import Photograph, photograph_from_page
@@ -54,6 +55,7 @@ class EditedReply:
 
 
 MOST_PRINTED = 10_000
+_last_edits: list[str] = []
 
 
 def render(figure: str, scene_id: str, values: str, tier: str) -> Reply:
@@ -70,8 +72,11 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
     """Like `render`, by a copy of the program with the reader's ``edits``.
 
     ``edits`` is a JSON object from definitions, ``MODULE:NAME``, to texts. Errors in them are
-    returned, not raised.
+    returned, not raised. Other edits than those of the last call find all modules as they were.
     """
+    if _last_edits != [edits]:
+        restore_modules()
+        _last_edits[:] = [edits]
     from simulations.editing.copies import problem_with  # most readers never need it
 
     reply, problem = None, None

@@ -6,7 +6,7 @@ from traceback import walk_tb
 
 from simulations.editing.definitions import is_editable
 from simulations.editing.program import Place, RefusedEditError
-from simulations.engine.message import Message
+from simulations.engine.message import Message, legible
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +29,7 @@ def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
     """
     if isinstance(error, RefusedEditError):
         return Problem(error.message, error.definition, error.line)
-    text = f"{type(error).__name__}: {error}".removesuffix(": ")
+    text = legible(f"{type(error).__name__}: {error}".removesuffix(": "))
     steps = [
         (str(frame.f_globals.get("__name__")), line) for frame, line in walk_tb(error.__traceback__)
     ]

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence, Sized
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from simulations.engine.message import legible
 from site_builder.diagnostics.blame import place_of, settings_of, words_of
 
 MOST_LISTED = 20
@@ -31,6 +32,9 @@ class Diagnostic:
     """Whether the book cannot be built with it; else it is a warning."""
     met: str = field(default="", compare=False)
     """Where an exception of an author's code was met first; it is reported once."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "message", legible(self.message))
 
     def __str__(self) -> str:
         word = "" if self.fails else "warning: "

@@ -3,7 +3,8 @@
 Everything comes from the book itself, and nothing is embedded. An inline script or style is known
 by the hash of its text; only attributes may hold any style, as the sizes of panels and the columns
 of formulae do. WebKit reports directives that it does not know, such as `manifest-src`: what
-`default-src` says goes for the manifest.
+`default-src` says goes for the manifest. A worker whose address is a blob's inherits the policy of
+its page: so does the one that runs a reader's Python.
 """
 
 import json
@@ -20,7 +21,7 @@ ALWAYS = {
     "style-src-attr": "'unsafe-inline'",
     "img-src": "'self' data: blob:",
     "connect-src": "'self' blob:",
-    "worker-src": "'self'",
+    "worker-src": "'self' blob:",
     "base-uri": "'none'",
     "form-action": "'none'",
 }

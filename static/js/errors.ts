@@ -1,8 +1,25 @@
-/**
- * What went wrong, in words, whatever was thrown: the interpreter's file system throws plain objects.
- */
+/** What went wrong, in words. */
+
+/** Longest text of an error that is shown. */
+const LONGEST = 2000;
+
+/** Escape sequences of terminals, control characters, and characters that reverse the direction. */
+const CONTROL = /(?![\n\t])\p{Cc}(?:\[[\d;?]*[A-Za-z])?|[\u202a-\u202e\u2066-\u2069]/gu;
+
+/** The message of what was thrown, as it can be shown. */
 export function message(error: unknown): string {
-  if (error instanceof Error) return error.message;
+  return legible(wholeMessage(error));
+}
+
+/** A text that may hold anything, as it can be shown: without control characters, and cut. */
+export function legible(text: string): string {
+  const start = text.slice(0, LONGEST).replaceAll(CONTROL, "").trim();
+  return text.length > LONGEST ? `${start} …` : start;
+}
+
+/** The message of what was thrown, whatever it is: the interpreter's file system throws objects. */
+export function wholeMessage(error: unknown): string {
+  if (error instanceof Error) return error.message || error.name;
   if (typeof error !== "object" || error === null) return String(error);
   const { message, name, ...rest } = error as Record<string, unknown>;
   return String(message || [name, JSON.stringify(rest)].filter(Boolean).join(" "));

@@ -3,6 +3,7 @@
  * there, the book's interpreter and all other figures are unaffected.
  */
 
+import { legible } from "../errors.ts";
 import { inWords, words, type Said } from "../page/words.ts";
 import {
   EDITED,
@@ -11,7 +12,7 @@ import {
   type FrameRequest,
   type Requests,
 } from "../runtime/messages.ts";
-import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.ts";
+import { Runtime, RuntimeFailure, beginConfined, closed } from "../runtime/runtime.ts";
 
 export type Problem = { message: string | Said; definition: string; line: number };
 
@@ -21,7 +22,7 @@ export class EditFailure extends RuntimeFailure {
     readonly problem: Problem,
     readonly printed: string,
   ) {
-    super("python", inWords(problem.message));
+    super("python", legible(inWords(problem.message)));
   }
 }
 
@@ -52,6 +53,14 @@ export class EditedRuntime {
 
   get generation() {
     return this.#own?.generation ?? 0;
+  }
+
+  get awaits() {
+    return (this.#own ?? this.book).awaits;
+  }
+
+  restart() {
+    (this.#own ?? this.book).restart();
   }
 
   /** Calls of any runtime; frames and their errors are those of the edited code. */
@@ -117,7 +126,7 @@ export class EditedRuntime {
   warm(frame: FrameRequest): Promise<number> {
     const { scene } = frame;
     this.#frame = frame;
-    this.#own ??= new Runtime(this.book.url, () => [scene]);
+    this.#own ??= new Runtime(this.book.url, () => [scene], beginConfined);
     this.#limit ??= this.#own.call("render", frame).then(
       ({ computeMs }) => Math.max(EDITED.ms, EDITED.times * computeMs),
       (error) => {

@@ -4,7 +4,7 @@ import { isSparing } from "../page/data_saver.ts";
 import { all } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { EDITED, CALLS } from "../runtime/messages.ts";
-import { Runtime, sharedRuntime } from "../runtime/runtime.ts";
+import { Runtime, beginConfined, sharedRuntime } from "../runtime/runtime.ts";
 import { isAddressed } from "./address.ts";
 import { moveControls } from "./controls.ts";
 import { LiveFigure } from "./live.ts";
@@ -16,7 +16,15 @@ export class SimulationFigure extends HTMLElement {
    * What figures run on, for programs that drive a page from outside, as tests do: scripts are
    * bundled, and no address leads to one of them.
    */
-  static inside = { EDITED, Overlay, Runtime, CALLS, moveControls, sharedRuntime };
+  static inside = {
+    EDITED,
+    Overlay,
+    Runtime,
+    CALLS,
+    beginConfined,
+    moveControls,
+    sharedRuntime,
+  };
   /** Null where the figure does not run. */
   live: LiveFigure | null = null;
 

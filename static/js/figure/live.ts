@@ -19,7 +19,7 @@ import { Motion } from "./motion.ts";
 import { OwnPicture } from "./own_picture.ts";
 import { Painter, takeStills } from "./painter.ts";
 import { Prerendered } from "./prerendered.ts";
-import { attemptTwice, beginAll, retryAll } from "./recovery.ts";
+import { attemptTwice, beginAll, retryAll, sayWhatIsAwaited } from "./recovery.ts";
 import { LatestWins } from "./scheduler.ts";
 import { Accuracy, showStages, type Stage } from "./stage_report.ts";
 import { showFailure, showLive } from "./state.ts";
@@ -170,8 +170,19 @@ export class LiveFigure {
     form.addEventListener("input", (event) => this.#changed(event, true), { signal });
     form.addEventListener("change", (event) => this.#changed(event, false), { signal });
     form.addEventListener("click", (event) => this.#pressed(event), { signal });
-    one(figure, ".retry", HTMLButtonElement).addEventListener("click", retryAll, { signal });
+    const retry = one(figure, ".retry", HTMLButtonElement);
+    retry.addEventListener("click", () => this.#tryAgain(), { signal });
     one(figure, ".begin", HTMLButtonElement).addEventListener("click", beginAll, { signal });
+  }
+
+  /** After a failure, or in place of a worker that keeps the figure waiting. */
+  #tryAgain() {
+    if (this.figure.dataset.state === "failed") {
+      retryAll();
+    } else {
+      say(this.figure, "");
+      this.runtime.restart();
+    }
   }
 
   /** Whether Python must not start before the reader asks. */
@@ -247,7 +258,9 @@ export class LiveFigure {
       if (!(await this.#adopt(job))) await this.#render(job);
     };
     const isWanted = () => this.figure.isConnected && !this.#scheduler.stale;
+    const stop = sayWhatIsAwaited(this.figure, this.runtime, () => this.#near);
     const error = await attemptTwice(this.figure, attempt, isWanted);
+    stop();
     if (error === undefined || !this.figure.isConnected) return;
     this.motion.stop();
     this.#asked = "";

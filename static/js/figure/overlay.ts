@@ -9,6 +9,10 @@ import { figureMarkup } from "../page/words.ts";
 /** Where markup is parsed: an `svg`, so that its children are read as those of an overlay. */
 const scratch = document.createElementNS("http://www.w3.org/2000/svg", "svg");
 
+/** What scenes draw with. A drawing by a reader's Python may hold anything, and loads and runs nothing. */
+const DRAWN = "g, path, line, polyline, polygon, rect, circle, ellipse, text, tspan, title";
+const NOT_DRAWN = `:not(${DRAWN}), [*|href]`;
+
 /** A panel's drawing. */
 export class Overlay {
   #shown: string | null = null;
@@ -19,9 +23,19 @@ export class Overlay {
   show(markup: string) {
     if (markup === this.#shown) return;
     scratch.innerHTML = figureMarkup(markup);
+    for (const element of scratch.querySelectorAll(NOT_DRAWN)) element.remove();
+    if (/\bon\w/i.test(markup)) withoutHandlers(scratch);
     changeChildren(this.svg, scratch);
     scratch.replaceChildren();
     this.#shown = markup;
+  }
+}
+
+function withoutHandlers(drawing: Element) {
+  for (const element of drawing.querySelectorAll("*")) {
+    for (const name of element.getAttributeNames()) {
+      if (/^on/i.test(name)) element.removeAttribute(name);
+    }
   }
 }
 

@@ -1,8 +1,37 @@
-/** Second attempts: of one frame at once, and of all figures when the reader or the network asks. */
+/**
+ * What a figure says while it waits, and second attempts: of one frame at once, and of all figures when
+ * the reader or the network asks.
+ */
 
 import { stopSparing } from "../page/data_saver.ts";
 import { all } from "../page/dom.ts";
-import { RuntimeFailure } from "../runtime/runtime.ts";
+import { words } from "../page/words.ts";
+import { RuntimeFailure, type Caller } from "../runtime/runtime.ts";
+import { say } from "./status.ts";
+
+/** Seconds after which a figure says what it waits for, and after which it offers another try. */
+const SAID_AFTER = 4;
+const OFFERED_AFTER = 16;
+
+/**
+ * Say what a figure waits for where that takes long. Each tick of the clock counts a second at most, so
+ * that time in which the page could not run is no waiting.
+ *
+ * @param isNear Whether the reader may see the figure.
+ * @returns Ends it.
+ */
+export function sayWhatIsAwaited(figure: HTMLElement, runtime: Caller, isNear: () => boolean) {
+  let ticks = 0;
+  const timer = setInterval(() => {
+    ticks += 1;
+    if (ticks < SAID_AFTER || !isNear()) return;
+    const isOffered = ticks >= OFFERED_AFTER;
+    if (figure.querySelector(".figure-status.lasting") && !isOffered) return;
+    const { what, file } = runtime.awaits;
+    say(figure, words(`figure.awaits_${what}`, { file }), { waiting: true, retry: isOffered });
+  }, 1000);
+  return () => clearInterval(timer);
+}
 
 /** When the device last found a network again: earlier requests may have failed for lack of it. */
 let onlineSince = 0;

@@ -7,7 +7,7 @@ import { setText } from "../page/text.ts";
  * Show `message` under the figure, or nothing.
  *
  * @param options Whether to offer another try, or to start Python at all; whether the message is no
- *   failure, and stays when a frame comes.
+ *   failure, and stays when a frame comes, or is of a frame that is awaited.
  */
 export function say(
   figure: HTMLElement,
@@ -16,12 +16,14 @@ export function say(
     retry = false,
     begin = false,
     lasting = false,
-  }: { retry?: boolean; begin?: boolean; lasting?: boolean } = {},
+    waiting = false,
+  }: { retry?: boolean; begin?: boolean; lasting?: boolean; waiting?: boolean } = {},
 ) {
   const status = one(figure, ".figure-status", HTMLElement);
   setText(one(figure, ".figure-message", HTMLElement), message);
   status.hidden = !message;
   status.classList.toggle("lasting", lasting);
+  status.classList.toggle("waiting", waiting);
   one(figure, ".retry", HTMLButtonElement).hidden = !retry;
   one(figure, ".begin", HTMLButtonElement).hidden = !begin;
 }

@@ -8,6 +8,9 @@ import { all, maybe, one, within } from "./dom.ts";
 import { setText } from "./text.ts";
 import { words } from "./words.ts";
 
+/** Letters of a question: what is longer is cut, as it is typed or pasted. */
+const LONGEST = 200;
+
 type Results = typeof import("../search/results.ts");
 
 /** Listen for the search button and the search dialog of any page. */
@@ -46,6 +49,8 @@ function clicked(event: MouseEvent) {
 async function refresh(dialog: HTMLDialogElement) {
   const failed = one(dialog, ".search-failed", HTMLElement);
   const status = one(dialog, ".search-status", HTMLElement);
+  const { value } = field(dialog);
+  if (value.length > LONGEST) field(dialog).value = value.slice(0, LONGEST);
   const waits = setTimeout(() => setText(status, words("search.fetching")), 300);
   try {
     const { show, index } = await fetchResults();

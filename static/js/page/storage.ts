@@ -5,6 +5,41 @@
 
 import { STORAGE } from "../book.js";
 
+type Check = (value: any) => boolean;
+
+/** Most letters under one name, and in a name or an edition; most numbers in an answer. */
+const LONGEST = 1_000_000;
+const LONGEST_NAME = 200;
+const MOST_NUMBERS = 1000;
+
+const isName: Check = (value) => typeof value === "string" && value.length <= LONGEST_NAME;
+const isObject: Check = (value) => typeof value === "object" && value !== null;
+
+/** Whether a value can be an answer to any question. */
+export const isGiven: Check = (value) => {
+  const numbers = Array.isArray(value) ? value : [value];
+  return numbers.length <= MOST_NUMBERS && numbers.every(Number.isFinite);
+};
+
+const isEdit: Check = (edit) => isObject(edit) && typeof edit.text === "string";
+
+/** What can be kept, by the beginning of its name; other things are checked where they are used. */
+const SHAPES: Record<string, Check> = {
+  quiz: (entry) =>
+    isName(entry.edition) &&
+    isGiven(entry.answer) &&
+    typeof entry.right === "boolean" &&
+    isGiven(entry.first ?? 0),
+  predict: (entry) => isName(entry.edition) && isGiven(entry.guess === null ? 0 : entry.guess),
+  python: ({ edits }) => isObject(edits) && Object.values(edits).every(isEdit),
+};
+
+/** Whether a value, from the storage or from a file, has the shape of what is kept under `name`. */
+export function isSound(name: string, value: any): boolean {
+  const [kind] = name.split(":", 1);
+  return !Object.hasOwn(SHAPES, kind) || (isObject(value) && SHAPES[kind](value));
+}
+
 /** What could not be stored. */
 const passing: Map<string, unknown> = new Map();
 
@@ -15,14 +50,18 @@ let isReported = false;
 /** Dispatched on `window` when something dear could not be stored, once. */
 export const FORGETFUL = "forgetful";
 
-/** What was remembered under `key`, or null. */
+/** What was remembered under `key`, or null; what is too long or of another shape is dropped. */
 export function recall(key: string): any {
   if (passing.has(key)) return passing.get(key);
   try {
-    return JSON.parse(localStorage.getItem(STORAGE + key) ?? "null");
+    const text = localStorage.getItem(STORAGE + key) ?? "null";
+    const value = text.length > LONGEST ? undefined : JSON.parse(text);
+    if (value === null || (value !== undefined && isSound(key, value))) return value;
   } catch {
-    return null;
+    // Denied, or no JSON.
   }
+  console.warn(`What is stored as ${key.slice(0, LONGEST_NAME)} cannot be used.`);
+  return null;
 }
 
 /** Remember `value` under `key`; null forgets. */

@@ -4,6 +4,7 @@
  */
 
 import { STORAGE } from "../book.js";
+import { isGiven } from "../page/storage.ts";
 import { KINDS } from "./book_kinds.js";
 import { forms, type Given, questionOf } from "./question.ts";
 
@@ -41,7 +42,7 @@ export function restoreDrafts() {
     untouched.set(form, JSON.stringify(draftOf(form)));
     const draft = unsent?.[form.id];
     const question = questionOf(form);
-    if (draft?.edition !== question.edition || draft.given === null) continue;
+    if (draft?.edition !== question.edition || !isGiven(draft.given)) continue;
     if (draft.sent !== (form.dataset.answered ?? "")) continue;
     const kind = KINDS[question.kind];
     if (kind.fits(question, draft.given)) kind.put?.(form, draft.given);

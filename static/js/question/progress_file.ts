@@ -4,8 +4,9 @@
  */
 
 import { STORAGE } from "../book.js";
+import { legible } from "../errors.ts";
 import { download } from "../page/download.ts";
-import { remember, stored } from "../page/storage.ts";
+import { isSound, remember, stored } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 
 const FORMAT = `${STORAGE.replace(":", "")}-progress`;
@@ -35,19 +36,16 @@ export async function readProgress(file: File): Promise<number> {
 function checked(content: any): Record<string, unknown> {
   if (content?.format !== FORMAT) throw new Error(words("progress.no_answers_file"));
   if (content.version !== VERSION) {
-    throw new Error(words("progress.version", { version: content.version, legal: VERSION }));
+    const version = legible(String(content.version));
+    throw new Error(words("progress.version", { version, legal: VERSION }));
   }
   const { answers } = content;
   if (typeof answers !== "object" || answers === null || Array.isArray(answers)) {
     throw new Error(words("progress.no_answers"));
   }
-  for (const [name, entry] of Object.entries<any>(answers)) {
-    const isQuiz = name.startsWith("quiz:");
-    const given = isQuiz ? entry?.answer : entry?.guess;
-    const judged = !isQuiz || typeof entry?.right === "boolean";
-    const isSound = judged && isGiven(given) && isGiven(entry?.first ?? null);
-    if (!NAMES.test(name) || typeof entry?.edition !== "string" || !isSound) {
-      throw new Error(words("progress.broken", { name: JSON.stringify(name) }));
+  for (const [name, entry] of Object.entries(answers)) {
+    if (!NAMES.test(name) || !isSound(name, entry)) {
+      throw new Error(words("progress.broken", { name: JSON.stringify(legible(name)) }));
     }
   }
   return answers;
@@ -68,8 +66,4 @@ export async function answersIn(file: File): Promise<Record<string, unknown>> {
     throw new Error(words("progress.no_json"));
   }
   return checked(content);
-}
-
-function isGiven(given: unknown) {
-  return given !== undefined && [given ?? 0].flat().every(Number.isFinite);
 }

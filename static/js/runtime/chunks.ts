@@ -11,6 +11,7 @@ const LIBRARY = "python";
 /** The sources of all simulations, for those who edit them; `simulations/editing/` looks for them. */
 export const SOURCES = "simulations";
 const TABLE = "runtime.json";
+const { XMLHttpRequest } = globalThis;
 
 /** What `runtime.json` says. */
 interface Table {
@@ -119,7 +120,7 @@ export class Chunks {
    * @throws {LoadError} Also kept in `missed`, as Python reports an error of its own.
    */
   fetchNow(name: string) {
-    if (this.#present.has(name)) return;
+    if (this.#present.has(name) || !(`${name}.zip` in this.table.integrity)) return;
     try {
       this.#unpack(name, loadNow(`${this.url}${name}.zip`));
     } catch (error) {

@@ -15,14 +15,28 @@ export class LoadError extends Error {
 
   /** @param detail The status, or the type. */
   constructor(kind: LoadErrorKind, url: string, detail: string = "") {
-    const [file] = /[^/]*\/?$/.exec(url) ?? [""];
+    const file = fileOf(url);
     super([file, kind, detail].filter(Boolean).join(" "));
     this.data = { kind, file, detail };
   }
 }
 
-/** The browser's own, since the worker answers what Pyodide asks for. */
+/** The browser's own: the worker answers what Pyodide requests, and then lets no Python fetch. */
 const fetchFile = globalThis.fetch;
+
+/** Files that were requested and have not arrived, the earliest first. */
+export const awaited: Set<string> = new Set();
+
+/** The file at `url` as it arrives; among those `awaited` until then. */
+export async function arrival<T>(url: string, arriving: Promise<T>): Promise<T> {
+  const file = fileOf(url);
+  awaited.add(file);
+  try {
+    return await arriving;
+  } finally {
+    awaited.delete(file);
+  }
+}
 
 /**
  * The reply with a whole file. A damaged copy in the browser's cache is replaced.
@@ -38,7 +52,7 @@ export async function fetchWhole(
 ): Promise<Response> {
   for (const cache of caches) {
     try {
-      return checked(await fetchFile(url, { cache, integrity }));
+      return checked(await arrival(url, fetchFile(url, { cache, integrity })));
     } catch (error) {
       if (error instanceof LoadError) throw error;
     }
@@ -61,6 +75,11 @@ export async function findLoadError(url: string): Promise<LoadError> {
   } catch (error) {
     return error instanceof LoadError ? error : new LoadError("network", url);
   }
+}
+
+function fileOf(url: string) {
+  const [file] = /[^/]*\/?$/.exec(url) ?? [""];
+  return file;
 }
 
 /** @throws {LoadError} Where it refuses, or is a script with a media type that browsers refuse. */

@@ -1,6 +1,6 @@
 /** Machine code (WebAssembly) of the interpreter and its libraries. */
 
-import { fetchWhole } from "./load_error.ts";
+import { arrival, fetchWhole } from "./load_error.ts";
 
 /**
  * Compile a file while it arrives. The browser caches the compiled code with its own copy of the file,
@@ -20,7 +20,8 @@ export async function compileFile(
   const caches: RequestCache[] = fresh ? [] : cached ? ["only-if-cached", "default"] : ["default"];
   for (const cache of caches) {
     try {
-      return await WebAssembly.compileStreaming(fetch(url, { cache, mode: "same-origin" }));
+      const reply = fetch(url, { cache, mode: "same-origin" });
+      return await arrival(url, WebAssembly.compileStreaming(reply));
     } catch {
       // The next way: there is no copy, or it is damaged, or of another media type.
     }

@@ -1,7 +1,8 @@
 /**
  * The calls of the worker, each a row of one table, which the page and the worker share.
  * A request is `{id, call, ...}`; its answer `{id, ok: true, ...}` or `{id, ok: false, error, fatal,
- * loadError}`. While the worker waits for a download it sends `{id, fetching: true}`, then `false`.
+ * loadError}`. Before that the worker sends `{id, waits}` when the request has arrived, and each second
+ * in which it waits for a file, with the file's name.
  */
 
 import { takeArray, takeEdited, takeFrame } from "./transfer.ts";
@@ -73,7 +74,9 @@ interface Call<Request, Reply> {
   takes: (keyof Request & string)[];
   /** Makes the reply of its result. */
   reply: (result: any) => Reply;
-  /** Longest wait for an answer on a slow machine, in milliseconds. */
+  /** What the page checks of the values in a reply. */
+  values: Record<string, Check>;
+  /** Longest silence of the worker on a slow machine, in milliseconds. */
   limit: number;
   /** For its type alone. */
   request?: Request;
@@ -82,45 +85,85 @@ interface Call<Request, Reply> {
 function call<Request, Reply>(
   takes: (keyof Request & string)[],
   reply: (result: any) => Reply,
+  values: Record<string, Check> = {},
   limit = 60_000,
 ): Call<Request, Reply> {
-  return { takes, reply, limit };
+  return { takes, reply, values, limit };
 }
 
 const FRAME: (keyof FrameRequest)[] = ["figure", "scene", "values", "tier"];
 
+/** Whether a value in a reply has the shape, the size and the range that the page can use. */
+type Check = (value: any) => boolean;
+
+const isText: Check = (value) => typeof value === "string" && value.length <= 20_000_000;
+const isNumber: Check = Number.isFinite;
+const isObject: Check = (value) => typeof value === "object" && value !== null;
+const isOptional =
+  (check: Check): Check =>
+  (value) =>
+    value == null || check(value);
+const isListOf =
+  (check: Check, most: number): Check =>
+  (value) =>
+    Array.isArray(value) && value.length <= most && value.every(check);
+const isBuffer: Check = (value) => value instanceof ArrayBuffer;
+const isScalar: Check = (value) => isNumber(value) || isText(value) || typeof value === "boolean";
+const isSaid: Check = (value) => isText(value) || (isObject(value) && isText(value.key));
+const isProblem: Check = ({ message, definition, line }) =>
+  isSaid(message) && isText(definition) && Number.isInteger(line);
+
+const FRAME_VALUES = {
+  meta: isText,
+  rasters: isListOf(isBuffer, 100),
+  sound: isOptional(isBuffer),
+  computeMs: isNumber,
+};
+
 export const CALLS = {
-  /** Start the interpreter, unless it is starting. Downloads count as starting. */
-  start: call<StartRequest, {}>([], () => ({}), 300_000),
+  /** Start the interpreter, unless it is starting. */
+  start: call<StartRequest, {}>([], () => ({})),
   /** Import a scene; answers the hash of the sources. */
-  prepare: call<{ figure?: string; scene: string }, { sources: string }>(["scene"], (sources) => ({
-    sources,
-  })),
-  render: call<FrameRequest, FrameReply>(FRAME, takeFrame),
+  prepare: call<{ figure?: string; scene: string }, { sources: string }>(
+    ["scene"],
+    (sources) => ({ sources }),
+    { sources: isOptional(isText) },
+  ),
+  render: call<FrameRequest, FrameReply>(FRAME, takeFrame, FRAME_VALUES),
   /** The same by the reader's own code. */
   render_edited: call<
     FrameRequest & { edits: string },
     FrameReply & { problem: any; printed: string }
-  >([...FRAME, "edits"], takeEdited),
+  >([...FRAME, "edits"], takeEdited, {
+    ...FRAME_VALUES,
+    problem: isOptional(isProblem),
+    printed: isText,
+  }),
   /** The control values that bring a handle to a place of its panel. */
   pull: call<
     FrameRequest & { handle: string; x: number; y: number },
     { values: Record<string, number | string | boolean> }
-  >([...FRAME, "handle", "x", "y"], (values) => ({ values: JSON.parse(values) })),
+  >([...FRAME, "handle", "x", "y"], (values) => ({ values: JSON.parse(values) }), {
+    values: (values) => isObject(values) && Object.values(values).every(isScalar),
+  }),
   /** The next estimate of a frame's error, if any. */
   error: call<
     FrameRequest & { edits?: string },
     { estimate: { label: string; text: string; unit: string } | null }
-  >([...FRAME, "edits"], (estimate) => ({ estimate: JSON.parse(estimate) })),
+  >([...FRAME, "edits"], (estimate) => ({ estimate: JSON.parse(estimate) }), {
+    estimate: isOptional(({ label, text, unit }) => [label, text, unit].every(isText)),
+  }),
   /** Index of the first condition that holds. */
   judge: call<FrameRequest & { conditions: string[] }, { met: number | null }>(
     [...FRAME, "conditions"],
     (met) => ({ met: met ?? null }),
+    { met: isOptional(Number.isInteger) },
   ),
   /** A script that prints what a frame shows, with `notes`, JSON of paragraphs, at its top. */
   script: call<{ scene: string; values: string; tier: string; notes: string }, { script: string }>(
     ["scene", "values", "tier", "notes"],
     (script) => ({ script }),
+    { script: isText },
   ),
   /** The reader's picture for a figure; null for the picture of the book. */
   photograph: call<{ figure: string; picture: Picture | null }, {}>(
@@ -133,30 +176,57 @@ export const CALLS = {
   read: call<{ scene: string; picture: Picture }, { data?: unknown; unfit?: string }>(
     ["scene", "picture"],
     JSON.parse,
+    { unfit: isOptional(isText) },
   ),
   /** The text of one of a scene's files. */
-  export: call<FrameRequest & { name: string }, { text: string }>([...FRAME, "name"], (text) => ({
-    text,
-  })),
+  export: call<FrameRequest & { name: string }, { text: string }>(
+    [...FRAME, "name"],
+    (text) => ({ text }),
+    { text: isText },
+  ),
   /** A photograph made anew at the settings of a figure: pixels of a canvas, transferred. */
   develop: call<FrameRequest & { picture: Picture }, { rasters: ArrayBuffer[] }>(
     [...FRAME, "picture"],
     (raster) => ({ rasters: [takeArray(raster)] }),
+    { rasters: isListOf(isBuffer, 1) },
     120_000,
   ),
   /** The lines of the data sheet; `measured`: numbers of the photographs they are of, null for all. */
-  sheet: call<FrameRequest, { lines: Readout[]; measured: number[] | null }>(FRAME, JSON.parse),
+  sheet: call<FrameRequest, { lines: Readout[]; measured: number[] | null }>(FRAME, JSON.parse, {
+    lines: isListOf(isObject, 1000),
+    measured: isOptional(isListOf(isNumber, 10_000)),
+  }),
   /** Drop what is cached for a figure. */
   forget: call<{ figure: string }, {}>(["figure"], () => ({})),
   /** JSON of the time and error of a tier. */
   measure: call<{ ladder: string; tier: string; budget: number }, { result: string }>(
     ["ladder", "tier", "budget"],
     (result) => ({ result }),
+    { result: isText },
     120_000,
   ),
 };
 
 export type CallName = keyof typeof CALLS;
+
+/** What the worker sends, once it is checked. */
+export type Signal =
+  | { id: number; waits: string }
+  | { id: number; ok: true }
+  | { id: number; ok: false; error: string; fatal: boolean; loadError?: any };
+
+/** Whether data from a worker are a message of the protocol; `isReply` checks what a reply holds. */
+export function isSignal(data: any): data is Signal {
+  if (!isObject(data) || !Number.isInteger(data.id)) return false;
+  if ("waits" in data) return isText(data.waits) && data.waits.length <= 200;
+  return data.ok === true || (data.ok === false && isText(data.error));
+}
+
+/** Whether a reply to a call has the values that the page takes from it. */
+export function isReply(name: CallName, reply: Record<string, unknown>) {
+  const values: Record<string, Check> = CALLS[name].values;
+  return Object.entries(values).every(([key, check]) => check(reply[key]));
+}
 
 /** What each call takes. */
 export type Requests = {

@@ -6,10 +6,18 @@
  * stay.
  */
 
+import { legible } from "../errors.ts";
 import { all } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { findLoadError, type LoadErrorData, type LoadErrorKind } from "./load_error.ts";
-import { CALLS, type CallName, type Replies, type Requests } from "./messages.ts";
+import {
+  CALLS,
+  isReply,
+  isSignal,
+  type CallName,
+  type Replies,
+  type Requests,
+} from "./messages.ts";
 import { Watchdog } from "./watchdog.ts";
 
 interface Circumstances {
@@ -54,8 +62,20 @@ export interface Caller {
   ) => Promise<Replies[N]>;
   forget: (figure: string) => void;
   close: () => void;
+  restart: () => void;
   generation: number;
+  awaits: Awaited;
 }
+
+/** What the worker does: fetch its script or a `file`, start Python, or compute. */
+export type Awaited = { what: "script" | "file" | "python" | "frame"; file: string };
+
+/** Longest time in which files may arrive, in milliseconds. */
+const LONGEST_FETCH = 300_000;
+/** Milliseconds in which an idle worker shows that it has a call; longer where its start took longer. */
+const PING = 2000;
+
+type Failure = { error: string; fatal: boolean; loadError?: any };
 
 interface Call {
   id: number;
@@ -80,26 +100,31 @@ export class Runtime {
   #failedStarts = 0;
   /** When the worker was started. */
   #begun = 0;
+  /** Milliseconds in which the last interpreter started: the pace of this machine. */
+  #pace = 0;
+  /** When the call was sent to the worker, and the file that it waits for; null before a sign of it. */
+  #sent = 0;
+  #waits: string | null = null;
   /** Whether an interpreter that continued from the snapshot broke as it imported its first scene. */
   #plain = false;
   /** Number of the interpreter: a new one has nothing of what was sent to the last. */
   generation = 0;
 
   readonly scenes: () => string[];
-  readonly early: () => Worker | null;
+  readonly begin: (script: URL) => Worker;
 
   /**
    * @param url Absolute address of the runtime folder.
    * @param scenes Asked when a worker starts: which scenes it will need.
-   * @param early A worker that is starting already, if there is one.
+   * @param begin Starts a worker.
    */
   constructor(
     readonly url: string,
-    scenes: () => string[] = scenesOfPage,
-    early: () => Worker | null = () => null,
+    scenes: () => string[],
+    begin: (script: URL) => Worker = beginWorker,
   ) {
     this.scenes = scenes;
-    this.early = early;
+    this.begin = begin;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -137,6 +162,24 @@ export class Runtime {
     if (this.#worker) this.#lose(closed().message);
   }
 
+  /** What the call that is in the worker waits for. */
+  get awaits(): Awaited {
+    const isStart = this.#active?.name === "start";
+    if (this.#waits === null) return { what: isStart ? "script" : "frame", file: "worker.js" };
+    if (this.#waits) return { what: "file", file: this.#waits };
+    return { what: isStart ? "python" : "frame", file: "" };
+  }
+
+  /** Replace a worker that keeps the reader waiting; what waits for it stays. */
+  restart() {
+    const call = this.#active;
+    if (call?.name === "start") {
+      call.reject = () => {};
+      this.#failedStarts += 1;
+    }
+    this.#lose(words("runtime.late"), { late: true });
+  }
+
   #next() {
     if (this.#active || this.#waiting.length === 0) return;
     if (!this.#worker) {
@@ -152,7 +195,7 @@ export class Runtime {
     this.generation = ++interpreters;
     this.#begun = performance.now();
     const script = new URL("./worker.js", import.meta.url);
-    const worker = this.early() ?? new Worker(script, { type: "module" });
+    const worker = this.begin(script);
     this.#worker = worker;
     worker.onmessage = (event) => this.#receive(event.data);
     worker.onerror = async (event) => {
@@ -173,14 +216,18 @@ export class Runtime {
       request,
       limit: CALLS.start.limit,
       urgency: () => 0,
-      resolve: () => (this.#failedStarts = 0),
+      resolve: () => {
+        this.#failedStarts = 0;
+        this.#pace = performance.now() - this.#begun;
+      },
       reject: (reason) => this.#giveUp(reason),
     });
   }
 
   #send(call: Call) {
     this.#active = call;
-    this.#watch(call.limit);
+    [this.#sent, this.#waits] = [performance.now(), null];
+    this.#watch(call.name === "start" ? call.limit : Math.max(PING, this.#pace));
     const { picture } = call.request;
     const transfer: Transferable[] = picture ? [picture.bitmap] : [];
     if (picture?.mosaic) transfer.push(picture.mosaic.codes.buffer);
@@ -191,23 +238,41 @@ export class Runtime {
     this.#watchdog.start(limit, () => this.#lose(words("runtime.late"), { late: true }));
   }
 
-  #receive(reply: any) {
+  #receive(reply: unknown) {
     const call = this.#active;
-    if (!call || call.id !== reply.id) return;
-    if ("fetching" in reply) {
-      this.#watch(reply.fetching ? CALLS.start.limit : call.limit);
-      return;
+    if (!isSignal(reply)) {
+      console.warn("The worker sent what is no message of it.");
+    } else if (call && call.id === reply.id) {
+      if ("waits" in reply) this.#note(call, reply.waits);
+      else if (!reply.ok) this.#fail(call, reply);
+      else if (!isReply(call.name, reply)) this.#lose(words("runtime.unreadable"));
+      else this.#end(() => call.resolve(reply));
     }
-    const message = reply.loadError ? inWords(reply.loadError) : reply.error;
-    const more = { loadError: reply.loadError?.kind };
-    if (!reply.ok && (reply.fatal || call.name === "start")) {
+  }
+
+  /** A sign of life. */
+  #note(call: Call, file: string) {
+    this.#waits = file;
+    const isEndless = file !== "" && performance.now() - this.#sent > LONGEST_FETCH;
+    if (!isEndless) this.#watch(call.limit);
+  }
+
+  #fail(call: Call, { error, fatal, loadError }: Failure) {
+    const message = loadError ? inWords(loadError) : legible(error);
+    const more = { loadError: loadError?.kind };
+    if (fatal || call.name === "start") {
       this.#plain ||= call.name === "prepare";
       this.#lose(message, more);
       return;
     }
+    const kind = loadError ? "part" : "python";
+    this.#end(() => call.reject(new RuntimeFailure(kind, message, more)));
+  }
+
+  /** The worker is free. */
+  #end(settle: () => void) {
     this.#settle();
-    if (reply.ok) call.resolve(reply);
-    else call.reject(new RuntimeFailure(reply.loadError ? "part" : "python", message, more));
+    settle();
     this.#next();
   }
 
@@ -248,12 +313,28 @@ function scenesOfPage() {
   return [...new Set(figures.map((figure) => figure.dataset.simulation ?? ""))];
 }
 
-/** The worker that the page's head has started, once. */
-function takeEarlyWorker() {
+function beginWorker(script: URL) {
+  return new Worker(script, { type: "module" });
+}
+
+/** The worker that the page's head has started, once; then new ones. */
+function takeEarlyWorker(script: URL) {
   const page = globalThis as { earlyWorker?: Worker };
-  const worker = page.earlyWorker ?? null;
+  const worker = page.earlyWorker ?? beginWorker(script);
   delete page.earlyWorker;
   return worker;
+}
+
+let confined = "";
+
+/**
+ * A worker under the policy of the page, which a worker inherits whose address is a blob's: nothing
+ * that runs in it reaches another host.
+ */
+export function beginConfined(script: URL) {
+  const source = `import ${JSON.stringify(script.href)};`;
+  confined ||= URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+  return new Worker(confined, { type: "module" });
 }
 
 let shared: Runtime | null = null;

@@ -1,12 +1,21 @@
 /** The worker that runs the Python interpreter; `messages.ts` lists its calls. Every call is answered. */
 
-import { message } from "../errors.ts";
+import { legible, wholeMessage } from "../errors.ts";
 import { SOURCES, type Chunks } from "./chunks.ts";
 import { free } from "./free.ts";
 import { startInterpreter } from "./interpreter.ts";
-import { LoadError } from "./load_error.ts";
+import { isolate } from "./isolation.ts";
+import { LoadError, awaited } from "./load_error.ts";
 import { CALLS, type CallName, type FrameReply, type StartRequest } from "./messages.ts";
 import { drawable } from "./pixels.ts";
+
+/** Taken before Python runs, which finds none of them. */
+const send = self.postMessage.bind(self);
+const repeat = self.setInterval.bind(self);
+const stop = self.clearInterval.bind(self);
+
+/** Milliseconds between two signs of life while a call waits for files. */
+const BEAT = 1000;
 
 /** The functions of `simulations.browser`, one proxy of each for good. */
 let python: Record<string, any> | null = null;
@@ -17,11 +26,13 @@ async function start(request: StartRequest) {
   starting ??= startInterpreter(request);
   const { python: module, ...started } = await starting;
   chunks = started.chunks;
-  python ??= Object.fromEntries(Object.keys(CALLS).map((name) => [name, module[name]]));
+  if (python) return;
+  python = Object.fromEntries(Object.keys(CALLS).map((name) => [name, module[name]]));
+  isolate();
 }
 
 /** Import a scene. */
-async function prepare(id: number, scene: string) {
+async function prepare(scene: string) {
   const { table } = started();
   try {
     python?.prepare(scene);
@@ -29,7 +40,7 @@ async function prepare(id: number, scene: string) {
     // A snapshot has modules without their files; what the scene imports may be one of these.
     const names = started().toRun(table.scenes[scene] ?? []);
     if (!started().lacks(names)) throw error;
-    await provide(id, names);
+    await started().provide(names);
     python?.prepare(scene);
   }
   return table.integrity[`${SOURCES}.zip`];
@@ -39,7 +50,7 @@ async function prepare(id: number, scene: string) {
 async function answer(name: CallName, request: any) {
   const { takes, reply } = CALLS[name];
   if (name === "start") return await start(request);
-  if (name === "prepare") return reply(await prepare(request.id, request.scene));
+  if (name === "prepare") return reply(await prepare(request.scene));
   started();
   const begun = performance.now();
   const taken = reply(python?.[name](...takes.map((argument) => given(request[argument]))));
@@ -57,14 +68,18 @@ function given(value: any) {
 
 self.onmessage = async ({ data }) => {
   const { id } = data;
+  const beat = () => send({ id, waits: [...awaited][0] ?? "" });
+  beat();
+  const beats = repeat(beat, BEAT);
   try {
     if (chunks && data.call !== "start") await provideFor(data, chunks);
     const reply: Partial<FrameReply> = (await answer(data.call, data)) ?? {};
     const transfer = (reply.rasters ?? []).concat(reply.sound ?? []);
-    self.postMessage({ id, ok: true, ...reply }, { transfer });
+    send({ id, ok: true, ...reply }, { transfer });
   } catch (error) {
-    self.postMessage({ id, ok: false, ...explain(error) });
+    send({ id, ok: false, ...explain(error) });
   } finally {
+    stop(beats);
     if (data.picture?.mosaic) free(data.picture.mosaic.codes);
   }
 };
@@ -76,28 +91,14 @@ function started(): Chunks {
 
 /** Fetch what a call's scene or ladder imports. */
 async function provideFor(
-  {
-    id,
-    call,
-    scene = "",
-    ladder = "",
-    edits,
-  }: { id: number; call: string; scene?: string; ladder?: string; edits?: string },
+  { call, scene = "", ladder = "", edits }: Record<string, string | undefined>,
   chunks: Chunks,
 ) {
   chunks.missed = null;
   const { scenes, ladders } = chunks.table;
   const imported = scenes[scene] ?? ladders[ladder] ?? [];
   const wanted = edits === undefined ? imported : [...imported, SOURCES];
-  await provide(id, call === "prepare" ? chunks.toImport(scene) : chunks.toRun(wanted));
-}
-
-/** @param id Of the call: the page is told when it waits for a download. */
-async function provide(id: number, names: string[]) {
-  if (!started().lacks(names)) return;
-  self.postMessage({ id, fetching: true });
-  await started().provide(names);
-  self.postMessage({ id, fetching: false });
+  await chunks.provide(call === "prepare" ? chunks.toImport(scene) : chunks.toRun(wanted));
 }
 
 /** An exception whose message is a sentence for the reader. */
@@ -110,13 +111,15 @@ const UNFIT = /^simulations\.engine\.reading\.UnfitError: /;
 function explain(error: unknown) {
   const raised = error instanceof Error && error.name === "PythonError";
   const missed = raised ? chunks?.missed : error;
-  const text = message(error).trim();
-  if (missed instanceof LoadError) return { error: text, loadError: missed.data, fatal: false };
+  const text = wholeMessage(error).trim();
+  if (missed instanceof LoadError) {
+    return { error: legible(text), loadError: missed.data, fatal: false };
+  }
   const last = raised ? lastException(text) : text;
   if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
-    return { error: last, loadError: { kind: "memory" }, fatal: true };
+    return { error: legible(last), loadError: { kind: "memory" }, fatal: true };
   }
-  return { error: last.replace(UNFIT, ""), fatal: !raised };
+  return { error: legible(last.replace(UNFIT, "")), fatal: !raised };
 }
 
 /** The line of a traceback that names the exception, with what follows it. */

