@@ -2,6 +2,7 @@
 
 import io
 import json
+import sys
 import time
 from collections.abc import Iterator
 from contextlib import redirect_stdout
@@ -74,7 +75,7 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
     ``edits`` is a JSON object from definitions, ``MODULE:NAME``, to texts. Errors in them are
     returned, not raised. Other edits than those of the last call find all modules as they were.
     """
-    if _last_edits != [edits]:
+    if sys.platform == "emscripten" and _last_edits != [edits]:  # elsewhere others use them too
         restore_modules()
         _last_edits[:] = [edits]
     from simulations.editing.copies import problem_with  # most readers never need it

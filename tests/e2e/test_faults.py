@@ -3,12 +3,14 @@
 import json
 from collections.abc import Iterator
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 from support.engines import ENGINES, HOW_TO
 from support.engines.engine import Engine, wait_for
+from support.limits import limit_s
 from support.page_scripts import LIVE
 from support.reader import Reader, visit
 from support.static_server import FAULTS, Fault, StaticServer
@@ -125,8 +127,8 @@ def test_a_page_older_than_its_host_offers_a_reload_and_python_starts_once_the_h
         **{f"/{name}": Fault(media_type="text/plain") for name in ("python.zip", "runtime.json")},
         "/pyodide.asm.wasm": Fault(media_type="application/octet-stream"),
     }
-    # The event alone: a browser made offline by the test stays so in its worker for a while longer.
-    page.evaluate("dispatchEvent(new Event('online'))")
+    page.context.set_offline(True)
+    page.context.set_offline(False)
     patient.wait_live()
     assert slider.input_value() == moved
     assert not page.locator(".figure-status:visible").count()
@@ -182,8 +184,6 @@ def harm(visitor: Reader, code: str) -> tuple[Locator, Locator]:
 
 
 LOSSES = {
-    "ended": "import js; js.self.postMessage = lambda *_: None; js.self.close(); "
-    "return asked(*given)",
     "endless loop": "while True: pass",
     "memory exhausted": "import numpy; kept = book.kept = []\n"
     "    while True: kept.append(numpy.empty(2**24))",
@@ -191,12 +191,12 @@ LOSSES = {
 
 
 @pytest.mark.parametrize(
-    "loss", ["ended", *(pytest.param(name, marks=pytest.mark.deep) for name in [*LOSSES][1:])]
+    "loss", ["endless loop", pytest.param("memory exhausted", marks=pytest.mark.deep)]
 )
 def test_a_worker_lost_in_the_midst_of_a_frame_is_replaced_and_the_values_are_kept(
     visitor: Reader, loss: str
 ) -> None:
-    figure, slider = harm(visitor, LOSSES[loss])
+    figure, slider = harm(visitor, OF_A_SMALL_MOVE + LOSSES[loss])
     kept = slider.input_value()
     visitor.page.evaluate(HASTE, 1500)
     with visitor.next_frame(figure):
@@ -295,15 +295,61 @@ WHOLE = """() => {
 }"""
 
 
+SILENT = {
+    "an empty script": ("worker.js", Fault(lambda _: b"")),
+    "a script that sends nothing": ("worker.js", Fault(lambda _: b"onmessage = () => {};")),
+    "a script that never comes": ("worker.js", Fault(late_s=3600)),
+    "a file that never comes": ("numpy.zip", Fault(late_s=3600)),
+}
+AWAITED = """async () =>
+  (await customElements.whenDefined('simulation-figure')).inside.sharedRuntime().awaits.file"""
+
+
+@pytest.mark.parametrize(
+    "silent", [*[*SILENT][1::2], *(pytest.param(n, marks=pytest.mark.deep) for n in [*SILENT][::2])]
+)
+def test_within_5_s_a_figure_says_what_it_waits_for_and_within_20_s_it_offers_another_try(
+    brisk_chromium: Browser, uncached: StaticServer, silent: str
+) -> None:
+    """The page's clock is turned on by hand; the worker's goes on."""
+    file, fault = SILENT[silent]
+    uncached.faults = {**WITHOUT_SNAPSHOT, f"/{file}": fault}
+    with visit(brisk_chromium, uncached) as reader:
+        page, figure = reader.page, reader.figure(SCENE)
+        page.clock.install()
+        reader.open(CHAPTER, live=False)
+        page.clock.run_for(1000)
+        figure.locator("input[type=range]").first.scroll_into_view_if_needed()
+        expect(figure).to_have_attribute("data-state", "starting")
+        end = monotonic() + limit_s()
+        while page.evaluate(AWAITED) != file:
+            assert monotonic() < end
+        page.clock.run_for(4000)
+        message = figure.locator(".figure-message")
+        assert file in message.inner_text()
+        assert not figure.locator(".retry").is_visible()
+        page.clock.run_for(15_000)
+        assert file in message.inner_text()
+        uncached.faults = {}
+        page.clock.resume()
+        figure.locator(".retry").click()
+        reader.wait_live()
+        assert not message.is_visible()
+
+
 BEGIN = """async () => {
   const {Runtime} = (await customElements.whenDefined('simulation-figure')).inside;
   window.ended = 0;
   window.plain = [];
+  window.dead = false;
   window.Worker = class {
     postMessage({id, call, plain}) {
-      window.answer = (more) => this.onmessage({data: {id, ok: true, ...more}});
+      window.send = (data) => this.onmessage({data});
+      window.answer = (more) => send({id, ok: true, meta: '{}', rasters: [], ...more});
+      window.wait = (waits) => send({id, waits});
+      if (!window.dead) setTimeout(() => wait(''));
       if (call === 'start') window.plain.push(plain);
-      if (call === 'start') setTimeout(() => this.onmessage({data: {id, ok: true}}));
+      if (call === 'start') setTimeout(() => answer());
     }
     terminate() { window.ended += 1; }
   };
@@ -330,6 +376,7 @@ class Watched:
         self.page.clock.run_for(100)
         self.is_waited_for()
         self.ask("render")
+        self.page.clock.run_for(100)
 
     def ask(self, call: str) -> None:
         self.page.evaluate(ASK, [call, {"figure": "figure-x", "scene": "any"}])
@@ -345,18 +392,27 @@ class Watched:
         assert self.told() == "answered"
 
 
-def test_a_silent_worker_is_given_up_but_not_while_it_may_be_at_work_or_all_slept(
-    plain_reader: Reader,
-) -> None:
+@pytest.fixture
+def watched(plain_reader: Reader) -> Iterator[Watched]:
     page = plain_reader.page.context.new_page()
+    raised: list[str] = []
+    page.on("pageerror", lambda error: raised.append(str(error)))
     page.add_init_script("delete Navigator.prototype.serviceWorker")
     page.clock.install()
     page.goto(plain_reader.root + "licences/")
-    watched, clock = Watched(page), page.clock
+    yield Watched(page)
+    page.close()
+    assert not raised
+
+
+def test_a_worker_is_given_up_when_it_is_silent_but_not_while_it_may_be_at_work(
+    watched: Watched,
+) -> None:
+    page, clock = watched.page, watched.page.clock
     watched.begin()
-    clock.run_for(59_000)
+    clock.run_for(58_000)
     assert watched.told() is None
-    clock.run_for(2_000)
+    clock.run_for(3_000)
     assert watched.told() == "lost"
     assert page.evaluate("ended") == 1
 
@@ -367,11 +423,15 @@ def test_a_silent_worker_is_given_up_but_not_while_it_may_be_at_work_or_all_slep
     watched.is_waited_for()
 
     watched.begin()
-    page.evaluate("answer({fetching: true})")
-    clock.run_for(120_000)  # a slow download is no slow frame
-    assert watched.told() is None
-    page.evaluate("answer({fetching: false})")
+    for _ in range(120):  # a slow download is no slow frame
+        page.evaluate("wait('numpy.zip')")
+        clock.run_for(1000)
     watched.is_waited_for()
+
+    page.evaluate("dead = true")
+    watched.ask("render")
+    clock.run_for(3000)
+    assert watched.told() == "lost", "a dead worker, within 2 s and a tick of the clock"
 
     page.evaluate(BEGIN)
     watched.ask("prepare")
@@ -381,7 +441,25 @@ def test_a_silent_worker_is_given_up_but_not_while_it_may_be_at_work_or_all_slep
     watched.ask("render")
     clock.run_for(100)
     assert page.evaluate("plain") == [False, True], "then without the snapshot"
-    page.close()
+
+
+NO_MESSAGES = ("null", "undefined", "5", "'text'", "[]", "{id: 3}", "{id: 3, waits: {}}", "{ok: 1}")
+NO_FRAMES = ("meta: 5", "rasters: null", "rasters: ['pixels']", "computeMs: 'NaN'", "sound: 1")
+
+
+def test_messages_of_a_worker_that_are_not_in_the_protocol_are_dropped(watched: Watched) -> None:
+    for message in NO_MESSAGES:
+        watched.begin()
+        watched.page.evaluate(f"send({message})")
+        watched.is_waited_for()
+    for values in NO_FRAMES:
+        watched.begin()
+        watched.page.evaluate(f"answer({{computeMs: 5, {values}}})")
+        assert watched.told() == "lost", values
+    watched.begin()
+    watched.page.evaluate("wait('numpy.zip')")
+    watched.page.evaluate("answer({ok: false, error: '\\x1b[31m' + 'x'.repeat(1e7)})")
+    assert watched.told() == "python"
 
 
 NOT_STORED = {"/sw.js": Fault(status=404)}

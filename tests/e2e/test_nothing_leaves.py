@@ -176,15 +176,19 @@ EDIT = f"""def _encoded(photo):
     print("found:", found, seen.size > 300)
     return to_rgba8(encode_srgb_table(photo.linear))
 """
-RUN = """async (source) => {
+RUN = """async (...sources) => {
   const {inside} = await customElements.whenDefined('simulation-figure');
   const address = new URL(document.body.dataset.runtime, location.href).href;
   const runtime = new inside.Runtime(address, () => ['lens-distortion'], inside.beginConfined);
   const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: ''};
-  const edits = JSON.stringify({'simulations.scenes.lens_distortion.stages:_encoded': source});
-  const {problem, printed} = await runtime.call('render_edited', {...frame, edits});
+  const results = [];
+  for (const source of sources) {
+    const edits = JSON.stringify({'simulations.scenes.lens_distortion.stages:_encoded': source});
+    results.push(await runtime.call('render_edited', {...frame, edits})
+      .then(({problem, printed}) => [problem, printed], ({message}) => [message, '']));
+  }
   await runtime.call('forget', {figure: 'figure-x'}); // what was begun has had its turn
-  return [problem, printed];
+  return results;
 }"""
 
 
@@ -193,7 +197,34 @@ def test_edited_python_finds_no_way_to_another_host_or_to_what_is_stored(
     name: str, chromium: Browser, site_server: StaticServer, elsewhere: Elsewhere, tmp_path: Path
 ) -> None:
     with page(name, chromium, site_server.url + CHAPTER, tmp_path) as ask:
-        problem, printed = ask(RUN, EDIT.replace("ADDRESS", elsewhere.address))
+        ((problem, printed),) = ask(RUN, EDIT.replace("ADDRESS", elsewhere.address))
     assert problem is None, json.dumps(problem)
     assert printed == "found: [] True\n"
     assert elsewhere.note() == []
+
+
+HARMS = (
+    "import builtins; builtins.len = None; builtins.__import__ = None; builtins.isinstance = str",
+    "import builtins; vars(builtins).clear()",
+    "import numpy; numpy.sum = numpy.asarray = numpy.pi = None",
+    "import json, math; math.sin = json.dumps = json.loads = None",
+    "import sys; sys.stdout = None; sys.modules.clear(); sys.meta_path.clear()",
+    "import simulations.engine.frame as frame; frame.to_json = None; frame.len = None",
+    "import simulations.browser as browser; browser._reply = browser._request = None",
+    "import sys; sys.setrecursionlimit(50); raise SystemExit",
+    "import os; os._exit(0)",
+    "raise ValueError('\\x1b[31m' + 20_000_000 * 'x')",
+)
+
+
+def test_what_an_edit_damages_is_whole_again_for_the_next(
+    chromium: Browser, site_server: StaticServer, tmp_path: Path
+) -> None:
+    draw = "def _encoded(photo):\n    {}\n    return to_rgba8(encode_srgb_table(photo.linear))\n"
+    sources = [draw.format(body) for n, harm in enumerate(HARMS) for body in (harm, f"print({n})")]
+    with page("Chromium", chromium, site_server.url + CHAPTER, tmp_path) as ask:
+        results = ask(RUN, *sources)
+    assert results[1::2] == [[None, f"{n}\n"] for n in range(len(HARMS))]
+    assert all(
+        len(json.dumps(problem)) < 3000 and "x1b" not in str(problem) for problem, _ in results
+    )
