@@ -17,8 +17,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from platformdirs import user_cache_path
-
 from site_builder.cache.hashing import (
     UnhashableError,
     changed_sources,
@@ -26,6 +24,7 @@ from site_builder.cache.hashing import (
     source_hash,
 )
 from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.folders import cache_folder
 
 FILE = "results-2.sqlite"
 """With the version of its format."""
@@ -41,7 +40,7 @@ class Cache:
     """Bytes under keys, in a file that several builds may use at once."""
 
     def __init__(self, folder: Path | None = None, most_bytes: int = MOST_BYTES) -> None:
-        self._file = (folder or user_cache_path("image-formation", appauthor=False)) / FILE
+        self._file = (folder or cache_folder()) / FILE
         self._connection: sqlite3.Connection | None = None
         self._lock = threading.Lock()
         with self._usable():

