@@ -7,7 +7,6 @@ import * as figures from "./editor/feature.ts";
 import * as instruments from "./instrument/feature.ts";
 import * as ladders from "./ladder/bench.ts";
 import * as cases from "./page/case_filter.ts";
-import { installContents } from "./page/contents.ts";
 import { ask as followScroll, installHeader } from "./page/header.ts";
 import { installKeys } from "./page/keys.ts";
 import { installNavigation } from "./page/navigate.ts";
@@ -41,7 +40,6 @@ const PARTS: Part[] = [figures, instruments, ladders, cases, terms, questions, k
 useWordsOf(document);
 installTheme();
 addEventListener(FORGETFUL, () => notice(words("page.forgetful")));
-installContents();
 installHeader();
 installSearch();
 installKeys();

@@ -96,7 +96,7 @@ function bodyOf({ title, photographs, lines }: Part) {
   const name = document.createElement("th");
   [name.colSpan, name.scope, name.textContent] = [2, "rowgroup", title];
   const files = document.createElement("span");
-  files.className = "data-sheet-files";
+  files.className = "data-sheet-files fine";
   files.textContent = photographs.join(", ");
   name.append(" ", files);
   head.append(name);

@@ -30,8 +30,7 @@ function follow() {
   const header = maybe(document, ".site-header", HTMLElement);
   if (!header) return;
   header.style.setProperty("--read", read().toFixed(4));
-  const stays =
-    !SMALL.matches || scrollY < 200 || header.matches(":focus-within") || isOpen(header);
+  const stays = !SMALL.matches || scrollY < 200 || header.matches(":focus-within") || isOpen();
   header.classList.toggle("away", !stays && isAway(header.classList.contains("away")));
 }
 
@@ -56,6 +55,6 @@ function read() {
   return way > 0 ? Math.min(Math.max(scrollY / way, 0), 1) : 1;
 }
 
-function isOpen(header: HTMLElement) {
-  return header.querySelector('[aria-expanded="true"]') !== null;
+function isOpen() {
+  return document.querySelector("#contents:popover-open") !== null;
 }

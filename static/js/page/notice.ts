@@ -11,7 +11,7 @@ import { words } from "./words.ts";
 export function notice(text: string, offer?: { label: string; act: () => void }) {
   maybe(document, ".notice", HTMLElement)?.remove();
   const line = document.createElement("div");
-  line.className = "notice row box screen";
+  line.className = "notice floats row box screen";
   line.role = "status";
   document.body.append(line); // before it says something, so that this is read out
   const said = document.createElement("p");

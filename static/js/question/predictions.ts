@@ -42,14 +42,15 @@ export function answersTo(form: HTMLFormElement) {
 export function sideBySide(guess: Shown | null, truth: Shown) {
   const list = document.createElement("dl");
   list.className = "meeting row";
-  if (guess) list.append(group("guessed", words("predict.your_guess"), guess));
-  list.append(group("computed", words("predict.computed"), truth));
+  if (guess) list.append(group("guessed role-ray", words("predict.your_guess"), guess));
+  list.append(group("computed role-image", words("predict.computed"), truth));
   return list;
 }
 
 function group(className: string, name: string, shown: Shown) {
   const parts = Object.assign(document.createElement("div"), { className });
   const [term, value] = [document.createElement("dt"), document.createElement("dd")];
+  term.className = "fine";
   term.textContent = name;
   value.append(...shown);
   parts.append(term, value);

@@ -208,7 +208,7 @@ function explained({ right, words: own, replies, remark }: Verdict, isGuess: boo
   const [yes, no] = isGuess
     ? ["predict.agrees", "predict.differs"]
     : ["question.right", "question.wrong"];
-  const verdict = element("p", "verdict");
+  const verdict = element("p", "verdict label");
   verdict.textContent = own ?? words(right ? yes : no);
   const last = element("p", "explanation");
   last.textContent = remark ?? "";
