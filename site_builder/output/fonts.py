@@ -138,13 +138,14 @@ MATHS_FACES = FACES[-2:]
 """Formulae: common signs, and rare ones, which a browser fetches only for a page that shows one."""
 
 
+TIMES, ARIAL = "Times New Roman, Liberation Serif, Tinos", "Arial, Liberation Sans, Arimo"
 FALLBACKS = (
-    ("Book Serif", "Regular", "Times New Roman, Liberation Serif, Tinos", (109.5, 94.6, 30.6)),
-    ("Book Serif", "Italic", "Times New Roman, Liberation Serif, Tinos", (102.5, 101.1, 32.7)),
-    ("Book Serif", "Bold", "Times New Roman, Liberation Serif, Tinos", (105.8, 97.9, 31.7)),
-    ("Book Sans", "Regular", "Arial, Liberation Sans, Arimo", (92.9, 105.9, 29.3)),
-    ("Book Sans", "Italic", "Arial, Liberation Sans, Arimo", (89.8, 109.5, 30.4)),
-    ("Book Sans", "Bold", "Arial, Liberation Sans, Arimo", (89.3, 110.1, 30.6)),
+    ("Book Serif", "", TIMES, (109.5, 94.6, 30.6)),
+    ("Book Serif", " Italic", TIMES, (102.5, 101.1, 32.7)),
+    ("Book Serif", " Bold", TIMES, (105.8, 97.9, 31.7)),
+    ("Book Sans", "", ARIAL, (92.9, 105.9, 29.3)),
+    ("Book Sans", " Italic", ARIAL, (89.8, 109.5, 30.4)),
+    ("Book Sans", " Bold", ARIAL, (89.3, 110.1, 30.6)),
 )
 """Common system faces, shown until the real face arrives: stretched to the same ascent, descent and
 average width of the book's text (in per cent: size, ascent, descent), so that few lines move."""
@@ -153,12 +154,11 @@ average width of the book's text (in per cent: size, ascent, descent), so that f
 def face_rules() -> str:
     """Rules that have a browser fetch the faces; those of formulae for their characters alone."""
     return "".join(
-        _face_rule(
-            face.family,
-            face.style,
-            f'url("../fonts/{face.file}") format("woff2")',
-            {"font-display": "swap"}
-            | ({"unicode-range": _ranges(face.characters)} if face in MATHS_FACES else {}),
+        _rule(
+            {"font-family": f'"{face.family}"'}
+            | ({} if face in MATHS_FACES else _variant(face.style))
+            | {"font-display": "swap", "src": f'url("../fonts/{face.file}") format("woff2")'}
+            | ({"unicode-range": _ranges(face.characters)} if face in MATHS_FACES else {})
         )
         for face in FACES
     )
@@ -167,33 +167,31 @@ def face_rules() -> str:
 def fallback_rules() -> str:
     """Rules that name and stretch the system's faces."""
     return "".join(
-        _face_rule(
-            f"{family} Fallback",
-            style,
-            ", ".join(
-                f'local("{name} {style}")'.replace(" Regular", "") for name in names.split(", ")
-            ),
-            {
+        _rule(
+            {"font-family": f'"{family} Fallback"'}
+            | _variant(style)
+            | {
+                "src": ", ".join(f'local("{name}{style}")' for name in names.split(", ")),
                 "size-adjust": f"{size}%",
                 "ascent-override": f"{ascent}%",
                 "descent-override": f"{descent}%",
                 "line-gap-override": "0%",
                 "unicode-range": "U+20-24F, U+2010-2026",
-            },
+            }
         )
         for family, style, names, (size, ascent, descent) in FALLBACKS
     )
 
 
-def _face_rule(family: str, style: str, source: str, more: Mapping[str, str]) -> str:
-    """A rule of one face; ``style`` is its name, such as "Semibold Italic"."""
-    said = {
-        "font-family": f'"{family}"',
+def _variant(style: str) -> dict[str, str]:
+    """Weight and slant of a face by the name of its style, such as "Semibold Italic"."""
+    return {
         "font-weight": "600 700" if "bold" in style.lower() else "400",
         "font-style": "italic" if "Italic" in style else "normal",
-        "src": source,
-        **more,
     }
+
+
+def _rule(said: Mapping[str, str]) -> str:
     lines = "".join(f"  {name}: {value};\n" for name, value in said.items())
     return f"@font-face {{\n{lines}}}\n"
 

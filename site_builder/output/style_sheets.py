@@ -41,7 +41,7 @@ simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ 
 
 
 TOKEN = re.compile(r"^  (--[\w-]+): light-dark\(([^,]+), [^)]+\);", re.MULTILINE)
-CONTAINER = re.compile(r"^@container (?:.*\n)*?\}\n", re.MULTILINE)
+OF_FIGURES = re.compile(r"^simulation-figure (?:.*\n)*?\}\n", re.MULTILINE)
 
 
 def style_of_drawings(root: Path, more: str, families: Mapping[str, str], colours: Colours) -> str:
@@ -61,7 +61,7 @@ def style_of_drawings(root: Path, more: str, families: Mapping[str, str], colour
         f".overlay .{name}, .role-{name} {{ color: {ink}; }}\n" for name, ink in inks.items()
     )
     values = dict(TOKEN.findall(tokens)) | dict(families)
-    rules = roles + CONTAINER.sub("", overlay) + more
+    rules = roles + OF_FIGURES.sub("", overlay) + more
     return re.sub(r"var\((--[\w-]+)\)", lambda found: values[found[1]], rules)
 
 

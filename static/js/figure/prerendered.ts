@@ -104,7 +104,7 @@ export class Prerendered {
     let mark = maybe(this.figure, ".early-mark", HTMLElement);
     if (!mark) {
       mark = document.createElement("p");
-      mark.className = "early-mark";
+      mark.className = "early-mark box fine";
       one(this.figure, ".panels", HTMLElement).append(mark);
     }
     mark.textContent = text;
