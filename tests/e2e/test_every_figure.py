@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
-from support.engines import ENGINES, HOW_TO
+from support.engines import ENGINES, open_engine
 from support.engines.engine import Engine, drag, wait_for
 from support.frames import frame_of, texts_of
 from support.page_scripts import FOLLOW, GRASP, OFFER, PUT_BACK, SETTLE, TRY_CONTROLS
@@ -292,10 +292,7 @@ def walk(
     site_server: StaticServer,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Iterator[Walk]:
-    opened = ENGINES[request.param](tmp_path_factory.mktemp(request.param))
-    if opened is None:
-        pytest.skip(f"{request.param}: {HOW_TO}")
-    with opened as engine:
+    with open_engine(request.param, tmp_path_factory.mktemp(request.param)) as engine:
         engine.open(site_server.url + "lecture-plan/")  # the lightest page
         yield Walk(engine, site_server.url)
 

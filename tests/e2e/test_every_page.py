@@ -236,15 +236,6 @@ def desk(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]
     someone.assert_no_complaints()
 
 
-@pytest.fixture
-def phone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    """The same with a telephone."""
-    options = {"viewport": PHONE, "has_touch": True, "is_mobile": True}
-    with visit(brisk_chromium, site_server, SILENT_WORKER, **options) as someone:
-        yield someone
-    someone.assert_no_complaints()
-
-
 def walk(reader: Reader, book: Any, asked: Mapping[int, Iterable[Look]]) -> list[str]:
     """Faults of all pages at these widths."""
     wrong: list[str] = []
@@ -259,8 +250,8 @@ def test_every_page_is_in_order_at_a_desk(desk: Reader, book: Any) -> None:
     assert walk(desk, book, AT_A_DESK) == []
 
 
-def test_every_page_is_in_order_on_a_phone(phone: Reader, book: Any) -> None:
-    assert walk(phone, book, BY_PHONE) == []
+def test_every_page_is_in_order_on_a_phone(quiet_phone: Reader, book: Any) -> None:
+    assert walk(quiet_phone, book, BY_PHONE) == []
 
 
 @pytest.mark.deep

@@ -13,7 +13,7 @@ from PIL import Image
 from playwright.sync_api import Locator, expect
 from support.dng import dng
 from support.edges import gaussian_edge, gaussian_half
-from support.engines import ENGINES, HOW_TO
+from support.engines import ENGINES, open_engine
 from support.engines.engine import Engine, wait_for
 from support.flat_fields import as_srgb, light_of, pairs_of
 from support.limits import limit_ms
@@ -456,10 +456,7 @@ READS = """(lines) => {
 def test_photographs_and_raw_files_are_measured_in_other_engines(
     name: str, site_server: StaticServer, tmp_path: Path
 ) -> None:
-    opened = ENGINES[name](tmp_path)
-    if opened is None:
-        pytest.skip(f"{name}: {HOW_TO}")
-    with opened as engine:
+    with open_engine(name, tmp_path) as engine:
         engine.open(site_server.url + PAGE)
         wait_for(engine, f"() => Boolean({BOX})")
         choose(engine, {f"{index}.png": png(codes) for index, codes in enumerate(EVEN)})

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from support.engines import ENGINES, HOW_TO
+from support.engines import open_engine
 from support.engines.engine import Engine, click, drag, press, wait_for
 from support.page_scripts import BRING, LIVE
 from support.static_server import serving
@@ -25,10 +25,7 @@ WHOLE = [pytest.param("Firefox", True), pytest.param("WebKitGTK", True, marks=py
 def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goes_offline(
     name: str, whole: bool, built_site: Path, tmp_path: Path
 ) -> None:
-    opened = ENGINES[name](tmp_path)
-    if opened is None:
-        pytest.skip(f"{name}: {HOW_TO}")
-    with serving(built_site) as host, opened as engine:
+    with open_engine(name, tmp_path) as engine, serving(built_site) as host:
         engine.open(host.url + CHAPTER)
         wait_for(engine, f"() => {LIVE}")
         moves_a_figure(engine)

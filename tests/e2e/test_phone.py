@@ -5,26 +5,10 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, expect
-from support.page_scripts import SILENT_WORKER
 from support.reader import PHONE, Place, Reader, chapter_of, visit
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
-
-
-@pytest.fixture(scope="module")
-def telephone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    options = {"viewport": PHONE, "has_touch": True, "is_mobile": True}
-    with visit(brisk_chromium, site_server, SILENT_WORKER, **options) as someone:
-        yield someone
-
-
-@pytest.fixture
-def quiet_phone(telephone: Reader) -> Iterator[Reader]:
-    """A telephone before Python has answered; each test loads its pages anew."""
-    telephone.begin_anew(PHONE)
-    yield telephone
-    telephone.assert_no_complaints()
 
 
 def test_further_controls_tools_and_panels_are_folded_on_a_phone_until_they_are_wanted(
@@ -156,23 +140,19 @@ def live_phone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[R
     someone.assert_no_complaints()
 
 
-MARKS = (("probe", "probe"), ("lamp", "light_angle"))
-
-
 def test_a_finger_moves_a_mark_and_scrolls_the_page_elsewhere(
     live_phone: Reader, book: Any
 ) -> None:
     phone = live_phone
     figure = phone.turn_to_figure(book, "lambertian-shading")
-    for name, setting in MARKS:
-        grip = figure.locator(f'[data-handle="{name}"]')
-        phone.bring(grip)
-        before, scrolled = value(figure, setting), scroll(phone)
-        for way in [(0, -60), (-40, 0)]:
-            swipe(phone, phone.middle(grip), way)
-            phone.settle(figure)
-        assert value(figure, setting) != before
-        assert scroll(phone) == scrolled
+    grip = figure.locator('[data-handle="lamp"]')
+    phone.bring(grip)
+    before, scrolled = value(figure, "light_angle"), scroll(phone)
+    for way in [(0, -60), (-40, 0)]:
+        swipe(phone, phone.middle(grip), way)
+        phone.settle(figure)
+    assert value(figure, "light_angle") != before
+    assert scroll(phone) == scrolled
     box = phone.bring(figure.locator(".panel-title").first)
     scrolled = scroll(phone)
     swipe(phone, (box["x"] + 20, box["y"] + 5), (0, -120))

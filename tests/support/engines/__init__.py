@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from pathlib import Path
 
+import pytest
 from support.engines.engine import Engine
 from support.engines.firefox import find_firefox, open_firefox
 from support.engines.webkit import find_webkit, open_webkit
@@ -29,3 +30,11 @@ ENGINES: Mapping[str, Callable[[Path], AbstractContextManager[Engine] | None]] =
     "WebKitGTK": _webkit,
 }
 """How to open one with an empty folder for its profile; None where it is not installed."""
+
+
+def open_engine(name: str, folder: Path) -> AbstractContextManager[Engine]:
+    """Open it, or skip the test."""
+    opened = ENGINES[name](folder)
+    if opened is None:
+        pytest.skip(f"{name}: {HOW_TO}")
+    return opened
