@@ -5,10 +5,10 @@ import numpy as np
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line, path
 from simulations.engine.illustration import Illustration, Panel
-from simulations.engine.plotting import Axis, Plot
+from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.models.distortion.radial_profile import RadialProfile, evaluate, slope
 
-PLOT = Plot(Axis(0.62, 1.06, 24, 392), Axis(0.55, 0.72, 240, 14))
+PLOT = Plot(Axis(0.62, 1.06, 40, 392), Axis(0.55, 0.72, 226, 14))
 LENS = RadialProfile((-0.3,))
 SEEN, STEPS = 0.68, 4
 """The distorted radius, and the number of steps drawn."""
@@ -29,6 +29,8 @@ def draw() -> Illustration:
     foot, wanted = PLOT.y.start, PLOT.at(0.62, SEEN)[1]
     marks = [
         PLOT.axes(),
+        PLOT.x_axis(Scale(ticks=(0.7, 0.8, 0.9, 1), tick_style="muted small")),
+        PLOT.y_axis(Scale(ticks=(0.55, 0.6, 0.65, 0.7), tick_style="muted small")),
         line((PLOT.x.start, wanted), (PLOT.x.end, wanted), "image dashed"),
         PLOT.curve(radii, evaluate(LENS, radii), "camera bold"),
     ]

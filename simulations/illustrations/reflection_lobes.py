@@ -48,7 +48,7 @@ def draw() -> Illustration:
             line((12, SPOT[1]), (288, SPOT[1]), "world bold"),
             line(SPOT, _place(0.0, 148), "muted thin dashed"),
             polygon([SPOT, *lobe], "ray fill"),
-            arrow(_place(-LIGHT_RAD, 150), _place(-LIGHT_RAD, 6), "light bold"),
+            arrow(_place(-LIGHT_RAD, 6), _place(-LIGHT_RAD, 150), "light bold"),
             line(SPOT, _place(LIGHT_RAD, 150), "muted thin dashed"),
             label(np.add(_place(0.0, 148), (6, 8)), "n", "muted italic"),
             label(np.add(_place(LIGHT_RAD, 150), (4, 4)), "r", "muted italic"),
@@ -57,7 +57,7 @@ def draw() -> Illustration:
         ]
         panels.append(Panel(name, title, 300.0, 190.0, overlay="".join(marks)))
     words = (
-        f"Light falls from the left, {math.degrees(LIGHT_RAD):.0f}° from the normal n. The "
+        f"The direction l to the lamp, on the left, is {math.degrees(LIGHT_RAD):.0f}° from the normal n. The "
         "distance of each outline from the lit spot is the brightness seen from that side. Chalk: "
         "a half circle, the same from everywhere. Satin paint adds a wide lobe about the mirrored "
         "direction r, glazed china a narrow one."

@@ -14,7 +14,7 @@ CENTRE, UNITS_PER_M = (128.0, 262.0), 36.0
 FOCAL = 2.0  # distance of the image plane, in the metres of the drawing
 START, ANGLE_RAD = (-2.0, 2.9), math.radians(32)
 """Start of the rail, X and Z, and its angle with the optical axis, to the right."""
-STEPS_M = (0.0, 1.0, 2.2, 3.8, 7.0, 15.0)
+STRIDE_M, STRIDES = 1.5, 11
 K = np.diag([FOCAL, FOCAL, 1.0])
 
 
@@ -46,13 +46,13 @@ def draw() -> Illustration:
         arrow(at(*on_rail(-1.6)), at(*on_rail(4.9)), "world bold"),
         line(centre, at(*far), "light dashed"),
     ]
-    for metres in STEPS_M:
+    for metres in STRIDE_M * np.arange(STRIDES):
         if on_rail(metres)[1] < 7.6:
             marks += [
                 line(centre, at(*on_rail(metres)), "ray thin"),
                 dot(at(*on_rail(metres)), "world", 4),
             ]
-        marks.append(dot(at(image(metres), FOCAL), "image", 3.5))
+        marks.append(dot(at(image(metres), FOCAL), "image", 2.5))
     vanish = at(end(), FOCAL)
     marks += [
         circle(vanish, 7, "light bold"),
@@ -65,7 +65,7 @@ def draw() -> Illustration:
     ]
     words = (
         f"From above: a straight rail runs off at {math.degrees(ANGLE_RAD):.0f}° to the right of "
-        "the optical axis. The images of points farther and farther along it creep towards the "
-        "point in which the ray parallel to the rail meets the image plane, and never pass it."
+        "the optical axis. The images of equal strides along it become shorter and shorter towards "
+        "the point in which the ray parallel to the rail meets the image plane, and never pass it."
     )
     return Illustration((Panel("plan", "", 400.0, 286.0, overlay="".join(marks)),), words)
