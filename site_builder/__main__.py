@@ -112,8 +112,10 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
                 print(f"{count} questions about figures are left out; they need --address")
         case "bench":
             from site_builder.assets.pages import write_scripts
-            from site_builder.benchmarks.measuring import bench
+            from site_builder.benchmarks.measuring import bench, measure_errors
 
+            if given.errors:
+                return measure_errors(ROOT, given.ladder)
             return bench(ROOT, given.ladder, write_scripts)
         case "guide":
             from site_builder.guide.pages import run_guide
@@ -201,6 +203,7 @@ def _parser() -> argparse.ArgumentParser:
     guide.add_argument("--build-only", action="store_true", help="do not serve it")
     bench = add("bench", "time and judge the ladders, here and in Chromium")
     bench.add_argument("--ladder", action="append", choices=[*LADDER_MODULES], default=[])
+    bench.add_argument("--errors", action="store_true", help="compute the errors, keep the times")
     new = add("new", "make a book, or a skeleton in this one, with its tests")
     new.add_argument("kind", choices=NEW)
     new.add_argument("name", help="such as falling-ball; of a book, its folder")

@@ -162,13 +162,13 @@ def _expected(name: str, names: Mapping[str, object]) -> str:
     return suggestion(name, names) or f"; legal: {', '.join(own) or 'none'}"
 
 
-def _compared(node: ast.Compare, names: Mapping[str, object]) -> bool:
-    left = _value(node.left, names)
+def _compared(node: ast.Compare, names: Mapping[str, object]) -> Any:
+    """True or False; of arrays, one for each element."""
+    left, holds = _value(node.left, names), True
     for sign, term in zip(node.ops, node.comparators, strict=True):
         if type(sign) not in COMPARISONS:
             raise ExpressionError(f"unknown comparison; legal: {'<, <=, >, >=, ==, !=, in'}")
         right = _value(term, names)
-        if not COMPARISONS[type(sign)](left, right):
-            return False
+        holds = np.logical_and(holds, COMPARISONS[type(sign)](left, right))
         left = right
-    return True
+    return holds if np.ndim(holds) else bool(holds)

@@ -12,6 +12,10 @@ from typing import Any
 type Clock = Callable[[], float]
 """Seconds, from any origin."""
 
+DRAWS = 64
+"""Workloads over which a ladder's errors are compared: 16 seeds in each of 4 pictures, angles or
+settings, or 64 of both at once."""
+
 
 @dataclass(frozen=True, slots=True)
 class Tier:
@@ -60,6 +64,9 @@ class Ladder:
     """Count of pixels or points of the workload; 0 if that is meaningless."""
     item: str = "pixel"
     """What is counted."""
+    draw: Callable[[int], Any] | None = None
+    """Makes a workload of the same kind with another seed, and another picture, angle or setting.
+    What is said of the errors has to hold over `DRAWS` of them."""
     sampled: tuple[str, ...] = ()
     """Tiers whose error is the noise of a finite sample, which more work averages out. Their
     efficiency is relative to the first."""
@@ -128,6 +135,24 @@ def measure_tier(
 
     low, _, high = statistics.quantiles(samples, n=4, method="inclusive")
     return TierResult(tier_id, statistics.median(samples), low, high, len(samples), errors)
+
+
+def errors_of_draws(
+    ladder: Ladder, draw: Callable[[int], Any], count: int = DRAWS
+) -> dict[str, dict[str, list[float]]]:
+    """The errors of all tiers on ``count`` workloads, by metric and tier."""
+    found: dict[str, dict[str, list[float]]] = {
+        metric.id: {tier.id: [] for tier in ladder.tiers} for metric in ladder.metrics
+    }
+    for index in range(count):
+        workload = draw(index)
+        reference = ladder.reference(workload)
+        for tier in ladder.tiers:
+            result = tier.run(workload)
+            for metric in ladder.metrics:
+                error = float(metric.measure(result, reference, workload))
+                found[metric.id][tier.id].append(error)
+    return found
 
 
 def _time_runs(tier: Tier, workload: Any, clock: Clock, runs: int) -> float:

@@ -57,9 +57,9 @@ def draw() -> Illustration:
         ]
         panels.append(Panel(name, title, 300.0, 190.0, overlay="".join(marks)))
     words = (
-        f"The direction l to the lamp, on the left, is {math.degrees(LIGHT_RAD):.0f}° from the normal n. The "
-        "distance of each outline from the lit spot is the brightness seen from that side. Chalk: "
-        "a half circle, the same from everywhere. Satin paint adds a wide lobe about the mirrored "
-        "direction r, glazed china a narrow one."
+        f"The direction l to the lamp, on the left, is {math.degrees(LIGHT_RAD):.0f}° from the "
+        "normal n. The distance of each outline from the lit spot is the brightness seen from that "
+        "side. Chalk: a half circle, the same from everywhere. Satin paint adds a wide lobe about "
+        "the mirrored direction r, glazed china a narrow one."
     )
     return Illustration(tuple(panels), words)

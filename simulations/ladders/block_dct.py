@@ -12,10 +12,20 @@ SIDE = 256
 
 def prepare() -> Floats:
     """Blocks (1024, 8, 8) of whole codes −128…127: waves that grow finer, an edge, grain."""
+    return _blocks(3, 60.0, 1.0)
+
+
+def draw(index: int) -> Floats:
+    """Other grain, finer or coarser waves, and edges of other slants."""
+    rng = np.random.default_rng(index)
+    return _blocks(index, rng.uniform(20.0, 100.0), rng.uniform(0.2, 5.0))
+
+
+def _blocks(seed: int, fineness: float, slope: float) -> Floats:
     y, x = np.mgrid[:SIDE, :SIDE] / SIDE
-    waves = 60.0 * np.cos(60.0 * np.pi * (x * x + y * y))
-    edge = np.where(x > y, 40.0, -40.0)
-    grain = 8.0 * np.random.default_rng(3).standard_normal((SIDE, SIDE))
+    waves = 60.0 * np.cos(fineness * np.pi * (x * x + y * y))
+    edge = np.where(x > slope * y, 40.0, -40.0)
+    grain = 8.0 * np.random.default_rng(seed).standard_normal((SIDE, SIDE))
     codes = np.clip(np.rint(waves + edge + grain), -128, 127)
     count = SIDE // BLOCK
     grid: Floats = codes.reshape(count, BLOCK, count, BLOCK).swapaxes(1, 2)
@@ -59,6 +69,7 @@ LADDER = Ladder(
         Metric("worst", "Largest error", "codes", worst_codes),
         Metric("changed", "Coefficients that round otherwise", "per million", changed_per_million),
     ),
+    draw=draw,
     default_tier="separable",
     items=65_536,
 )

@@ -36,21 +36,34 @@ class Workload:
 
     views: Views
     poor: tuple[Start, ...]
+    poses: Poses
+    """The true ones, hidden from the tiers."""
 
 
 def prepare() -> Workload:
-    views = sitting(TRUTH, SIZE, PHOTOGRAPHS, Board(), seed=2).views(NOISE_PX)
+    return _workload(2, 0)
+
+
+def draw(index: int) -> Workload:
+    """Other poses of the board and other noise."""
+    return _workload(100 + index, 1 + index)
+
+
+def _workload(seed: int, noise_seed: int) -> Workload:
+    session = sitting(TRUTH, SIZE, PHOTOGRAPHS, Board(), seed)
+    views = session.views(NOISE_PX, noise_seed)
     H = homographies(views)
     guesses = [Camera(s * TRUTH.fx, s * TRUTH.fx, 319.5, 239.5) for s in GUESSES]
-    return Workload(views, tuple((camera, poses_of(H, camera.matrix)) for camera in guesses))
+    return Workload(
+        views, tuple((camera, poses_of(H, camera.matrix)) for camera in guesses), session.poses
+    )
 
 
 def reference(workload: Workload) -> Floats:
     """(P, N, 2) corners predicted at the minimum: from the true camera, by derivatives that are
     differences, in one dense system."""
-    views = workload.views
+    views, poses = workload.views, workload.poses
     values = np.concatenate((TRUTH.values(FREE), np.zeros(6 * len(views))))
-    poses = sitting(TRUTH, SIZE, PHOTOGRAPHS, Board(), seed=2).poses
     for _ in range(8):
         J, off = _differences(views, values, poses)
         values = values - np.linalg.lstsq(J, off, rcond=1e-14)[0]
@@ -170,6 +183,7 @@ LADDER = Ladder(
         Metric("rms", "RMS distance from the minimum", "px", rms_px),
         Metric("arrived", "Poor starts that arrive", "%", arrived, higher_is_better=True),
     ),
+    draw=draw,
     default_tier="levenberg-marquardt",
     items=540,
     item="corner",

@@ -44,7 +44,16 @@ class Workload:
 
 
 def prepare() -> Workload:
-    along = centred(SIZE).astype(np.float32)
+    return _workload(0.0)
+
+
+def draw(index: int) -> Workload:
+    """Other places of the tiles on the grid, right and down from the axis."""
+    return _workload(float(np.random.default_rng(index).uniform(-0.5, 0.5) * TILE_PX))
+
+
+def _workload(shift_px: float) -> Workload:
+    along = (centred(SIZE) + shift_px).astype(np.float32)
     return Workload(along[None, :], along[:, None])
 
 
@@ -158,6 +167,7 @@ LADDER = Ladder(
         Metric("rms", "RMS error", "of range", rms),
         Metric("worst", "Largest error", "of range", worst),
     ),
+    draw=draw,
     default_tier="even-16",
     items=36_864,
 )

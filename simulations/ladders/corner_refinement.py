@@ -1,10 +1,11 @@
 """Corners of a chequerboard to parts of a pixel, from places that are right to a pixel."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
@@ -51,8 +52,19 @@ type Refine = Callable[[Part], Floats]
 
 
 def prepare() -> Workload:
-    random = np.random.default_rng(5)
-    view = _view()
+    return _photographed(_view(), LOOKS, 5, 0)
+
+
+def draw(index: int) -> Workload:
+    """Other leans of the board by up to 35°, other noise, and blurs of 1.5 to 3 px."""
+    rng = np.random.default_rng(index)
+    blurred = replace(LOOKS["blurred"], blur_px=rng.uniform(1.5, 3.0))
+    turn = rng.uniform((-0.4, -0.4, -0.2), (0.4, 0.4, 0.2))
+    return _photographed(_view(turn, 360.0), {**LOOKS, "blurred": blurred}, index, 3 * index)
+
+
+def _photographed(view: View, looks: Mapping[str, Look], start_seed: int, seed: int) -> Workload:
+    random = np.random.default_rng(start_seed)
     truth = true_corners(BOARD, view)
     indices = BOARD.indices.astype(int)
     lattice = lattice_of(truth, indices, light=False)
@@ -61,20 +73,20 @@ def prepare() -> Workload:
     return tuple(
         Part(
             name,
-            photograph_of(BOARD, view, replace(look, seed=seed)),
+            photograph_of(BOARD, view, replace(look, seed=seed + number)),
             truth + random.uniform(-OFF_PX, OFF_PX, truth.shape),
             edges,
             truth,
         )
-        for seed, (name, look) in enumerate(LOOKS.items())
+        for number, (name, look) in enumerate(looks.items())
     )
 
 
-def _view() -> View:
+def _view(turn_rad: ArrayLike = (0.5, 0.3, 0.1), depth: float = 340.0) -> View:
     """320 × 240 px, the board leaning by 35°, through a barrel lens."""
     pose = np.eye(4)
-    pose[:3, :3] = exponential(np.array([0.5, 0.3, 0.1]))
-    pose[:3, 3] = np.array([4.0, -6.0, 340.0]) - pose[:3, :3] @ [100.0, 62.5, 0.0]
+    pose[:3, :3] = exponential(np.asarray(turn_rad))
+    pose[:3, 3] = np.array([4.0, -6.0, depth]) - pose[:3, :3] @ [100.0, 62.5, 0.0]
     K = intrinsics(340.0, (161.3, 117.8))
     return View(320, 240, K, Distortion(k1=-0.3, k2=0.09), pose)
 
@@ -190,6 +202,7 @@ LADDER = Ladder(
         Metric("lit", "RMS error, unevenly lit", "px", partial(rms_px, look="lit")),
     ),
     default_tier="fit",
+    draw=draw,
     items=3 * 54,
     item="corner",
 )

@@ -16,7 +16,7 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.demosaicing import demosaic, mosaic
-from simulations.pictures.balloon import WHOLE
+from simulations.pictures.balloon import HEIGHT, WHOLE, WIDTH
 from simulations.pictures.mosaic_subjects import SUBJECTS
 
 PICTURES = ("room", "balloon", "soft")
@@ -36,6 +36,18 @@ class Workload:
 
 def prepare() -> Workload:
     pictures = tuple(SUBJECTS[name].draw(WHOLE) for name in PICTURES)
+    return Workload(pictures, tuple(mosaic(picture) for picture in pictures))
+
+
+def draw(index: int) -> Workload:
+    """Other parts of the pictures, shifted by up to 32 pixels and mirrored, so that other details
+    fall on other cells of the mosaic."""
+    top, left = np.random.default_rng(index).integers(0, 32, 2)
+    rows, columns = (slice(None, None, -1 if index & bit else 1) for bit in (1, 2))
+    part = slice(top, HEIGHT - 32 + top), slice(left, WIDTH - 32 + left)
+    pictures = tuple(
+        np.ascontiguousarray(picture[part][rows, columns]) for picture in prepare().pictures
+    )
     return Workload(pictures, tuple(mosaic(picture) for picture in pictures))
 
 
@@ -97,5 +109,6 @@ LADDER = Ladder(
         Metric("light", "PSNR, balloon, in light", "dB", _fidelity_in_light, higher_is_better=True),
     ),
     default_tier="menon-unrefined",
+    draw=draw,
     items=138_240,
 )

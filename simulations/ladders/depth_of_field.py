@@ -33,16 +33,23 @@ class Workload:
     """Metres: large, as the cards are large and metres away."""
     crop: int
     """Pixels of border that are left out, as no filter has the picture beyond it."""
+    seed: int = 7
+    """Of the rays that are drawn."""
 
 
-def workload_of(width: int, lens_radius: float, crop: int) -> Workload:
+def workload_of(width: int, lens_radius: float, crop: int, seed: int = 7) -> Workload:
     """The cards on a sensor of ``width`` columns."""
-    return Workload(cards.pixels(width, np.float32), lens_radius, crop)
+    return Workload(cards.pixels(width, np.float32), lens_radius, crop, seed)
 
 
 def prepare() -> Workload:
     """Discs of confusion of 4 pixels' radius for the nearest card, 2.8 for the wall."""
     return workload_of(80, lens_radius=0.18, crop=8)
+
+
+def draw(index: int) -> Workload:
+    """Other seeds, and lenses from half as wide to one and a half times as wide."""
+    return workload_of(80, 0.18 * np.random.default_rng(index).uniform(0.5, 1.5), 12, index)
 
 
 def radius_px(workload: Workload, depth: Floats | float) -> Floats:
@@ -96,18 +103,22 @@ def _fibonacci(workload: Workload, *, rays: int) -> Planes:
 
 def _random(workload: Workload, *, rays: int) -> Planes:
     """Every pixel uses its own random points of the lens: the error is grain."""
-    return _through(workload, random_disc(rays, workload.seen.shape, np.random.default_rng(7)))
+    return _through(workload, random_disc(rays, workload.seen.shape, _random_numbers(workload)))
 
 
 def _jittered(workload: Workload) -> Planes:
     """Every pixel uses its own random point in each of sixteen cells of the lens."""
-    return _through(workload, jittered_disc(2, 8, workload.seen.shape, np.random.default_rng(7)))
+    return _through(workload, jittered_disc(2, 8, workload.seen.shape, _random_numbers(workload)))
 
 
 def _turned(workload: Workload, *, rays: int) -> Planes:
     """All pixels use the same points of the lens, each rotated by its own random angle."""
-    spiral, rng = fibonacci_disc(rays), np.random.default_rng(7)
+    spiral, rng = fibonacci_disc(rays), _random_numbers(workload)
     return _through(workload, turned_disc(spiral, workload.seen.shape, rng))
+
+
+def _random_numbers(workload: Workload) -> np.random.Generator:
+    return np.random.default_rng(workload.seed)
 
 
 def _through(workload: Workload, points: Floats) -> Planes:
@@ -255,6 +266,7 @@ LADDER = Ladder(
     reference=reference,
     reference_label="4096 rays a pixel that hit or miss, by code of their own, in float64",
     metrics=METRICS,
+    draw=draw,
     default_tier="layered",
     items=4_800,
     sampled=("random-16", "jittered-16", "turned-16", "fibonacci-16", "fibonacci-64"),

@@ -45,6 +45,16 @@ def prepare() -> Workload:
     return disc_on(96, 37.3, (47.2, 48.9)), disc_on(16, 5.0, (7.2, 7.9))
 
 
+def draw(index: int) -> Workload:
+    """Other places of both discs on the grid, and other radii: 30 to 44 pixels and 4 to 6."""
+    rng = np.random.default_rng(index)
+    large, small = rng.uniform(30.0, 44.0), rng.uniform(4.0, 6.0)
+    return (
+        disc_on(96, large, (47.0 + rng.uniform(), 47.0 + rng.uniform())),
+        disc_on(16, small, (7.0 + rng.uniform(), 7.0 + rng.uniform())),
+    )
+
+
 def _each(coverage: Callable[[Disc], Floats]) -> Callable[[Workload], Result]:
     return lambda workload: [coverage(disc) for disc in workload]
 
@@ -208,5 +218,6 @@ LADDER = Ladder(
         Metric("worst-small", "Largest, radius 5", "% of a pixel", partial(worst, which=1)),
     ),
     default_tier="straight",
+    draw=draw,
     items=9_472,
 )

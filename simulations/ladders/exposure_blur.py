@@ -30,6 +30,8 @@ class Workload:
     """(1, 160)."""
     y: Floats
     """(96, 1)."""
+    seed: int
+    """Of the instants that are drawn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +45,14 @@ class Truth:
 
 
 def prepare() -> Workload:
-    return Workload(*moving_ball.grid())
+    return Workload(*moving_ball.grid(), seed=11)
+
+
+def draw(index: int) -> Workload:
+    """Other seeds, and other places of the ball and the wall on the grid."""
+    x, y = moving_ball.grid()
+    right, down = np.random.default_rng(index).uniform(-6.0, 6.0, 2)
+    return Workload(x + right, y + down, seed=index)
 
 
 def _instants(workload: Workload, *, count: int) -> Floats:
@@ -56,7 +65,7 @@ def _instants(workload: Workload, *, count: int) -> Floats:
 def _own_instants(workload: Workload, *, mean: OwnInstants, count: int) -> Floats:
     """Every pixel has its own random instants."""
     shape = (moving_ball.HEIGHT, moving_ball.WIDTH)
-    rng = np.random.default_rng(11)
+    rng = np.random.default_rng(workload.seed)
     behind = moving_ball.wall(workload.x, workload.y)
     return mean(
         lambda times: moving_ball.instant(workload.x, workload.y, times, behind), count, shape, rng
@@ -91,10 +100,10 @@ def _integral(workload: Workload) -> Floats:
     return moving_ball.exposed(workload.x, workload.y)
 
 
-def reference(_workload: Workload) -> Truth:
+def reference(workload: Workload) -> Truth:
     """The exact mean, from all moments in order at which a pixel changes; it is constant in
     between."""
-    x, y = (np.arange(size, dtype=float) for size in (moving_ball.WIDTH, moving_ball.HEIGHT))
+    x, y = workload.x.ravel(), workload.y.ravel()
     offset, height = np.broadcast_arrays(x - 58.1, y[:, None] - 47.3)
     half_chord = np.sqrt(np.clip(30.7**2 - height**2, 0.0, None))
     borders = [np.full_like(offset, border) for border in np.arange(-28.0, 29.0, 8.0)]
@@ -157,6 +166,7 @@ LADDER = Ladder(
         Metric("worst", "Largest error", "of range", worst),
     ),
     default_tier="integral",
+    draw=draw,
     items=15_360,
     sampled=("random-16", "jittered-16", "instants-4", "instants-16", "instants-64"),
 )

@@ -8,7 +8,7 @@ Source: Hartley and Zisserman, Multiple View Geometry, 2nd ed., §4.1, §4.2 and
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -40,6 +40,7 @@ class View:
 class Matches:
     """The data of a view for an estimator, and the points for comparison."""
 
+    view: View
     exact: Floats
     """(trials, points, 2) true pixels of the first picture, hidden from the estimators."""
     source: Floats
@@ -71,8 +72,19 @@ def prepare() -> Workload:
     return tuple(matches_of(view) for view in VIEWS)
 
 
-def matches_of(view: View) -> Matches:
-    rng = np.random.default_rng(13)
+def draw(index: int) -> Workload:
+    """Other matches and noise, with views that are slanted from half as much to a tenth more."""
+    slant = np.random.default_rng(index).uniform(0.5, 1.1)
+    views = (replace(view, homography=_slanted(view.homography, slant)) for view in VIEWS)
+    return tuple(matches_of(view, 100 + index) for view in views)
+
+
+def _slanted(homography: tuple[float, ...], factor: float) -> tuple[float, ...]:
+    return (*homography[:6], *(factor * each for each in homography[6:]))
+
+
+def matches_of(view: View, seed: int = 13) -> Matches:
+    rng = np.random.default_rng(seed)
     trials = TRIALS if view.noise_px else 1
     exact = rng.uniform(view.low, view.high, (trials, POINTS, 2))
     source, target = (
@@ -80,7 +92,7 @@ def matches_of(view: View) -> Matches:
         for seen in (exact, true_map(view, exact))
     )
     x, y = np.linspace(view.low, view.high, 12).T
-    return Matches(exact, source, target, np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2))
+    return Matches(view, exact, source, target, np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2))
 
 
 def true_map(view: View, points: Floats) -> Floats:
@@ -108,9 +120,7 @@ LOST_PX = 1000.0
 
 def reference(workload: Workload) -> tuple[Floats, ...]:
     """The test grids mapped by the true homographies."""
-    return tuple(
-        true_map(view, matches.check) for view, matches in zip(VIEWS, workload, strict=True)
-    )
+    return tuple(true_map(matches.view, matches.check) for matches in workload)
 
 
 def run(workload: Workload, *, estimate: Callable[[Floats, Floats], Floats]) -> Estimates:
@@ -129,8 +139,8 @@ def rms_px(
 ) -> float:
     """RMS distance in the second picture, over the test grids of these views."""
     squares = []
-    for view, H, true, matches in zip(VIEWS, result, truth, workload, strict=True):
-        if view.name in views:
+    for H, true, matches in zip(result, truth, workload, strict=True):
+        if matches.view.name in views:
             ours = mapped(H.reshape(-1, 9), matches.check)
             squares.append(np.fmin(((ours - true) ** 2).sum(axis=-1), LOST_PX**2).ravel())
     return float(np.sqrt(np.concatenate(squares).mean()))
@@ -307,6 +317,7 @@ LADDER = Ladder(
         Metric("wall", "RMS error, wall only", "px", partial(rms_px, views=("wall",))),
         Metric("exact", "RMS error without noise", "px", partial(rms_px, views=("exact",))),
     ),
+    draw=draw,
     default_tier="two-sided",
     items=33,
     item="homography",

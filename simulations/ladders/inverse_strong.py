@@ -9,11 +9,13 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
+import numpy as np
+
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.ladders import inverse_distortion
-from simulations.ladders.inverse_distortion import TIERS, Workload, workload_of
+from simulations.ladders.inverse_distortion import HEIGHT, TIERS, WIDTH, Workload, workload_of
 from simulations.models.arrays import Floats
-from simulations.models.distortion.lens_model import Distortion
+from simulations.models.distortion.lens_model import Distortion, largest_distorted_radius
 from simulations.models.distortion.undistortion import undistort_closed_form
 from simulations.models.error_measures import root_mean_square
 
@@ -23,6 +25,10 @@ PINCUSHION, BARREL = 0, 1
 type Points = tuple[Floats, ...]
 
 
+def _lenses(pincushion: Workload, barrel: Workload) -> Lenses:
+    return replace(pincushion, seen=pincushion.seen[::2]), replace(barrel, seen=barrel.seen[::2])
+
+
 def prepare() -> Lenses:
     """The pincushion's corners lie at r = 2 in the picture, and at 0.9 without the lens.
 
@@ -30,8 +36,17 @@ def prepare() -> Lenses:
     are at 99.9 % of its largest image radius.
     """
     lenses = (Distortion(k1=1.5), 200.0), (Distortion(k1=-0.3), 569.0)
-    pincushion, barrel = (workload_of(lens, focal_px) for lens, focal_px in lenses)
-    return replace(pincushion, seen=pincushion.seen[::2]), replace(barrel, seen=barrel.seen[::2])
+    return _lenses(*(workload_of(lens, focal_px) for lens, focal_px in lenses))
+
+
+def draw(index: int) -> Lenses:
+    """Other pincushions whose corners lie beyond k₁ r² = 1, and barrels seen to 99 to 99.9 % of
+    their largest radius."""
+    rng = np.random.default_rng(index)
+    pincushion, barrel = Distortion(k1=rng.uniform(1.3, 3.0)), Distortion(k1=-rng.uniform(0.1, 0.5))
+    corner = rng.uniform(0.99, 0.999) * largest_distorted_radius(barrel)
+    half_diagonal = 0.5 * float(np.hypot(WIDTH, HEIGHT))
+    return _lenses(workload_of(pincushion, 200.0), workload_of(barrel, half_diagonal / corner))
 
 
 def reference(workload: Lenses) -> Points:
@@ -81,6 +96,7 @@ LADDER = Ladder(
         Metric("fold", "Largest error, near the fold", "px", partial(worst_px, part=BARREL)),
     ),
     default_tier="closed-form",
+    draw=draw,
     items=76_800,
     item="point",
 )

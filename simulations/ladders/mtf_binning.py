@@ -4,7 +4,8 @@ The binned tiers follow ISO 12233: means over bins, differences of the means, a 
 Fourier sum, and a correction for the waves that means and differences take away.
 """
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
 
@@ -30,10 +31,28 @@ REACH = 20.0
 
 
 @dataclass(frozen=True, slots=True)
+class Edge:
+    """A slanted edge behind a lens."""
+
+    slant_deg: float
+    spot_px: float
+    """Standard deviation of the blur."""
+
+    @property
+    def slant_rad(self) -> float:
+        return math.radians(self.slant_deg)
+
+    def lens(self, frequency: Floats) -> Floats:
+        """Contrast left by the blur, at frequencies in cycles per pixel."""
+        factor: Floats = np.exp(-2.0 * (np.pi * self.spot_px * frequency) ** 2)
+        return factor
+
+
+@dataclass(frozen=True, slots=True)
 class Workload:
     """The located pixels of each picture, without noise and with it."""
 
-    angles_deg: tuple[float, ...]
+    edges: tuple[Edge, ...]
     clean: tuple[EdgePixels, ...]
     noisy: tuple[EdgePixels, ...]
 
@@ -46,26 +65,24 @@ class Halves:
     noisy: Floats
 
 
-def prepare(angles_deg: tuple[float, ...] = ANGLES_DEG) -> Workload:
+def prepare(angles_deg: Sequence[float] = ANGLES_DEG) -> Workload:
     """The ladder's workload; tests use other slants too."""
-    rng = np.random.default_rng(5)
-    pictures = [
-        edge_picture(HEIGHT, WIDTH, np.deg2rad(angle), lens) for angle, lens in _edges(angles_deg)
-    ]
+    return _workload([Edge(angle, spot) for angle in angles_deg for spot in SPOTS_PX], 5)
+
+
+def draw(index: int) -> Workload:
+    """Two slants from 2° to 43°, with blurs from 0.4 to 1.2 pixels, and other noise."""
+    rng = np.random.default_rng(index)
+    slants, spots = rng.uniform(2.0, 43.0, 2), rng.uniform(0.4, 1.2, 2)
+    return _workload([Edge(*map(float, pair)) for pair in zip(slants, spots, strict=True)], index)
+
+
+def _workload(edges: Sequence[Edge], seed: int) -> Workload:
+    rng = np.random.default_rng(seed)
+    pictures = [edge_picture(HEIGHT, WIDTH, edge.slant_rad, edge.lens) for edge in edges]
     noisy = [picture + rng.normal(0.0, NOISE, picture.shape) for picture in pictures]
-    return Workload(angles_deg, tuple(map(locate_edge, pictures)), tuple(map(locate_edge, noisy)))
-
-
-def _edges(angles_deg: tuple[float, ...]) -> Iterator[tuple[float, Callable[[Floats], Floats]]]:
-    """Slant and blur of each picture."""
-    for angle in angles_deg:
-        for spot in SPOTS_PX:
-            yield angle, partial(_gaussian, spot)
-
-
-def _gaussian(spot_px: float, frequency: Floats) -> Floats:
-    factor: Floats = np.exp(-2.0 * (np.pi * spot_px * frequency) ** 2)
-    return factor
+    located = (tuple(map(locate_edge, each)) for each in (pictures, noisy))
+    return Workload(tuple(edges), *located)
 
 
 def reference(workload: Workload) -> Halves:
@@ -74,9 +91,9 @@ def reference(workload: Workload) -> Halves:
     halves = np.array(
         [
             first_fall(
-                frequency, lens(frequency) * edge_transfer(frequency, np.deg2rad(angle)), 0.5
+                frequency, edge.lens(frequency) * edge_transfer(frequency, edge.slant_rad), 0.5
             )
-            for angle, lens in _edges(workload.angles_deg)
+            for edge in workload.edges
         ]
     )
     return Halves(halves, halves)
@@ -168,5 +185,6 @@ LADDER = Ladder(
         Metric("noisy", "Error of MTF50 at an SNR of 30", "%", noisy_error),
     ),
     default_tier="spline",
+    draw=draw,
     items=230_400,
 )

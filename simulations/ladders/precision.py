@@ -1,6 +1,6 @@
 """Precision of a projection in float32 and float64, near the origin and far from it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 
@@ -46,7 +46,22 @@ class Workload:
 
 
 def prepare() -> Workload:
-    rng = np.random.default_rng(11)
+    return _workload(11, CENTRES_M)
+
+
+def draw(index: int) -> Workload:
+    """Other points, and cameras in other directions from the world's origin."""
+    rng = np.random.default_rng(index)
+    centres = {}
+    for name, centre in CENTRES_M.items():
+        direction = rng.normal(size=3)
+        distance = np.linalg.norm(centre) / np.linalg.norm(direction)
+        centres[name] = tuple(UNIT_M * np.rint(direction * distance / UNIT_M))
+    return _workload(index, centres)
+
+
+def _workload(seed: int, centres_m: Mapping[str, tuple[float, ...]]) -> Workload:
+    rng = np.random.default_rng(seed)
     depth = rng.uniform(2.0, 20.0, COUNT)
     slope = rng.uniform(-0.5, 0.5, (COUNT, 2))
     camera_frame = np.column_stack([slope * depth[:, None], depth])
@@ -54,7 +69,7 @@ def prepare() -> Workload:
     steps = np.rint(camera_frame @ rotation / UNIT_M).astype(np.int64)
     places = {
         name: Place(np.array(centre), np.array(centre) + steps * UNIT_M)
-        for name, centre in CENTRES_M.items()
+        for name, centre in centres_m.items()
     }
     return Workload(steps, rotation, **places)
 
@@ -147,6 +162,7 @@ LADDER = Ladder(
         Metric("far", "RMS error, 6414 km from the origin", "px", rms_far_px),
         Metric("near", "RMS error, 6 m from the origin", "px", rms_near_px),
     ),
+    draw=draw,
     default_tier="relative-64",
     items=40_000,
     item="point",

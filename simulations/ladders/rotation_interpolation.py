@@ -28,8 +28,9 @@ class Workload:
     """(shares,) from 0 to 1."""
 
 
-def prepare() -> Workload:
-    rng = np.random.default_rng(7)
+def prepare(seed: int = 7) -> Workload:
+    """The ladder's workload; each draw has another seed and so other axes and other starts."""
+    rng = np.random.default_rng(seed)
     angle_deg = np.arange(float(PAIRS))
     axes = rng.standard_normal((PAIRS, 3))
     axes /= np.linalg.norm(axes, axis=-1, keepdims=True)
@@ -79,6 +80,7 @@ LADDER = Ladder(
         Metric("worst", "Largest error up to 179°", "°", worst_deg),
         Metric("worst-small", "Largest error up to 10°", "°", worst_small_deg),
     ),
+    draw=prepare,
     default_tier="slerp",
     items=5_760,
     item="rotation",

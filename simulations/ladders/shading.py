@@ -3,12 +3,13 @@
 from functools import partial
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
 from simulations.models.error_measures import root_mean_square
-from simulations.models.light.cell_blending import blend_cells, blend_normals
-from simulations.models.light.reflectance import blinn_phong, phong
+from simulations.models.light.cell_blending import blend_cells
+from simulations.models.light.reflectance import phong
 
 INTERVALS = 256
 """The picture has one pixel more each way, so that the corners of all grids are on pixels."""
@@ -26,8 +27,18 @@ def prepare() -> Floats:
     There the light is grazing or below the horizon, so the picture has smooth shading, a highlight
     and the edge of a shadow.
     """
-    x = np.linspace(-0.636, 0.636, INTERVALS + 1)
-    flat = np.stack(np.meshgrid(x, x), axis=-1)
+    return _cap((0.0, 0.0), 0.636)
+
+
+def draw(index: int) -> Floats:
+    """Other parts of the ball, up to a quarter smaller; all show the highlight."""
+    rng = np.random.default_rng(index)
+    return _cap(rng.uniform(-0.06, 0.06, 2), rng.uniform(0.48, 0.636))
+
+
+def _cap(middle: ArrayLike, reach: float) -> Floats:
+    x, y = np.asarray(middle)[:, None] + np.linspace(-reach, reach, INTERVALS + 1)
+    flat = np.stack(np.meshgrid(x, y), axis=-1)
     height = np.sqrt(1.0 - (flat * flat).sum(axis=-1, keepdims=True))
     return np.concatenate([flat, height], axis=-1).astype(np.float32)
 
@@ -48,25 +59,10 @@ def phong_pixels(normals: Floats) -> Floats:
     return phong(normals, LIGHT, VIEW, ALBEDO, specular=SPECULAR, shininess=SHININESS)
 
 
-def blinn_phong_pixels(normals: Floats) -> Floats:
-    """Four times the shininess gives a highlight of nearly the size of Phong's."""
-    return blinn_phong(normals, LIGHT, VIEW, ALBEDO, specular=SPECULAR, shininess=4 * SHININESS)
-
-
 def gouraud(normals: Floats, *, grid: int) -> Floats:
     """Phong's light at the grid's corners, interpolated across each cell (Gouraud 1971)."""
     corners = normals[:: INTERVALS // grid, :: INTERVALS // grid]
     return blend_cells(phong_pixels(corners), *normals.shape[:2])
-
-
-def blended_normals(normals: Floats, *, grid: int) -> Floats:
-    """Normals interpolated across each cell and lit in every pixel (Phong 1975).
-
-    A mesh has normals only at its corners. This workload has them in every pixel, so the
-    interpolation is extra work here: the tier shows its error, not its savings.
-    """
-    corners = normals[:: INTERVALS // grid, :: INTERVALS // grid]
-    return phong_pixels(blend_normals(corners, *normals.shape[:2]))
 
 
 def rms(result: Floats, truth: Floats, _normals: Floats) -> float:
@@ -93,22 +89,10 @@ LADDER = Ladder(
             for grid in GRIDS
         ),
         Tier(
-            "blinn-phong",
-            "Blinn–Phong in every pixel",
-            "2 cosines, 1 power a pixel",
-            blinn_phong_pixels,
-        ),
-        Tier(
             "phong",
             "Phong in every pixel",
             "2 cosines, 1 power a pixel",
             phong_pixels,
-        ),
-        Tier(
-            "blended-normals-16",
-            "Normals at 16 × 16 cells",
-            "9 blends, 1 norm, then as above",
-            partial(blended_normals, grid=16),
         ),
     ),
     reference=reference,
@@ -117,6 +101,7 @@ LADDER = Ladder(
         Metric("rms", "RMS error", "of white", rms),
         Metric("worst", "Largest error", "of white", worst),
     ),
+    draw=draw,
     default_tier="phong",
     items=66_049,
 )

@@ -24,19 +24,32 @@ class Workload:
     """Flat fields to be counted."""
 
     mean_e: Floats
-    """(levels, samples) float32, each row one of `LEVELS_E`."""
+    """(levels, samples) float32, each row one of ``levels_e``."""
+    levels_e: tuple[float, ...]
+    seed: int
+
+
+def workload_of(levels_e: tuple[float, ...], seed: int) -> Workload:
+    rows = np.repeat(np.array(levels_e, np.float32)[:, None], SAMPLES, axis=1)
+    return Workload(rows, levels_e, seed)
 
 
 def prepare() -> Workload:
-    rows = np.repeat(np.array(LEVELS_E, np.float32)[:, None], SAMPLES, axis=1)
-    return Workload(rows)
+    return workload_of(LEVELS_E, SEED)
 
 
-def reference(_workload: Workload) -> Floats:
+def draw(index: int) -> Workload:
+    """Other seeds, with the levels as they are or 1.2, 1.5 or 1.9 times as bright."""
+    brighter = (1.0, 1.2, 1.5, 1.9)[index % 4]
+    levels = tuple(min(brighter * level, LEVELS_E[-1]) for level in LEVELS_E)
+    return workload_of(levels, SEED + 1 + index // 4)
+
+
+def reference(workload: Workload) -> Floats:
     """P(N ≤ k), (levels, HIGHEST): the sums of the terms e^−λ λᵏ/k!."""
     terms = [
         [math.exp(k * math.log(mean) - mean - math.lgamma(k + 1)) for k in range(HIGHEST)]
-        for mean in LEVELS_E
+        for mean in workload.levels_e
     ]
     return np.cumsum(terms, axis=1)
 
@@ -56,14 +69,14 @@ def worst_distance(result: Floats, truth: Floats, _workload: Workload) -> float:
     return float(distances(result, truth).max())
 
 
-def worst_bias_percent(result: Floats, _truth: Floats, _workload: Workload) -> float:
+def worst_bias_percent(result: Floats, _truth: Floats, workload: Workload) -> float:
     """The mean of a Poisson distribution is its parameter."""
     means = result.mean(axis=1, dtype=np.float64)
-    return float(100.0 * np.abs(means / np.array(LEVELS_E) - 1.0).max())
+    return float(100.0 * np.abs(means / np.array(workload.levels_e) - 1.0).max())
 
 
 def _count(workload: Workload, model: ShotModel) -> Floats:
-    return shot_noise(workload.mean_e, np.random.default_rng(SEED), model=model)
+    return shot_noise(workload.mean_e, np.random.default_rng(workload.seed), model=model)
 
 
 LADDER = Ladder(
@@ -104,5 +117,6 @@ LADDER = Ladder(
         Metric("bias", "Largest bias of the mean", "%", worst_bias_percent),
     ),
     default_tier="quantile",
+    draw=draw,
     items=524_288,
 )

@@ -2,6 +2,8 @@
 
 from functools import partial
 
+import numpy as np
+
 from simulations.engine.ladder import Ladder, Tier
 from simulations.ladders.depth_of_field import (
     METRICS,
@@ -23,6 +25,11 @@ from simulations.models.lens.disc_pyramid import pyramid_blur
 def prepare() -> Workload:
     """Discs of 24 pixels' radius for the nearest card, of 17 for the wall."""
     return workload_of(160, lens_radius=0.55, crop=24)
+
+
+def draw(index: int) -> Workload:
+    """Lenses from half as wide to 1.2 times as wide."""
+    return workload_of(160, 0.55 * np.random.default_rng(index).uniform(0.5, 1.2), 28, index)
 
 
 def _by_taps(planes: Planes, radius_px: float) -> Planes:
@@ -61,6 +68,7 @@ LADDER = Ladder(
     reference=_reference,
     reference_label="2048 rays a pixel that hit or miss, by code of their own, in float64",
     metrics=METRICS,
+    draw=draw,
     default_tier="layered",
     items=19_200,
 )

@@ -104,15 +104,19 @@ def corner_normals(ball: Ball, cells: int) -> Picture:
     return unit_normals(x, y)
 
 
-# The normals that a tier computes light for: of all pixels, or of its grid's corners. Tiers are
-# rungs of the ladder `shading`; its Blinn–Phong is a control of a scene.
+# The normals that a tier computes light for: of all pixels, or of its grid's corners. The tiers are
+# rungs of the ladder `shading`, but for the blended normals. They save work in a mesh, which has no
+# others, and not in a picture that has normals in every pixel.
 LIT: Mapping[str, Callable[[Ball], Floats]] = {
     **{f"gouraud-{cells}": partial(corner_normals, cells=cells) for cells in (8, 16, 32, 64)},
     "phong": lambda ball: ball.normals,
     "blended-normals-16": lambda ball: blend_normals(corner_normals(ball, 16), *ball.inner.shape),
 }
 DEFAULT_TIER = "phong"
-TIER_LABELS = {"phong": "Light in every pixel"}
+TIER_LABELS = {
+    "phong": "Light in every pixel",
+    "blended-normals-16": "Normals at 16 × 16 cells",
+}
 
 
 def lit_normals(ball: Ball, tier: str) -> Floats:

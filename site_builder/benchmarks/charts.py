@@ -68,7 +68,7 @@ class Chart:
 def pareto_chart(measured: MeasuredLadder, words: Words = ENGLISH) -> Chart:
     """The chart, cached by what it shows."""
     metric = measured.metric
-    tiers = [(item.tier.id, item.tier.label, item.errors, item.times) for item in measured.tiers]
+    tiers = [(i.tier.id, i.tier.label, i.errors, i.times, i.draws) for i in measured.tiers]
     given = (tiers, metric.id, metric.label, metric.unit, metric.higher_is_better, words)
     return cached_result("chart", given, lambda: _draw(measured, words))
 
@@ -93,6 +93,12 @@ def _draw(measured: MeasuredLadder, words: Words) -> Chart:
         for i in measured.tiers
     ]
     spreads = [_spread(i, side, at(i, side)[1], time) for i in measured.tiers for side in SIDES]
+    spreads += [
+        ((x, error.position(low)), (x, error.position(high)))
+        for i in measured.tiers
+        if (ends := i.spread(measured.metric.id))
+        for (low, high), (x, _) in [(ends, at(i, "browser"))]
+    ]
     bars = [drawing.line(*bar, "image spread") for bar in spreads]
     joins = [(at(i, "native"), at(i, "browser")) for i in measured.tiers]
     lines = [*spreads, *joins, *(step for front in fronts for step in pairwise(front))]
@@ -121,7 +127,9 @@ def _time_axis(measured: MeasuredLadder) -> ChartAxis:
 def _error_axis(measured: MeasuredLadder) -> ChartAxis:
     """Errors grow upwards, so that low is good; ratios of signal to noise too: there high is."""
     higher = measured.metric.higher_is_better
-    values = [item.errors[measured.metric.id] for item in measured.tiers]
+    name = measured.metric.id
+    values = [item.errors[name] for item in measured.tiers]
+    values += [end for item in measured.tiers for end in item.spread(name) or () if end]
     some_free = any(value is None or (value == 0.0 and not higher) for value in values)
     finite = [value for value in values if value is not None]
     if higher or min(finite, default=0.0) < 0.0:

@@ -5,6 +5,7 @@ its noise.
 The default and the costs are those of the browser, where the book runs.
 """
 
+import math
 from dataclasses import dataclass
 
 from simulations.engine.frame import format_number, power_of_ten
@@ -39,6 +40,14 @@ def error_text(value: float | None, unit: str, words: Words = ENGLISH) -> str:
     if value is None:
         return "∞"
     return words.numeral(format_number(value, 1) if unit == "dB" else quantity(value))
+
+
+def range_text(spread: tuple[float, float] | None, unit: str, words: Words = ENGLISH) -> str:
+    """Both ends of a spread without their unit; one number where they read alike, none for None."""
+    if spread is None:
+        return ""
+    low, high = (error_text(None if math.isinf(end) else end, unit, words) for end in spread)
+    return low if low == high else f"{low}–{high}"
 
 
 def is_none(value: float | None, unit: str) -> bool:

@@ -9,18 +9,24 @@
         "tiers": {TIER: {
            "errors": {METRIC: number or null},   null: no error that the metric could see
            "native": {"ms", "low", "high", "samples"},    median and quartiles of
-           "browser": {"ms", "low", "high", "samples"}}}}}}    the quietest round
+           "browser": {"ms", "low", "high", "samples"}}},    the quietest round
+        "draws": {METRIC: {TIER: [number or null, …]}}}}}    on other workloads of the same kind
 
 Every number about speed or accuracy in the book is read through this module. What
 no longer fits the ladders' code is refused when a page asks for it.
 """
 
 import json
+import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
+from simulations.models.arrays import Floats
 from simulations.registry import load_ladder
 from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import cause
@@ -33,8 +39,14 @@ COMMAND = "python -m site_builder bench"
 SIDES = ("native", "browser")
 ROUNDING = 1e-12
 """Errors below this, in the units of any metric, are rounding: none is better than another."""
-EQUAL = 0.01
-"""Errors that differ by less than this share are equally good."""
+EQUAL, EQUAL_DB = 0.01, 0.1
+"""Errors that differ by less than this share, or by so many decibels, are equally good."""
+NINE_OF_TEN = 0.9
+
+
+def in_nine_of_ten(draws: ArrayLike) -> bool:
+    """Whether a condition holds in so many of its draws that the book states it."""
+    return float(np.mean(np.asarray(draws, bool))) >= NINE_OF_TEN
 
 
 class MeasurementError(CodeError):
@@ -61,6 +73,15 @@ class MeasuredTier:
     """By metric; None where the metric sees no error at all."""
     times: Mapping[str, Timing]
     """By side: ``native`` is CPython, ``browser`` the book's own Python in a browser."""
+    draws: Mapping[str, Floats] = field(default_factory=dict)
+    """(DRAWS,) errors on other workloads, by metric; empty where the ladder has no others."""
+
+    def spread(self, metric_id: str) -> tuple[float, float] | None:
+        """The errors between which nine of ten draws lie; None where there are no draws."""
+        if not len(errors := self.draws.get(metric_id, ())):
+            return None
+        low, high = np.quantile(errors, (0.05, 0.95), method="nearest")
+        return float(low), float(high)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +98,7 @@ class MeasuredLadder:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled by the names of its tiers, whose functions may be lambdas."""
-        tiers = [(item.tier.id, item.errors, item.times) for item in self.tiers]
+        tiers = [(item.tier.id, item.errors, item.times, item.draws) for item in self.tiers]
         return _restored, (self.ladder, tiers, self.metric.id, self.machine)
 
     def __getitem__(self, tier_id: str) -> MeasuredTier:
@@ -108,7 +129,8 @@ class MeasuredLadder:
     def beaten_by(self, item: MeasuredTier, side: str) -> MeasuredTier | None:
         """The quickest tier that is no worse and clearly faster, or None.
 
-        Clearly: three quarters of its runs take less time than three quarters of this one's.
+        Clearly: three quarters of its runs take less time than three quarters of this one's. No
+        worse: in nine of ten draws, where the ladder has draws.
         """
         winners = [
             other
@@ -118,10 +140,16 @@ class MeasuredLadder:
         return min(winners, key=lambda other: other.times[side].ms, default=None)
 
     def _no_worse(self, one: MeasuredTier, other: MeasuredTier) -> bool:
-        ours, theirs = self.loss(one), self.loss(other)
-        if not self.metric.higher_is_better and max(ours, theirs) < ROUNDING:
-            return True
-        return ours <= theirs + EQUAL * abs(theirs)
+        sign = -1.0 if self.metric.higher_is_better else 1.0
+        ours, theirs = (
+            sign * item.draws.get(self.metric.id, np.array([sign * self.loss(item)]))
+            for item in (one, other)
+        )
+        alike = np.abs(theirs) * EQUAL if self.metric.unit != "dB" else EQUAL_DB
+        no_worse = ours <= theirs + alike
+        if not self.metric.higher_is_better:
+            no_worse |= np.maximum(ours, theirs) < ROUNDING
+        return in_nine_of_ten(no_worse)
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +179,7 @@ class Measurements:
                         f"{DATA} is out of date: the {what} of ladder {ladder_id!r} "
                         f"changed from {measured} to {declared}; {again}"
                     )
-            tiers = tuple(_read_tier(ladder, tier, entry["tiers"]) for tier in ladder.tiers)
+            tiers = tuple(_read_tier(ladder, tier, entry) for tier in ladder.tiers)
         except (KeyError, TypeError) as error:
             raise MeasurementError(
                 f"{DATA}: ladder {ladder_id!r} is not as `{COMMAND}` writes it "
@@ -191,21 +219,28 @@ def _declarations(
     )
 
 
-def _read_tier(ladder: Ladder, tier: Tier, entries: Mapping[str, Any]) -> MeasuredTier:
-    entry = entries[tier.id]
-    errors = {metric.id: entry["errors"][metric.id] for metric in ladder.metrics}
-    return MeasuredTier(tier, errors, {side: Timing(**entry[side]) for side in SIDES})
+def _read_tier(ladder: Ladder, tier: Tier, entry: Mapping[str, Any]) -> MeasuredTier:
+    found, metrics = entry["tiers"][tier.id], [metric.id for metric in ladder.metrics]
+    errors = {metric: found["errors"][metric] for metric in metrics}
+    times = {side: Timing(**found[side]) for side in SIDES}
+    recorded = {metric: entry["draws"][metric][tier.id] for metric in metrics if ladder.draw}
+    return MeasuredTier(tier, errors, times, {name: _numbers(d) for name, d in recorded.items()})
+
+
+def _numbers(draws: Iterable[float | None]) -> Floats:
+    """The file has null for infinity."""
+    return np.array([math.inf if value is None else value for value in draws])
 
 
 def _restored(
     ladder: Ladder,
-    tiers: Iterable[tuple[str, Mapping[str, float | None], Mapping[str, Timing]]],
+    tiers: Iterable[
+        tuple[str, Mapping[str, float | None], Mapping[str, Timing], Mapping[str, Floats]]
+    ],
     metric_id: str,
     machine: Mapping[str, object],
 ) -> MeasuredLadder:
-    measured = tuple(
-        MeasuredTier(ladder.tier(tier), errors, times) for tier, errors, times in tiers
-    )
+    measured = tuple(MeasuredTier(ladder.tier(tier), *numbers) for tier, *numbers in tiers)
     return MeasuredLadder(ladder, measured, _find_metric(ladder, metric_id), machine)
 
 

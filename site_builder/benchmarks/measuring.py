@@ -4,9 +4,11 @@ Chromium's half is the book's own worker on an empty page, so that the ladders c
 while the book itself cannot be built for want of measurements.
 
 The two sides take turns, tier by tier and round by round, so that a busy minute of the machine
-falls on both. What is found goes into ``content/measurements.json``, from which all numbers,
-tables and charts of the book are made; ``measurements.py``, which reads it, describes it. A default
-that is no longer on the browser's front is named at the end.
+falls on both. The errors on other draws of the workload are computed in CPython alone; with
+``--errors`` only these and those of the workload are computed, and the times are kept. What is
+found goes into ``content/measurements.json``, from which all numbers, tables and charts of the book
+are made; ``measurements.py``, which reads it, describes it. A default that is no longer on the
+browser's front is named at the end.
 """
 
 import json
@@ -28,7 +30,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from simulations.engine.ladder import Ladder, TierResult, measure_tier
+from simulations.engine.ladder import Ladder, TierResult, errors_of_draws, measure_tier
 from simulations.registry import LADDER_MODULES, load_ladder
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import COMMAND, DATA, read_measurements
@@ -48,6 +50,11 @@ NOTHING = 1e-9
 """Errors below this are alike, zero included."""
 WIDTH = 100
 """Most characters in a line of the recorded files."""
+ONE_LINE = ("draws",)
+"""Names of long lists of numbers that nobody reads."""
+
+type Draws = Mapping[str, Mapping[str, Sequence[float]]]
+"""Errors by metric, tier and draw."""
 
 
 def describe_machine(browser: str, pyodide: str) -> dict[str, object]:
@@ -63,7 +70,9 @@ def describe_machine(browser: str, pyodide: str) -> dict[str, object]:
     }
 
 
-def ladder_record(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult]]]) -> Any:
+def ladder_record(
+    ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult]]], draws: Draws
+) -> Any:
     """One ladder's entry. ``results`` goes by tier, side (native, browser) and round."""
     return {
         "workload": ladder.workload,
@@ -76,6 +85,15 @@ def ladder_record(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult
             }
             for tier, (native, browser) in zip(ladder.tiers, results, strict=True)
         },
+        "draws": draws_record(draws),
+    }
+
+
+def draws_record(draws: Draws) -> Any:
+    """Errors of all draws, to four digits."""
+    return {
+        metric: {tier: [finite(value, 4) for value in values] for tier, values in tiers.items()}
+        for metric, tiers in draws.items()
     }
 
 
@@ -95,13 +113,13 @@ def significant(value: float, digits: int) -> float:
     return float(f"{value:.{digits}g}")
 
 
-def finite(value: float | None) -> float | None:
-    """Six digits; null for an infinite ratio of signal to noise, that is: no error at all."""
+def finite(value: float | None, digits: int = 6) -> float | None:
+    """So many digits; null for an infinite ratio of signal to noise, that is: no error at all."""
     if value is None or math.isinf(value):
         return None
     if math.isnan(value):
         raise ValueError("an error is NaN; legal: a number, or infinity where there is no error")
-    return significant(value, 6)
+    return significant(value, digits)
 
 
 def disagreements(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult]]]) -> list[str]:
@@ -144,7 +162,8 @@ def merge(
 
 
 def write(data: Mapping[str, Any], file: Path) -> None:
-    """An object stands on one line where it fits; otherwise each of its values begins a line."""
+    """An object stands on one line where it fits; otherwise each of its values begins a line, but
+    for those in `ONE_LINE`."""
     file.write_text(_laid_out(data) + "\n", encoding="utf-8")
 
 
@@ -156,7 +175,8 @@ def _laid_out(value: Any, depth: int = 0, before: int = 0) -> str:
     lines = []
     for name, inner in value.items():
         key = f"{' ' * (depth + 1)}{json.dumps(name, ensure_ascii=False)}: "
-        lines.append(key + _laid_out(inner, depth + 1, len(key)))
+        flat = json.dumps(inner, ensure_ascii=False, allow_nan=False)
+        lines.append(key + (flat if name in ONE_LINE else _laid_out(inner, depth + 1, len(key))))
     return "{\n" + ",\n".join(lines) + f"\n{' ' * depth}}}"
 
 
@@ -197,6 +217,32 @@ def measure_ladder(ladder: Ladder, meters: Sequence[Meter]) -> list[list[list[Ti
     return results
 
 
+def measure_errors(root: Path, chosen: Sequence[str]) -> int:
+    """Compute the errors of the ladders ``chosen`` anew, or of all, and keep their times. Returns 1
+    where a default is off the front, else 0."""
+    chosen = chosen or list(LADDER_MODULES)
+    data = json.loads((root / DATA).read_text(encoding="utf-8"))
+    for ladder in map(load_ladder, chosen):
+        entry, meter = data["ladders"][ladder.id], native_meter(ladder)
+        entry["tiers"] = {tier.id: entry["tiers"][tier.id] for tier in ladder.tiers}
+        for tier_id, tier in entry["tiers"].items():
+            errors = meter(ladder.id, tier_id, 0.0).errors
+            tier["errors"] = {name: finite(value) for name, value in errors.items()}
+        entry["draws"] = draws_record(_draws(ladder))
+        print(ladder.id, flush=True)
+    write(data, root / DATA)
+    return _told(misplaced_defaults(root, chosen))
+
+
+def _draws(ladder: Ladder) -> dict[str, dict[str, list[float]]]:
+    return errors_of_draws(ladder, ladder.draw) if ladder.draw else {}
+
+
+def _told(complaints: Sequence[str]) -> int:
+    print("\n".join(complaints), end="\n" if complaints else "", file=sys.stderr)
+    return 1 if complaints else 0
+
+
 def bench(root: Path, chosen: Sequence[str], write_scripts: WriteScripts) -> int:
     """Measure the ladders ``chosen`` of the book at ``root``, or all. Returns 1 where the two sides
     disagree or a default is off the front, else 0. Raises `MissingChromiumError`."""
@@ -207,14 +253,12 @@ def bench(root: Path, chosen: Sequence[str], write_scripts: WriteScripts) -> int
         for ladder in map(load_ladder, chosen):
             started = time.perf_counter()
             results = measure_ladder(ladder, (native_meter(ladder), side.measure))
-            ladders[ladder.id] = ladder_record(ladder, results)
+            ladders[ladder.id] = ladder_record(ladder, results, _draws(ladder))
             differing += disagreements(ladder, results)
             print(f"{ladder.id:24} {time.perf_counter() - started:6.1f} s", flush=True)
     write(merge(root / DATA, machine, ladders, LADDER_MODULES), root / DATA)
     print(f"{DATA} written after {time.perf_counter() - began:.0f} s")
-    complaints = differing + misplaced_defaults(root, chosen)
-    print("\n".join(complaints), end="\n" if complaints else "", file=sys.stderr)
-    return 1 if complaints else 0
+    return _told(differing + misplaced_defaults(root, chosen))
 
 
 def misplaced_defaults(root: Path, ladder_ids: Sequence[str]) -> list[str]:

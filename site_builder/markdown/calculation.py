@@ -2,6 +2,8 @@
 
 readout("lens-distortion", "corner", k1=-0.2)       what a figure shows at that setting
 measured("resampling", "nearest", "psnr-round")     a number from the benchmarks' file
+draws("resampling", "nearest", "psnr-round")        the same on other draws of the workload
+holds(draws(…) < draws(…))                          whether it is so in nine of ten draws
 2 * degrees(atan(18 / focal_mm))                    arithmetic
 
 A code block ``calc`` of the page imports functions of the models, names values, and asserts what
@@ -24,7 +26,8 @@ from markdown_it.token import Token
 from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate, evaluate_node
 from simulations.engine.frame import power_of_ten
-from site_builder.benchmarks.measurements import SIDES
+from simulations.models.arrays import Floats
+from site_builder.benchmarks.measurements import SIDES, in_nine_of_ten
 from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import CodeError, raised_by_code
@@ -112,7 +115,11 @@ def names_for(context: ParseContext) -> dict[str, object]:
         item = context.shared.measurements.find(ladder)[tier]
         return item.times[wanted].ms if wanted in SIDES else item.errors[wanted]
 
-    return {"readout": readout, "measured": measured, **context.values}
+    def draws(ladder: str, tier: str, metric: str) -> Floats:
+        return context.shared.measurements.find(ladder)[tier].draws[metric]
+
+    named = {"readout": readout, "measured": measured, "draws": draws, "holds": in_nine_of_ten}
+    return {**named, **context.values}
 
 
 def number(text: str, line: int, context: ParseContext, **more: object) -> float | None:

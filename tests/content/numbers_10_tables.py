@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 from scipy.ndimage import map_coordinates
 from scipy.special import j1
-from scipy.stats import norm
+from scipy.stats import norm, poisson
 from support.worked_numbers import Says
 
 from simulations.models.arrays import Floats
@@ -75,6 +75,14 @@ def gaussian_excess(mean: float) -> float:
     return float((counts * chances).sum() / mean - 1)
 
 
+def apart_from_poisson(mean: float) -> float:
+    """Share of the counts of that Gaussian that would have to change to be Poisson's."""
+    counts = np.arange(int(mean + 12 * np.sqrt(mean) + 20))
+    above, below = (norm.cdf((counts + side - mean) / np.sqrt(mean)) for side in (0.5, -0.5))
+    chances = above - np.where(counts == 0, 0, below)
+    return float(np.abs(chances - poisson.pmf(counts, mean)).sum() / 2)
+
+
 def white_without_falloff(corner_deg: float) -> float:
     """White, 4 : 3, whose corner lies so far off the axis: codes lost to cos⁴. Darker greys lose
     less."""
@@ -120,7 +128,8 @@ def what_may_be_left_out() -> Says:
     near, far = (codes_apart(with_fifth_power(corner), still) for corner in (0.1, 1.0))
     yield f"by less than 0.1 px | {near:.1f} codes | {far:.1f} codes at 1 px |"
     few, one = (100 * gaussian_excess(mean) for mean in (5, 1))
-    yield f"| 5 electrons or more arrive | {few:.1f} % in the mean | {one:.0f} % at 1 electron |"
+    others = 100 * apart_from_poisson(5)
+    yield f"| {few:.1f} % in the mean; {others:.1f} % of the counts are others | {one:.0f} % in"
     near, far = map(white_without_falloff, (4, 20))
     yield f"lie within 4° of the axis | {near:.1f} codes | {far:.1f} codes at 20° |"
     assert near < HALF_A_CODE

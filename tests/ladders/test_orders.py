@@ -76,8 +76,7 @@ ORDERS = [
     ("shading", "3.3 < rms.gouraud_8 / rms.gouraud_16 < 4.3"),
     ("shading", "3.3 < rms.gouraud_16 / rms.gouraud_32 < 4.3"),
     ("shading", "3.3 < rms.gouraud_32 / rms.gouraud_64 < 4.3"),
-    ("shading", "worst.gouraud_16 > 20 * worst.blended_normals_16"),
-    ("shading", "worst.phong < 1e-5 and 1e-4 < worst.blinn_phong < 0.02"),
+    ("shading", "worst.phong < 1e-5"),
     ("shot-noise", "ks.gaussian > 2 * ks.skewed > 10 * ks.poisson"),
     ("shot-noise", "bias.skewed > 20 > 5 > max(bias.quantile, bias.poisson)"),
 ]

@@ -6,6 +6,7 @@ LADDER TIER each                time in the browser for one pixel or point
 LADDER TIER frame               the same time as a share of a thirtieth of a second
 LADDER TIER efficiency          1/(variance × time) beside the ladder's first tier
 LADDER TIER METRIC bare         a number without its unit
+LADDER TIER METRIC range        what nine of ten draws of the workload lie between, with its unit
 LADDER TIER over TIER METRIC    how many times as much the first is as the second
 tiers, beaten                   how many there are of all ladders
 processor, python, numpy, …     what it was measured on
@@ -20,6 +21,7 @@ from site_builder.benchmarks.judgements import (
     milliseconds,
     nanoseconds_each,
     quantity,
+    range_text,
     with_unit,
 )
 from site_builder.benchmarks.measurements import (
@@ -51,9 +53,16 @@ def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH
         case [ladder, tier, wanted, "bare"]:
             measured = measurements.find(ladder)
             return error_text(*_value(measured, tier, wanted), words)
+        case [ladder, tier, wanted, "range"]:
+            return _range(measurements.find(ladder), tier, wanted, words)
         case [ladder, tier, "over", other, wanted]:
             return words.numeral(_ratio(measurements.find(ladder), tier, other, wanted))
     raise MeasurementError(f"{{measured}} {asked!r}; {LEGAL}")
+
+
+def _range(measured: MeasuredLadder, tier: str, metric: str, words: Words) -> str:
+    _, unit = _value(measured, tier, metric)
+    return with_unit(range_text(measured[tier].spread(metric), unit, words), unit)
 
 
 def _about_all(name: str, measurements: Measurements) -> str:

@@ -13,6 +13,7 @@ from site_builder.benchmarks.judgements import (
     is_none,
     nanoseconds_each,
     quantity,
+    range_text,
     verdict,
     with_unit,
 )
@@ -27,7 +28,8 @@ class TierRow:
     """One line of a ladder's table."""
 
     measured: MeasuredTier
-    errors: tuple[str, ...]
+    errors: tuple[tuple[str, str], ...]
+    """By metric: the error, and what nine of ten draws lie between."""
     unit_cost: str
     """Time for a pixel or point, share of a frame, and efficiency, in the browser."""
     verdict: str
@@ -99,7 +101,13 @@ def _metrics(measured: MeasuredLadder) -> tuple[Metric, ...]:
 def _row(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> TierRow:
     return TierRow(
         measured=item,
-        errors=tuple(error_text(item.errors[m.id], m.unit, words) for m in _metrics(measured)),
+        errors=tuple(
+            (
+                error_text(item.errors[m.id], m.unit, words),
+                range_text(item.spread(m.id), m.unit, words),
+            )
+            for m in _metrics(measured)
+        ),
         unit_cost=_unit_cost(measured, item, words),
         verdict=verdict(measured, item, words),
         beaten=any(measured.beaten_by(item, side) for side in SIDES),
