@@ -77,7 +77,7 @@ def tier_labels(
     labels = dict(scene.tier_labels)
     if scene.ladder:
         ladder = load(scene.ladder)
-        labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
+        labels = {tier.id: tier.label for tier in ladder.tiers} | labels
     return tuple((tier, labels[tier]) for tier in scene.tiers)
 
 

@@ -240,7 +240,10 @@ def _restored(
     metric_id: str,
     machine: Mapping[str, object],
 ) -> MeasuredLadder:
-    measured = tuple(MeasuredTier(ladder.tier(tier), *numbers) for tier, *numbers in tiers)
+    measured = tuple(
+        MeasuredTier(ladder.tier(tier), errors, times, draws)
+        for tier, errors, times, draws in tiers
+    )
     return MeasuredLadder(ladder, measured, _find_metric(ladder, metric_id), machine)
 
 

@@ -81,7 +81,7 @@ def gains_of_demosaicing(name: str) -> Floats:
 
 def what_photographs_say_of_demosaicing() -> Says:
     each = [np.median(gains_of_demosaicing(name), axis=0).round(1) + 0.0 for name in PHOTOGRAPHS]
-    light, shown = np.moveaxis(each, -1, 0)
+    light, shown = np.moveaxis(np.array(each), -1, 0)
 
     def row(values: Floats) -> str:
         *first, last = (f"{value:.1f}".replace("-", "−") for value in values)

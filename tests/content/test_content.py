@@ -139,12 +139,13 @@ def test_the_recorded_errors_are_those_of_the_code_and_the_default_is_on_the_fro
             then = item.errors[metric.id]
             assert close(now, then), f"{item.tier.id} {metric.id}: {now}, was {then}"
     assert off_the_front(recorded) == ""
-    assert ladder.draw, "without draws every verdict would rest on one workload"
-    for metric, tiers in errors_of_draws(ladder, lambda _: ladder.draw(5), 1).items():
-        for tier, (now,) in tiers.items():
-            then = recorded[tier].draws[metric]
-            assert then.size == DRAWS
-            assert close(finite(now), finite(then[5])), f"{tier} {metric}: {now}, was {then[5]}"
+    draw = ladder.draw
+    assert draw, "without draws every verdict would rest on one workload"
+    for name, tiers in errors_of_draws(ladder, lambda _: draw(5), 1).items():
+        for tier, (error,) in tiers.items():
+            before = recorded[tier].draws[name]
+            assert before.size == DRAWS
+            assert close(finite(error), finite(before[5])), f"{tier} {name}: was {before[5]}"
 
 
 def test_the_recorded_shares_of_the_camera_bear_the_claims_of_the_book() -> None:

@@ -102,7 +102,8 @@ def _tier(row: TierRow, default: bool, page: ChapterPage) -> list[str]:
     label = f"**{escaped(tier.label)}**" if default else escaped(tier.label)
     took = (page.words.numeral(milliseconds(times[side].ms)) for side in ("native", "browser"))
     work = _lines(*_escaped((tier.cost, row.unit_cost)))
-    return [label, work, *_escaped((*row.errors, *took, row.verdict))]
+    errors = (_lines(*_escaped(parts)) for parts in row.errors)
+    return [label, work, *errors, *_escaped((*took, row.verdict))]
 
 
 def ladder_table(shown: LadderTable, block: Block, page: ChapterPage) -> Iterator[Part]:
