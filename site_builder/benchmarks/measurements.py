@@ -23,10 +23,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
-from simulations.models.arrays import Floats
 from simulations.registry import load_ladder
 from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import cause
@@ -73,7 +72,7 @@ class MeasuredTier:
     """By metric; None where the metric sees no error at all."""
     times: Mapping[str, Timing]
     """By side: ``native`` is CPython, ``browser`` the book's own Python in a browser."""
-    draws: Mapping[str, Floats] = field(default_factory=dict)
+    draws: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)
     """(DRAWS,) errors on other workloads, by metric; empty where the ladder has no others."""
 
     def spread(self, metric_id: str) -> tuple[float, float] | None:
@@ -227,7 +226,7 @@ def _read_tier(ladder: Ladder, tier: Tier, entry: Mapping[str, Any]) -> Measured
     return MeasuredTier(tier, errors, times, {name: _numbers(d) for name, d in recorded.items()})
 
 
-def _numbers(draws: Iterable[float | None]) -> Floats:
+def _numbers(draws: Iterable[float | None]) -> NDArray[np.float64]:
     """The file has null for infinity."""
     return np.array([math.inf if value is None else value for value in draws])
 
@@ -235,7 +234,9 @@ def _numbers(draws: Iterable[float | None]) -> Floats:
 def _restored(
     ladder: Ladder,
     tiers: Iterable[
-        tuple[str, Mapping[str, float | None], Mapping[str, Timing], Mapping[str, Floats]]
+        tuple[
+            str, Mapping[str, float | None], Mapping[str, Timing], Mapping[str, NDArray[np.float64]]
+        ]
     ],
     metric_id: str,
     machine: Mapping[str, object],

@@ -22,11 +22,11 @@ from typing import Any
 
 import numpy as np
 from markdown_it.token import Token
+from numpy.typing import NDArray
 
 from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate, evaluate_node
 from simulations.engine.frame import power_of_ten
-from simulations.models.arrays import Floats
 from site_builder.benchmarks.measurements import SIDES, in_nine_of_ten
 from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import cached
@@ -115,7 +115,7 @@ def names_for(context: ParseContext) -> dict[str, object]:
         item = context.shared.measurements.find(ladder)[tier]
         return item.times[wanted].ms if wanted in SIDES else item.errors[wanted]
 
-    def draws(ladder: str, tier: str, metric: str) -> Floats:
+    def draws(ladder: str, tier: str, metric: str) -> NDArray[np.float64]:
         return context.shared.measurements.find(ladder)[tier].draws[metric]
 
     named = {"readout": readout, "measured": measured, "draws": draws, "holds": in_nine_of_ten}
