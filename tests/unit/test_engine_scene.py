@@ -179,7 +179,7 @@ def test_a_module_without_a_scene_of_its_name_is_refused(
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
-def test_every_tier_of_a_scene_without_a_label_of_its_own_is_a_rung_of_its_ladder(scene_id: str) -> None:
+def test_tiers_without_a_label_of_their_own_are_rungs_of_the_ladder(scene_id: str) -> None:
     scene = load_scene(scene_id)
     if scene.ladder:
         rungs = [tier.id for tier in load_ladder(scene.ladder).tiers]
