@@ -9,7 +9,6 @@ from simulations.models.calibration.bundle_adjustment import refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera
 from simulations.models.calibration.left_out import growth, left_out_px
 from simulations.models.calibration.model_choice import (
-    akaike,
     compare,
     compare_first,
     supported,
@@ -47,11 +46,6 @@ def test_a_draft_of_few_steps_has_the_same_models_and_supports_the_same(count: i
     assert supported(draft).lens == supported(whole).lens
     for one, other in zip(draft, whole, strict=True):
         assert abs(one.fit.camera.fx - other.fit.camera.fx) < other.uncertainty.errors["fx"]
-
-
-def test_akaike_charges_two_for_each_parameter() -> None:
-    assert akaike(100, 25.0, 7) - akaike(100, 25.0, 5) == pytest.approx(4.0)
-    assert akaike(100, 50.0, 5) - akaike(100, 25.0, 5) == pytest.approx(100 * np.log(2))
 
 
 def test_coverage_counts_corners_and_measures_tilt_and_distance() -> None:
@@ -102,20 +96,11 @@ def errors_in_units(runs: int, count: int, sigma_px: float) -> np.ndarray:
     return np.array(rows)
 
 
-def check_coverage(runs: int, tolerance: float) -> None:
-    off = errors_in_units(runs, 6, 0.2)
-    assert np.mean(np.abs(off) < 1.0) == pytest.approx(0.683, abs=tolerance)
-    assert np.mean(np.abs(off) < 2.0) == pytest.approx(0.954, abs=tolerance)
-    assert np.abs(off.mean(axis=0)).max() < 4.0 / np.sqrt(runs)
-
-
 def test_the_truth_lies_within_the_stated_errors_at_the_stated_rate() -> None:
-    check_coverage(60, 0.08)
-
-
-@pytest.mark.deep
-def test_the_truth_lies_within_the_stated_errors_at_the_stated_rate_over_many_runs() -> None:
-    check_coverage(1000, 0.02)
+    off = errors_in_units(60, 6, 0.2)
+    assert np.mean(np.abs(off) < 1.0) == pytest.approx(0.683, abs=0.08)
+    assert np.mean(np.abs(off) < 2.0) == pytest.approx(0.954, abs=0.08)
+    assert np.abs(off.mean(axis=0)).max() < 4.0 / np.sqrt(60)
 
 
 @pytest.mark.parametrize("lens", ["k1k2", "p1p2", "k3"])

@@ -35,23 +35,6 @@ from simulations.models.light.reflectance import (
 FRONT = np.array([0.0, 0.0, 1.0])
 
 
-@pytest.mark.parametrize("shininess", [0, 0.5, 128, 1e6])
-@pytest.mark.parametrize("slant_deg", [0, 45, 89, 90])
-def test_light_opposite_to_the_eye_gives_no_highlight(shininess: float, slant_deg: float) -> None:
-    """Whatever faces the light turns its back on the eye; no power of a missing cosine is 1."""
-    slant = math.radians(slant_deg)
-    normal = [math.sin(slant), 0, math.cos(slant)]
-    for light in (
-        [0, 0, 1.0],
-        [0, 0, 1 + 9e-5],
-        [9e-5, 0, 1.0],
-    ):  # as far off as a direction may be
-        shade = blinn_phong(normal, light, -FRONT, 0.0, shininess=shininess)
-        assert shade == 0
-    fields = blinn_phong(np.array([normal] * 2), [FRONT, FRONT], [FRONT, -FRONT], 0.0, shininess=0)
-    assert fields.tolist() == [0.5 if math.cos(slant) > 0 else 0, 0]
-
-
 NONE, ALONG = np.zeros(3), np.array([1.0, 0, 0])
 ABOVE_ONE = np.array([1 + np.finfo(np.float32).eps, 0, 0], np.float32)
 SIDE, SLANTED = np.array([0, 1.0, 0]), np.array([math.sin(1), 0, math.cos(1)])

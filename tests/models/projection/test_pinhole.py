@@ -61,20 +61,6 @@ def test_homogeneous_points_in_front_have_their_pixel_and_others_none(
     assert found == pytest.approx(pixel, nan_ok=True)
 
 
-@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
-def test_a_field_of_view_is_an_angle_of_similar_triangles(unit: float) -> None:
-    angle = pinhole.field_of_view_rad(50.0 * unit, 36.0 * unit)
-    assert angle == pytest.approx(2 * math.atan(18 / 50))
-
-
-def test_a_ray_through_a_pixel_centre_projects_back_to_it() -> None:
-    rays = pinhole.pixel_rays(K, 7, 5)
-    pixels, valid = pinhole.project(3.0 * rays, K)
-    rows, columns = np.mgrid[:5, :7]
-    assert valid.all()
-    assert pixels == pytest.approx(np.stack([columns, rows], axis=-1), abs=1e-12)
-
-
 @pytest.mark.parametrize(
     ("eye", "target", "up", "axes"),
     [
