@@ -10,11 +10,10 @@ from functools import partial
 import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, centred
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.chromatic_aberration import Glass, lateral_chromatic_scale
 from simulations.models.lens.spectral_bands import chosen_wavelengths, even_wavelengths
-from simulations.models.pixel_grid import centred
 from simulations.pictures.patterns import checker
 
 SIZE = 192

@@ -13,9 +13,8 @@ from functools import partial
 import numpy as np
 
 from simulations.engine.ladder import DRAWS, Ladder, Metric, Tier
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, centred
 from simulations.models.error_measures import psnr_db
-from simulations.models.pixel_grid import centred
 from simulations.models.sampling.fine_detail import FineDetail, fine_detail
 from simulations.models.sampling.resampling import gather, gather_table
 from simulations.pictures.round_windows import PICTURES, RADIUS_PX, SIZE

@@ -1,4 +1,5 @@
-"""Array types of the models, and the conversions that every model starts with."""
+"""Array types of the models, the conversions that every model starts with, and positions and
+quantiles."""
 
 from typing import Any
 
@@ -72,3 +73,17 @@ def through_matrix(matrix: ArrayLike, colours: ArrayLike) -> Floats:
     values = as_colours(colours)
     with np.errstate(over="ignore", invalid="ignore"):
         return values @ np.asarray(matrix, values.dtype).T
+
+
+def centred(count: int) -> Floats:
+    """Centres (count,) of a row of pixels, from the middle of the row: whole numbers or halves."""
+    return np.arange(count) - 0.5 * (count - 1)
+
+
+def quantile_of(values: Floats, share: float = 0.5) -> float:
+    """The value (...) that this share of all is below; by default the middle one.
+
+    `np.median` and `np.percentile` would load all of `np.ma` in the browser. NaN counts as the
+    largest. Raises `IndexError` if there are no values.
+    """
+    return float(np.sort(values, axis=None)[round(share * (values.size - 1))])

@@ -5,8 +5,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.require import require_positive
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require_positive
 
 
 def root_mean_square(errors: ArrayLike) -> float:

@@ -1,6 +1,6 @@
 """Checks of parameters; errors state the name, the value, and what is legal.
 
-See `whole_numbers.as_whole` for whole numbers, and `arrays` for shapes of arrays.
+See `arrays` for shapes of arrays.
 """
 
 import math
@@ -32,3 +32,15 @@ def _shown(value: object) -> str:
     if isinstance(value, np.ndarray):
         return str(value.tolist()) if value.size <= MOST_SHOWN else f"of shape {value.shape}"
     return repr(value) if isinstance(value, str) else str(value)
+
+
+def as_whole(name: str, value: float, least: int, most: int | None = None) -> int:
+    """``value`` as an int; 50.0 is accepted as 50. Raises `ValueError`, naming the parameter, its
+    value and the legal range, for fractions, NaN, infinities and numbers outside ``least`` to
+    ``most``.
+    """
+    whole = math.isfinite(value) and value == math.floor(value)
+    inside = least <= value and (most is None or value <= most)
+    legal = f"{least} or more" if most is None else f"{least} to {most}"
+    require(name, value, whole and inside, f"whole numbers, {legal}")
+    return int(value)

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.models.arrays import Floats
-from simulations.models.pixel_grid import centred
+from simulations.models.arrays import Floats, centred
 from simulations.pictures.patterns import checker, stripes
 
 type Place = Floats | float

@@ -10,11 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, Mask
+from simulations.models.arrays import Floats, Mask, centred
 from simulations.models.geometry.rotations import check_rotation
-from simulations.models.pixel_grid import centred
-from simulations.models.require import require_positive
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require_positive
 from simulations.pictures.patterns import band, blend, checker, stripes
 
 LOW = (-2.35, -1.75, -1.0)  # left wall, ceiling, and a wall behind the eye (never seen)

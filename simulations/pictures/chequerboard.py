@@ -18,8 +18,7 @@ from simulations.models.chequerboard.board import Board
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort, undistort
 from simulations.models.projection.pinhole import project
-from simulations.models.require import require, require_positive
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require, require_positive
 
 type Codes = NDArray[np.uint8]
 

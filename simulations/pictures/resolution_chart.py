@@ -9,10 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats
-from simulations.models.pixel_grid import centred
-from simulations.models.require import require_positive
-from simulations.models.whole_numbers import as_whole
+from simulations.models.arrays import Floats, centred
+from simulations.models.require import as_whole, require_positive
 from simulations.pictures.patterns import band, blend, checker, siemens_star, stripes
 
 PAPER, INK, RULE = (0.82, 0.81, 0.78), (0.025, 0.028, 0.035), (0.10, 0.22, 0.34)

@@ -12,10 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.raster import to_rgba8
-from simulations.models.arrays import Floats, Mask
+from simulations.models.arrays import Floats, Mask, centred
 from simulations.models.color.srgb import encode_srgb
-from simulations.models.pixel_grid import centred
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole
 
 WIDTH, HEIGHT = 480, 360
 RADIUS = 138.0  # outer edge of the rim, pixels

@@ -28,6 +28,9 @@ from simulations.models.compression import jpeg
 from simulations.models.compression.blocks import (
     BLOCK,
     DCT,
+    RANK,
+    ZIGZAG,
+    first_in_order,
     quantise_plane,
     round_outwards,
     to_blocks,
@@ -35,7 +38,6 @@ from simulations.models.compression.blocks import (
 from simulations.models.compression.chroma_subsampling import coarsen, subsampling_factor
 from simulations.models.compression.cosine_transforms import TRANSFORMS, exact_block_dct
 from simulations.models.compression.entropy import Size, size
-from simulations.models.compression.zigzag import RANK, ZIGZAG, first_in_order
 from simulations.models.error_measures import psnr_db
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX

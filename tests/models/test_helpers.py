@@ -6,12 +6,17 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from simulations.models.arrays import Floats, as_array, as_floats, as_matrices, as_vectors
+from simulations.models.arrays import (
+    Floats,
+    as_array,
+    as_floats,
+    as_matrices,
+    as_vectors,
+    quantile_of,
+)
 from simulations.models.error_measures import psnr_db, root_mean_square
 from simulations.models.least_squares import levenberg_marquardt
-from simulations.models.quantiles import quantile_of
-from simulations.models.require import require
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require
 
 FLAT = np.zeros((20, 30))
 

@@ -3,8 +3,7 @@
 import numpy as np
 from scipy.special import erf
 
-from simulations.models.arrays import Floats
-from simulations.models.pixel_grid import centred
+from simulations.models.arrays import Floats, centred
 
 
 def gaussian_edge(

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.require import require_positive
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require_positive
 
 RULER_MM, RULER_STEP_MM = 100, 10
 """Largest length and divisions of the ruler, by which a reader checks the size of the print."""

@@ -4,13 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.models.arrays import Floats, Mask
+from simulations.models.arrays import Floats, Mask, quantile_of
 from simulations.models.chequerboard.corner_fit import Fit, fit_corners
 from simulations.models.chequerboard.corner_windows import Picture, windows
 from simulations.models.chequerboard.grid_recovery import corners_of, in_squares
 from simulations.models.chequerboard.local_lattice import Lattice, Prediction, predict
 from simulations.models.chequerboard.quadratic_saddle import quadratic_saddle
-from simulations.models.quantiles import quantile_of
 
 WINDOW, SMALLEST_WINDOW, LARGEST_WINDOW = 0.45, 2, 10
 """Radius of a corner's window in squares; its least and its largest in px."""

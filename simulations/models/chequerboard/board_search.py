@@ -8,14 +8,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.models.arrays import Floats, Planes
+from simulations.models.arrays import Floats, Planes, quantile_of
 from simulations.models.chequerboard.corner_links import link_corners, walk
 from simulations.models.chequerboard.corner_windows import LUMA, Picture
 from simulations.models.chequerboard.grid_recovery import FEWEST as SEED
 from simulations.models.chequerboard.grid_recovery import MOST, corners_of, recover_grid
 from simulations.models.chequerboard.local_lattice import Lattice, lattice_of, predict
 from simulations.models.chequerboard.saddle_points import find_saddles, smoothed
-from simulations.models.quantiles import quantile_of
 
 STRIP = 64
 """Rows of the result that are made at once, which bounds the memory for large photographs."""

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, quantile_of
 from simulations.models.chequerboard.board_refinement import refine_board
 from simulations.models.chequerboard.board_search import (
     FEW,
@@ -35,7 +35,6 @@ from simulations.models.chequerboard.local_lattice import Lattice, Whole
 from simulations.models.error_measures import root_mean_square
 from simulations.models.geometry.homography_estimation import estimate_homography
 from simulations.models.geometry.transforms import apply_homography
-from simulations.models.quantiles import quantile_of
 
 STEPS = 6
 TERMS = 5

@@ -6,7 +6,7 @@ further corners are expected: in gaps, such as glare leaves, and beyond the bord
 
 import numpy as np
 
-from simulations.models.arrays import Floats, Mask, Planes
+from simulations.models.arrays import Floats, Mask, Planes, quantile_of
 from simulations.models.chequerboard.local_lattice import (
     Lattice,
     Prediction,
@@ -16,7 +16,6 @@ from simulations.models.chequerboard.local_lattice import (
 )
 from simulations.models.chequerboard.quadratic_saddle import quadratic_saddle
 from simulations.models.chequerboard.saddle_points import sample
-from simulations.models.quantiles import quantile_of
 
 ASTRAY = 0.2
 """Largest distance of a corner from its prediction, in spacings of the lattice."""

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, as_floats
-from simulations.models.require import require
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require
 
 type Codes = NDArray[np.int64]
 type Transform = Callable[[Floats], Floats]
@@ -161,3 +160,24 @@ def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Floats, float]:
     """
     codes = quantise_plane(plane, table)
     return restore_plane(codes, table, *np.shape(plane)), float(np.mean(codes == 0))
+
+
+def _zigzag() -> NDArray[np.intp]:
+    """Flat indices of a block along its antidiagonals: low frequencies first, by turns."""
+    row, column = np.divmod(np.arange(BLOCK * BLOCK), BLOCK)
+    diagonal = row + column
+    along = np.where(diagonal % 2, row, column)
+    return np.lexsort((along, diagonal))
+
+
+ZIGZAG = _zigzag()
+RANK: NDArray[np.intp] = np.argsort(ZIGZAG).reshape(BLOCK, BLOCK)
+"""(8, 8) place of each coefficient in that order, from 0."""
+
+
+def first_in_order(codes: Codes, count: int) -> Codes:
+    """Codes (..., 8, 8) with all but the first ``count`` of each block set to 0.
+
+    Raises `ValueError` unless ``count`` is a whole number from 1 to 64.
+    """
+    return np.where(as_whole("count", count, 1, BLOCK * BLOCK) > RANK, codes, 0)

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_floats
-from simulations.models.require import require, require_one_of
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require, require_one_of
 
 SUBSAMPLING = {"4:4:4": (1, 1), "4:2:2": (1, 2), "4:2:0": (2, 2)}
 """Rows and columns of luma samples per colour difference."""

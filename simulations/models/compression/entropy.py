@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats
-from simulations.models.compression.blocks import BLOCK, Codes
+from simulations.models.compression.blocks import BLOCK, ZIGZAG, Codes
 from simulations.models.compression.jpeg import Coded
-from simulations.models.compression.zigzag import ZIGZAG
 from simulations.models.require import require
 
 LARGEST = 2**15 - 1

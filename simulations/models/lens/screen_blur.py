@@ -8,8 +8,8 @@ import numpy as np
 
 from simulations.models.arrays import Floats, Planes
 from simulations.models.lens.disc_blur import LARGEST_RADIUS
+from simulations.models.require import as_whole
 from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
-from simulations.models.whole_numbers import as_whole
 
 
 def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:

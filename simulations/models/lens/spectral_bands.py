@@ -11,8 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.require import require
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require
 
 MOST_CHOSEN = 100
 """Largest degree for which numpy guarantees the accuracy of Gauss–Hermite quadrature."""

@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_array
-from simulations.models.require import require
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require
 
 CELLS = 40
 """Strips per plane, narrower towards the edge."""

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_floats
-from simulations.models.require import require, require_positive
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require, require_positive
 
 LARGEST_SIGMA = 1e6
 """Largest sigma of a kernel: eight million taps, wider than any picture."""

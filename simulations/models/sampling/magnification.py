@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.pixel_grid import centred
+from simulations.models.arrays import centred
 from simulations.models.require import require_positive
 from simulations.models.sampling.resampling import KERNELS
 

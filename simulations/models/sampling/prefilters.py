@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats
-from simulations.models.require import require
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require
 
 type Complexes = NDArray[np.complex128]
 

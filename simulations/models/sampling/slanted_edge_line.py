@@ -11,9 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.arrays import Floats
-from simulations.models.pixel_grid import centred
-from simulations.models.quantiles import quantile_of
+from simulations.models.arrays import Floats, centred, quantile_of
 
 type Indices = NDArray[np.intp]
 
@@ -58,7 +56,7 @@ class EdgeLine:
     """Whether left and right were exchanged, after that."""
     coefficients: tuple[float, float, float]
     """(bow, slope, middle): at height y the edge is at ``middle + slope y + bow y²``. All are
-    measured from the middle of the picture, as in `pixel_grid.centred`."""
+    measured from the middle of the picture, as in `arrays.centred`."""
     rows: Indices
     """(N,) the rows that hold the edge and nothing else."""
 

@@ -9,8 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import Floats
-from simulations.models.pixel_grid import centred
+from simulations.models.arrays import Floats, centred
 from simulations.models.require import require
 
 STRIPE, FINENESS = 512, 64

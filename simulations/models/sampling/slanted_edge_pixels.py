@@ -5,9 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, Mask
-from simulations.models.pixel_grid import centred
-from simulations.models.quantiles import quantile_of
+from simulations.models.arrays import Floats, Mask, centred, quantile_of
 from simulations.models.require import require
 from simulations.models.sampling.slanted_edge_line import (
     MARGIN,

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats
-from simulations.models.require import require_one_of
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole, require_one_of
 
 PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
 

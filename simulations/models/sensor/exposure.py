@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from simulations.models.arrays import Floats, as_floats
-from simulations.models.whole_numbers import as_whole
+from simulations.models.require import as_whole
 
 
 def mean_of_instants(picture_at: Callable[[float], Floats], count: int) -> Floats:

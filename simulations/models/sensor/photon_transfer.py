@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_floats
-from simulations.models.require import require
+from simulations.models.require import as_whole, require
 from simulations.models.sensor.photon_counting import Sensor, quantise, read_out, shot_noise
-from simulations.models.whole_numbers import as_whole
 
 SATURATED_SHARE = 0.7
 """Share of the mean of the largest variance, up to which EMVA 1288 fits the line."""

@@ -12,8 +12,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.arrays import Floats
-from simulations.models.pixel_grid import centred
+from simulations.models.arrays import Floats, centred
 
 TREND_TERMS = 6
 """Terms of a polynomial of second degree in x and y."""

@@ -9,10 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 from simulations.engine.frame import Raster
 from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
-from simulations.models.arrays import Floats, Mask
+from simulations.models.arrays import Floats, Mask, centred
 from simulations.models.color.cie import luminance
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.models.pixel_grid import centred
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, filtered_wave

@@ -16,7 +16,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, undistort_clamped
 from simulations.models.error_measures import decibels
 from simulations.models.lens import thin_lens
-from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.aperture import aperture_grid
 from simulations.models.light.raycasting import Box, Sphere
 from simulations.pictures.still_life.depth import depth_met
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, Thing

@@ -12,13 +12,11 @@ from simulations.engine.controls import Value
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
-from simulations.models.arrays import Floats, Planes
+from simulations.models.arrays import Floats, Planes, centred
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens import thin_lens
-from simulations.models.lens.aperture import fibonacci_disc
-from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.aperture import aperture_grid, fibonacci_disc
 from simulations.models.lens.vignetting import vignetting_cos4
-from simulations.models.pixel_grid import centred
 from simulations.models.sensor import photon_counting
 from simulations.scenes._still_life_camera import (
     COLUMNS,

@@ -20,8 +20,7 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens import thin_lens
-from simulations.models.lens.aperture import fibonacci_disc
-from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.aperture import aperture_grid, fibonacci_disc
 from simulations.models.lens.depth_of_field import blur_by_depth
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life.light import LitScene

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from simulations.engine.frame import Raster, Readout, format_magnitude
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
-from simulations.models.arrays import Floats, Planes
+from simulations.models.arrays import Floats, Planes, centred
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.chromatic_aberration import (
@@ -29,7 +29,6 @@ from simulations.models.lens.chromatic_aberration import (
 from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.spectral_bands import Band, chosen_wavelengths, even_wavelengths
 from simulations.models.lens.vignetting import mechanical_vignetting, vignetting_cos4
-from simulations.models.pixel_grid import centred
 from simulations.models.require import require_one_of
 from simulations.models.sampling.magnification import magnify
 from simulations.pictures.resolution_chart import resolution_chart

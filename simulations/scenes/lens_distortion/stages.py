@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, centred
 from simulations.models.color.srgb import decode_srgb, encode_srgb_table
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -21,7 +21,6 @@ from simulations.models.distortion.lens_model import (
     largest_distorted_radius,
 )
 from simulations.models.distortion.undistortion import INVERSES
-from simulations.models.pixel_grid import centred
 from simulations.models.sampling.resampling import (
     GatherTable,
     Source,

@@ -14,10 +14,9 @@ from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.engine.settings import slider, toggle
 from simulations.engine.stages import Stage
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, centred
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens import diffraction
-from simulations.models.pixel_grid import centred
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sensor.resolution import nyquist_per_mm, pixel_transfer, plate_transfer
 

@@ -17,8 +17,7 @@ from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.arrays import Floats
-from simulations.models.pixel_grid import centred
+from simulations.models.arrays import Floats, centred
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, measure
 from simulations.models.sampling.slanted_edge_line import EdgeLine
 from simulations.models.sampling.slanted_edge_pixels import EdgePixels

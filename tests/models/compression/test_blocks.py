@@ -12,11 +12,11 @@ from scipy.fft import dctn
 
 from simulations.models.compression import blocks as compression
 from simulations.models.compression import jpeg
+from simulations.models.compression.blocks import RANK, ZIGZAG, first_in_order
 from simulations.models.compression.cosine_transforms import (
     exact_block_dct,
 )
 from simulations.models.compression.entropy import run_symbols, size
-from simulations.models.compression.zigzag import RANK, ZIGZAG, first_in_order
 
 
 def test_the_inverse_transform_is_scipys() -> None:

@@ -7,12 +7,12 @@ import pytest
 
 from simulations.models.arrays import Floats
 from simulations.models.lens.aperture import (
+    aperture_grid,
     fibonacci_disc,
     jittered_disc,
     random_disc,
     turned_disc,
 )
-from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.vignetting import disc_overlap_area, mechanical_vignetting
 
 

@@ -8,9 +8,8 @@ import pytest
 from scipy.special import erf, j1
 from support.edges import gaussian_edge, gaussian_half, grain
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, centred
 from simulations.models.color.srgb import encode_srgb
-from simulations.models.pixel_grid import centred
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge import (
     FREQUENCIES,
