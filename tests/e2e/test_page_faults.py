@@ -223,6 +223,35 @@ JUNKS = (
 )
 
 
+def test_half_a_million_numbers_or_letters_are_dropped_and_the_page_goes_on(
+    plain_reader: Reader, chapter: str
+) -> None:
+    """In an answer that is stored, and in a question to the search."""
+    plain_reader.open(chapter, live=False)
+    page = plain_reader.page
+    page.evaluate(HUGE, 480_000)
+    page.reload()
+    expect(page.locator(".progress-count")).not_to_be_empty()
+    assert chosen(page) is None
+    answer(page, 0)
+    assert chosen(page) == "0"
+    page.keyboard.press("/")
+    field = page.locator("dialog.search input")
+    for text in ("x" * 100_000, "colour " * 20_000):
+        field.fill(text)
+        expect(page.locator(".search-status")).not_to_be_empty()
+        assert len(field.input_value()) <= 200
+
+
+HUGE = """(count) => {
+  const form = document.querySelector('form.quiz:has(input[type=radio])');
+  const {id, edition} = JSON.parse(form.querySelector('script[type="application/json"]').text);
+  const prefix = Object.keys(localStorage).find((key) => key.endsWith(':order')).slice(0, -5);
+  const answer = Array(count).fill(0);
+  localStorage.setItem(`${prefix}quiz:${id}`, JSON.stringify({edition, answer, right: true}));
+}"""
+
+
 @pytest.mark.parametrize("chapter", ["why-image-formation/", "perspective-projection/"])
 def test_junk_under_every_name_that_the_book_keeps_is_no_answer_and_does_no_harm(
     plain_reader: Reader, chapter: str

@@ -283,6 +283,11 @@ BROKEN = (
         f'{HEAD} {{"quiz:affine-dof": {{"edition": "0", "answer": "six", "right": true}}}}}}',
         '"quiz:affine-dof" is broken',
     ),
+    (
+        f'{HEAD} {{"quiz:affine-dof": {{"edition": "0", "answer": [{480_000 * "0,"}0], "right":'
+        " true}}}",
+        '"quiz:affine-dof" is broken',
+    ),
 )
 
 

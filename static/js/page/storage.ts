@@ -4,6 +4,7 @@
  */
 
 import { STORAGE } from "../book.js";
+import { words } from "./words.ts";
 
 type Check = (value: any) => boolean;
 
@@ -60,7 +61,7 @@ export function recall(key: string): any {
   } catch {
     // Denied, or no JSON.
   }
-  console.warn(`What is stored as ${key.slice(0, LONGEST_NAME)} cannot be used.`);
+  console.warn(words("page.unusable", { name: key.slice(0, LONGEST_NAME) }));
   return null;
 }
 

@@ -241,7 +241,7 @@ export class Runtime {
   #receive(reply: unknown) {
     const call = this.#active;
     if (!isSignal(reply)) {
-      console.warn("The worker sent what is no message of it.");
+      console.warn(words("runtime.unreadable"));
     } else if (call && call.id === reply.id) {
       if ("waits" in reply) this.#note(call, reply.waits);
       else if (!reply.ok) this.#fail(call, reply);
