@@ -3,21 +3,15 @@
 import json
 import socket
 import threading
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 from playwright.sync_api import Browser
-from support.engines import ENGINES, HOW_TO
-from support.reader import set_limits
+from support.engines import window
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
-
-type Ask = Callable[..., Any]
-"""Evaluates a function with arguments in a page; waits for what it promises."""
 
 CHAPTER = "lens-distortion/"
 OPEN = (b"HTTP/1.1 200 OK\r\nAccess-Control-Allow-Origin: *\r\nContent-Type: text/javascript\r\n"
@@ -57,26 +51,6 @@ def elsewhere() -> Iterator[Elsewhere]:
     host = Elsewhere()
     yield host
     host.socket.close()
-
-
-@contextmanager
-def page(name: str, chromium: Browser, url: str, profile: Path) -> Iterator[Ask]:
-    """A page of the book in a browser of that name."""
-    if name == "Chromium":
-        with chromium.new_context(service_workers="block") as context:
-            set_limits(context)
-            tab = context.new_page()
-            tab.goto(url)
-            yield lambda expression, *given: tab.evaluate(
-                f"(given) => ({expression})(...given)", given
-            )
-        return
-    opened = ENGINES[name](profile)
-    if opened is None:
-        pytest.skip(f"{name}: {HOW_TO}")
-    with opened as engine:
-        engine.open(url)
-        yield engine.ask
 
 
 BROWSERS = ["Chromium", "Firefox", pytest.param("WebKitGTK", marks=pytest.mark.deep)]
@@ -122,8 +96,9 @@ FROM_A_BLOB = f"""async (address) => {{
 def test_the_policy_of_a_page_holds_workers_of_blobs_which_reach_no_other_host(
     name: str, chromium: Browser, site_server: StaticServer, elsewhere: Elsewhere, tmp_path: Path
 ) -> None:
-    with page(name, chromium, f"{site_server.url}licences/", tmp_path) as ask:
-        assert ask(FROM_A_BLOB, elsewhere.address) == "tried"
+    with window(name, chromium, tmp_path) as tab:
+        tab.open(f"{site_server.url}licences/")
+        assert tab.ask(FROM_A_BLOB, elsewhere.address) == "tried"
     assert elsewhere.note() == []
 
 
@@ -196,8 +171,9 @@ RUN = """async (...sources) => {
 def test_edited_python_finds_no_way_to_another_host_or_to_what_is_stored(
     name: str, chromium: Browser, site_server: StaticServer, elsewhere: Elsewhere, tmp_path: Path
 ) -> None:
-    with page(name, chromium, site_server.url + CHAPTER, tmp_path) as ask:
-        ((problem, printed),) = ask(RUN, EDIT.replace("ADDRESS", elsewhere.address))
+    with window(name, chromium, tmp_path) as tab:
+        tab.open(site_server.url + CHAPTER)
+        ((problem, printed),) = tab.ask(RUN, EDIT.replace("ADDRESS", elsewhere.address))
     assert problem is None, json.dumps(problem)
     assert printed == "found: [] True\n"
     assert elsewhere.note() == []
@@ -222,8 +198,9 @@ def test_what_an_edit_damages_is_whole_again_for_the_next(
 ) -> None:
     draw = "def _encoded(photo):\n    {}\n    return to_rgba8(encode_srgb_table(photo.linear))\n"
     sources = [draw.format(body) for n, harm in enumerate(HARMS) for body in (harm, f"print({n})")]
-    with page("Chromium", chromium, site_server.url + CHAPTER, tmp_path) as ask:
-        results = ask(RUN, *sources)
+    with window("Chromium", chromium, tmp_path) as tab:
+        tab.open(site_server.url + CHAPTER)
+        results = tab.ask(RUN, *sources)
     assert results[1::2] == [[None, f"{n}\n"] for n in range(len(HARMS))]
     assert all(
         len(json.dumps(problem)) < 3000 and "x1b" not in str(problem) for problem, _ in results

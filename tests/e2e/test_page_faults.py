@@ -12,7 +12,7 @@ from urllib.parse import quote
 import pytest
 from playwright.sync_api import Browser, Locator, Page, expect
 from support.reader import Reader, visit
-from support.static_server import FAULTS, StaticServer, serving
+from support.static_server import StaticServer, serving
 
 from site_builder.files.folders import integrity
 from site_builder.pages.policy import ANYTHING_INLINE, FOR_TOOLS
@@ -118,64 +118,6 @@ def test_a_page_stays_while_the_host_is_gone_and_turns_once_it_is_back(
     notice.get_by_role("button", name="Try again").click()
     page.wait_for_url(f"**/{OTHER}")
     plain_reader.complaints.clear()  # the browser's own, of the host
-
-
-@pytest.mark.parametrize(
-    ("script", "kind"),
-    [
-        ("js/main.js", "missing"),
-        ("chunk", "half"),
-        pytest.param("js/main.js", "login as file", marks=pytest.mark.deep),
-        pytest.param("chunk", "missing", marks=pytest.mark.deep),
-    ],
-)
-def test_a_page_whose_scripts_do_not_arrive_is_as_without_and_says_so(
-    plain_reader: Reader, server: StaticServer, built_site: Path, script: str, kind: str
-) -> None:
-    (main,) = built_site.glob("assets/*/js/main.js")
-    imported = re.findall(r"chunk-\w+\.js", main.read_text(encoding="utf-8"))
-    plain_reader.keep_no_files()
-    server.faults[script if script != "chunk" else f"/{imported[0]}"] = FAULTS[kind]
-    plain_reader.open("lens-distortion/", live=False)
-    page = plain_reader.page
-    notice = page.locator(".scripts-notice:visible")
-    notice.wait_for()
-    assert not page.locator(".control-grid:visible").count()
-    plain_reader.complaints.clear()  # the browser's own, of the file
-    server.faults.clear()
-    notice.get_by_role("link").click()
-    page.locator("html.js").wait_for()
-    assert not notice.is_visible()
-
-
-def test_a_page_that_is_opened_as_a_file_says_how_its_scripts_run(
-    plain_reader: Reader, built_site: Path
-) -> None:
-    plain_reader.page.goto((built_site / OTHER / "index.html").as_uri())
-    expect(plain_reader.page.locator(".scripts-notice:visible")).to_contain_text("http.server")
-    plain_reader.complaints.clear()  # the browser's own, of scripts in files
-
-
-@pytest.mark.parametrize("kind", [pytest.param("missing", marks=pytest.mark.deep), "half"])
-def test_a_script_that_is_requested_late_in_vain_is_told_and_arrives_after_a_reload(
-    plain_reader: Reader, server: StaticServer, built_site: Path, chapter: str, kind: str
-) -> None:
-    (script,) = built_site.glob("assets/*/js/progress_file-*.js")
-    plain_reader.keep_no_files()
-    server.faults[f"/{script.name}"] = FAULTS[kind]
-    plain_reader.open(chapter, live=False)
-    page = plain_reader.page
-    answer(page, 1)
-    page.locator("[data-progress-export]").click()
-    notice = page.locator(".notice")
-    assert "did not load" in notice.inner_text()
-    server.faults.clear()
-    plain_reader.complaints.clear()
-    plain_reader.keep_no_files()
-    notice.get_by_role("button", name="Reload the page").click()
-    expect(page.locator(".progress-count")).not_to_be_empty()
-    with page.expect_download():
-        page.locator("[data-progress-export]").click()
 
 
 FIGURE, HARM = "figure-perspective-projection", "<script>window.harmed = true</script>"

@@ -271,7 +271,9 @@ def test_figures_live_from_the_snapshot_before_its_parts_come_and_plainly_from_a
         after_snapshot = reader.shown(reader.figure(SCENE))
     uncached.faults = {f"/{SNAPSHOT}": FAULTS["changed"]}
     with visit(brisk_chromium, uncached, FRUGAL) as reader:
-        assert_starts_plainly(reader)
+        fetched = reader.note_parts()
+        open_live(reader)
+        assert {*BUILT_ON} <= {*fetched}
         assert moved(reader) == after_snapshot
 
 
@@ -289,24 +291,6 @@ def assert_told_and_asked_again(reader: Reader, uncached: StaticServer, name: st
     retry.click()
     reader.wait_live()
     reader.settle(figure)
-
-
-def assert_starts_plainly(reader: Reader) -> None:
-    """The page reports nothing of it."""
-    fetched = reader.note_parts()
-    open_live(reader)
-    assert {*BUILT_ON} <= {*fetched}
-    assert not reader.page.locator(".figure-status:visible").count()
-
-
-@pytest.mark.deep
-@pytest.mark.parametrize("kind", FAULTS)
-def test_from_any_damaged_snapshot_python_starts_plainly(
-    brisk_chromium: Browser, uncached: StaticServer, kind: str
-) -> None:
-    uncached.faults = {f"/{SNAPSHOT}": FAULTS[kind]}
-    with visit(brisk_chromium, uncached, FRUGAL) as reader:
-        assert_starts_plainly(reader)
 
 
 @pytest.mark.deep

@@ -9,9 +9,9 @@ import { figureMarkup } from "../page/words.ts";
 /** Where markup is parsed: an `svg`, so that its children are read as those of an overlay. */
 const scratch = document.createElementNS("http://www.w3.org/2000/svg", "svg");
 
-/** What scenes draw with. A drawing by a reader's Python may hold anything, and loads and runs nothing. */
-const DRAWN = "g, path, line, polyline, polygon, rect, circle, ellipse, text, tspan, title";
-const NOT_DRAWN = `:not(${DRAWN}), [*|href]`;
+/** What a drawing by a reader's Python may not hold, as it would lead or reach elsewhere. */
+const ACTIVE = "script, foreignObject, a, set, animate, animateMotion, animateTransform";
+const REACHING = `${ACTIVE}, [*|href]:not([*|href^="#"], [*|href^="data:image/"])`;
 
 /** A panel's drawing. */
 export class Overlay {
@@ -23,18 +23,23 @@ export class Overlay {
   show(markup: string) {
     if (markup === this.#shown) return;
     scratch.innerHTML = figureMarkup(markup);
-    for (const element of scratch.querySelectorAll(NOT_DRAWN)) element.remove();
-    if (/\bon\w/i.test(markup)) withoutHandlers(scratch);
+    makeInert(scratch, markup);
     changeChildren(this.svg, scratch);
     scratch.replaceChildren();
     this.#shown = markup;
   }
 }
 
-function withoutHandlers(drawing: Element) {
+/** Leave shapes, text and paint, as in `site_builder/checks/svg.py`. */
+function makeInert(drawing: Element, markup: string) {
+  const mayHandle = /\bon\w/i.test(markup);
   for (const element of drawing.querySelectorAll("*")) {
-    for (const name of element.getAttributeNames()) {
-      if (/^on/i.test(name)) element.removeAttribute(name);
+    if (element.namespaceURI !== drawing.namespaceURI || element.matches(REACHING)) {
+      element.remove();
+    } else if (mayHandle) {
+      for (const name of element.getAttributeNames()) {
+        if (/^on/i.test(name)) element.removeAttribute(name);
+      }
     }
   }
 }

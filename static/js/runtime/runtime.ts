@@ -227,7 +227,7 @@ export class Runtime {
   #send(call: Call) {
     this.#active = call;
     [this.#sent, this.#waits] = [performance.now(), null];
-    this.#watch(call.name === "start" ? call.limit : Math.max(PING, this.#pace));
+    this.#watch(call.name === "start" ? call.limit : Math.max(PING, 2 * this.#pace));
     const { picture } = call.request;
     const transfer: Transferable[] = picture ? [picture.bitmap] : [];
     if (picture?.mosaic) transfer.push(picture.mosaic.codes.buffer);

@@ -1,11 +1,13 @@
 """Further browsers for the tests, where they are installed."""
 
-from collections.abc import Callable, Mapping
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
-from support.engines.engine import Engine
+from playwright.sync_api import Browser, Page
+from support.engines.engine import Engine, Window
 from support.engines.firefox import find_firefox, open_firefox
 from support.engines.webkit import find_webkit, open_webkit
 
@@ -38,3 +40,27 @@ def open_engine(name: str, folder: Path) -> AbstractContextManager[Engine]:
     if opened is None:
         pytest.skip(f"{name}: {HOW_TO}")
     return opened
+
+
+class Tab:
+    """A page of Chromium; see `Window`."""
+
+    def __init__(self, page: Page) -> None:
+        self._page = page
+
+    def open(self, url: str) -> None:
+        self._page.goto(url)
+
+    def ask(self, expression: str, /, *arguments: Any) -> Any:
+        return self._page.evaluate(f"(given) => ({expression})(...given)", arguments)
+
+
+@contextmanager
+def window(name: str, chromium: Browser, folder: Path) -> Iterator[Window]:
+    """A window of the browser of that name with a fresh profile; skip the test without one."""
+    if name == "Chromium":
+        with chromium.new_context(service_workers="block") as context:
+            yield Tab(context.new_page())
+        return
+    with open_engine(name, folder) as engine:
+        yield engine

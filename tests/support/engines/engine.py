@@ -13,14 +13,18 @@ type Action = Mapping[str, Any]
 """One step of a pointer or of keys (W3C WebDriver, section 15)."""
 
 
-class Engine(Protocol):
-    """One window of a browser with a fresh profile."""
+class Window(Protocol):
+    """One window of a browser."""
 
     def open(self, url: str) -> None:
         """Load a page, and wait until it has loaded."""
 
     def ask(self, expression: str, /, *arguments: Any) -> Any:
         """The JSON that a function answers in the page, or that its promise holds."""
+
+
+class Engine(Window, Protocol):
+    """A window with a fresh profile, led by WebDriver."""
 
     def perform(self, sources: Sequence[Mapping[str, Any]]) -> None:
         """Move pointers and press keys."""
@@ -29,7 +33,7 @@ class Engine(Protocol):
         """Errors in the browser's console, which include all that its policy refuses."""
 
 
-def wait_for(engine: Engine, expression: str, /, *arguments: Any) -> None:
+def wait_for(engine: Window, expression: str, /, *arguments: Any) -> None:
     """Wait until a function of the page answers with what is true; raises `TimeoutError`."""
     end = time.monotonic() + 2 * limit_s()
     while not engine.ask(expression, *arguments):
