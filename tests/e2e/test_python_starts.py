@@ -246,8 +246,8 @@ def moved(reader: Reader) -> Any:
 def test_figures_live_from_the_snapshot_before_its_parts_come_and_plainly_from_a_damaged_one(
     brisk_chromium: Browser, uncached: StaticServer, built_site: Path
 ) -> None:
-    """The snapshot comes late, by the type of a file that a host does not know. What a frame lacks
-    is told and asked for again. On iPhones CPython has no trampoline."""
+    """The snapshot comes late, by the type of a file that a host does not know. On iPhones CPython
+    has no trampoline."""
     late = {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
     uncached.faults = {
         f"/{SNAPSHOT}": Fault(late_s=1, media_type="application/octet-stream"),
@@ -261,14 +261,13 @@ def test_figures_live_from_the_snapshot_before_its_parts_come_and_plainly_from_a
         needed = {*table["scenes"][SCENE]} - {*table["machine_code"]}
         assert needed <= {*fetched}
         assert len({*fetched}) == len(fetched), "nothing twice"
-    uncached.faults = {"/python.zip": Fault(status=404)}
+    uncached.faults = {}
     with visit(brisk_chromium, uncached, FRUGAL, user_agent=IPHONE) as reader:
         said: list[str] = []
         reader.page.on("console", lambda message: said.append(message.text))
         open_live(reader)
         assert not said, "it would say that it starts plainly"
-        assert_told_and_asked_again(reader, uncached, "python")
-        after_snapshot = reader.shown(reader.figure(SCENE))
+        after_snapshot = moved(reader)
     uncached.faults = {f"/{SNAPSHOT}": FAULTS["changed"]}
     with visit(brisk_chromium, uncached, FRUGAL) as reader:
         fetched = reader.note_parts()
@@ -278,30 +277,6 @@ def test_figures_live_from_the_snapshot_before_its_parts_come_and_plainly_from_a
 
 
 IPHONE = "Mozilla/5.0 (iPhone; CPU iPhone OS 18_5 like Mac OS X) AppleWebKit/605.1.15"
-
-
-def assert_told_and_asked_again(reader: Reader, uncached: StaticServer, name: str) -> None:
-    figure = reader.figure(SCENE)
-    figure.locator("input[type=range]").first.press("ArrowRight")
-    retry = figure.locator(".retry")
-    retry.wait_for()
-    message = figure.locator(".figure-message").inner_text()
-    assert f"{name}.zip could not be loaded: the server answered 404" in message
-    uncached.faults = {}
-    retry.click()
-    reader.wait_live()
-    reader.settle(figure)
-
-
-@pytest.mark.deep
-@pytest.mark.parametrize("name", BUILT_ON)
-def test_what_a_frame_lacks_is_told_and_asked_for_again(
-    brisk_chromium: Browser, uncached: StaticServer, name: str
-) -> None:
-    uncached.faults = {f"/{name}.zip": Fault(status=404)}
-    with visit(brisk_chromium, uncached, FRUGAL) as reader:
-        open_live(reader)
-        assert_told_and_asked_again(reader, uncached, name)
 
 
 @pytest.fixture
