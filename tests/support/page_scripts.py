@@ -4,10 +4,10 @@ FIGURES = "document.querySelectorAll('simulation-figure')"
 LIVE = f"[...{FIGURES}].every((figure) => figure.dataset.state === 'live')"
 
 SILENT_WORKER = """globalThis.Worker = class extends EventTarget {
-  postMessage() {}
+  postMessage({id}) { setInterval(() => this.onmessage?.({data: {id, waits: ''}}), 1000); }
   terminate() {}
 };"""
-"""Python that never answers: figures keep their stills and their controls."""
+"""Python that never starts: figures keep their stills and their controls."""
 
 FRUGAL = """Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
 sessionStorage.setItem('image-formation:asked', 'yes')"""
