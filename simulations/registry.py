@@ -7,7 +7,7 @@
     hard_cases/optics.toml               the hard cases of optics
 
 The id is the name, with hyphens. Names that begin with an underscore are skipped: these packages
-hold code that several share.
+hold code that several share. So are hidden files, which editors and systems keep beside others.
 """
 
 from collections.abc import Callable, Mapping
@@ -44,7 +44,7 @@ def found(room: str, *, inside: str = "") -> dict[str, str]:
         + (f".{inside}" if inside and file.is_dir() else "")
         for file in sorted(files, key=lambda file: file.stem)
         if file.suffix == ".py" or (file / "__init__.py").is_file()
-        if not file.stem.startswith("_")
+        if not file.stem.startswith(("_", ".", "#"))
     }
 
 

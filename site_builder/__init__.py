@@ -1,6 +1,7 @@
 """From Markdown and simulations to a static site. Start reading at `site_builder.build`."""
 
 import os
+import sys
 import time
 from pathlib import Path
 
@@ -11,6 +12,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 __version__ = "1.0.0"
 
+if sys.flags.safe_path:  # by which Python leaves out the current folder, a book's
+    sys.path.insert(0, os.fspath(Path.cwd()))
 if hidden := hidden_parts(Path.cwd()):  # before anything of it is imported
     raise SystemExit("\n".join(hidden))
 

@@ -113,7 +113,7 @@ def gather_assets(
         **{
             f"content/{name}": file
             for name, file in content.items()
-            if name.endswith(PICTURES.suffixes)
+            if name.lower().endswith(PICTURES.suffixes)
         },
         **made,
     }

@@ -246,7 +246,7 @@ MOST_PIXELS, MOST_BYTES = 40_000_000, 20_000_000
 def check_pictures(sources: Sources, *, trusted: bool = False) -> None:
     """Check all that would be published, shown or not. In a ``trusted`` book SVG may run code."""
     for name, file in folder_files(sources.root / "content").items():
-        if file.suffix in PICTURES.suffixes:
+        if file.suffix.lower() in PICTURES.suffixes:
             _check_picture(file, f"content/{name}", sources.problems, trusted)
 
 
@@ -256,7 +256,7 @@ def _check_picture(file: Path, path: str, problems: Diagnostics, trusted: bool) 
         expected = f"at most {MOST_BYTES / 1e6:g} MB"
         problems.add(path, 1, f"a picture of {size / 1e6:.1f} MB; legal: {expected}")
         return
-    if file.suffix == ".svg":
+    if file.suffix.lower() == ".svg":
         for fault in read_svg(file.read_bytes()).faults:
             if not trusted or fault.unreadable:
                 problems.add(path, fault.line, fault.message)
@@ -276,15 +276,17 @@ def _fault_of_raster(file: Path) -> str:
             width, height = picture.size
             if width * height > MOST_PIXELS:
                 return f"{width} × {height} px; legal: at most {MOST_PIXELS:,} pixels"
-            if picture.format != KINDS[file.suffix]:
-                return f"holds {picture.format}; legal: {KINDS[file.suffix]}, as its name says"
+            if picture.format != KINDS[file.suffix.lower()]:
+                return (
+                    f"holds {picture.format}; legal: {KINDS[file.suffix.lower()]}, as its name says"
+                )
             picture.load()
     except UnidentifiedImageError:
-        return f"no picture; legal: {KINDS[file.suffix]}"
+        return f"no picture; legal: {KINDS[file.suffix.lower()]}"
     except (Image.DecompressionBombError, Image.DecompressionBombWarning):
         return f"more pixels than can be read; legal: at most {MOST_PIXELS:,}"
     except (OSError, SyntaxError, ValueError, Warning) as error:
-        return f"a damaged picture: {error}; legal: a whole {KINDS[file.suffix]}"
+        return f"a damaged picture: {error}; legal: a whole {KINDS[file.suffix.lower()]}"
     return ""
 
 

@@ -13,6 +13,7 @@ from site_builder.document.blocks import Option, Prediction, Quiz, Reveal, Simul
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.document.places import Formula, Link, Target, TermUse
 from site_builder.figures.frames import frame_at
+from site_builder.files.folders import folder_files
 from site_builder.files.text import Sources
 from site_builder.markdown.glossary import meanings_in
 from site_builder.markdown.questions.figure.kind import Task, conditions
@@ -227,8 +228,9 @@ def _written(root: Path, book: Book) -> Iterator[str]:
     paths = (OUTLINE, *(chapter.path for chapter in book.chapters))
     yield from (path for path in paths if (root / path).is_file())
     for room in ROOMS:
-        for file in sorted((root / "simulations" / room).rglob("*.py")):
-            yield file.relative_to(root).as_posix()
+        for name in folder_files(root / "simulations" / room):
+            if name.endswith(".py"):
+                yield f"simulations/{room}/{name}"
 
 
 def check_book(book: Book, problems: Diagnostics) -> None:

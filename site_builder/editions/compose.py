@@ -17,6 +17,7 @@ from site_builder.document.book import Book, Chapter
 from site_builder.editions.tree import elements, parse
 from site_builder.figures.frames import Picture, StaticFrame, pixels, static_frame
 from site_builder.figures.initial_frames import InitialFrame, InitialFrames, main_control
+from site_builder.files.folders import address_of
 from site_builder.languages.words import Words
 from site_builder.pages.back_matter import BACK_MATTER, back_matter_pages
 from site_builder.pages.licences import Licence, gather_licences
@@ -192,7 +193,7 @@ def compose(options: Options) -> Composed:
     cover = ""
     if book.hero:
         shown = initial_frames[book.hero.path, book.hero.line].pictures.values()
-        cover = next((f"{assets.folder}stills/{picture.file}" for picture in shown), "")
+        cover = next((f"{assets.folder}stills/{address_of(picture.file)}" for picture in shown), "")
     return Composed(book, tuple(sections), cover, assets.folder, assets.files, licences)
 
 

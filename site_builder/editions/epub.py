@@ -136,7 +136,7 @@ def _package(
 ) -> bytes:
     """The list of all files, and what the book is."""
     items = [
-        (f"item-{place}", name, MEDIA[Path(name).suffix], _properties(name, trees))
+        (f"item-{place}", name, MEDIA[Path(name).suffix.lower()], _properties(name, trees))
         for place, name in enumerate(files)
     ]
     by_name = {name: id for id, name, _, _ in items}

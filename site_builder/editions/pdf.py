@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from copy import deepcopy
 from pathlib import Path
+from urllib.parse import unquote
 from xml.etree.ElementTree import Element
 
 from site_builder.editions.compose import Composed, Section
@@ -120,7 +121,7 @@ def make_pdf(composed: Composed) -> bytes:
         page = browser.new_page()
 
         def answer(route: Route) -> None:
-            name = route.request.url.removeprefix(SITE)
+            name = unquote(route.request.url.removeprefix(SITE))
             if (found := files.get(name, composed.files.get(name))) is None:
                 route.abort()
             else:

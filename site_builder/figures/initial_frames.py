@@ -71,6 +71,10 @@ def shown_values(control: Control, start: Value) -> tuple[Value, ...]:
     return tuple(sorted({float(start), *(control.nearest(float(place)) for place in places)}))
 
 
+LONGEST_NAME = 255
+"""Bytes of a file's name."""
+
+
 @dataclass(frozen=True, slots=True)
 class PictureFile:
     """The pixels of a panel as a file of the site."""
@@ -134,6 +138,10 @@ def render_initial_frames(
         pictures = {}
         for panel, picture in first.pictures.items():
             name = f"{page}--{figure.id}--{panel}.webp"
+            if "/" in panel or len(name.encode()) > LONGEST_NAME:
+                message = f"panel {panel!r} names a file; legal: without '/', and shorter"
+                problems.add(figure.path, figure.line, f"{figure.scene.id}: {message}")
+                continue
             pictures[panel] = PictureFile(name, picture.width, picture.height)
             files[name] = picture.webp
         values = values_of(figure.scene.check(figure.values))

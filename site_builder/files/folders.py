@@ -10,6 +10,7 @@ import zipfile
 from collections.abc import Collection, Mapping
 from fnmatch import fnmatch
 from pathlib import Path
+from urllib.parse import quote
 
 from platformdirs import user_cache_path
 
@@ -70,14 +71,34 @@ def folder_hash(folder: Path, pattern: str = "*") -> bytes:
     return digest.digest()
 
 
+def is_side_file(name: str) -> bool:
+    """Whether an editor or a system keeps it beside a file: ``.#a.py``, ``._a.md``, ``a.py~``."""
+    return name.startswith((".", "#")) or name.endswith("~")
+
+
 def folder_files(folder: Path) -> dict[str, Path]:
-    """All files below ``folder``, by their path in it; what is hidden or compiled is left out."""
+    """All files below ``folder``, by their path in it, without what is compiled or hidden and the
+    side files of editors."""
     names, start = [], len(os.fspath(folder)) + 1
     for place, folders, files in os.walk(folder):
         folders[:] = [name for name in folders if not name.startswith((".", "__pycache__"))]
-        paths = (f"{place}/{name}" for name in files if not name.startswith("."))
+        paths = (f"{place}/{name}" for name in files if not is_side_file(name))
         names += [path[start:] for path in paths if os.path.isfile(path)]  # noqa: PTH113  (fast)
     return {name: folder / name for name in sorted(names)}
+
+
+def is_file(path: Path) -> bool:
+    """Whether there is such a file; there is none of a name that is too long."""
+    return os.path.isfile(path)  # noqa: PTH113
+
+
+def address_of(path: str) -> str:
+    """A path as it stands in an address, each of its names encoded.
+
+    >>> address_of("content/Fig #3, 50%.png")
+    'content/Fig%20%233%2C%2050%25.png'
+    """
+    return quote(path)
 
 
 def archive_of(members: Mapping[str, bytes], stored: Collection[str] = ()) -> bytes:

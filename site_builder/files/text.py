@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.files.folders import is_file
 
 HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
@@ -60,7 +61,7 @@ class Sources:
         return Sources(self.root)
 
     def has(self, path: str) -> bool:
-        return (self.root / path).is_file()
+        return is_file(self.root / path)
 
     def text(self, path: str) -> str:
         """The text of a file, without the mark that some editors put before it."""

@@ -67,7 +67,11 @@ class Words:
 
     def labelled(self, labels: Mapping[str, str]) -> "Words":
         """With other words for some numbered things."""
-        own = {f"labels.{kind}": label for kind, label in labels.items() if label}
+        own = {
+            f"labels.{kind}": label.replace("{", "{{").replace("}", "}}")
+            for kind, label in labels.items()
+            if label
+        }
         return replace(self, texts={**self.texts, **own})
 
     @property

@@ -6,6 +6,7 @@ from pathlib import Path, PurePosixPath
 from xml.etree import ElementTree
 
 from site_builder.diagnostics.diagnostic import unknown
+from site_builder.files.folders import folder_files, is_file
 from site_builder.markdown.directive import FileKind
 
 PICTURES = FileKind("picture file", (".svg", ".png", ".jpg", ".jpeg", ".webp"))
@@ -29,31 +30,28 @@ def fault_of_file(name: str, content: Path, kind: FileKind) -> str:
     """What is wrong with a path below ``content``; nothing where such a file is there."""
     path = PurePosixPath(name)
     inside = bool(name) and not path.is_absolute() and ".." not in path.parts
-    if not inside or not (content / name).is_file():
+    if not inside or not is_file(content / name):
         return unknown(kind.name, name, _names(content, kind.suffixes))
     if not (content / name).resolve().is_relative_to(content.resolve()):
         return f"{kind.name} {name!r} leads out of content/; legal: a file that lies in it"
-    if kind.suffixes and not name.endswith(kind.suffixes):
+    if kind.suffixes and path.suffix.lower() not in kind.suffixes:
         return f"{kind.name} {name!r}; legal: a name that ends in {', '.join(kind.suffixes)}"
     with (content / name).open("rb") as file:
-        if not re.match(BEGINS.get(path.suffix, b""), file.read(9), re.DOTALL):
+        if not re.match(BEGINS.get(path.suffix.lower(), b""), file.read(9), re.DOTALL):
             return f"{kind.name} {name!r} holds something else; legal: a file of {path.suffix}"
     return ""
 
 
 def _names(content: Path, suffixes: Sequence[str]) -> list[str]:
-    paths = (file.relative_to(content) for file in sorted(content.rglob("*")) if file.is_file())
-    return [
-        path.as_posix()
-        for path in paths
-        if (not suffixes or path.suffix in suffixes)
-        and not any(part.startswith(".") for part in path.parts)
-    ]
+    names = folder_files(content)
+    return [name for name in names if not suffixes or name.lower().endswith(tuple(suffixes))]
 
 
 def picture_size(file: Path) -> Size | None:
     """The size that a file declares; None where it does not, or cannot be read."""
-    read: Callable[[Path], Size | None] = _svg_size if file.suffix == ".svg" else _raster_size
+    read: Callable[[Path], Size | None] = (
+        _svg_size if file.suffix.lower() == ".svg" else _raster_size
+    )
     size = read(file)
     return size if size and all(size) else None
 

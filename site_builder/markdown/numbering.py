@@ -89,6 +89,8 @@ def slug(text: str) -> str:
 
 
 LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+LONGEST = 100
+"""Letters of a label, which names files too."""
 
 
 def number_targets(
@@ -174,8 +176,8 @@ class _Numbering:
         return given or slug(text)
 
     def _labelled(self, label: str, line: int, kind: str) -> str:
-        if not LABEL_FORM.fullmatch(label):
-            expected = "small letters, digits and hyphens"
+        if not LABEL_FORM.fullmatch(label) or len(label) > LONGEST:
+            expected = f"small letters, digits and hyphens, at most {LONGEST}"
             self.context.problem(line, f"label {label!r}; legal: {expected}")
         return self.context.take_id(label, line, kind)
 

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from site_builder.files.folders import bytes_hash, file_hash
+from site_builder.files.folders import bytes_hash, file_hash, folder_files, replace_file
 
 type Content = bytes | Path
 """The bytes of a file, or its path."""
@@ -49,6 +49,7 @@ def write_site(
     `ValueError` where ``out`` holds something else than a site, which would be lost: a folder
     without the file that it is ``known_by``.
     """
+    out = out.resolve()
     filled = any(out.iterdir()) if out.is_dir() else out.exists()
     if filled and not (out / known_by).is_file():
         raise ValueError(f"{out} is not empty and holds no site; legal: an empty folder or a site")
@@ -92,13 +93,29 @@ def _fill(fresh: Path, files: Mapping[str, Content], out: Path, changed: Collect
 
 def _swap(fresh: Path, out: Path, old: Path) -> None:
     if out.exists():
-        out.rename(old)
+        try:
+            out.rename(old)
+        except OSError as error:
+            if error.errno not in (errno.EBUSY, errno.EXDEV):
+                raise
+            _fill_in_place(fresh, out)  # it is a mount point
+            return
     try:
         fresh.rename(out)
     except OSError:
         if old.exists():
             old.rename(out)
         raise
+
+
+def _fill_in_place(fresh: Path, out: Path) -> None:
+    """Each file whole, those that pages load before the pages."""
+    new = sorted(folder_files(fresh), key=lambda name: name.endswith((".html", ".json")))
+    for name in new:
+        (out / name).parent.mkdir(parents=True, exist_ok=True)
+        replace_file(out / name, (fresh / name).read_bytes())
+    for name in folder_files(out).keys() - {*new}:
+        (out / name).unlink()
 
 
 def advice(error: OSError) -> str:

@@ -14,7 +14,7 @@ from markupsafe import Markup
 from site_builder.benchmarks.judgements import milliseconds, quantity
 from site_builder.document.book import Book
 from site_builder.document.places import Passage
-from site_builder.files.folders import SIZE, bytes_hash, cache_folder, replace_file
+from site_builder.files.folders import SIZE, address_of, bytes_hash, cache_folder, replace_file
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.markdown.text.code import highlighted_lines
@@ -46,6 +46,7 @@ TEMPLATES = Path(__file__).parents[1] / "templates"
 FOLDERS = (TEMPLATES, QUESTION_KINDS.parent, CONTROL_KINDS.parent)
 """Where templates lie: those of kinds in the folders of these."""
 FILTERS: Mapping[str, Callable[..., object]] = {
+    "address": address_of,
     "kind": kind_of,
     "kind_view": kind_view,
     "question_data": question_data,

@@ -6,13 +6,13 @@ import json
 import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import PurePosixPath
-from urllib.parse import quote, urlsplit
+from urllib.parse import urlsplit
 
 import brotli
 
 from site_builder.cache.results import cached_result
 from site_builder.document.book import Book
-from site_builder.files.folders import bytes_hash, integrity
+from site_builder.files.folders import address_of, bytes_hash, integrity
 from site_builder.output.writer import Content, content_bytes
 from site_builder.pages.environment import render_template
 from site_builder.pages.page import page_address
@@ -45,7 +45,7 @@ def compressed_copies(files: Mapping[str, Content]) -> dict[str, bytes]:
     """Copies, ``NAME.br`` and ``NAME.gz``, of each file that they make smaller."""
     copies = {}
     for name, content in files.items():
-        if PurePosixPath(name).suffix in PACKED:
+        if PurePosixPath(name).suffix.lower() in PACKED:
             continue
         data = content_bytes(content)
         for ending, pack in PACKERS.items():
@@ -117,7 +117,8 @@ def address(name: str) -> str:
     >>> address("lens-distortion/index.html"), address("content/Fig #3.png")
     ('lens-distortion/', 'content/Fig%20%233.png')
     """
-    return quote(name.removesuffix("index.html") if name.split("/")[-1] == "index.html" else name)
+    is_page = name.split("/")[-1] == "index.html"
+    return address_of(name.removesuffix("index.html") if is_page else name)
 
 
 FILES: Mapping[str, str] = {"apache": ".htaccess", "netlify": "_headers", "nginx": "nginx.conf"}

@@ -9,6 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from site_builder.cache.results import cached
+from site_builder.files.folders import folder_files
 
 ENTRY = "simulations.browser"
 """The module that the browser's worker imports."""
@@ -68,7 +69,8 @@ def archive_path(name: str, file: Path) -> str:
 
 def module_files(package: Path) -> dict[str, Path]:
     """The file of every module in the folder ``package``, by full name."""
-    return {_module_name(file, package): file for file in sorted(package.rglob("*.py"))}
+    files = folder_files(package).items()
+    return {_module_name(file, package): file for name, file in files if name.endswith(".py")}
 
 
 def reach(table: Table, start: str) -> frozenset[str]:

@@ -4,6 +4,7 @@ or a chapter to translate."""
 import json
 import keyword
 import re
+import shlex
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -157,7 +158,7 @@ def _requirement() -> str:
 def translation(root: Path, text: str) -> tuple[dict[str, str], str]:
     """``de/falling-ball``: language and chapter."""
     language, _, name = text.partition("/")
-    files = {chapter_id(file.name): file for file in sorted((root / "content").glob("*.md"))}
+    files = {chapter_id(file.name): file for file in sorted((root / "content").glob("[!.#]*.md"))}
     own = read_settings(Sources(root))[0].language
     others = [tag for tag in languages() if tag != own]
     if language not in others or name not in files:
@@ -188,7 +189,7 @@ def chapter(root: Path, text: str) -> Made:
     listed = re.search(r"^chapters\s*=\s*\[(.*?)\]", outline, re.MULTILINE | re.DOTALL)
     if listed is None:
         raise ScaffoldError(f"{OUTLINE} has no list of chapters; legal: chapters = [ … ]")
-    there = [file.stem for file in (root / "content").glob("*.md")]
+    there = [file.stem for file in (root / "content").glob("[!.#]*.md")]
     if name.text in (re.sub(r"^\d+-", "", stem) for stem in there):
         raise ScaffoldError(f"chapter {name.text!r} is there already; legal: another name")
     numbers = [int(stem.partition("-")[0]) for stem in there if stem.partition("-")[0].isdigit()]
@@ -312,6 +313,6 @@ def make_new(root: Path, kind: str, name: str) -> str:
     """Make it; a text that lists what was made and what comes next. Raises `ScaffoldError`."""
     if kind == "book":
         files = make_book(Path(name))
-        return f"{name}: {len(files)} files\nnext: cd {name} && make serve"
+        return f"{name}: {len(files)} files\nnext: cd {shlex.quote(name)} && make serve"
     made, after = PIECES[kind](root, name)
     return "\n".join([*made, f"next: {after}"])

@@ -189,7 +189,7 @@ def list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[C
         path, own = f"content/{name}.md", f"content/{outline.folder}{name}.md"
         if not sources.has(path):
             folder = sources.root / "content"
-            files = sorted(file.stem for file in folder.glob("*.md") if file.is_file())
+            files = sorted(file.stem for file in folder.glob("[!.#]*.md") if file.is_file())
             problems.add(OUTLINE, line, unknown("chapter", name, files))
             continue
         # A number in front is for the listing of the folder; it means nothing.
@@ -233,9 +233,9 @@ def _check_unlisted(sources: Sources, outline: Outline) -> None:
     listed = {
         f"content/{folder}{name}.md" for name in names for folder in ("", *map(folder_of, tags))
     }
-    for file in sorted(content.rglob("*.md")):
-        path = file.relative_to(sources.root).as_posix()
-        if not listed or not file.is_file() or path in listed:
+    for name, file in folder_files(content).items():
+        path = f"content/{name}"
+        if not listed or not name.endswith(".md") or path in listed:
             continue
         message = f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'"
         if file.stem in names:

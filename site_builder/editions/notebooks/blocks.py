@@ -9,7 +9,6 @@ from itertools import pairwise
 from pathlib import PurePosixPath
 from string import ascii_uppercase
 from typing import Any
-from urllib.parse import quote
 
 from simulations.engine.frame import Panel
 from site_builder.document.blocks import (
@@ -38,6 +37,7 @@ from site_builder.editions.notebooks.cells import (
 )
 from site_builder.editions.notebooks.tables import extremes, ladder, ladder_table, stage_costs
 from site_builder.figures.frames import pixels
+from site_builder.files.folders import address_of
 from site_builder.markdown.directives.boxes import Box
 from site_builder.markdown.directives.media import Download, DrawnIllustration, Media
 from site_builder.markdown.questions.kinds import kind_of
@@ -91,14 +91,14 @@ def figure(shown: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
 def video(film: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
     """Its still, and a link to the film, which lies beside the notebook."""
     yield _pictured(block, page, film.alt, _file(film.poster, page), film.caption)
-    yield Text(link(escaped(film.alt), f"content/{film.file}"))
+    yield Text(link(escaped(film.alt), f"content/{address_of(film.file)}"))
 
 
 def audio(recording: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
     """The recording lies beside the notebook; its transcript is folded."""
     licence = f" ({escaped(recording.licence)})" if recording.licence else ""
     parts = (
-        f'<audio controls src="content/{quote(recording.file)}"></audio>',
+        f'<audio controls src="content/{address_of(recording.file)}"></audio>',
         f"{named(block.target)}{escaped(recording.alt)}{licence}",
         folded(page.words("figure.transcript"), page.markdown(recording.caption)),
     )
@@ -248,7 +248,7 @@ def table(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:
 
 def download(content: Download, _block: Block, page: ChapterPage) -> Iterator[Part]:
     """The file lies beside the notebook."""
-    given = f"{link(escaped(content.name), f'content/{content.file}')} ({content.size})"
+    given = f"{link(escaped(content.name), f'content/{address_of(content.file)}')} ({content.size})"
     yield Text(f"{given}\n\n{page.markdown(content.words)}".strip())
 
 

@@ -71,7 +71,7 @@ GIVEN = ("width", "dark", "poster", "captions", "language", "licence")
 def read_media(call: DirectiveCall, caption: Passage, context: ParseContext) -> Media:
     given = {name: call.text(name) for name in GIVEN}
     given["language"] = given["language"] or context.shared.words.language
-    kind = (SOUND_KINDS | FILM_KINDS).get(PurePosixPath(call.argument).suffix, "")
+    kind = (SOUND_KINDS | FILM_KINDS).get(PurePosixPath(call.argument).suffix.lower(), "")
     if kind:
         context.files.update(path for path in (call.argument, given["captions"]) if path)
 
@@ -214,9 +214,7 @@ def read_download(call: DirectiveCall, words: Passage, context: ParseContext) ->
 
 
 def _runs(file: Path) -> bool:
-    """An SVG is checked only where its name ends in ``.svg``."""
-    kind = file.suffix.lower()
-    return kind in ACTIVE or (kind == ".svg" and file.suffix != kind)
+    return file.suffix.lower() in ACTIVE
 
 
 def size_words(size: int, words: Words = ENGLISH) -> str:

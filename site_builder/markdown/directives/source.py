@@ -9,6 +9,7 @@ from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.blocks import Source
 from site_builder.document.places import Passage
 from site_builder.files.engine import own_or_engine
+from site_builder.files.folders import folder_files
 from site_builder.markdown.blocks import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
@@ -64,7 +65,7 @@ def _docstring(definition: Definition) -> tuple[int, int]:
 
 
 def _modules(package: Path) -> list[str]:
-    files = sorted(package.rglob("*.py")) if package.is_dir() else []
+    files = [file for name, file in folder_files(package).items() if name.endswith(".py")]
     return [
         ".".join(file.relative_to(package.parent).with_suffix("").parts)
         for file in files

@@ -18,6 +18,7 @@ from site_builder.document.blocks import Simulation
 from site_builder.document.book import Chapter
 from site_builder.figures.initial_frames import InitialFrame, InitialFrames
 from site_builder.files.engine import ENGINE
+from site_builder.files.folders import address_of
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.policy import json_for_html
 from site_builder.sandbox.loading import loaded
@@ -229,7 +230,7 @@ def _picture(still: InitialFrame, panel: str, assets: str) -> tuple[str, tuple[i
     picture = still.pictures.get(panel)
     if picture is None:
         return "", (0, 0)
-    return f"{assets}stills/{picture.file}", (picture.width, picture.height)
+    return f"{assets}stills/{address_of(picture.file)}", (picture.width, picture.height)
 
 
 def _name(figure: Simulation) -> str:
