@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser
 from support.engines import window
+from support.reader import Reader
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
@@ -205,3 +206,40 @@ def test_what_an_edit_damages_is_whole_again_for_the_next(
     assert all(
         len(json.dumps(problem)) < 3000 and "x1b" not in str(problem) for problem, _ in results
     )
+
+
+DRAWINGS = (
+    "<foreignObject><meta http-equiv='refresh' content='0;url=URL'/></foreignObject>",
+    "<title><meta http-equiv='refresh' content='0;url=URL'/></title>",
+    "<desc><link rel='preconnect' href='URL'/><img src='URL'/></desc>",
+    "<p><link rel='preconnect' href='URL'/></p>",
+    "<a href='URL'><text>here</text></a><use href='URL#a'/><image xlink:href='URL'/>",
+    "<image href='#a'><set attributeName='href' to='URL'/></image>",
+    "<text tabindex='0' autofocus='' onfocus='fetch(\"URL\")'>here</text>",
+    "<script>fetch('URL')</script>",
+)
+DRAWN = """async ([drawings]) => {
+  const {Overlay} = (await customElements.whenDefined('simulation-figure')).inside;
+  const svg = document.querySelector('svg.overlay');
+  const overlay = new Overlay(svg);
+  return drawings.map((drawing) => {
+    overlay.show(drawing);
+    return [...svg.querySelectorAll('*')].flatMap((element) => [
+      ...(element.namespaceURI === svg.namespaceURI ? [] : [element.localName]),
+      ...element.getAttributeNames().filter((name) => /^on|href$|^src$/.test(name)),
+    ]);
+  });
+}"""
+
+
+def test_a_drawing_by_edited_python_leads_and_reaches_nowhere(
+    visitor: Reader, elsewhere: Elsewhere
+) -> None:
+    visitor.turn_to(CHAPTER)
+    drawings = [each.replace("URL", f"http://{elsewhere.address}/secret") for each in DRAWINGS]
+    left = visitor.page.evaluate(DRAWN, [drawings])
+    assert left == [[], [], [], [], [], ["href"], [], []], "an address in the drawing itself"
+    assert visitor.page.url.endswith(CHAPTER)
+    assert all("inline event handler" in each for each in visitor.complaints)
+    visitor.complaints.clear()  # the policy refused it as well
+    assert elsewhere.note() == []

@@ -6,8 +6,13 @@
 
 import { figureMarkup } from "../page/words.ts";
 
-/** Where markup is parsed: an `svg`, so that its children are read as those of an overlay. */
-const scratch = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+/**
+ * Where markup is parsed: an `svg`, so that its children are read as those of an overlay, in a document
+ * that loads nothing.
+ */
+const scratch = document.implementation
+  .createHTMLDocument()
+  .createElementNS("http://www.w3.org/2000/svg", "svg");
 
 /** What a drawing by a reader's Python may not hold, as it would lead or reach elsewhere. */
 const ACTIVE = "script, foreignObject, a, set, animate, animateMotion, animateTransform";
