@@ -13,7 +13,6 @@ from simulations.models.projection.pinhole import look_at
 from simulations.scenes._turned_camera import view_from
 from simulations.scenes.camera_pose import HEIGHT, WALLS, WIDTH, in_world, standpoint, to_camera
 from simulations.scenes.gimbal import FOCAL, MIDDLE, pictured, rings_of, towards
-from simulations.scenes.gimbal import SCENE as GIMBAL
 from simulations.scenes.rotation_3d import SCENE as ROTATION
 from simulations.scenes.rotation_3d import orientation, paths, turned_deg
 from simulations.scenes.tiled_floor.scene import SCENE as FLOOR
@@ -54,16 +53,6 @@ def test_the_view_is_that_of_a_distant_eye(azimuth: float, elevation: float) -> 
     eye = Rotation.from_euler("YX", [azimuth, elevation], degrees=True).apply([0.0, 0.0, 1.0])
     expected = look_at(100 * eye, (0, 0, 0), (0, -1, 0))[:3, :3]
     np.testing.assert_allclose(view_from(azimuth, elevation), expected, atol=1e-12)
-
-
-@pytest.mark.parametrize("side", [1, -1])
-def test_a_bead_on_a_ring_seen_edge_on_stays_on_its_side(side: int) -> None:
-    """From the side, pan 60° and pan 120° have one place; from 60° it is pulled to 50°."""
-    given = {"pan": 60, "tilt": 0, "roll": 0, "azimuth": 90, "elevation": 0}
-    there = frame_of(GIMBAL, **given | {"pan": 50}).handles
-    place = next((handle.x, handle.y) for handle in there if handle.name == "pan")
-    settings = GIMBAL.check(given | {"pan": side * 60})
-    assert GIMBAL.pull(settings, "pan", place) == {"pan": side * 50}
 
 
 @pytest.mark.parametrize(

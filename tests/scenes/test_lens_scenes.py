@@ -1,23 +1,17 @@
-"""Figures of holes and lenses: sharpness, colour, vignetting, and drafts."""
+"""Figures of holes and lenses: sharpness, colour, and vignetting."""
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
-from support.frames import computed_in, frame_of, outputs_of, pixels_of, texts_at
+from support.frames import frame_of, outputs_of, pixels_of, texts_at
 
-from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.pictures.balloon import balloon
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.pictures.still_life.things import THINGS, thing_depth
-from simulations.scenes._still_life_camera import SCALED, floor_depth, floor_tangent
-from simulations.scenes.camera.scene import SCENE as CAMERA
-from simulations.scenes.camera.stages import BOWED
-from simulations.scenes.depth_of_field.scene import SCENE as DEPTH_OF_FIELD
+from simulations.scenes._still_life_camera import floor_depth, floor_tangent
 from simulations.scenes.lens_aberrations.scene import SCENE as ABERRATIONS
 from simulations.scenes.lens_aberrations.scene import passing
 from simulations.scenes.lens_aberrations.stages import (
@@ -38,9 +32,7 @@ from simulations.scenes.still_life import (
     disc_width,
     floor_row,
 )
-from simulations.scenes.still_life import (
-    SCENE as STILL_LIFE,
-)
+from simulations.scenes.still_life import SCENE as STILL_LIFE
 
 
 def light_through(**given: object) -> Floats:
@@ -178,26 +170,3 @@ def test_the_striped_ball_is_sharper_out_of_focus() -> None:
     assert contrast(depth) > 1.2 * max(contrast(2.0), contrast(7.0))
     assert disc_width(2.0, 3.2, 3.2) == 0.0
     assert disc_width(4.0, 3.2, 8.0) == pytest.approx(disc_width(2.0, 3.2, 8.0) / 2)
-
-
-BEFORE_THE_LENS = {"pinhole rays", "surfaces", "light"}
-
-
-@pytest.mark.parametrize(
-    ("scene", "draft", "control", "values"),
-    [
-        (CAMERA, SCALED, "focus", (1.2, 3.2)),
-        (CAMERA, BOWED, "k1", (0.4, 0.0, -0.18, -0.4)),
-        (DEPTH_OF_FIELD, SCALED, "focus", (1.2, 3.2)),
-    ],
-)
-def test_a_draft_draws_the_world_once(
-    scene: Scene[Any], draft: str, control: str, values: tuple[float, ...]
-) -> None:
-    assert scene.drafts_of(scene.default_tier)[control] == draft
-    for focal_length in (24.0, 135.0) if control == "k1" else (50.0,):
-        cache = StageCache()
-        for number, value in enumerate(values):
-            given = {"aperture": 2.0, "focal_length": focal_length, control: value}
-            shown = frame_of(scene, draft, cache, **given)
-            assert number == 0 or not BEFORE_THE_LENS & set(computed_in(shown))

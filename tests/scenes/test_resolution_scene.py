@@ -4,19 +4,15 @@ from functools import partial
 
 import numpy as np
 import pytest
-from support.frames import outputs_of, texts_at
+from support.frames import outputs_of
 
 from simulations.models.arrays import Floats
 from simulations.models.lens.diffraction import lens_transfer
-from simulations.scenes.resolution.links import CYCLES, columns, light_of, radius_um
+from simulations.scenes.resolution.links import CYCLES, columns, light_of
 from simulations.scenes.resolution.scene import SCENE
 
 STEP_UM, ACROSS = 0.5, 1024  # of the grid on which the truth is computed
 outputs = partial(outputs_of, SCENE)
-
-
-def number(name: str, **given: object) -> float:
-    return float(texts_at(SCENE, **given)[name])
 
 
 def convolved_star(aperture: float, defocus: float, pitch: float, plate: bool) -> Floats:
@@ -58,13 +54,3 @@ def test_the_star_differs_from_its_convolution(
     off = (light_of(given["lens"], given["star"]) - truth)[inner]
     assert np.sqrt(np.mean(off**2)) < 0.002
     assert np.abs(off).max() < 0.01
-
-
-def test_the_contrast_on_a_circle_differs_from_the_readout() -> None:
-    """With pixels of 1 µm, whose own factor is near 1."""
-    given = outputs(aperture=8, pitch=1)
-    x, y = (np.arange(n) + 0.5 for n in (200, 150))
-    near = np.abs(np.hypot(x, y[:, None]) - radius_um(100)) < 1
-    light = light_of(given["lens"], given["star"])[near]
-    seen = np.ptp(light) / (light.max() + light.min())
-    assert seen == pytest.approx(number("together", aperture=8, pitch=1, frequency=100), abs=0.02)

@@ -12,8 +12,8 @@ from support.frames import estimates_of, outputs_of
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.models.sensor.photon_counting import SHOT_MODELS, develop
+from simulations.models.color.srgb import decode_srgb
+from simulations.models.sensor.photon_counting import SHOT_MODELS
 from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
 from simulations.scenes.sensor_noise.scene import SCENE
 from simulations.scenes.sensor_noise.sensor import (
@@ -72,15 +72,6 @@ def test_a_gain_is_off_by_more_than_its_errors(iso: str, bits: int) -> None:
         off = gain.e_per_dn - sensor_of(bits, iso, read_noise).gain_e_per_dn
         assert abs(off) < 3.5 * gain.error_e_per_dn, (given, dark, read_noise)
         assert gain.error_e_per_dn < 0.1 * gain.e_per_dn
-
-
-@pytest.mark.parametrize("bits", [4, 14])
-def test_the_picture_differs_from_the_codes_developed(bits: int) -> None:
-    done = outputs(bits=bits)
-    linear = develop(done["codes"][0], sensor_of(bits, "100", 0))
-    expected = np.rint(255 * encode_srgb(np.clip(linear, 0, 1)))
-    shown = done["picture"][..., 0].reshape(4, 40, 6, 40).swapaxes(1, 2).reshape(24, 1600)
-    np.testing.assert_array_equal(shown, expected)
 
 
 def detailed() -> Photograph:

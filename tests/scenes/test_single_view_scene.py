@@ -81,12 +81,6 @@ def test_lines_on_the_wrong_edge_are_found_by_their_scatter() -> None:
     assert [outputs(lines=lines)["view"].misfits for lines in (TRUE, swapped)] == [False, True]
 
 
-def test_lines_of_another_picture_are_not_drawn_over_this_one() -> None:
-    drawn = text_of("front", *true_lists("front"))
-    assert outputs(lines=drawn)["lines"].points == outputs()["lines"].points
-    assert outputs(own(), lines=drawn)["lines"].points.lists == ((),) * len(LISTS)
-
-
 @pytest.mark.parametrize(
     ("ends", "counts"),
     [

@@ -1,6 +1,5 @@
 """The transform explorer: properties kept, the pulled corner, and the lines at infinity."""
 
-import itertools
 import re
 from typing import Any
 
@@ -9,7 +8,6 @@ import pytest
 from support.frames import frame_of, texts_at
 from support.label_boxes import in_figures, labels
 
-from simulations.engine.controls import Slider
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes._mapped_square.family import SQUARE, transformation
@@ -23,8 +21,6 @@ from simulations.scenes._mapped_square.plane import (
 from simulations.scenes.transform_2d import RUNGS, SCENE, matrix
 
 PROPERTIES = ("orientation", "lengths", "angles", "parallels", "lines")
-SLIDERS = {control.name: control for control in SCENE.controls if isinstance(control, Slider)}
-PAIRS = list(itertools.permutations(("amount", "pull_x", "pull_y"), 2))
 
 
 def homography(**given: object) -> Floats:
@@ -105,23 +101,3 @@ def test_lines_at_infinity_are_where_w_is_zero_and_under_their_names(given: dict
     (box,) = (name.box for name in labels(drawn, in_figures) if name.text == "horizon")
     middle = (box.left + box.right) / 2.0
     assert box.top < y1 + (y2 - y1) * (middle - x1) / (x2 - x1) < box.bottom
-
-
-def special(name: str) -> set[float]:
-    """The ends, and the steps around the rest position, at which lines are level, upright or
-    coincident: ends and random settings miss them."""
-    slider = SLIDERS[name]
-    around = (-slider.step, 0.0, slider.step)
-    return {slider.nearest(value) for value in (slider.minimum, slider.maximum, *around)}
-
-
-@pytest.mark.deep
-@pytest.mark.parametrize(("swept", "special_one"), PAIRS)
-def test_names_of_the_lines_lie_in_the_view_at_every_step(swept: str, special_one: str) -> None:
-    slider = SLIDERS[swept]
-    steps = np.arange(slider.minimum, slider.maximum + slider.step / 2.0, slider.step).tolist()
-    for value, other in itertools.product(steps, special(special_one)):
-        setting = {swept: value, special_one: other}
-        for name in labels(lines_at_infinity(homography(**setting)), in_figures):
-            assert 0.0 <= name.box.left < name.box.right <= WIDTH, setting
-            assert 0.0 <= name.box.top < name.box.bottom <= HEIGHT, setting

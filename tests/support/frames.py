@@ -46,8 +46,3 @@ def pixels_of(frame: Frame, panel: int = 0) -> Raster:
     raster = frame.panels[panel].raster
     assert raster is not None
     return raster
-
-
-def computed_in(frame: Frame) -> tuple[str, ...]:
-    """The stages that ran for this frame."""
-    return tuple(stage.name for stage in frame.stages if stage.status == "computed")
