@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Locator
 from support.page_scripts import SILENT_WORKER
 from support.reader import PHONE, Reader, visit
 from support.static_server import StaticServer, serving
@@ -31,3 +32,23 @@ def quiet_phone(telephone: Reader) -> Iterator[Reader]:
     telephone.begin_anew(PHONE)
     yield telephone
     telephone.assert_no_complaints()
+
+
+@pytest.fixture
+def figure(guest: Reader, book: Any) -> Iterator[Locator]:
+    """At rest as its page has put it, with all answers shown; glides have frames on their way on
+    a busy machine, too."""
+    found = guest.stay_at_figure(book, "lens-distortion")
+    guest.page.evaluate("document.querySelectorAll('[data-reveal]').forEach((b) => b.click())")
+    guest.page.evaluate(STEADY_CLOCK)
+    yield found
+    guest.page.evaluate("() => { requestAnimationFrame = usualFrame; }")
+    guest.page.emulate_media(reduced_motion="null")
+
+
+STEADY_CLOCK = """() => {
+  const usual = requestAnimationFrame;
+  let now = 0;
+  globalThis.usualFrame = usual;
+  requestAnimationFrame = (draw) => usual(() => draw((now += 40)));
+}"""
