@@ -30,6 +30,7 @@ const own: Set<string> = new Set();
 let isTidy = false;
 /** Whether a file was missing or damaged: others may be. */
 let isSuspect = false;
+let mended: Promise<unknown> | null = null;
 
 worker.addEventListener("install", (event) => {
   const stored = release ? alone(takeUp) : Promise.resolve();
@@ -56,21 +57,20 @@ function alone(action: () => Promise<void>): Promise<void> {
 async function takeUp() {
   const store = await caches.open(STORE);
   await store.delete(keyOf(LIST, release)); // stored anew, it is the last list
-  const failed = (await storeAll(await filesOf(release))).at(-1);
+  const failed = await storeAll().catch((error) => ({ address: LIST, error }));
   isSuspect = false;
   if (!failed) return;
-  const { address, error } = failed;
-  const isFull = error instanceof DOMException;
+  const isFull = failed.error instanceof DOMException;
+  const problem = isFull ? failed.error.message : "";
   const pages = await worker.clients.matchAll({ type: "window", includeUncontrolled: true });
-  const problem = isFull ? error.message : "";
-  for (const page of pages) page.postMessage({ address: root + address, problem });
+  for (const page of pages) page.postMessage({ address: root + failed.address, problem });
   if (isFull) await keepOnly((await releases()).filter((name) => name !== release));
-  throw error;
+  throw failed.error;
 }
 
-/** @returns The files that could not be stored. */
-async function storeAll(files: Files) {
-  const left = [...files];
+/** Store what is missing or damaged; a file that cannot be had does not stop the others. */
+async function storeAll() {
+  const left = [...(await filesOf(release))];
   const failed: { address: string; error: Error }[] = [];
   const take = async () => {
     for (let file = left.pop(); file; file = left.pop()) {
@@ -82,7 +82,7 @@ async function storeAll(files: Files) {
     }
   };
   await Promise.all(Array.from({ length: AT_ONCE }, take));
-  return failed;
+  return failed.at(-1);
 }
 
 /** The file with this content, from the store or else from the network, which stores it. */
@@ -90,7 +90,7 @@ async function exactly(address: string, hash: string): Promise<Response> {
   const store = await caches.open(STORE);
   const key = keyOf(address, hash);
   const stored = await store.match(key);
-  if (stored && (await isUndamaged(stored.clone(), hash))) return stored;
+  if (stored && (await hashOf(stored.clone()).catch(() => "")) === hash) return stored;
   const reply = await fetchExactly(root + address, hash);
   await store.put(key, reply.clone());
   isSuspect = true;
@@ -103,13 +103,9 @@ function keyOf(address: string, hash: string) {
   return `${folder}${address.slice(address.lastIndexOf("/") + 1)}?${hash}`;
 }
 
-async function isUndamaged(file: Response, hash: string) {
-  try {
-    const digest = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());
-    return hash === `sha256-${btoa(String.fromCharCode(...new Uint8Array(digest)))}`;
-  } catch {
-    return false; // it cannot even be read
-  }
+async function hashOf(file: Response) {
+  const digest = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());
+  return `sha256-${btoa(String.fromCharCode(...new Uint8Array(digest)))}`;
 }
 
 /**
@@ -185,11 +181,7 @@ async function asAsked(stored: Response, { headers }: Request): Promise<Response
 
 /** After an answer to this page: mend the store, or drop the releases that no open page came from. */
 async function upkeep(page: string) {
-  if (isSuspect) {
-    isSuspect = false;
-    await storeAll(await filesOf(release));
-    isSuspect = false;
-  }
+  if (isSuspect) await (mended ??= storeAll());
   if (isTidy || !own.has(page)) return;
   const pages = await worker.clients.matchAll({ type: "window" });
   if (!pages.every(({ id }) => own.has(id))) return;
