@@ -33,7 +33,7 @@ let isSuspect = false;
 let mended: Promise<unknown> | null = null;
 
 worker.addEventListener("install", (event) => {
-  const stored = release ? alone(takeUp) : Promise.resolve();
+  const stored = release ? navigator.locks.request(STORE, takeUp) : Promise.resolve();
   event.waitUntil(stored.then(() => worker.skipWaiting()));
 });
 worker.addEventListener("activate", (event) => {
@@ -48,12 +48,10 @@ worker.addEventListener("fetch", (event) => {
   event.waitUntil(reply.then(() => upkeep(event.clientId)).catch(() => {}));
 });
 
-/** One at a time, in all workers: what one stores, no other deletes. */
-function alone(action: () => Promise<void>): Promise<void> {
-  return navigator.locks.request(STORE, action);
-}
-
-/** Store every file of the release, or fail; a later attempt fetches only what is missing. */
+/**
+ * Store every file of the release, or fail; a later attempt fetches only what is missing. Under a lock,
+ * so that no other worker deletes what this one stores.
+ */
 async function takeUp() {
   const store = await caches.open(STORE);
   await store.delete(keyOf(LIST, release)); // stored anew, it is the last list
@@ -186,7 +184,7 @@ async function upkeep(page: string) {
   const pages = await worker.clients.matchAll({ type: "window" });
   if (!pages.every(({ id }) => own.has(id))) return;
   isTidy = true;
-  await alone(async () => {
+  await navigator.locks.request(STORE, async () => {
     if ((await releases()).at(-1) === release) await keepOnly([release]);
   });
   for (const name of await caches.keys()) if (name.startsWith(FORMER)) await caches.delete(name);
