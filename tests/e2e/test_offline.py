@@ -176,7 +176,7 @@ def turn_of_releases(
 
     if update in ("cut", "arriving"):
         fault = Fault(lambda _: b"", status=404) if update == "cut" else Fault(hold)
-        host.faults[address(ODD)] = fault
+        host.faults[f"/2/{address(ODD)}"] = fault
     host.root = sites[last]
     tab.open(host.url)
     if moment == "at rest":
