@@ -74,7 +74,9 @@ def pareto_chart(measured: MeasuredLadder, words: Words = ENGLISH) -> Chart:
 
 
 def _draw(measured: MeasuredLadder, words: Words) -> Chart:
-    time, error = _time_axis(measured), _error_axis(measured)
+    spans = [item.times[side] for item in measured.tiers for side in SIDES]
+    time = log_axis((value for t in spans for value in (t.low, t.ms, t.high)), LEFT, RIGHT)
+    error = _error_axis(measured)
 
     def at(item: MeasuredTier, side: str) -> tuple[float, float]:
         value = item.errors[measured.metric.id]
@@ -117,11 +119,6 @@ def describe(measured: MeasuredLadder, words: Words = ENGLISH) -> str:
         *([words("chart.beaten", tiers=", ".join(losers))] if losers else []),
     ]
     return " ".join(sentences)
-
-
-def _time_axis(measured: MeasuredLadder) -> ChartAxis:
-    spans = (i.times[side] for i in measured.tiers for side in SIDES)
-    return log_axis((value for t in spans for value in (t.low, t.ms, t.high)), LEFT, RIGHT)
 
 
 def _error_axis(measured: MeasuredLadder) -> ChartAxis:

@@ -135,21 +135,13 @@ class Question:
         if self.answered_as:
             return self.answered_as
         answers = [(option.text, option.correct) for option in self.options]
-        asked = (self.kind, self.prompt_text, answers, self._decides)
+        asked = (self.kind, self.prompt_text, answers, self.decides)
         return hashlib.sha256(repr(asked).encode()).hexdigest()[:8]
-
-    @property
-    def _decides(self) -> object:
-        return self.decides
 
 
 @dataclass(frozen=True, slots=True)
 class Quiz(Question):
     """A question with explained answers."""
-
-    @property
-    def _decides(self) -> object:
-        return self.decides or 0.0
 
 
 @dataclass(frozen=True, slots=True)

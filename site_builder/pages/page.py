@@ -11,7 +11,7 @@ from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.markdown.directives.media import DrawnIllustration
 from site_builder.pages.environment import book_context, template_environment
-from site_builder.pages.versions import EMBED_FOLDER, Version, versions_of
+from site_builder.pages.versions import EMBED_FOLDER, versions_of
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.terms import GLOSSARY, SYMBOLS
@@ -67,6 +67,8 @@ def reading_minutes(chapter: Chapter, describe: Describe) -> int:
     return max(1, round(words / WORDS_A_MINUTE))
 
 
+TRANSLATED = ("landing.html", "chapter.html")
+"""Templates of the pages that translations have."""
 FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
 """Part that a reader meets first: text, and the line above it."""
 
@@ -170,16 +172,10 @@ def render_page(
             "here": "",
             "sections": (),
             "back_matter": (),
-            "versions": _versions(site.book, template, chapter),
+            "versions": versions_of(site.book, chapter) if template in TRANSLATED else (),
             **context,
         },
     )
-
-
-def _versions(book: Book, template: str, chapter: Chapter | None) -> tuple[Version, ...]:
-    """Only title pages and chapters are translated."""
-    there = template in ("landing.html", "chapter.html")
-    return versions_of(book, chapter) if there else ()
 
 
 def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:

@@ -77,7 +77,7 @@ def question_directive[Q: Question](
             path=context.path,
             line=call.line,
             details=asked.details,
-            decides=asked.decides,
+            decides=asked.decides or (0.0 if made is Quiz else None),
             drawn=drawn,
         )
 

@@ -37,18 +37,6 @@ class Asked:
     value are forgotten."""
 
 
-def _nothing(_question: Question) -> Mapping[str, object]:
-    return {}
-
-
-def _no_options(_question: Question) -> Sequence[Option]:
-    return ()
-
-
-def _no_view(_question: Question, _figures: Sequence[Simulation]) -> None:
-    return None
-
-
 @dataclass(frozen=True, slots=True)
 class QuestionKind:
     folder: str
@@ -64,15 +52,15 @@ class QuestionKind:
     """Option lines that no other kind has, or that kinds share by the same value."""
     numbered: bool = False
     """Whether the options are listed by number, and not by whether they are right."""
-    page_data: Callable[[Question], Mapping[str, object]] = _nothing
+    page_data: Callable[[Question], Mapping[str, object]] = lambda _question: {}
     """What its script must know besides the options."""
-    catalogue: Callable[[Question], Mapping[str, object]] = _nothing
+    catalogue: Callable[[Question], Mapping[str, object]] = lambda _question: {}
     """What its entry in ``book.json`` has besides."""
-    form_data: Callable[[Question], Mapping[str, object]] = _nothing
+    form_data: Callable[[Question], Mapping[str, object]] = lambda _question: {}
     """``data-`` attributes of its form."""
-    view: Callable[[Question, Sequence[Simulation]], object] = _no_view
+    view: Callable[[Question, Sequence[Simulation]], object] = lambda _question, _figures: None
     """What its template shows besides; it is given the figures of the chapter."""
-    offered: Callable[[Question], Sequence[Option]] = _no_options
+    offered: Callable[[Question], Sequence[Option]] = lambda _question: ()
     """The options to choose from or to put in order, as a page lists them."""
     drawn: bool = False
     """Whether its field is a drawing, which holds what is right."""
