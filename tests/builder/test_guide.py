@@ -7,11 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
 from support.engine import Engine
 from support.html_outline import read_html
 from support.little_book import MakeBook
-from support.static_server import serving
 
 from site_builder.build import render_site
 from site_builder.editions.notebooks.blocks import PARTS
@@ -80,7 +78,8 @@ def test_a_question_brings_its_own_kind_and_no_other(
     assert b"label.option" in scripts
     assert b".grip" not in scripts
     (sheet,) = (text for name, text in files.items() if name.endswith("/css/book.css"))
-    assert b"\n.verdict" in sheet
+    for kind, shipped in (("choice", True), ("order", False)):
+        assert ((HERE / kind / "kind.css").read_bytes() in sheet) is shipped
 
 
 @pytest.fixture(scope="module")
@@ -100,6 +99,13 @@ def test_every_directive_and_role_has_its_section(guide: Path) -> None:
         assert [heading for heading in headings if heading in declared] == declared
 
 
+def test_every_kind_of_question_has_an_example() -> None:
+    texts = (text for name, text in guide_files().items() if name.endswith(".md"))
+    pages = b"".join(map(content_bytes, texts)).decode()
+    used = {*re.findall(r"^:kind: ([\w-]+)", pages, re.MULTILINE), "single", "choice"}
+    assert {name for kind in KINDS for name in (kind.quiz or kind.predict)} <= used
+
+
 def test_a_directive_without_an_example_is_reported_with_the_file_to_write() -> None:
     with pytest.raises(NoExampleError, match=r"guide/examples/riddle\.md"):
         directive_page([replace(QUIZ, name="riddle")])
@@ -116,21 +122,3 @@ def test_every_class_of_drawings_is_on_their_page_and_every_colour_role_is_a_rol
     assert {"small", "strong"} <= set(texts)
     assert {name for name in {*styled, *roles} if f"`{name}`" not in page} == set()
     assert set(roles) <= {role.name for role in ROLES}
-
-
-@pytest.mark.browser
-def test_every_question_of_it_replies_to_a_press_of_its_button(
-    guide: Path, chromium: Browser
-) -> None:
-    """Whatever kinds there are; of their own tests others are in ``tests/e2e``."""
-    with serving(guide) as server, chromium.new_context() as context:
-        page = context.new_page()
-        page.goto(f"{server.url}directives/", wait_until="domcontentloaded")
-        page.wait_for_function("document.querySelector('form.quiz label.option')")
-        forms = page.locator("main form:is([data-quiz], [data-predict])").all()
-        assert {form.get_attribute("data-kind") for form in forms} == {
-            name for kind in KINDS for name in (kind.quiz or kind.predict)
-        }
-        for form in forms:
-            form.evaluate("form => form.requestSubmit()")
-            expect(form.locator(".feedback")).not_to_be_empty()

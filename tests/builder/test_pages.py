@@ -7,7 +7,6 @@ import posixpath
 import re
 from collections.abc import Mapping
 from dataclasses import replace
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -75,14 +74,6 @@ def resolved(page: str, file: str) -> str:
         return page
     target = posixpath.normpath(posixpath.join(posixpath.dirname(page), file)).lstrip("./")
     return target if "." in posixpath.basename(target) else f"{target}/index.html".lstrip("/")
-
-
-def test_headings_never_skip_a_level(pages: Mapping[str, Page]) -> None:
-    for path in pages.keys() - {"404.html"}:
-        tags = [element.tag for element in pages[path].elements]
-        levels = [int(tag[1]) for tag in tags if tag in ("h1", "h2", "h3", "h4")]
-        assert (levels[0], levels.count(1)) == (1, 1), path
-        assert all(b <= a + 1 for a, b in pairwise(levels)), path
 
 
 def test_the_catalogue_has_the_controls_of_figures_and_the_options_of_questions(
