@@ -64,6 +64,12 @@ SEEK = """async () => {
   });
 }"""
 """Look for a release; `end` comes when it is taken up, or is not."""
+FRAME = """async () => {
+  const frame = Object.assign(document.createElement('iframe'), {src: 'other/'});
+  await new Promise((resolve) => (frame.onload = resolve) && document.body.append(frame));
+  await (await frame.contentWindow.shared()).late();
+}"""
+"""Open a further page, which may be of the next release, beside this one."""
 EACH = """async () => {
   const texts = [];
   for (const name of await caches.keys()) {
@@ -186,6 +192,8 @@ def turn_of_releases(
         assert requested.wait(2 * limit_s())
     else:
         tab.ask("() => window.end")
+    if moment == "at rest":
+        tab.ask(FRAME)
     visible = shown(tab)
     if moment == "offline":
         host.gone = True
