@@ -270,13 +270,16 @@ def test_a_page_older_than_its_host_offers_a_reload_and_python_starts_once_the_h
 
 
 def test_without_webassembly_or_scripts_pages_are_whole_and_offer_nothing_that_does_nothing(
-    plain_reader: Reader, chromium: Browser, server: StaticServer, book: Any
+    plain_reader: Reader, chromium: Browser, server: StaticServer, built_site: Path, book: Any
 ) -> None:
     plain_reader.open(CHAPTER, live=False)
     figure = plain_reader.figure(SCENE)
     expect(figure.locator(".figure-message")).to_contain_text("WebAssembly")
     assert not figure.locator(".control-grid >> nth=0").is_visible()
     assert figure.locator("svg.overlay").first.is_visible()
+    plain_reader.page.goto((built_site / CHAPTER / "index.html").as_uri())
+    expect(plain_reader.page.locator(".scripts-notice:visible")).to_contain_text("http.server")
+    plain_reader.complaints.clear()  # the browser's own, of scripts in files
     with chromium.new_context(java_script_enabled=False) as context:
         page = context.new_page()
         for chapter in book["chapters"][::4]:
