@@ -7,21 +7,19 @@ import * as figures from "./editor/feature.ts";
 import * as instruments from "./instrument/feature.ts";
 import * as ladders from "./ladder/bench.ts";
 import * as cases from "./page/case_filter.ts";
-import { ask as followScroll, installHeader } from "./page/header.ts";
 import { installKeys } from "./page/keys.ts";
 import { installNavigation } from "./page/navigate.ts";
 import { notice } from "./page/notice.ts";
 import { installOffline } from "./page/offline.ts";
 import { installPrefetch } from "./page/prefetch.ts";
 import { watchScripts } from "./page/release.ts";
-import { watchScrollers } from "./page/scrollers.ts";
+import * as scrolling from "./page/scrolling.ts";
 import { installSearch } from "./page/search.ts";
-import { watchSections } from "./page/sections.ts";
 import { FORGETFUL } from "./page/storage.ts";
 import * as terms from "./page/terms.ts";
 import { installTheme, showTheme } from "./page/theme.ts";
 import { useWordsOf, words } from "./page/words.ts";
-import * as keeping from "./question/keeping.ts";
+import * as progress from "./question/progress.ts";
 import * as questions from "./question/questions.ts";
 
 /** What a part of pages does. */
@@ -35,12 +33,11 @@ interface Part {
   /** The page is about to make way for another; its address may be that one's already. */
   leave?(page: string): void;
 }
-const PARTS: Part[] = [figures, instruments, ladders, cases, terms, questions, keeping];
+const PARTS: Part[] = [figures, instruments, ladders, cases, terms, questions, progress, scrolling];
 
 useWordsOf(document);
 installTheme();
 addEventListener(FORGETFUL, () => notice(words("page.forgetful")));
-installHeader();
 installSearch();
 installKeys();
 for (const part of PARTS) part.install();
@@ -51,7 +48,6 @@ watchScripts();
 installNavigation(
   () => {
     showTheme();
-    followScroll();
     arrive();
   },
   () => {
@@ -65,6 +61,4 @@ installNavigation(
 /** A page has come into place. */
 function arrive() {
   for (const part of PARTS) part.arrive?.();
-  watchSections();
-  watchScrollers();
 }

@@ -1,18 +1,19 @@
-/** What a book with figures ships: the elements, and gestures on them. */
+/**
+ * What a book with figures ships: the elements, and gestures on them and on words that speak of them.
+ * What answers these is fetched when it is first needed. Listeners sit on the document, so that they
+ * outlive a change of chapter.
+ */
 
+import { all, isPlain, maybe, within } from "../page/dom.ts";
+import { isCalm } from "./animate.ts";
 import { SimulationFigure } from "./element.ts";
-import { nudgeFirstHandle, watchHands } from "./nudge.ts";
-import { installGestures, returned } from "./gestures.ts";
-import { installPanelDots } from "./panel_dots.ts";
 import { prewarmNext, watchInput } from "./prewarm.ts";
 
 /** Called once; before links to other pages are listened for, since some are answered here. */
 export function install() {
   customElements.define("simulation-figure", SimulationFigure);
-  installPanelDots();
   installGestures();
   watchInput();
-  watchHands();
 }
 
 /** Called for each page. */
@@ -21,4 +22,129 @@ export function arrive() {
   nudgeFirstHandle();
 }
 
-export { returned };
+/** What may have the colour of an idea: words, parts of formulae, readouts, handles, controls. */
+const COLOURED = '[class*="role-"], .control';
+
+/** Figures that the reader has changed since the page was opened. */
+const touched = new WeakSet();
+
+function installGestures() {
+  document.addEventListener("click", clicked);
+  document.addEventListener("input", touch);
+  document.addEventListener("figure-rest", rested);
+  // What a press copies must be at hand when it comes: browsers forbid it a moment later.
+  document.addEventListener("toggle", fetchTools, true);
+  document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
+  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, highlight);
+  for (const type of ["pointerdown", "keydown"]) document.addEventListener(type, usedByHand);
+  document.addEventListener("scroll", pushed, { capture: true, passive: true });
+}
+
+/** The address has become another one of the same page: its figures follow. */
+export async function returned() {
+  if (!document.querySelector("simulation-figure")) return;
+  const { showAddress } = await import("./permalink.ts");
+  showAddress();
+}
+
+async function clicked(event: MouseEvent) {
+  touch(event);
+  const link = within(event, "a.set[href]", HTMLAnchorElement);
+  const toFigure = within(event, ".figure-link a", HTMLAnchorElement);
+  const tool = within(event, ".tools button", HTMLButtonElement);
+  const dot = within(event, ".panel-dots > button", HTMLButtonElement);
+  if (dot) bringIntoView(dot);
+  if (link && isPlain(event)) {
+    event.preventDefault();
+    (await import("./animate.ts")).follow(link);
+  }
+  if (toFigure) {
+    const { offerWayBack, scrolled } = await import("./animate.ts");
+    await scrolled();
+    offerWayBack(toFigure);
+  }
+  if (tool) (await import("./tools.ts")).use(tool);
+}
+
+function touch(event: Event) {
+  const form = within(event, "form.controls [name]", Element)?.closest("form");
+  if (form) touched.add(form);
+}
+
+/** Keep what the reader has done in the address, once the figure rests. */
+async function rested(event: Event) {
+  const figure = within(event, "simulation-figure", HTMLElement);
+  const form = figure?.querySelector("form.controls");
+  for (const readout of figure?.querySelectorAll("[data-moved]") ?? []) {
+    readout.removeAttribute("data-moved");
+  }
+  if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
+  const permalink = await import("./permalink.ts").catch(ignore); // else the address stays
+  permalink?.record(figure, "replace");
+}
+
+function fetchTools(event: Event) {
+  if (within(event, ".tools .share", HTMLElement)) import("./tools.ts").catch(ignore);
+}
+
+async function highlight(event: Event) {
+  const pointed = within(event, COLOURED, Element);
+  if (pointed) (await import("./highlight.ts").catch(ignore))?.point(pointed);
+}
+
+/** Optional work: its failure is not reported. */
+function ignore() {}
+
+/**
+ * Panels that stand in a strip: a dot for each brings it into view and tells which is shown.
+ */
+function bringIntoView(dot: HTMLButtonElement) {
+  const dots = dot.parentElement;
+  const strip = dots?.previousElementSibling?.querySelector(".other-panels");
+  if (!dots || !strip) return;
+  strip.scrollTo({ left: (way(strip) * Number(dot.dataset.place)) / (dots.children.length - 1) });
+}
+
+function pushed({ target }: Event) {
+  if (!(target instanceof HTMLElement) || !target.matches(".other-panels")) return;
+  const dots = target.parentElement?.nextElementSibling;
+  if (!dots?.matches(".panel-dots")) return;
+  const place = Math.round((target.scrollLeft / way(target)) * (dots.children.length - 1));
+  for (const dot of all(dots, "button", HTMLButtonElement)) {
+    dot.ariaCurrent = Number(dot.dataset.place) === place ? "true" : null;
+  }
+}
+
+/** How far a strip can be pushed, in pixels. */
+function way(strip: Element) {
+  return Math.max(1, strip.scrollWidth - strip.clientWidth);
+}
+
+/** Milliseconds for which the handle shows what it is for. */
+const SHOWN = 3200;
+
+/** Whether the reader has used a figure, here or on an earlier page. */
+let used = false;
+
+function usedByHand(event: Event) {
+  if (!within(event, "simulation-figure", HTMLElement)) return;
+  used = true;
+  maybe(document, ".nudged", HTMLElement)?.classList.remove("nudged");
+}
+
+/** Before its figure is live, a handle is not displayed and not in view. */
+function nudgeFirstHandle() {
+  const handle = maybe(document, ".handle:not(.drag, .aim, [hidden])", HTMLElement);
+  if (!handle || isCalm()) return;
+  const watcher = new IntersectionObserver(
+    ([{ isIntersecting }]) => {
+      if (!isIntersecting) return;
+      watcher.disconnect();
+      if (used) return;
+      handle.classList.add("nudged");
+      setTimeout(() => handle.classList.remove("nudged"), SHOWN);
+    },
+    { threshold: 1, rootMargin: "-15% 0px" },
+  );
+  watcher.observe(handle);
+}

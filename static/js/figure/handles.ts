@@ -7,24 +7,24 @@
 import { isPoints } from "../../../simulations/engine/controls/points/kind.ts";
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { message } from "../errors.ts";
-import { all, within } from "../page/dom.ts";
+import { all, maybe, within } from "../page/dom.ts";
 import { formatValue, setAttribute } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import type { Control, Value } from "./control.ts";
-import { moveControls, named, readValues, type Schema } from "./controls.ts";
-import { Changes } from "./changes.ts";
+import { moveControls, named, readValue, readValues, type Schema } from "./controls.ts";
 import {
   center,
   driven,
   grabbed,
+  holdGround,
   inPanel,
+  mayScroll,
   name,
   placeText,
   put,
   type Point,
 } from "./handle_elements.ts";
 import { keyed, movedByKey } from "./handle_keys.ts";
-import { holdGround, mayScroll } from "./pointer_capture.ts";
 import { LatestWins } from "./scheduler.ts";
 import { say } from "./status.ts";
 
@@ -231,4 +231,36 @@ export class Handles {
     if (event.type === "focusout") element?.classList.remove("by-hand");
     if (event.type.startsWith("focus")) this.#describe();
   }
+}
+
+/** The changes of the points of a figure, which a button takes back one by one. */
+class Changes {
+  /** Values that the controls had, the last one being the present. */
+  #had: Map<string, Value[]> = new Map();
+
+  constructor(
+    readonly form: HTMLFormElement,
+    readonly controls: Control[],
+    signal: AbortSignal,
+  ) {
+    const points = controls.filter(isPoints);
+    for (const control of points) this.#had.set(control.name, [readValue(form, control)]);
+    if (points.length)
+      form.addEventListener("change", () => points.forEach(this.#keep), { signal });
+  }
+
+  undo(name: string) {
+    const had = this.#had.get(name) ?? [];
+    if (had.length < 2) return;
+    had.pop();
+    moveControls(this.form, this.controls, { [name]: had[had.length - 1] }, "change");
+  }
+
+  #keep = (control: Control) => {
+    const had = this.#had.get(control.name) ?? [];
+    const now = readValue(this.form, control);
+    if (now !== had[had.length - 1]) had.push(now);
+    const button = maybe(this.form, `[data-undo="${control.name}"]`, HTMLButtonElement);
+    if (button) button.disabled = had.length < 2;
+  };
 }

@@ -8,14 +8,12 @@ import { data, one, within } from "../page/dom.ts";
 import type { FrameReply } from "../runtime/messages.ts";
 import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.ts";
 import { announcer } from "./announce.ts";
-import { playInView } from "./arrival.ts";
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.ts";
 import type { Control } from "./control.ts";
 import { fieldOf, readValue, readValues, writeValue, type Schema } from "./controls.ts";
 import { Handles, type Pull } from "./handles.ts";
-import { isInitial } from "./initial_frame.ts";
-import { Motion } from "./motion.ts";
+import { Motion, playInView } from "./motion.ts";
 import { OwnPicture } from "./own_picture.ts";
 import { Painter, takeStills } from "./painter.ts";
 import { Prerendered } from "./prerendered.ts";
@@ -342,4 +340,18 @@ export class LiveFigure {
 
 function soundOf({ meta, sound }: FrameReply): Sound | null {
   return sound ? { rate: JSON.parse(meta).sound.rate, samples: new Float32Array(sound) } : null;
+}
+
+/**
+ * Whether an untouched figure shows the frame of its page, drawn when the book was built, and that is
+ * the frame asked for.
+ */
+function isInitial(
+  { dataset }: HTMLElement,
+  { controls, values, default_tier: tier }: Schema,
+  asked: { values: string; tier: string },
+) {
+  const initial = Object.fromEntries(controls.map(({ name }) => [name, values[name]]));
+  const untouched = dataset.frames === "0" && dataset.early === undefined;
+  return untouched && tier === asked.tier && JSON.stringify(initial) === asked.values;
 }

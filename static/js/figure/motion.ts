@@ -3,8 +3,9 @@
  * reset returns it to where the page put it.
  */
 
+import { one } from "../page/dom.ts";
 import { everyFrame, isCalm } from "./animate.ts";
-import type { Action } from "../../../simulations/engine/controls/action/kind.ts";
+import { isAction, type Action } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, type Slider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { readValue, writeValue, type Schema } from "./controls.ts";
 
@@ -106,5 +107,48 @@ export class Motion {
 
   #value(slider: Slider) {
     return Number(readValue(this.form, slider));
+  }
+}
+
+/** Share of the panels that must be in view. */
+const IN_VIEW = 0.6;
+
+/**
+ * Have a figure play when it comes into view, once, until a hand is on it; not where the reader asked
+ * for less motion. Whatever plays stops where nobody sees it.
+ *
+ * @param signal Ends all watching.
+ */
+export function playInView(
+  figure: HTMLElement,
+  schema: Schema,
+  motion: Motion,
+  signal: AbortSignal,
+) {
+  const action = schema.controls.filter(isAction).find(({ arrival }) => arrival);
+  let waits = !!action;
+  let inView = false;
+  const begin = () => {
+    if (!waits || !action || !inView || figure.dataset.state !== "live" || isCalm()) return;
+    waits = false;
+    motion.press(action, performance.now());
+  };
+  const touched = () => {
+    waits = false;
+  };
+  const observer = new IntersectionObserver(
+    (entries) => {
+      const last = entries[entries.length - 1];
+      inView = last.intersectionRatio >= IN_VIEW;
+      if (last.isIntersecting) begin();
+      else motion.stop();
+    },
+    { threshold: [0, IN_VIEW] },
+  );
+  observer.observe(one(figure, ".panels", HTMLElement));
+  signal.addEventListener("abort", () => observer.disconnect());
+  figure.addEventListener("painted", begin, { signal });
+  for (const type of ["pointerdown", "keydown", "input", "change"]) {
+    figure.addEventListener(type, touched, { signal, capture: true });
   }
 }

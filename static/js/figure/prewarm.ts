@@ -5,8 +5,7 @@
 
 import { isMetered } from "../page/data_saver.ts";
 import { all, maybe } from "../page/dom.ts";
-import { linkedPage } from "../page/links.ts";
-import { prefetch } from "../page/prefetch.ts";
+import { linkedPage, prefetch } from "../page/prefetch.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
 
 /** Milliseconds of rest after the last input. */

@@ -1,13 +1,13 @@
 /** What can be done with a figure as a whole: the row of buttons below it. */
 
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { message } from "../errors.ts";
-import { data, maybe, one } from "../page/dom.ts";
-import { download } from "../page/download.ts";
-import { words } from "../page/words.ts";
+import { all, data, maybe, one } from "../page/dom.ts";
+import { csv, download } from "../page/download.ts";
+import { fromNumeral, words } from "../page/words.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
 import { glide, jump } from "./animate.ts";
 import { readValues } from "./controls.ts";
-import { numbersOf } from "./numbers.ts";
 import { embedding, permalink, settingsOf } from "./permalink.ts";
 import { pictureOf } from "./picture.ts";
 
@@ -133,4 +133,35 @@ function report(figure: HTMLElement, text: string) {
   clearTimeout(Number(line.dataset.timer));
   line.textContent = text;
   line.dataset.timer = String(setTimeout(() => (line.textContent = ""), SAID_MS));
+}
+
+/**
+ * What a figure is set to and what it measures, for other programs, as comma-separated values: a line for each setting and each number, entries of a matrix row by row.
+ */
+function numbersOf(figure: HTMLElement) {
+  const { form, controls } = settingsOf(figure);
+  const values = readValues(form, controls);
+  const settings = controls.map((control) => {
+    const unit = isSlider(control) ? control.unit : "";
+    return ["setting", control.name, control.label, String(values[control.name]), unit];
+  });
+  const readouts = all(figure, "output", HTMLOutputElement).flatMap(readoutRows);
+  return csv([["kind", "name", "label", "value", "unit"], ...settings, ...readouts]);
+}
+
+function readoutRows(output: HTMLOutputElement): string[][] {
+  const box = output.parentElement;
+  const label = box?.querySelector(".readout-label")?.textContent ?? "";
+  const unit = box?.querySelector(".unit")?.textContent ?? "";
+  const lines = fromNumeral(output.value).replaceAll("\u2212", "-").split("\n");
+  if (lines.length === 1) return [["readout", output.name, label, lines[0], unit]];
+  return lines.flatMap((line, row) =>
+    line
+      .trim()
+      .split(/\s+/)
+      .map((entry, column) => {
+        const name = `${output.name}[${row + 1},${column + 1}]`;
+        return ["readout", name, label, entry, unit];
+      }),
+  );
 }

@@ -5,7 +5,6 @@ import { all, maybe, within } from "../page/dom.ts";
 import { recall } from "../page/storage.ts";
 import type { DataSheet } from "./data_sheet.ts";
 import type { Instrument } from "./instrument.ts";
-import { keyOf } from "./photo.ts";
 
 /** Instruments by the figure that has photographs, or had. */
 const instruments: WeakMap<SimulationFigure, Promise<Instrument>> = new WeakMap();
@@ -31,7 +30,7 @@ export function install() {
 export function arrive() {
   for (const box of all(document, ".intake", HTMLElement)) {
     const scene = figureOf(box)?.dataset.simulation ?? "";
-    if (recall(keyOf(scene))) instrumentOf(box).then((instrument) => instrument.restore());
+    if (recall(`instrument:${scene}`)) instrumentOf(box).then((instrument) => instrument.restore());
   }
 }
 

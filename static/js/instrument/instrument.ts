@@ -9,11 +9,18 @@ import { maybe, one } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { closed } from "../runtime/runtime.ts";
-import { erase, keep, keptPhotos } from "./keeping.ts";
+import {
+  erase,
+  forgetSession,
+  keep,
+  keepSession,
+  keptPhotos,
+  type Photo,
+  restoreSession,
+  type State,
+} from "./keeping.ts";
 import { PhotoList } from "./list.ts";
-import type { Photo, State } from "./photo.ts";
 import { Reader, ReaderEnded } from "./reader.ts";
-import { forgetSession, keepSession, restoreSession } from "./session.ts";
 
 export class Instrument {
   photos: Photo[] = [];

@@ -1,7 +1,35 @@
-/** Photographs that stay on this device when their page is left, in IndexedDB, by scene. */
+/**
+ * The reader's photographs in an instrument, and what of them stays on this device when their page is
+ * left: the photographs in IndexedDB, by scene, and the settings that they are measured with.
+ */
 
 import { STORAGE } from "../book.js";
-import type { Photo } from "./photo.ts";
+import { isAddressed } from "../figure/address.ts";
+import { moveControls, readValues } from "../figure/controls.ts";
+import type { SimulationFigure } from "../figure/element.ts";
+import { settingsOf } from "../figure/permalink.ts";
+import type { Source } from "../figure/photograph.ts";
+import { recall, remember } from "../page/storage.ts";
+
+/** `ready`: decoded, and read where the scene reads; `refused`: `said` says why. */
+export type State = "waiting" | "reading" | "ready" | "refused";
+
+export interface Photo extends Source {
+  /** In storage. */
+  id: string;
+  /** In Python. */
+  number: number;
+  state: State;
+  said: string;
+  thumbnail: Blob | null;
+  /** What its scene keeps of it. */
+  data: unknown;
+}
+
+/** Key in storage of the settings of a scene's figure whose photographs are kept. */
+export function keyOf(scene: string) {
+  return `instrument:${scene}`;
+}
 
 const STORE = "photographs";
 
@@ -71,4 +99,20 @@ function opened(): Promise<IDBDatabase> {
     request.onsuccess = () => resolve(request.result);
     request.onerror = () => reject(request.error);
   });
+}
+
+export function keepSession(scene: string, figure: SimulationFigure) {
+  const { form, controls } = settingsOf(figure);
+  remember(keyOf(scene), readValues(form, controls));
+}
+
+export function forgetSession(scene: string) {
+  remember(keyOf(scene), null);
+}
+
+/** Put a figure to the settings that were kept, unless the address of its page has some. */
+export function restoreSession(scene: string, figure: SimulationFigure) {
+  const { form, controls } = settingsOf(figure);
+  const kept = recall(keyOf(scene));
+  if (kept && !isAddressed(figure)) moveControls(form, controls, kept, "change");
 }

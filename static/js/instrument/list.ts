@@ -3,7 +3,7 @@
 import { one } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
-import type { Photo } from "./photo.ts";
+import type { Photo } from "./keeping.ts";
 
 export class PhotoList {
   #items: Map<Photo, HTMLElement> = new Map();

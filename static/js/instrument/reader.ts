@@ -7,7 +7,7 @@ import { message } from "../errors.ts";
 import { inTurn, open, take, thumbnailOf } from "../figure/photograph.ts";
 import { words } from "../page/words.ts";
 import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.ts";
-import type { Photo } from "./photo.ts";
+import type { Photo } from "./keeping.ts";
 
 /** Larger photographs are scaled down before they are read. */
 export const MOST_MEGAPIXELS = 24;

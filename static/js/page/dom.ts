@@ -1,4 +1,4 @@
-/** Elements that must be there, with the type that they must have. */
+/** Elements that must be there, with the type that they must have; and new ones. */
 
 /**
  * The first descendant of `root` that fits.
@@ -41,6 +41,18 @@ export function within<T extends Element>(
 ): T | null {
   const found = event.target instanceof Element ? event.target.closest(selector) : null;
   return found instanceof type ? found : null;
+}
+
+/** A new element with a class and a text. */
+export function element<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag,
+  className: string = "",
+  text: string = "",
+): HTMLElementTagNameMap[Tag] {
+  const made = document.createElement(tag);
+  if (className) made.className = className;
+  if (text) made.textContent = text;
+  return made;
 }
 
 /** Whether a click on a link asks for no more than to follow it: not for a new window, say. */

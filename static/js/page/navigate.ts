@@ -5,9 +5,8 @@
  */
 
 import { all, isPlain, within } from "./dom.ts";
-import { linkedPage } from "./links.ts";
 import { notice } from "./notice.ts";
-import { HostError, fetchPage } from "./prefetch.ts";
+import { HostError, fetchPage, linkedPage } from "./prefetch.ts";
 import { isOfRelease } from "./release.ts";
 import { useWordsOf, words } from "./words.ts";
 

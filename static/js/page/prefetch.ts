@@ -1,8 +1,10 @@
-/** Pages are fetched when a link to them is pointed at, unless the reader pays for what is fetched. */
+/**
+ * Links from one page of the book to another. Pages are fetched when a link to them is pointed at,
+ * unless the reader pays for what is fetched.
+ */
 
 import { isMetered } from "./data_saver.ts";
 import { within } from "./dom.ts";
-import { linkedPage } from "./links.ts";
 
 const HINTS = ["pointerover", "focusin", "touchstart"];
 /** Milliseconds after which a page is fetched again, as the book may have been built anew. */
@@ -53,4 +55,15 @@ async function load(address: string, signal?: AbortSignal): Promise<Page> {
   if (!reply.ok) throw new Error("not a page of the book");
   const { redirected, headers } = reply;
   return { text: await reply.text(), type: headers.get("content-type") ?? "", redirected };
+}
+
+/** Where a link leads, if that is another page of the book, or another state of its figures. */
+export function linkedPage(link: HTMLAnchorElement): URL | null {
+  const { root } = document.body.dataset;
+  if (root === undefined || link.target || link.hasAttribute("download")) return null;
+  const url = new URL(link.href);
+  const book = new URL(root || "./", location.href).href;
+  const inBook = url.href.startsWith(book) && /(\/|\.html)$/.test(url.pathname);
+  const isOther = url.pathname + url.search !== location.pathname + location.search;
+  return inBook && isOther ? url : null;
 }

@@ -1,10 +1,92 @@
-/** The page on which the files of a class are merged: its tables, and the same as one file. */
+/**
+ * The page on which the files of a class are merged: the answers of its students question by
+ * question, in tables and as one file.
+ */
 
 import { message } from "../errors.ts";
-import { data, one } from "../page/dom.ts";
+import { data, element, one } from "../page/dom.ts";
 import { csv, download } from "../page/download.ts";
-import { words } from "../page/words.ts";
-import { type Answers, type Asked, type Result, resultsOf, type Try } from "./class_answers.ts";
+import { numeral, words } from "../page/words.ts";
+import { KINDS } from "./book_kinds.js";
+import type { Given, Question } from "./question.ts";
+
+interface Asked {
+  id: string;
+  name: string;
+  /** Its address, from the site's root. */
+  place: string;
+  /** With each of the numbers that it draws; the question alone, where it draws none. */
+  variants: Variant[];
+}
+
+interface Variant extends Question {
+  /** `f = 24; N = 5.6`. */
+  drawn: string;
+  options: (Question["options"][number] & { text: string })[];
+  tolerance?: number;
+}
+
+interface Try {
+  text: string;
+  right: boolean;
+}
+
+/** Answers of one student to one question. */
+interface Tried {
+  who: string;
+  first: Try;
+  last: Try;
+}
+
+interface Result {
+  question: Asked;
+  tried: Tried[];
+  /** The wrong answer that most gave at first, and how many. */
+  trap: [string, number] | null;
+}
+
+/** Answers of a file by the names under which a browser stores them. */
+type Answers = Record<string, any>;
+
+/** The questions that anyone has answered; answers to other editions of them are left out. */
+function resultsOf(questions: Asked[], files: Map<string, Answers>): Result[] {
+  const results = questions.map((question) => {
+    const tried = [...files].flatMap(([who, answers]) => {
+      const entry = answers[`quiz:${question.id}`];
+      const asked = question.variants.find(({ edition }) => edition === entry?.edition);
+      if (!asked) return [];
+      const last = judged(asked, entry.answer);
+      const first = judged(asked, entry.first) ?? last;
+      return first && last ? [{ who, first, last }] : [];
+    });
+    return { question, tried, trap: trapOf(tried) };
+  });
+  return results.filter(({ tried }) => tried.length > 0);
+}
+
+function judged(question: Variant, given: Given | undefined): Try | null {
+  const kind = KINDS[question.kind];
+  if (given === undefined || !kind.fits(question, given)) return null;
+  return { text: textOf(question, given), right: kind.judge(question, given).right };
+}
+
+function textOf({ options, tolerance, drawn }: Variant, given: Given) {
+  const places = [given].flat();
+  const text =
+    tolerance === undefined
+      ? places.map((at) => options[at].text).join(" · ")
+      : places.map((value) => numeral(String(value))).join(" ");
+  return drawn ? `${drawn}: ${text}` : text;
+}
+
+function trapOf(tried: Tried[]): [string, number] | null {
+  const counts = new Map<string, number>();
+  for (const { first } of tried) {
+    if (!first.right) counts.set(first.text, (counts.get(first.text) ?? 0) + 1);
+  }
+  const [most] = [...counts].sort(([, some], [, others]) => others - some);
+  return most ?? null;
+}
 
 let results: Result[] = [];
 
@@ -57,22 +139,21 @@ function inert(text: string) {
 }
 
 function shown({ question, tried, trap }: Result, root: string) {
-  const [details, summary] = [element("details"), element("summary")];
+  const [details, table] = [element("details"), element("table")];
   const right = (at: "first" | "last") => tried.filter((each) => each[at].right).length;
   const counts = { count: tried.length, first: right("first"), last: right("last") };
-  summary.textContent = `${question.name}: ${words("class.counts", counts)}`;
-  if (trap) summary.textContent += ` ${words("class.trap", { answer: trap[0], count: trap[1] })}`;
-  const link = Object.assign(element("a"), { href: `${root}${question.place}` });
-  link.textContent = question.name;
-  const table = element("table");
-  const head = ["class.who", "class.first", "class.last"].map((key) => cell("th", words(key)));
+  const said = trap ? ` ${words("class.trap", { answer: trap[0], count: trap[1] })}` : "";
+  const summary = `${question.name}: ${words("class.counts", counts)}${said}`;
+  const link = element("a", "", question.name);
+  link.href = `${root}${question.place}`;
   table.append(
-    row(head),
-    ...tried.map(({ who, first, last }) =>
-      row([cell("td", who), ...[first, last].map((each) => cell("td", marked(each)))]),
+    row(
+      "th",
+      ["class.who", "class.first", "class.last"].map((key) => words(key)),
     ),
+    ...tried.map(({ who, first, last }) => row("td", [who, marked(first), marked(last)])),
   );
-  details.append(summary, link, table);
+  details.append(element("summary", "", summary), link, table);
   return details;
 }
 
@@ -80,16 +161,8 @@ function marked({ text, right }: Try) {
   return `${right ? "✓" : "✗"} ${text}`;
 }
 
-function row(cells: HTMLElement[]) {
+function row(tag: "th" | "td", texts: string[]) {
   const made = element("tr");
-  made.append(...cells);
+  made.append(...texts.map((text) => element(tag, "", text)));
   return made;
-}
-
-function cell(tag: "th" | "td", text: string) {
-  return Object.assign(element(tag), { textContent: text });
-}
-
-function element<Tag extends keyof HTMLElementTagNameMap>(tag: Tag) {
-  return document.createElement(tag);
 }

@@ -1,4 +1,6 @@
 /**
+ * Orders and numbers that are the reader's own: by chance once, then the same on every visit.
+ *
  * Questions that draw their numbers. A seed and the question's id decide which: the seed of a class,
  * which comes with an address, or else the reader's own. A reader may ask for other numbers. A stored
  * answer names its numbers by the edition of the variant.
@@ -7,7 +9,6 @@
 import { data, one } from "../page/dom.ts";
 import { forget, recall, remember } from "../page/storage.ts";
 import type { Question } from "./question.ts";
-import { hash, ownSeed } from "./shuffle.ts";
 
 interface Variant extends Question {
   fieldset_html: string;
@@ -80,4 +81,40 @@ function keyOf(form: HTMLFormElement) {
 
 function variantsOf(form: HTMLFormElement): Variant[] {
   return form.dataset.quiz ? (data(form, "script.quiz-data").variants ?? []) : [];
+}
+
+/** What this reader's orders come from; where nothing is remembered, as long as the page lasts. */
+let seed = "";
+
+/**
+ * The numbers from 0 to `count` − 1 in the reader's order.
+ *
+ * @param name What is to be put in order.
+ */
+export function shuffled(name: string, count: number) {
+  const own = ownSeed();
+  const hashes = Array.from({ length: count }, (_, index) => hash(`${own}${name} ${index}`));
+  return [...hashes.keys()].sort((one, other) => hashes[one] - hashes[other]);
+}
+
+/** What is drawn for this reader alone follows from it. */
+function ownSeed() {
+  if (!seed) {
+    const stored = recall("order");
+    seed =
+      typeof stored === "string" ? stored : crypto.getRandomValues(new Uint32Array(2)).join("-");
+    remember("order", seed);
+  }
+  return seed;
+}
+
+/**
+ * FNV-1a, which spreads short texts over 32 bits, with the last step of MurmurHash3, which mixes them.
+ */
+function hash(text: string) {
+  let value = 0x811c9dc5;
+  for (const letter of text) value = Math.imul(value ^ letter.charCodeAt(0), 0x01000193);
+  value = Math.imul(value ^ (value >>> 16), 0x85ebca6b);
+  value = Math.imul(value ^ (value >>> 13), 0xc2b2ae35);
+  return (value ^ (value >>> 16)) >>> 0;
 }

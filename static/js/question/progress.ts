@@ -1,7 +1,13 @@
-/** How far the reader has come: of a chapter by the answers on its page, of the book by memory. */
+/**
+ * How far the reader has come: of a chapter by the answers on its page, of the book by memory. Below
+ * it buttons: forget the answers, save them, read them again. What shows answers on the page follows
+ * the events `answers-forgotten` and `answers-read`. And the page on which the saved answers of a
+ * class are merged.
+ */
 
-import { all, data, maybe, one } from "../page/dom.ts";
-import { recall } from "../page/storage.ts";
+import { message } from "../errors.ts";
+import { all, data, element, maybe, one, within } from "../page/dom.ts";
+import { forget, recall } from "../page/storage.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 
@@ -49,10 +55,9 @@ function listMissed(section: HTMLElement) {
   list.hidden = missed.length === 0;
   list.replaceChildren(
     ...missed.map((form) => {
-      const [item, link] = [document.createElement("li"), document.createElement("a")];
-      link.href = `#${form.id}`;
-      link.textContent = form.querySelector(".asked")?.textContent?.trim() ?? "";
-      item.append(link);
+      const text = form.querySelector(".asked")?.textContent?.trim() ?? "";
+      const item = element("li");
+      item.append(Object.assign(element("a", "", text), { href: `#${form.id}` }));
       return item;
     }),
   );
@@ -60,4 +65,62 @@ function listMissed(section: HTMLElement) {
 
 function forms() {
   return all(document, "form.quiz", HTMLFormElement);
+}
+
+/** Listen for them on any page. */
+export function install() {
+  document.addEventListener("click", (event) => {
+    const section = within(event, "section.progress", HTMLElement);
+    if (!section) return;
+    if (within(event, "[data-progress-reset]", Element)) reset(section);
+    if (within(event, "[data-progress-export]", Element)) save(section);
+    if (within(event, "[data-progress-import]", Element)) picker(section).click();
+  });
+  document.addEventListener("click", async (event) => {
+    if (within(event, ".class-csv", Element)) (await import("./class_page.ts")).saveClass();
+  });
+  document.addEventListener("change", async (event) => {
+    const files = within(event, ".class-files", HTMLInputElement)?.files;
+    const page = maybe(document, "article.class", HTMLElement);
+    if (!files || !page) return;
+    const { answersIn } = await import("./progress_file.ts");
+    await (await import("./class_page.ts")).showClass(page, files, answersIn);
+  });
+  document.addEventListener("change", (event) => {
+    const input = within(event, ".progress-file", HTMLInputElement);
+    const section = maybe(document, "section.progress", HTMLElement);
+    const file = input?.files?.[0];
+    if (input && section && file) read(section, file).finally(() => (input.value = ""));
+  });
+}
+
+function reset(section: HTMLElement) {
+  if (section.dataset.progress === "book") forget(/^(quiz|predict):/);
+  document.dispatchEvent(new Event("answers-forgotten"));
+  say(section, words("progress.forgotten"));
+}
+
+async function save(section: HTMLElement) {
+  const { saveProgress } = await import("./progress_file.ts");
+  const count = saveProgress();
+  say(section, words("progress.saved", { count }));
+}
+
+async function read(section: HTMLElement, file: File) {
+  const { readProgress } = await import("./progress_file.ts");
+  try {
+    const count = await readProgress(file);
+    document.dispatchEvent(new Event("answers-read"));
+    say(section, words("progress.read", { file: file.name, count }));
+  } catch (error) {
+    say(section, words("progress.not_read", { file: file.name, reason: message(error) }));
+  }
+}
+
+function picker(section: HTMLElement) {
+  return one(section, ".progress-file", HTMLInputElement);
+}
+
+function say(section: HTMLElement, text: string) {
+  one(section, ".progress-said", HTMLElement).textContent = text;
 }

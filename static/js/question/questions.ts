@@ -4,13 +4,12 @@
  */
 
 import { message } from "../errors.ts";
-import { one, within } from "../page/dom.ts";
+import { all, element, maybe, one, within } from "../page/dom.ts";
 import { onOtherTab, recall, remember } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
 import { installDrafts, restoreDrafts } from "./drafts.ts";
 import { draw, drawOthers, forgetOthers, keptWith, takeSeed } from "./draws.ts";
-import { answersTo, holdLinks, leadToHidden, revealedBy, sideBySide } from "./predictions.ts";
 import { showProgress } from "./progress.ts";
 import {
   forms,
@@ -19,6 +18,7 @@ import {
   type Option,
   type Question,
   questionOf,
+  type Shown,
   type Verdict,
 } from "./question.ts";
 
@@ -169,8 +169,7 @@ function fail(form: HTMLFormElement, error: unknown) {
 
 /** Instead of a verdict. */
 function say(form: HTMLFormElement, text: string) {
-  const said = Object.assign(element("p", ""), { textContent: text });
-  one(form, ".feedback", HTMLElement).replaceChildren(said);
+  one(form, ".feedback", HTMLElement).replaceChildren(element("p", "", text));
 }
 
 /** The verdict on an answer, or none. */
@@ -191,7 +190,7 @@ function show(form: HTMLFormElement, question: Question, given: Settled | undefi
     form.dataset.answered = given === null ? "revealed" : verdict.right ? "correct" : "wrong";
     const compared = isPrediction(form) ? kind.compare?.(form, question, given) : undefined;
     const beside = compared ? [sideBySide(...compared)] : [];
-    const whole = element("div", "");
+    const whole = element("div");
     whole.ariaAtomic = "true"; // it comes as one and is announced as one, in its order
     whole.append(...beside, ...explained(verdict, isPrediction(form)));
     feedback.replaceChildren(whole);
@@ -208,10 +207,8 @@ function explained({ right, words: own, replies, remark }: Verdict, isGuess: boo
   const [yes, no] = isGuess
     ? ["predict.agrees", "predict.differs"]
     : ["question.right", "question.wrong"];
-  const verdict = element("p", "verdict label");
-  verdict.textContent = own ?? words(right ? yes : no);
-  const last = element("p", "explanation");
-  last.textContent = remark ?? "";
+  const verdict = element("p", "verdict label", own ?? words(right ? yes : no));
+  const last = element("p", "explanation", remark ?? "");
   const reasons = replies.filter((reply) => reply.explanation_html !== "").map(explanation);
   return [verdict, ...reasons, ...(remark ? [last] : [])];
 }
@@ -222,6 +219,51 @@ function explanation({ correct, explanation_html: html }: Option) {
   return reason;
 }
 
-function element(tag: string, className: string) {
-  return Object.assign(document.createElement(tag), { className });
+/** The prediction whose answer is asked for by this click, without a guess. */
+function revealedBy(event: MouseEvent) {
+  const button = within(event, "[data-reveal]", HTMLButtonElement);
+  const id = button?.dataset.reveal || button?.closest("form")?.dataset.predict;
+  return id ? maybe(document, `form[data-predict="${id}"]`, HTMLFormElement) : null;
+}
+
+/** A link to what is still hidden leads to the question before it. */
+function leadToHidden(event: MouseEvent) {
+  const link = within(event, 'a[href^="#"]', HTMLAnchorElement);
+  const target = link && document.getElementById(decodeURIComponent(link.hash.slice(1)));
+  const answer = target?.parentElement?.closest<HTMLElement>(".answer:not([data-open])");
+  if (answer) document.getElementById(`predict-${answer.dataset.answers}`)?.scrollIntoView();
+}
+
+/** Links of the question to the experiment are plain words until the guess is made. */
+function holdLinks(form: HTMLFormElement, isMade: boolean) {
+  for (const link of all(form, ".predict-question a.set", HTMLAnchorElement)) {
+    const { held } = link.dataset;
+    if (isMade && held !== undefined) {
+      link.href = held;
+      delete link.dataset.held;
+    } else if (!isMade && held === undefined) {
+      link.dataset.held = link.getAttribute("href") ?? "";
+      link.removeAttribute("href");
+    }
+  }
+}
+
+/** What is hidden until this prediction is made. */
+function answersTo(form: HTMLFormElement) {
+  return all(document, `[data-answers="${form.dataset.predict}"]`, HTMLElement);
+}
+
+/** The guess, if there is one, and what was computed. */
+function sideBySide(guess: Shown | null, truth: Shown) {
+  const list = element("dl", "meeting row");
+  if (guess) list.append(group("role-ray", words("predict.your_guess"), guess));
+  list.append(group("role-image", words("predict.computed"), truth));
+  return list;
+}
+
+function group(className: string, name: string, shown: Shown) {
+  const [parts, value] = [element("div", className), element("dd")];
+  value.append(...shown);
+  parts.append(element("dt", "fine", name), value);
+  return parts;
 }

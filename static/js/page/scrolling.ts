@@ -1,0 +1,145 @@
+/**
+ * What follows from how a page is scrolled: the header, which shows how far one has read and is out
+ * of the way on small screens; the section that is read, marked in the contents and meant by links to
+ * other languages; and what can be pushed sideways, which can be focused so that arrow keys push it.
+ */
+
+import { all, maybe } from "./dom.ts";
+
+/** Where a line of text is dear: the header leaves as one reads on, and comes as one goes back. */
+const SMALL = matchMedia("(max-width: 60rem), (max-height: 30rem)");
+/** Scrolled, in pixels, before the header leaves or comes. */
+const SLACK = 24;
+
+/** Where the reader last began to go the other way. */
+let turnedAt = 0;
+let asked = false;
+
+/** Called once. */
+export function install() {
+  addEventListener("scroll", ask, { passive: true });
+  addEventListener("resize", ask);
+}
+
+function ask() {
+  if (asked) return;
+  asked = true;
+  requestAnimationFrame(follow);
+}
+
+function follow() {
+  asked = false;
+  const header = maybe(document, ".site-header", HTMLElement);
+  if (!header) return;
+  header.style.setProperty("--read", read().toFixed(4));
+  const stays = !SMALL.matches || scrollY < 200 || header.matches(":focus-within") || isOpen();
+  header.classList.toggle("away", !stays && isAway(header.classList.contains("away")));
+}
+
+/**
+ * Whether the header should be away, where it may.
+ *
+ * @param away Whether it is.
+ */
+function isAway(away: boolean) {
+  turnedAt = away ? Math.max(turnedAt, scrollY) : Math.min(turnedAt, scrollY);
+  if (Math.abs(scrollY - turnedAt) <= SLACK) return away;
+  turnedAt = scrollY;
+  return !away;
+}
+
+/** The part of the chapter that has passed the lower edge of the window, once it was scrolled. */
+function read() {
+  const article = maybe(document, "article.chapter", HTMLElement);
+  if (!article) return 0;
+  const { top, height } = article.getBoundingClientRect();
+  const way = height + top + scrollY - innerHeight;
+  return way > 0 ? Math.min(Math.max(scrollY / way, 0), 1) : 1;
+}
+
+function isOpen() {
+  return document.querySelector("#contents:popover-open") !== null;
+}
+
+/** Called for each page. */
+export function arrive() {
+  ask();
+  watchSections();
+  watchScrollers();
+}
+
+/** A section is read once its heading is above this part of the window. */
+const LINE = 0.35;
+
+/** All that lies above counts as in sight: a jump over a heading is noticed, too. */
+const headings = new IntersectionObserver(markSection, {
+  rootMargin: `9999999px 0px -${100 * (1 - LINE)}% 0px`,
+});
+
+function watchSections() {
+  headings.disconnect();
+  for (const heading of listed()) headings.observe(heading);
+}
+
+/** The headings that the contents list, in the order of the page. */
+function listed() {
+  const links = all(document, "#contents .sections a", HTMLAnchorElement);
+  return links.flatMap((link) => document.getElementById(idOf(link)) ?? []);
+}
+
+function markSection() {
+  const current = listed().findLast(
+    (heading) => heading.getBoundingClientRect().top < LINE * innerHeight,
+  );
+  for (const link of all(document, ".other-language", HTMLAnchorElement)) {
+    link.hash = current?.id ?? "";
+  }
+  for (const link of all(document, ".sections a", HTMLAnchorElement)) {
+    const isCurrent = current !== undefined && idOf(link) === current.id;
+    link.ariaCurrent = isCurrent ? "location" : null;
+    if (isCurrent) reveal(link);
+  }
+}
+
+/** Scroll the list, and nothing else, so that the link is in sight. */
+function reveal(link: HTMLElement) {
+  const list = link.closest(".contents > ol");
+  if (!list || list.scrollHeight <= list.clientHeight) return;
+  const [inner, outer] = [link.getBoundingClientRect(), list.getBoundingClientRect()];
+  if (inner.top < outer.top || inner.bottom > outer.bottom) {
+    list.scrollTop += inner.top - outer.top - list.clientHeight / 3;
+  }
+}
+
+function idOf(link: HTMLAnchorElement) {
+  return decodeURIComponent(link.hash.slice(1));
+}
+
+const BOXES = ".other-panels, .formula, .table-wrapper, .nowrap, :is(p, li) > math, pre";
+
+const sizes = new ResizeObserver((entries) => mark(entries.map(({ target }) => target)));
+
+function watchScrollers() {
+  sizes.disconnect();
+  for (const box of document.querySelectorAll(BOXES)) sizes.observe(box);
+  // A font that comes late makes the contents wider, and not the box. What is not shown, as it is
+  // folded up, is not laid out for this: the observer tells of it once it is.
+  document.fonts.ready.then(() => mark([...document.querySelectorAll(BOXES)].filter(isShown)));
+}
+
+function isShown(box: Element) {
+  return box.checkVisibility?.({ contentVisibilityAuto: true }) ?? true;
+}
+
+/** All are looked at before one is changed, or the page would be laid out for each. */
+function mark(boxes: Element[]) {
+  const wrong = boxes.filter((box) => scrolls(box) !== box.hasAttribute("tabindex"));
+  for (const box of wrong) {
+    if (box.hasAttribute("tabindex")) box.removeAttribute("tabindex");
+    else box.setAttribute("tabindex", "0");
+  }
+}
+
+function scrolls(box: Element) {
+  return box.scrollWidth > box.clientWidth + 1 && getComputedStyle(box).overflowX !== "visible";
+}
