@@ -11,7 +11,7 @@ declare module "*/book.js" {
 
 /** The kinds of controls that figures have. */
 declare module "*/control_kinds.js" {
-  export const KINDS: Record<string, import("../../static/js/figure/control.ts").Kind>;
+  export const KINDS: Record<string, import("../../static/js/figure/controls.ts").Kind>;
 }
 
 /** The kinds of questions that it asks. */

@@ -5,8 +5,7 @@
 
 import { message } from "../errors.ts";
 import type { LiveFigure } from "../figure/live.ts";
-import { one } from "../page/dom.ts";
-import { download } from "../page/download.ts";
+import { download, one } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { RuntimeFailure, type Runtime } from "../runtime/runtime.ts";

@@ -4,10 +4,9 @@
  */
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
-import { all, maybe, one } from "../page/dom.ts";
+import { all, element, maybe, one } from "../page/dom.ts";
 import { words } from "../page/words.ts";
-import type { Value } from "./control.ts";
-import { moveControls, readValues, uncover } from "./controls.ts";
+import { moveControls, readValues, uncover, type Value } from "./controls.ts";
 import { record, settingsOf } from "./permalink.ts";
 
 /** Milliseconds that sliders take to where they are sent. */
@@ -72,11 +71,7 @@ export function jump(figure: HTMLElement, values: Record<string, Value>) {
   figure.dataset.moving = "";
 }
 
-/**
- * Move the controls of a figure to `values`.
- *
- * @param values What is left out stays.
- */
+/** Move the controls of a figure to `values`; what is left out stays. */
 export function glide(figure: HTMLElement, values: Record<string, Value>) {
   const { form, controls } = settingsOf(figure);
   const sliders = controls.filter((control) => isSlider(control) && control.name in values);
@@ -122,11 +117,7 @@ export function glide(figure: HTMLElement, values: Record<string, Value>) {
   moving.set(figure, end);
 }
 
-/**
- * Call `draw` with the share of the time that has gone by, the last time with 1.
- *
- * @returns Ends it.
- */
+/** Call `draw` with the share of the time gone by, last with 1; what is returned ends it. */
 export function everyFrame(ms: number, draw: (share: number, now: number) => void): () => void {
   let begun = 0;
   const tick = (now: number) => {
@@ -167,11 +158,10 @@ export function offerWayBack(link: HTMLElement) {
   maybe(document, ".way-back", HTMLElement)?.remove();
   const { top, bottom } = link.getBoundingClientRect();
   if (bottom > 0 && top < innerHeight) return;
-  const button = document.createElement("button");
-  button.type = "button";
-  button.className = "way-back screen";
   const asked = link.closest("[data-quiz], [data-predict], [data-answers]");
-  button.textContent = words(asked ? "way_back.question" : "way_back.text");
+  const text = words(asked ? "way_back.question" : "way_back.text");
+  const button = element("button", "way-back screen", text);
+  button.type = "button";
   button.addEventListener("click", () => {
     link.scrollIntoView({ block: "center" });
     link.focus({ preventScroll: true });

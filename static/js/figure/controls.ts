@@ -1,8 +1,29 @@
-/** Values of a figure's form, by the schema that Python wrote. */
+/**
+ * Controls as Python describes them, what a kind of them does in the page, the values of a figure's
+ * form, and how the address of a page names them.
+ */
 
+import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { one } from "../page/dom.ts";
 import { KINDS } from "./control_kinds.js";
-import type { Control, Value } from "./control.ts";
+
+export type Value = number | string | boolean;
+
+/** What all have; kinds add to it. */
+export interface Control {
+  kind: string;
+  name: string;
+  label: string;
+  default: Value;
+}
+
+/** What one kind of control does. `field` is its native element. */
+export interface Kind<C extends Control = any, F extends HTMLElement = any> {
+  read: (field: F, control: C) => Value;
+  write: (field: F, control: C, value: Value) => void;
+  /** The value that a text of an address means; undefined where it means none. */
+  parse: (control: C, text: string) => Value | undefined;
+}
 
 export interface Schema {
   title: string;
@@ -67,4 +88,48 @@ export function uncover(form: HTMLFormElement, names: string[]) {
     const fold = form.querySelector(named(name))?.closest("details");
     if (fold) fold.open = true;
   }
+}
+
+/** The tier that the reader chose. */
+export function chosenTier(form: HTMLFormElement, { tiers, default_tier: tier }: Schema) {
+  if (tiers.length === 0) return tier;
+  const menu = { kind: "choice", name: "tier", label: "", default: tier, options: tiers };
+  return String(readValue(form, menu as Control));
+}
+
+/**
+ * The tier chosen, or a draft where a control is moving: its own, or the scene's where that is
+ * cheaper.
+ *
+ * @param moving Name of the control whose moves are drafted; empty where all is at rest.
+ */
+export function shownTier(form: HTMLFormElement, schema: Schema, moving: string) {
+  const { tiers, draft_tier: draft, own_drafts: own } = schema;
+  const chosen = chosenTier(form, schema);
+  if (moving && own[chosen]?.[moving]) return own[chosen][moving];
+  return moving && tiers.indexOf(draft) < tiers.indexOf(chosen) ? draft : chosen;
+}
+
+/** Whether a drag of a control is answered by drafts. */
+export function isDrafted(form: HTMLFormElement, schema: Schema, control: Control | undefined) {
+  const { drafted, drafted_in: byTier, own_drafts: own } = schema;
+  if (!isSlider(control)) return false;
+  if (own[chosenTier(form, schema)]?.[control.name]) return true;
+  if (drafted.length === 0 || drafted.includes(control.name)) return true;
+  return byTier[chosenTier(form, schema)]?.includes(control.name) ?? false;
+}
+
+export function prefixOf(figure: HTMLElement) {
+  return isEmbed() ? "" : `${figure.closest("figure")?.id}.`;
+}
+
+/** Whether the page is a figure's own, for a frame in another page. */
+export function isEmbed() {
+  return "embed" in document.body.dataset;
+}
+
+/** Whether the address sets some of the figure's controls. */
+export function isAddressed(figure: HTMLElement) {
+  const prefix = prefixOf(figure);
+  return [...new URLSearchParams(location.search).keys()].some((key) => key.startsWith(prefix));
 }

@@ -5,8 +5,7 @@ import { all } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { EDITED, CALLS } from "../runtime/messages.ts";
 import { Runtime, beginConfined, sharedRuntime } from "../runtime/runtime.ts";
-import { isAddressed } from "./address.ts";
-import { moveControls } from "./controls.ts";
+import { isAddressed, moveControls } from "./controls.ts";
 import { LiveFigure } from "./live.ts";
 import { Overlay } from "./overlay.ts";
 import { say } from "./status.ts";
@@ -58,11 +57,7 @@ export class SimulationFigure extends HTMLElement {
     this.live?.retry();
   }
 
-  /**
-   * Which of the conditions is the first to hold of the figure's state.
-   *
-   * @throws {Error} Where the figure does not run.
-   */
+  /** Which condition is the first to hold of the figure's state; an error where it does not run. */
   async judge(conditions: string[]): Promise<number | null> {
     if (!this.live) throw new Error(words("figure.does_not_run"));
     return this.live.judge(conditions);

@@ -1,8 +1,7 @@
 /** Handles by keyboard: arrow keys step the controls that a handle drives. */
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
-import type { Control, Value } from "./control.ts";
-import { named } from "./controls.ts";
+import { type Control, named, type Value } from "./controls.ts";
 import { center, driven, reversed, type Point } from "./handle_elements.ts";
 
 /** Steps of a slider that a page key takes at once. */

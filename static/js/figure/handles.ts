@@ -10,8 +10,15 @@ import { message } from "../errors.ts";
 import { all, maybe, within } from "../page/dom.ts";
 import { formatValue, setAttribute } from "../page/text.ts";
 import { words } from "../page/words.ts";
-import type { Control, Value } from "./control.ts";
-import { moveControls, named, readValue, readValues, type Schema } from "./controls.ts";
+import {
+  type Control,
+  moveControls,
+  named,
+  readValue,
+  readValues,
+  type Schema,
+  type Value,
+} from "./controls.ts";
 import {
   center,
   driven,

@@ -7,11 +7,20 @@ import { isSparing, sparingReason } from "../page/data_saver.ts";
 import { data, one, within } from "../page/dom.ts";
 import type { FrameReply } from "../runtime/messages.ts";
 import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.ts";
-import { announcer } from "./announce.ts";
+import { announcer, clearFailure, say, showFailure, showLive } from "./status.ts";
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.ts";
-import type { Control } from "./control.ts";
-import { fieldOf, readValue, readValues, writeValue, type Schema } from "./controls.ts";
+import {
+  chosenTier,
+  type Control,
+  fieldOf,
+  isDrafted,
+  readValue,
+  readValues,
+  type Schema,
+  shownTier,
+  writeValue,
+} from "./controls.ts";
 import { Handles, type Pull } from "./handles.ts";
 import { Motion, playInView } from "./motion.ts";
 import { OwnPicture } from "./own_picture.ts";
@@ -20,9 +29,6 @@ import { Prerendered } from "./prerendered.ts";
 import { attemptTwice, beginAll, retryAll, sayWhatIsAwaited } from "./recovery.ts";
 import { LatestWins } from "./scheduler.ts";
 import { Accuracy, showStages, type Stage } from "./stage_report.ts";
-import { showFailure, showLive } from "./state.ts";
-import { clearFailure, say } from "./status.ts";
-import { chosenTier, isDrafted, shownTier } from "./tiers.ts";
 
 /** A frame to compute: of which control values (JSON) and tier, and the time of the reader's event. */
 type Job = { values: string; tier: string; time: number; urgency: number };
@@ -118,11 +124,7 @@ export class LiveFigure {
     return this.#request(this.#values, this.#tier(""));
   }
 
-  /**
-   * Which condition is the first to hold of the form's present values.
-   *
-   * @throws {RuntimeFailure}
-   */
+  /** Which condition is the first to hold of the form's present values, or a `RuntimeFailure`. */
   async judge(conditions: string[]): Promise<number | null> {
     beginAll();
     const request = this.#request(this.#values, chosenTier(this.form, this.schema));
@@ -130,11 +132,7 @@ export class LiveFigure {
     return (await this.runtime.call("judge", judged, () => URGENCY.touched)).met;
   }
 
-  /**
-   * The sound of the present frame; null where its scene has none.
-   *
-   * @throws {RuntimeFailure}
-   */
+  /** The sound of the present frame, null where its scene has none, or a `RuntimeFailure`. */
   async sound(): Promise<Sound | null> {
     if (this.#sound) return this.#sound;
     beginAll();

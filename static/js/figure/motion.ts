@@ -66,11 +66,7 @@ export class Motion {
     this.#playing = { action, stop };
   }
 
-  /**
-   * Continuous motion, a step of the slider at a time.
-   *
-   * @returns Ends it.
-   */
+  /** Continuous motion, a step of the slider at a time; what is returned ends it. */
   #sweep(action: Action, slider: Slider): () => void {
     const start = this.#value(slider);
     const way = slider.max - slider.min;
@@ -79,11 +75,7 @@ export class Motion {
     });
   }
 
-  /**
-   * One picture after another, the first at once, with time to look.
-   *
-   * @returns Ends it.
-   */
+  /** One picture after another, the first at once, with time to look; what is returned ends it. */
   #walk(action: Action, slider: Slider): () => void {
     const way = slider.max - slider.min;
     const coarse = Math.ceil(way / CALM_MOST / slider.step) * slider.step;

@@ -67,12 +67,7 @@ export class OwnPicture {
     return Number(this.size) > LARGE_MEGAPIXELS && this.#sent.picture !== "";
   }
 
-  /**
-   * Use other pictures from now on.
-   *
-   * @param chosen The one that is looked at.
-   * @param readings What was read of them all.
-   */
+  /** From now on use what was read of all pictures, and the chosen one, which is looked at. */
   use(chosen: Chosen | null, readings: Reading[]) {
     this.#chosen = this.size ? chosen : null;
     const numbers = (list: Reading[]) => list.map(({ number }) => number).join();
@@ -81,11 +76,7 @@ export class OwnPicture {
     this.changed();
   }
 
-  /**
-   * Send the pictures to the interpreter, where that does not have them.
-   *
-   * @param figure The figure's key.
-   */
+  /** Send the pictures of the figure with this key to the interpreter, where that lacks them. */
   async handOver(runtime: Caller, figure: string) {
     const number = this.#chosen?.number ?? 0;
     const sending = (what: number) => `${runtime.generation} ${what}`;

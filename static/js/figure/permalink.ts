@@ -13,10 +13,17 @@ import type { Choice } from "../../../simulations/engine/controls/choice/kind.ts
 import { all, data, one } from "../page/dom.ts";
 import { isArrived } from "../page/navigate.ts";
 import { words } from "../page/words.ts";
-import { isEmbed, prefixOf } from "./address.ts";
+import {
+  type Control,
+  isEmbed,
+  moveControls,
+  prefixOf,
+  readValues,
+  type Schema,
+  uncover,
+  type Value,
+} from "./controls.ts";
 import { KINDS } from "./control_kinds.js";
-import type { Control, Value } from "./control.ts";
-import { moveControls, readValues, uncover, type Schema } from "./controls.ts";
 import { say } from "./status.ts";
 
 /** How many settings of an address that mean nothing are named, and how much of each. */
@@ -98,11 +105,7 @@ export function embedding(figure: HTMLElement, page: string, height: string) {
   return frame.outerHTML;
 }
 
-/**
- * Put a figure's state into the address.
- *
- * @param values Where it is on its way to, if it is.
- */
+/** Put a figure's state, or the `values` that it is on its way to, into the address. */
 export function record(
   figure: HTMLElement,
   entry: "replace" | "push",

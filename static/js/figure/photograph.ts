@@ -52,11 +52,7 @@ export function nextNumber() {
   return ++pictures;
 }
 
-/**
- * A picture at a scene's size.
- *
- * @throws {Error} With words for the reader: what is wrong, and what would do.
- */
+/** A picture at a scene's size, or an error that says what is wrong and what would do. */
 export function decode(source: Source, number: number, size: Size): Promise<Picture> {
   const megapixels = typeof size === "number" ? size : (size[0] * size[1]) / 1e6;
   const wanted = { mosaic: false, megapixels, say: () => {} };
@@ -70,11 +66,7 @@ export function inTurn<T>(act: () => Promise<T>): Promise<T> {
   return done;
 }
 
-/**
- * A file's picture, to be closed or sent away.
- *
- * @throws {Error} With words for the reader.
- */
+/** A file's picture, to be closed or sent away, or an error with words for the reader. */
 export async function open(source: Source, { say, ...wanted }: Wanted): Promise<Opened> {
   const { name, file } = source;
   if (await isRaw(file)) {

@@ -5,13 +5,12 @@
  */
 
 import { savesData } from "../page/data_saver.ts";
-import { maybe, one } from "../page/dom.ts";
+import { element, maybe, one } from "../page/dom.ts";
 import { formatValue } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
-import { describe } from "./announce.ts";
-import type { Value } from "./control.ts";
-import { readValues, type Schema } from "./controls.ts";
+import { describe } from "./status.ts";
+import { readValues, type Schema, type Value } from "./controls.ts";
 import type { Place } from "./handles.ts";
 import type { Meta, Painter } from "./painter.ts";
 
@@ -103,8 +102,7 @@ export class Prerendered {
   #mark(text: string) {
     let mark = maybe(this.figure, ".early-mark", HTMLElement);
     if (!mark) {
-      mark = document.createElement("p");
-      mark.className = "early-mark box fine";
+      mark = element("p", "early-mark box fine");
       one(this.figure, ".panels", HTMLElement).append(mark);
     }
     mark.textContent = text;

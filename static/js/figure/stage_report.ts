@@ -75,11 +75,7 @@ export class Accuracy {
     this.report?.addEventListener("toggle", () => this.#rest());
   }
 
-  /**
-   * A frame was painted.
-   *
-   * @param settled False for drafts: those are not measured.
-   */
+  /** A frame was painted; drafts, which are not `settled`, are not measured. */
   shown({ values, tier }: Shown, ms: number, settled: boolean) {
     if (!this.line) return;
     this.stop();

@@ -1,7 +1,19 @@
-/** The line under a figure that says what went wrong. */
+/**
+ * What a figure says of itself. In words: the line below it, and the description that is read out. And
+ * in `data-state`: `still` as built; `waiting` for the reader to ask, where the link is metered;
+ * `starting` once a frame is requested; `live` after each painted frame; `failed` with a message and a
+ * button. `data-frames` counts frames after their pixels are in the page; `data-tier` is the accuracy
+ * of the frame that is shown.
+ */
 
+import { LANGUAGE } from "../book.js";
+import { message } from "../errors.ts";
+import { startSurvived } from "../page/data_saver.ts";
 import { one } from "../page/dom.ts";
-import { setText } from "../page/text.ts";
+import { offerRelease } from "../page/release.ts";
+import { setAttribute, setText } from "../page/text.ts";
+import { figureText, words } from "../page/words.ts";
+import { RuntimeFailure } from "../runtime/runtime.ts";
 
 /**
  * Show `message` under the figure, or nothing.
@@ -31,4 +43,56 @@ export function say(
 /** A frame has come: what was said of the lack of one is over. */
 export function clearFailure(figure: HTMLElement) {
   if (!figure.querySelector(".figure-status.lasting")) say(figure, "");
+}
+
+/** @param job Its tier, and the time of the event that it answers. */
+export function showLive(
+  figure: HTMLElement,
+  job: { tier: string; time: number },
+  computeMs: number,
+) {
+  figure.dataset.computeMs = computeMs.toFixed(1);
+  figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
+  if (figure.dataset.tier !== job.tier) figure.dataset.tier = job.tier;
+  figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
+  if (figure.dataset.state !== "live") {
+    figure.dataset.state = "live";
+    startSurvived();
+  }
+  figure.dispatchEvent(new Event("painted"));
+}
+
+export function showFailure(figure: HTMLElement, error: unknown) {
+  figure.dataset.state = "failed";
+  const { kind, loadError = "" } = error instanceof RuntimeFailure ? error : { kind: "page" };
+  if (["status", "other"].includes(loadError)) offerRelease();
+  say(figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
+  figure.dispatchEvent(new Event("figure-rest", { bubbles: true }));
+}
+
+/** Milliseconds of rest after which a changed description is read out. */
+const REST = 500;
+
+/**
+ * A function that writes text into `element`, once changes have come to rest: of a drag only the
+ * result is announced. The text that a page opens with is not. The event `figure-rest` follows.
+ */
+export function announcer(element: HTMLElement): (text: string) => void {
+  let timer = 0;
+  return (text) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      const isArrival = navigator.userActivation?.hasBeenActive === false;
+      element.setAttribute("aria-live", isArrival ? "off" : "polite");
+      describe(element, text);
+      element.dispatchEvent(new Event("figure-rest", { bubbles: true }));
+    }, REST);
+  };
+}
+
+/** Write what a figure shows, in the language of the page where a translation has it. */
+export function describe(element: HTMLElement, text: string) {
+  const said = figureText(text);
+  setText(element, said);
+  setAttribute(element, "lang", said === text ? LANGUAGE : document.documentElement.lang);
 }

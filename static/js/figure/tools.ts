@@ -2,8 +2,7 @@
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { message } from "../errors.ts";
-import { all, data, maybe, one } from "../page/dom.ts";
-import { csv, download } from "../page/download.ts";
+import { all, csv, data, download, maybe, one } from "../page/dom.ts";
 import { fromNumeral, words } from "../page/words.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
 import { glide, jump } from "./animate.ts";
@@ -102,11 +101,7 @@ async function savePanel(figure: HTMLElement, button: HTMLButtonElement) {
   save(figure, `${name}.${suffix}`, blob);
 }
 
-/**
- * Copy a text; where the browser forbids it, show it, ready to be copied by hand.
- *
- * @param done What is said once it is copied.
- */
+/** Copy a text and say `done`; where the browser forbids it, show it to be copied by hand. */
 async function copy(figure: HTMLElement, text: string, done: string) {
   try {
     await navigator.clipboard.writeText(text);

@@ -1,8 +1,8 @@
 /** What the instruments of a page have measured of the reader's camera, gathered in one table. */
 
-import { one } from "../page/dom.ts";
-import { download } from "../page/download.ts";
+import { download, element, one } from "../page/dom.ts";
 import { recall, remember } from "../page/storage.ts";
+import { withUnit } from "../page/text.ts";
 import { numeral } from "../page/words.ts";
 import type { Readout } from "../runtime/messages.ts";
 import type { Instrument } from "./instrument.ts";
@@ -91,22 +91,15 @@ async function partOf(instrument: Instrument): Promise<Part | null> {
 }
 
 function bodyOf({ title, photographs, lines }: Part) {
-  const body = document.createElement("tbody");
-  const head = body.insertRow();
-  const name = document.createElement("th");
-  [name.colSpan, name.scope, name.textContent] = [2, "rowgroup", title];
-  const files = document.createElement("span");
-  files.className = "data-sheet-files fine";
-  files.textContent = photographs.join(", ");
-  name.append(" ", files);
-  head.append(name);
+  const [body, name] = [element("tbody"), element("th", "", title)];
+  [name.colSpan, name.scope] = [2, "rowgroup"];
+  name.append(" ", element("span", "data-sheet-files fine", photographs.join(", ")));
+  body.insertRow().append(name);
   for (const { label, text, unit } of lines) {
-    const row = body.insertRow();
-    const what = document.createElement("th");
-    [what.scope, what.textContent] = ["row", label];
+    const [row, what] = [body.insertRow(), element("th", "", label)];
+    what.scope = "row";
     row.append(what);
-    const space = unit && unit !== "°" ? "\u00a0" : "";
-    row.insertCell().textContent = numeral(text) + space + unit;
+    row.insertCell().textContent = withUnit(numeral(text), unit);
   }
   return body;
 }

@@ -3,8 +3,7 @@
 import { message } from "../errors.ts";
 import type { SimulationFigure } from "../figure/element.ts";
 import { decode } from "../figure/photograph.ts";
-import { maybe } from "../page/dom.ts";
-import { download } from "../page/download.ts";
+import { download, maybe } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { Runtime } from "../runtime/runtime.ts";
 import type { Instrument } from "./instrument.ts";

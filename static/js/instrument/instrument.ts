@@ -63,11 +63,7 @@ export class Instrument {
     return this.#used.length > 0;
   }
 
-  /**
-   * The names of the photographs that the figure has.
-   *
-   * @param numbers Only of these.
-   */
+  /** The names of the photographs that the figure has, or of those with these numbers. */
   names(numbers: number[] | null) {
     return this.#used
       .filter(({ number }) => numbers?.includes(number) ?? true)

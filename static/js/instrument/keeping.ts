@@ -4,8 +4,7 @@
  */
 
 import { STORAGE } from "../book.js";
-import { isAddressed } from "../figure/address.ts";
-import { moveControls, readValues } from "../figure/controls.ts";
+import { isAddressed, moveControls, readValues } from "../figure/controls.ts";
 import type { SimulationFigure } from "../figure/element.ts";
 import { settingsOf } from "../figure/permalink.ts";
 import type { Source } from "../figure/photograph.ts";

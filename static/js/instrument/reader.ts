@@ -31,12 +31,7 @@ export class Reader {
     readonly mosaic: boolean,
   ) {}
 
-  /**
-   * Have a photograph ready or refused.
-   *
-   * @param say Told what takes time.
-   * @throws {ReaderEnded}
-   */
+  /** Have a photograph ready or refused, or throw `ReaderEnded`; `say` reports what takes time. */
   async read(photo: Photo, say: (text: string) => void) {
     const ends = this.#ends;
     try {
@@ -72,11 +67,7 @@ export class Reader {
   }
 }
 
-/**
- * Why a photograph cannot be used, in a sentence.
- *
- * @throws {ReaderEnded} Where it is not the photograph's fault.
- */
+/** Why a photograph cannot be used, in a sentence; `ReaderEnded` where it is not its fault. */
 function refusal(name: string, error: unknown): string {
   if (!(error instanceof RuntimeFailure)) return message(error);
   if (error.late) return words("instrument.late", { name });

@@ -8,8 +8,7 @@
  */
 
 import { message } from "../errors.ts";
-import { all, data, one } from "../page/dom.ts";
-import { csv } from "../page/download.ts";
+import { all, csv, data, one } from "../page/dom.ts";
 import { numeral, words } from "../page/words.ts";
 import { Runtime, sharedRuntime } from "../runtime/runtime.ts";
 import { addPoint, type Ladder, type Result } from "./chart.ts";
@@ -100,11 +99,7 @@ class LadderBench extends HTMLElement {
     left.disabled = true;
   }
 
-  /**
-   * Chart, table, progress and file, after the newest of `results`.
-   *
-   * @param results Not empty.
-   */
+  /** Chart, table, progress and file, after the newest of `results`, of which there are some. */
   #show(results: Result[]) {
     const result = results[results.length - 1];
     this.dataset.measured = String(results.length);

@@ -3,7 +3,7 @@
  * The tables are complete, and closed, without it.
  */
 
-import { all, one } from "./dom.ts";
+import { all, element, one } from "./dom.ts";
 import { words } from "./words.ts";
 
 /** Called once: a listener on the document outlives a change of chapter. */
@@ -17,8 +17,7 @@ export function install() {
 export function arrive() {
   const [first] = tables();
   if (!first || document.querySelector(".case-filter")) return;
-  const field = document.createElement("form");
-  field.className = "case-filter row fine screen";
+  const field = element("form", "case-filter row fine screen");
   field.role = "search";
   field.innerHTML =
     '<label><span></span> <input type="search"></label> <span role="status"></span>';

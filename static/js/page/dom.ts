@@ -1,21 +1,13 @@
-/** Elements that must be there, with the type that they must have; and new ones. */
+/** Elements that must be there, with the type that they must have; and new ones; files for the reader. */
 
-/**
- * The first descendant of `root` that fits.
- *
- * @throws {Error} Where there is none, or it is of another type.
- */
+/** The first descendant of `root` that fits; an error where there is none, or of another type. */
 export function one<T extends Element>(root: ParentNode, selector: string, type: new () => T): T {
   const found = maybe(root, selector, type);
   if (!found) throw new Error(`the page has no ${selector}`);
   return found;
 }
 
-/**
- * The first descendant of `root` that fits, or null.
- *
- * @throws {Error} Where it is of another type.
- */
+/** The first descendant of `root` that fits, or null; an error where it is of another type. */
 export function maybe<T extends Element>(
   root: ParentNode,
   selector: string,
@@ -64,4 +56,22 @@ export function isPlain(event: MouseEvent) {
 /** What a `<script type="application/json">` of the page says. */
 export function data(root: ParentNode, selector: string): any {
   return JSON.parse(one(root, selector, HTMLScriptElement).text);
+}
+
+/** Hand the reader a file. */
+export function download(name: string, content: BlobPart, type: string = "") {
+  const link = element("a");
+  link.href = URL.createObjectURL(new Blob([content], { type }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** Comma-separated values (RFC 4180). */
+export function csv(rows: (string | number)[][]) {
+  const field = (value: string | number) => {
+    const text = String(value);
+    return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  };
+  return rows.map((row) => `${row.map(field).join(",")}\r\n`).join("");
 }

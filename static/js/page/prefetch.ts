@@ -37,12 +37,7 @@ export function prefetch({ origin, pathname }: URL): Promise<Page | null> {
   return page;
 }
 
-/**
- * A page of the book, prefetched or fetched now.
- *
- * @throws {HostError} Where the host does not answer.
- * @throws {Error} Where it has no such page.
- */
+/** A page of the book, prefetched or fetched now; `HostError` where the host does not answer. */
 export async function fetchPage(url: URL, signal: AbortSignal): Promise<Page> {
   const early = prefetched.has(url.pathname) ? await prefetch(url) : null;
   return early ?? load(url.href, signal);

@@ -26,11 +26,7 @@ export function watchScripts() {
   });
 }
 
-/**
- * Where the host has another release than this page came from, offer to load the page anew.
- *
- * @returns Whether it has.
- */
+/** Offer to load the page anew where the host has another release; whether it has. */
 export async function offerRelease(): Promise<boolean> {
   try {
     const reply = await fetch(location.href, { cache: "no-cache" });

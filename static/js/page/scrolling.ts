@@ -36,11 +36,7 @@ function follow() {
   header.classList.toggle("away", !stays && isAway(header.classList.contains("away")));
 }
 
-/**
- * Whether the header should be away, where it may.
- *
- * @param away Whether it is.
- */
+/** Whether the header should be away, where it may, and `away` says that it is. */
 function isAway(away: boolean) {
   turnedAt = away ? Math.max(turnedAt, scrollY) : Math.min(turnedAt, scrollY);
   if (Math.abs(scrollY - turnedAt) <= SLACK) return away;

@@ -79,11 +79,7 @@ export function remember(key: string, value: unknown) {
   }
 }
 
-/**
- * Follow what another tab remembers or forgets.
- *
- * @param changed Called with its key; null where all was forgotten.
- */
+/** Follow what another tab remembers or forgets, by its key; null where all was forgotten. */
 export function onOtherTab(changed: (key: string | null) => void) {
   addEventListener("storage", ({ key, storageArea }) => {
     if ((key !== null && !key.startsWith(STORAGE)) || storageArea === sessionStorage) return;

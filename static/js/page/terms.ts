@@ -58,7 +58,7 @@ function show(mark: HTMLAnchorElement) {
   const definition = definitionOf(mark);
   if (definition === shown || !definition || !mark.isConnected) return;
   hide();
-  // The mark becomes its anchor: `terms.css` places it there.
+  // The mark becomes its anchor: `references.css` places it there.
   (definition as any).showPopover({ source: mark });
   shown = definition;
 }

@@ -4,8 +4,7 @@
  */
 
 import { message } from "../errors.ts";
-import { data, element, one } from "../page/dom.ts";
-import { csv, download } from "../page/download.ts";
+import { csv, data, download, element, one } from "../page/dom.ts";
 import { numeral, words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
 import type { Given, Question } from "./question.ts";
@@ -90,11 +89,7 @@ function trapOf(tried: Tried[]): [string, number] | null {
 
 let results: Result[] = [];
 
-/**
- * Show what the files say in the place of what was shown; a student is called as the file is.
- *
- * @param answersIn Reads a file.
- */
+/** Show what the files say in the place of what was shown; a student is called as the file is. */
 export async function showClass(
   page: HTMLElement,
   files: Iterable<File>,

@@ -49,11 +49,7 @@ export function restoreDrafts() {
   }
 }
 
-/**
- * The page is left, for another of the book or for good.
- *
- * @param page Its address.
- */
+/** The page with this address is left, for another of the book or for good. */
 export function leave(page: string) {
   const unsent = forms()
     .map((form) => ({ form, draft: draftOf(form) }))

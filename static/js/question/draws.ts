@@ -86,11 +86,7 @@ function variantsOf(form: HTMLFormElement): Variant[] {
 /** What this reader's orders come from; where nothing is remembered, as long as the page lasts. */
 let seed = "";
 
-/**
- * The numbers from 0 to `count` − 1 in the reader's order.
- *
- * @param name What is to be put in order.
- */
+/** The numbers from 0 to `count` − 1 in the reader's order of the things called `name`. */
 export function shuffled(name: string, count: number) {
   const own = ownSeed();
   const hashes = Array.from({ length: count }, (_, index) => hash(`${own}${name} ${index}`));

@@ -5,7 +5,7 @@
 
 import { STORAGE } from "../book.js";
 import { legible } from "../errors.ts";
-import { download } from "../page/download.ts";
+import { download } from "../page/dom.ts";
 import { isSound, remember, stored } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 
@@ -22,11 +22,7 @@ export function saveProgress(): number {
   return Object.keys(answers).length;
 }
 
-/**
- * Keep what the file has; how many answers that are.
- *
- * @throws {Error} Where it is no file of answers; nothing of it is kept then.
- */
+/** Keep what the file has; how many answers. Where it is none, an error, and nothing is kept. */
 export async function readProgress(file: File): Promise<number> {
   const answers = Object.entries(await answersIn(file));
   for (const [name, entry] of answers) remember(name, entry);
@@ -51,11 +47,7 @@ function checked(content: any): Record<string, unknown> {
   return answers;
 }
 
-/**
- * The answers of a file.
- *
- * @throws {Error} Where it is none.
- */
+/** The answers of a file, or an error where it is none. */
 export async function answersIn(file: File): Promise<Record<string, unknown>> {
   if (file.size > LARGEST) throw new Error(words("progress.too_large"));
   const text = await file.text();

@@ -1,6 +1,6 @@
 /** What is found for the words in the search dialog, as a list of links. */
 
-import { one } from "../page/dom.ts";
+import { element, one } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { find, settings, type Hit } from "./ranking.ts";
@@ -19,11 +19,7 @@ const MOST = 20;
 /** A module that could not be fetched is not asked for again at the same address. */
 let attempts = 0;
 
-/**
- * The index, opened.
- *
- * @throws {Error} Where it, or what opens it, cannot be fetched.
- */
+/** The index, opened, or an error where it, or what opens it, cannot be fetched. */
 export async function fetchIndex(): Promise<Index> {
   const again = attempts > 0 ? `?again=${attempts}` : "";
   attempts += 1;
@@ -84,7 +80,7 @@ function item(template: HTMLTemplateElement, hit: Hit, compared: Language) {
   one(copy, "a", HTMLAnchorElement).href = address("root", hit.address);
   setText(one(copy, ".result-chapter", Element), hit.chapter);
   const title = excerpt(hit.title || hit.chapter, hit.matched, compared, Infinity);
-  one(copy, ".result-title", Element).append(...title.map(element));
+  one(copy, ".result-title", Element).append(...title.map(shownPiece));
   one(copy, ".result-excerpt", Element).append(...said(hit, compared));
   return copy;
 }
@@ -92,16 +88,14 @@ function item(template: HTMLTemplateElement, hit: Hit, compared: Language) {
 /** An excerpt of that part of the section in which the words were found. */
 function said(hit: Hit, compared: Language) {
   const pieces = excerpt(hit.text, hit.matched, compared);
-  if (pieces.some((piece) => piece.hit)) return pieces.map(element);
+  if (pieces.some((piece) => piece.hit)) return pieces.map(shownPiece);
   const other = [hit.figures, hit.questions].map((text) => excerpt(text, hit.matched, compared));
   const found = other.find((excerpt) => excerpt.some((piece) => piece.hit));
-  return (found ?? pieces).map(element);
+  return (found ?? pieces).map(shownPiece);
 }
 
-function element({ text, hit }: { text: string; hit: boolean }) {
-  const element = document.createElement(hit ? "mark" : "span");
-  element.textContent = text;
-  return element;
+function shownPiece({ text, hit }: { text: string; hit: boolean }) {
+  return element(hit ? "mark" : "span", "", text);
 }
 
 /** Words of an excerpt, and of these how many before what was found. */

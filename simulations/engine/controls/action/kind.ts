@@ -1,6 +1,6 @@
 /** A button; its value is the number of presses modulo the number of its labels. */
 
-import type { Control, Kind } from "../../../../static/js/figure/control.ts";
+import type { Control, Kind } from "../../../../static/js/figure/controls.ts";
 import { figureText } from "../../../../static/js/page/words.ts";
 
 export interface Action extends Control {

@@ -1,6 +1,6 @@
 /** One of several named options: `select`. */
 
-import type { Control, Kind } from "../../../../static/js/figure/control.ts";
+import type { Control, Kind } from "../../../../static/js/figure/controls.ts";
 
 export interface Choice extends Control {
   default: string;

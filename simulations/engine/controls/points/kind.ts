@@ -1,6 +1,6 @@
 /** Lists of points in a picture: a hidden `input[type=text]`, which handles write. */
 
-import type { Control, Kind } from "../../../../static/js/figure/control.ts";
+import type { Control, Kind } from "../../../../static/js/figure/controls.ts";
 
 export interface Points extends Control {
   kind: "points";

@@ -1,6 +1,6 @@
 /** A number in a closed range: `input[type=range]`. */
 
-import type { Control, Kind } from "../../../../static/js/figure/control.ts";
+import type { Control, Kind } from "../../../../static/js/figure/controls.ts";
 import { formatValue, setText } from "../../../../static/js/page/text.ts";
 
 export interface Slider extends Control {

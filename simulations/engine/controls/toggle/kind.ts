@@ -1,6 +1,6 @@
 /** On or off: `input[type=checkbox]`. */
 
-import type { Control, Kind } from "../../../../static/js/figure/control.ts";
+import type { Control, Kind } from "../../../../static/js/figure/controls.ts";
 
 export const kind: Kind<Control, HTMLInputElement> = {
   read: (field) => field.checked,
