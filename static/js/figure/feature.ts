@@ -6,7 +6,7 @@
 
 import { isMetered } from "../page/data_saver.ts";
 import { all, isPlain, maybe, within } from "../page/dom.ts";
-import { linkedPage, prefetch } from "../page/prefetch.ts";
+import { linkedPage, prefetch } from "../page/navigate.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
 import { isCalm } from "./animate.ts";
 import { SimulationFigure } from "./element.ts";

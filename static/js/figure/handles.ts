@@ -25,13 +25,14 @@ import {
   grabbed,
   holdGround,
   inPanel,
+  keyed,
   mayScroll,
+  movedByKey,
   name,
   placeText,
   put,
   type Point,
 } from "./handle_elements.ts";
-import { keyed, movedByKey } from "./handle_keys.ts";
 import { LatestWins } from "./scheduler.ts";
 import { say } from "./status.ts";
 

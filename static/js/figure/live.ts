@@ -1,6 +1,6 @@
 /**
  * A figure in use: it requests frames for the values of its controls, and shows them. What it says
- * of itself in `data-` attributes is in `state.ts`; retries are in `recovery.ts`.
+ * of itself in `data-` attributes is in `status.ts`; retries are in `recovery.ts`.
  */
 
 import { isSparing, sparingReason } from "../page/data_saver.ts";

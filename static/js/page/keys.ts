@@ -20,7 +20,7 @@ const ACTIONS: Record<string, () => void> = {
 };
 
 /** Listen on any page. */
-export function installKeys() {
+export function install() {
   document.addEventListener("keydown", (event) => {
     const action = ACTIONS[event.key];
     if (!action || !isPlain(event) || recall(KEPT) === false) return;

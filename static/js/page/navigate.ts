@@ -1,12 +1,13 @@
 /**
  * Turning to another chapter without leaving the page, so that the interpreter stays alive.
  * The next page is fetched and its body takes the place of this one. On any doubt the browser
- * loads the page itself; where the host does not answer, this one stays.
+ * loads the page itself; where the host does not answer, this one stays. A page is fetched early when
+ * a link to it is pointed at, unless the reader pays for what is fetched.
  */
 
+import { isMetered } from "./data_saver.ts";
 import { all, isPlain, within } from "./dom.ts";
 import { notice } from "./notice.ts";
-import { HostError, fetchPage, linkedPage } from "./prefetch.ts";
 import { isOfRelease } from "./release.ts";
 import { useWordsOf, words } from "./words.ts";
 
@@ -29,21 +30,31 @@ let turning: AbortController | null = null;
 let shownPath = location.pathname;
 let scrollTimer = 0;
 
-/**
- * Listen for links to other pages of the book.
- *
- * @param turned Called when a new page has been put in place.
- * @param returned Called when another state of this page is to be shown.
- * @param leave Called with the path of the page that is about to go.
- */
-export function installNavigation(
-  turned: () => void,
-  returned: () => void,
-  leave: (page: string) => void,
-) {
+/** What a part of pages does. */
+export interface Part {
+  /** Listen; called once. */
+  install(): void;
+  /** A page has come into place. */
+  arrive?(): void;
+  /** The address has become another one of the same page. */
+  returned?(): void;
+  /** The page is about to make way for another; its address may be that one's already. */
+  leave?(page: string): void;
+}
+
+/** Install all parts of pages, and call them as pages come and go. */
+export function begin(pageParts: Part[]) {
+  const turned = () => {
+    for (const part of pageParts) part.arrive?.();
+  };
+  const leaveShown = () => {
+    for (const part of pageParts) part.leave?.(shownPath);
+  };
+  for (const part of pageParts) part.install();
+  turned();
+  for (const kind of HINTS) document.addEventListener(kind, hint, { passive: true });
   history.scrollRestoration = "manual";
   if (history.state?.scroll !== undefined) restoreScroll();
-  const leaveShown = () => leave(shownPath);
   addEventListener("pagehide", leaveShown);
   document.addEventListener("click", (event) => {
     const link = within(event, "a[href]", HTMLAnchorElement);
@@ -61,7 +72,7 @@ export function installNavigation(
   addEventListener("popstate", () => {
     if (isArrived()) {
       restoreScroll();
-      returned();
+      for (const part of pageParts) part.returned?.();
     } else turnTo(new URL(location.href), turned, leaveShown);
   });
   addEventListener("scroll", () => {
@@ -103,7 +114,7 @@ async function turnTo(url: URL, turned: () => void, commit: () => void) {
 }
 
 /** The page, if it belongs to the same build of the book. */
-function parsed(url: URL, { text, type, redirected }: import("./prefetch.ts").Page): Document {
+function parsed(url: URL, { text, type, redirected }: Page): Document {
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
   const page = new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
@@ -152,4 +163,56 @@ function saveScroll() {
   clearTimeout(scrollTimer);
   if (!isArrived()) return;
   history.replaceState({ ...history.state, scroll: Math.round(scrollY) }, "");
+}
+
+const HINTS = ["pointerover", "focusin", "touchstart"];
+/** Milliseconds after which a page is fetched again, as the book may have been built anew. */
+const VALID = 60_000;
+
+type Page = { text: string; type: string; redirected: boolean };
+
+const prefetched: Map<string, { time: number; page: Promise<Page | null> }> = new Map();
+
+/** The host does not answer. */
+class HostError extends Error {}
+
+function hint(event: Event) {
+  const link = within(event, "a[href]", HTMLAnchorElement);
+  const url = link && linkedPage(link);
+  if (url && navigator.onLine && !isMetered()) prefetch(url);
+}
+
+/** @returns Null where the page does not arrive. */
+export function prefetch({ origin, pathname }: URL): Promise<Page | null> {
+  const found = prefetched.get(pathname);
+  if (found && performance.now() - found.time < VALID) return found.page;
+  const page = load(origin + pathname).catch(() => null);
+  prefetched.set(pathname, { time: performance.now(), page });
+  return page;
+}
+
+/** A page of the book, prefetched or fetched now; `HostError` where the host does not answer. */
+async function fetchPage(url: URL, signal: AbortSignal): Promise<Page> {
+  const early = prefetched.has(url.pathname) ? await prefetch(url) : null;
+  return early ?? load(url.href, signal);
+}
+
+async function load(address: string, signal?: AbortSignal): Promise<Page> {
+  const reply = await fetch(address, { signal }).catch((error) => {
+    throw new HostError(error);
+  });
+  if (!reply.ok) throw new Error("not a page of the book");
+  const { redirected, headers } = reply;
+  return { text: await reply.text(), type: headers.get("content-type") ?? "", redirected };
+}
+
+/** Where a link leads, if that is another page of the book, or another state of its figures. */
+export function linkedPage(link: HTMLAnchorElement): URL | null {
+  const { root } = document.body.dataset;
+  if (root === undefined || link.target || link.hasAttribute("download")) return null;
+  const url = new URL(link.href);
+  const book = new URL(root || "./", location.href).href;
+  const inBook = url.href.startsWith(book) && /(\/|\.html)$/.test(url.pathname);
+  const isOther = url.pathname + url.search !== location.pathname + location.search;
+  return inBook && isOther ? url : null;
 }

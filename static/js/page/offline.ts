@@ -16,7 +16,7 @@ const LONGEST = 60_000;
 const AGAIN = 3_600_000;
 
 /** Ask for it in the background; where service workers are not to be had, nothing happens. */
-export function installOffline() {
+export function install() {
   const { offline, root = "" } = document.body.dataset;
   const workers = serviceWorkers();
   if (offline === undefined || !workers || isMetered()) return;

@@ -18,7 +18,7 @@ function isMissing(reason: unknown) {
 const OWN = folders(document, location.href);
 
 /** Whatever a press asks for may have gone with its release, or its host: called once. */
-export function watchScripts() {
+export function install() {
   addEventListener("unhandledrejection", async (event) => {
     if (!isMissing(event.reason)) return;
     event.preventDefault();

@@ -14,7 +14,7 @@ const LONGEST = 200;
 type Results = typeof import("../search/results.ts");
 
 /** Listen for the search button and the search dialog of any page. */
-export function installSearch() {
+export function install() {
   for (const type of ["pointerover", "focusin"]) {
     document.addEventListener(type, (event) => {
       if (within(event, "[data-search]", Element)) fetchResults().catch(() => {});

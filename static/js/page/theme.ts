@@ -13,17 +13,16 @@ const KEY = `${STORAGE}theme`;
 const DARK = matchMedia("(prefers-color-scheme: dark)");
 
 /** Listen for the theme button on any page. */
-export function installTheme() {
+export function install() {
   document.addEventListener("click", (event) => {
     if (!within(event, ".theme-toggle", Element)) return;
     setTheme(nextTheme());
-    showTheme();
+    arrive();
   });
-  showTheme();
 }
 
 /** Let every theme button say which theme is on. */
-export function showTheme() {
+export function arrive() {
   const name = words(`theme.${currentTheme()}`);
   for (const button of all(document, ".theme-toggle", HTMLButtonElement)) {
     button.dataset.choice = currentTheme();
