@@ -22,7 +22,6 @@ MACROS = {
     "norm": r"\lVert #1 \rVert",
     "pair": "(#1, #2)",
     "deep": r"\norm{\R}",
-    "loop": r"1 + \loop",
     "ray": r"\role{ray}{#1}",
 }
 
@@ -82,21 +81,6 @@ def test_lines_of_an_array_are_borders_and_columns_of_a_matrix_have_no_style() -
 @pytest.mark.parametrize("tex", ["(-x)", "(40, -40)", "a = -b", "2 \\cdot -3", "[-1]"])
 def test_a_minus_after_an_opening_or_an_operator_is_a_sign(tex: str) -> None:
     assert [e.get("form") for e in tree(tex).iter("mo") if e.text == "−"] == ["prefix"]
-
-
-@pytest.mark.parametrize(
-    ("tex", "reason"),
-    [
-        (r"a}b{", "expected its end, got '}'"),
-        (r"\class{other}{x}", r"\class"),
-        (r"\ce{H2O{}", "cannot set"),
-        (r"\pair{x}", "cannot set"),
-        (r"\loop", "too many expansions"),
-    ],
-)
-def test_a_formula_that_cannot_be_set_is_refused_with_the_reason(tex: str, reason: str) -> None:
-    with pytest.raises(UnsupportedTexError, match=re.escape(reason)):
-        to_mathml(tex, display=False, macros=MACROS)
 
 
 @given(st.text(alphabet="\\{}<>&\"'ab1^_ $%#~frac", max_size=20))
