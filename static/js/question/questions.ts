@@ -256,8 +256,8 @@ function answersTo(form: HTMLFormElement) {
 /** The guess, if there is one, and what was computed. */
 function sideBySide(guess: Shown | null, truth: Shown) {
   const list = element("dl", "meeting row");
-  if (guess) list.append(group("role-ray", words("predict.your_guess"), guess));
-  list.append(group("role-image", words("predict.computed"), truth));
+  if (guess) list.append(group("guessed role-ray", words("predict.your_guess"), guess));
+  list.append(group("computed role-image", words("predict.computed"), truth));
   return list;
 }
 
