@@ -29,7 +29,7 @@ def draw() -> Illustration:
     foot, wanted = PLOT.y.start, PLOT.at(0.62, SEEN)[1]
     marks = [
         PLOT.axes(),
-        PLOT.x_axis(Scale(ticks=(0.7, 0.8, 0.9, 1), tick_style="muted small")),
+        PLOT.x_axis(Scale(ticks=(0.7, 0.8, 0.9), tick_style="muted small")),
         PLOT.y_axis(Scale(ticks=(0.55, 0.6, 0.65, 0.7), tick_style="muted small")),
         line((PLOT.x.start, wanted), (PLOT.x.end, wanted), "image dashed"),
         PLOT.curve(radii, evaluate(LENS, radii), "camera bold"),
@@ -40,7 +40,10 @@ def draw() -> Illustration:
         if index < 3:
             marks.append(line(PLOT.at(r, height), PLOT.at(found[index + 1], SEEN), "ray"))
             marks.append(dot(PLOT.at(r, height), "ray", 4))
-            marks.append(label((PLOT.at(r, SEEN)[0], foot + 18), f"r_{index}", "italic", "middle"))
+            side, anchor = (-5, "end") if index == 2 else (5, "start")
+            marks.append(
+                label((PLOT.at(r, SEEN)[0] + side, foot - 8), f"r_{index}", "italic", anchor)
+            )
     root = PLOT.at(found[-1], SEEN)
     marks += [
         dot(root, "image", 4.5),

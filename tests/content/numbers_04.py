@@ -1,0 +1,44 @@
+"""Chapter 4: lens distortion. What many sittings of a calibration say of the model of the lens."""
+
+from collections import Counter
+
+from scipy.stats import chi2
+from support.worked_numbers import Says
+
+from simulations.models.calibration.model_choice import compare, supported
+from simulations.models.calibration.simulated import sitting
+from simulations.scenes.calibration.boards import BOARD, SIGMA_PX, SIZE, TRUTH
+
+CHAPTER = "04-lens-distortion"
+SITTINGS = 32
+
+
+def judged(photographs: int) -> tuple[Counter[str], Counter[str], Counter[str]]:
+    """How many sittings each model of the lens wins: by photographs left out, among the supported,
+    and by Akaike's criterion. Each sitting has other poses and other noise."""
+    best, simplest, cheapest = Counter[str](), Counter[str](), Counter[str]()
+    for seed in range(SITTINGS):
+        views = sitting(TRUTH, SIZE, photographs, BOARD, seed).views(SIGMA_PX, seed)
+        trials = compare(views, SIZE)
+        best[min(trials, key=lambda trial: trial.left_out_px).lens] += 1
+        simplest[supported(trials).lens] += 1
+        cheapest[min(trials, key=lambda trial: trial.aic).lens] += 1
+    return best, simplest, cheapest
+
+
+def which_model_of_the_lens_photographs_support() -> Says:
+    best, _, cheapest = judged(3)
+    assert best["k1k2"] == max(best.values())
+    yield f"so {SITTINGS} such sittings were computed"
+    yield f"In {best['k1k2']} of the {SITTINGS} sittings $k_1$ and $k_2$ predict best"
+    yield f"predict best, in {best['k3']} all"
+    yield f"all five and in {best['p1p2']} the four that the lens has"
+    yield f"chooses the four coefficients of the lens in {cheapest['p1p2']} of {SITTINGS} sittings"
+    _, six, _ = judged(6)
+    _, twelve, cheapest = judged(12)
+    yield f"support $p_1$ and $p_2$ in {six['p1p2']} of {SITTINGS} sittings, twelve in all of them"
+    assert twelve == {"p1p2": SITTINGS}
+    assert six["k3"] == 0
+    yield f"with twelve it still chooses $k_3$ in {cheapest['k3']}"
+    assert round(1 / chi2.sf(2, 1)) == 6
+    yield "which by theory happens in one of six sittings"
