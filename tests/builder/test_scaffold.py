@@ -62,8 +62,19 @@ def first_book(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_
     return folder
 
 
-def test_all_its_tests_pass(engine: Engine, first_book: Path) -> None:
+def test_all_its_tests_pass_and_those_that_the_guide_shows(
+    engine: Engine, first_book: Path
+) -> None:
+    guide = ROOT / "site_builder" / "guide" / "book" / "content"
+    shown = "".join(page.read_text(encoding="utf-8") for page in guide.glob("*.md"))
+    samples = [
+        code for code in re.findall(r"```python\n(.*?)```", shown, re.S) if "def test" in code
+    ]
+    assert samples
+    of_the_guide = first_book / "tests" / "scenes" / "test_guide.py"
+    of_the_guide.write_text("\n".join(samples), encoding="utf-8")
     done = engine.run(first_book, "-m", "pytest", "-q", "-p", "no:cacheprovider")
+    of_the_guide.unlink()
     assert done.returncode == 0, done.stdout + done.stderr
     for name in ("two_balls_scene", "air_drag", "spring", "exponential_ladder"):
         assert len([*first_book.glob(f"tests/**/test_{name}.py")]) == 1
