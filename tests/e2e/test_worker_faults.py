@@ -208,7 +208,8 @@ BEGIN = """async () => {
 ASK = """([name, payload]) => {
   window.told = null;
   window.runtime.call(name, payload).then(
-    () => { window.told = 'answered'; }, (error) => { window.told = error.kind; });
+    () => { window.told = 'answered'; },
+    ({kind, message}) => { Object.assign(window, {told: kind, reason: message}); });
 }"""
 
 
@@ -309,3 +310,8 @@ def test_messages_of_a_worker_that_are_not_in_the_protocol_are_dropped(watched: 
     watched.page.evaluate("wait('numpy.zip')")
     watched.page.evaluate("answer({ok: false, error: '\\x1b[31m' + 'x'.repeat(1e7)})")
     assert watched.told() == "python"
+    assert watched.page.evaluate("reason.length") < 5000
+    watched.begin()
+    watched.page.evaluate("answer({ok: false, error: ''})")
+    assert watched.told() == "python"
+    assert watched.page.evaluate("reason"), "no failure without a reason"

@@ -11,7 +11,9 @@ const LIBRARY = "python";
 /** The sources of all simulations, for those who edit them; `simulations/editing/` looks for them. */
 export const SOURCES = "simulations";
 const TABLE = "runtime.json";
+/** Taken before Python runs, which may change or lose them. */
 const { XMLHttpRequest } = globalThis;
+const { hasOwn } = Object;
 
 /** What `runtime.json` says. */
 interface Table {
@@ -120,7 +122,7 @@ export class Chunks {
    * @throws {LoadError} Also kept in `missed`, as Python reports an error of its own.
    */
   fetchNow(name: string) {
-    if (this.#present.has(name) || !(`${name}.zip` in this.table.integrity)) return;
+    if (this.#present.has(name) || !hasOwn(this.table.integrity, `${name}.zip`)) return;
     try {
       this.#unpack(name, loadNow(`${this.url}${name}.zip`));
     } catch (error) {

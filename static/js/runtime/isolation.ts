@@ -19,7 +19,7 @@ const KEPT = new Set(
 /** Functions whose constructors compile text, which may import a script from anywhere. */
 const FUNCTIONS = [() => {}, async () => {}, function* () {}, async function* () {}];
 
-/** In place of `Function`, of which Pyodide asks whether something is one. */
+/** In place of `Function`, which Pyodide needs for `instanceof`. */
 function Uncallable() {
   throw new TypeError("text is not compiled here");
 }

@@ -258,7 +258,7 @@ export class Runtime {
   }
 
   #fail(call: Call, { error, fatal, loadError }: Failure) {
-    const message = loadError ? inWords(loadError) : legible(error);
+    const message = loadError ? inWords(loadError) : legible(error) || words("runtime.unreadable");
     const more = { loadError: loadError?.kind };
     if (fatal || call.name === "start") {
       this.#plain ||= call.name === "prepare";
