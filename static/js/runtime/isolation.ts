@@ -13,7 +13,7 @@ const KEPT = new Set(
   Uint16Array Int32Array Uint32Array BigInt64Array BigUint64Array Float16Array Float32Array
   Float64Array parseFloat parseInt isFinite isNaN decodeURI decodeURIComponent encodeURI
   encodeURIComponent WebAssembly console crypto performance TextDecoder TextEncoder OffscreenCanvas
-  ImageData queueMicrotask structuredClone TEMPORARY PERSISTENT`.split(/\s+/),
+  ImageData queueMicrotask structuredClone`.split(/\s+/),
 );
 
 /** Functions whose constructors compile text, which may import a script from anywhere. */
@@ -25,13 +25,19 @@ function Uncallable() {
 }
 Uncallable.prototype = Function.prototype;
 
-/** @throws {Error} Where something stays that should not: no Python may run then. */
+/** Whether the worker runs a reader's Python, under the policy of its page. */
+const isConfined = self.location.protocol === "blob:";
+
+/** @throws {Error} Where something stays that should not, and a reader's Python would run. */
 export function isolate() {
   const left: string[] = [];
   let scope: object | null = globalThis;
   for (; scope && scope !== Object.prototype; scope = Object.getPrototypeOf(scope)) {
     for (const name of Object.getOwnPropertyNames(scope)) {
-      if (!KEPT.has(name) && !Reflect.deleteProperty(scope, name)) left.push(name);
+      const { get, value } = Object.getOwnPropertyDescriptor(scope, name) ?? {};
+      const isConstant = !get && Object(value) !== value;
+      if (KEPT.has(name) || isConstant) continue;
+      if (!Reflect.deleteProperty(scope, name)) left.push(name);
     }
   }
   for (const made of FUNCTIONS) {
@@ -39,5 +45,5 @@ export function isolate() {
     if (!Reflect.deleteProperty(kind, "constructor")) left.push("constructor");
   }
   Object.assign(globalThis, { Function: Uncallable });
-  if (left.length > 0) throw new Error(`the worker keeps ${left.join(", ")}`);
+  if (isConfined && left.length > 0) throw new Error(`the worker keeps ${left.join(", ")}`);
 }

@@ -22,7 +22,7 @@ export class LoadError extends Error {
 }
 
 /** The browser's own: the worker answers what Pyodide requests, and then lets no Python fetch. */
-const fetchFile = globalThis.fetch;
+const { fetch: fetchFile, Response } = globalThis;
 
 /** Files that were requested and have not arrived, the earliest first. */
 export const awaited: Set<string> = new Set();
@@ -52,12 +52,18 @@ export async function fetchWhole(
 ): Promise<Response> {
   for (const cache of caches) {
     try {
-      return checked(await arrival(url, fetchFile(url, { cache, integrity })));
+      return await arrival(url, fetchOnce(url, { cache, integrity }));
     } catch (error) {
       if (error instanceof LoadError) throw error;
     }
   }
   throw await findLoadError(url);
+}
+
+/** The reply, once all of it is there. */
+async function fetchOnce(url: string, options: RequestInit) {
+  const reply = checked(await fetchFile(url, options));
+  return new Response(await reply.arrayBuffer(), { headers: reply.headers });
 }
 
 /**
