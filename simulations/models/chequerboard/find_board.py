@@ -127,9 +127,6 @@ class FoundBoard:
     """Standard deviation of the blur of edges, by lens and pixel together."""
     spacing_px: float
     """Median distance between neighbouring lines of the grid."""
-    uneven_px: float
-    """RMS distance from the image of a plane through a smooth lens; NaN for fewer than `TOLD`
-    corners."""
 
 
 def find_board(picture: Picture) -> FoundBoard:
@@ -158,7 +155,7 @@ def find_board(picture: Picture) -> FoundBoard:
     uneven = _uneven_px(places, indices, middle)
     if uneven > max(BENT_PX, BENT * refined.spacing_px):
         raise NoBoardError(CURVED.format(off=uneven))
-    return FoundBoard(places, indices, (columns, rows), refined.blur_px, refined.spacing_px, uneven)
+    return FoundBoard(places, indices, (columns, rows), refined.blur_px, refined.spacing_px)
 
 
 def numbered(lattice: Lattice) -> tuple[Floats, Whole]:
@@ -190,6 +187,7 @@ def _without_outliers(places: Floats, indices: Whole, middle: Floats) -> tuple[F
 
 
 def _uneven_px(places: Floats, indices: Whole, middle: Floats) -> float:
+    """RMS distance from the image of a plane through a smooth lens; NaN for few corners."""
     if len(places) < TOLD:
         return float("nan")
     residuals = flat_residuals(places, indices.astype(float), middle)

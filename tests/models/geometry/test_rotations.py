@@ -13,6 +13,7 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry import euler, quaternions, rotation_paths, rotations
 from simulations.models.geometry.quaternion_blends import (
     BLENDS,
+    bisected_arc,
     turn_between_rad,
 )
 
@@ -141,12 +142,13 @@ def test_every_blend_begins_and_ends_at_the_two_orientations(kind: str, angle_de
     np.testing.assert_allclose(ends, [start, middle, end], atol=1e-12)
 
 
-@pytest.mark.parametrize("kind", ["paced-nlerp", "slerp-threshold", "slerp"])
+@pytest.mark.parametrize("kind", ["paced-nlerp", "slerp-threshold", "slerp", "bisection"])
 def test_blends_follow_the_great_circle_as_closely_as_they_promise(kind: str) -> None:
-    allowed_deg = {"paced-nlerp": 0.05, "slerp-threshold": 1e-4, "slerp": 1e-12}[kind]
+    allowed_deg = {"paced-nlerp": 0.05, "slerp-threshold": 1e-4}.get(kind, 1e-12)
+    blend = BLENDS.get(kind, bisected_arc)
     for angle_deg in range(0, 180, 3):
         start, end = pair(angle_deg)
-        off = off_deg(BLENDS[kind](start, end, SHARES), scipy_path(start, end))
+        off = off_deg(blend(start, end, SHARES), scipy_path(start, end))
         assert off.max() < allowed_deg
 
 
