@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 import scipy.fft
 import skimage.data
+from numpy.typing import DTypeLike
 from PIL import Image
 from PIL.JpegImagePlugin import JpegImageFile
 from scipy.fft import dctn
 
+from simulations.models.arrays import Floats
 from simulations.models.compression import blocks as compression
 from simulations.models.compression import jpeg
 from simulations.models.compression.blocks import RANK, ZIGZAG, first_in_order
@@ -34,6 +36,21 @@ def test_tables_are_those_of_pillow(quality: int) -> None:
     for index, table in enumerate((compression.LUMINANCE_TABLE, compression.CHROMINANCE_TABLE)):
         ours = compression.quantisation_table(table, quality)
         np.testing.assert_array_equal(ours.reshape(-1), theirs[index])
+
+
+@pytest.mark.parametrize(("dtype", "tie"), [(np.float32, 5e-4), (np.float64, 1e-9)])
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(("ties_off", "kept"), [(-1.05, 2), (-0.95, 3), (0, 3), (0.95, 3)])
+def test_halves_are_told_as_well_as_the_transforms_numbers_can(
+    dtype: DTypeLike, tie: float, sign: int, ties_off: float, kept: int
+) -> None:
+    """A transform that comes out so many ties from the half of 2.5 that it should."""
+
+    def transform(blocks: Floats) -> Floats:
+        return np.full(blocks.shape, sign * (2.5 + ties_off * tie), dtype)
+
+    codes = compression.quantise_plane(np.zeros((8, 8)), np.ones((8, 8)), transform)
+    assert (codes == sign * kept).all()
 
 
 CODES = np.random.default_rng(5).integers(-128, 128, (3, 50, 8, 8)).astype(float)
@@ -80,6 +97,10 @@ def test_symbols_are_those_of_the_standard(
     codes: dict[int, int], expected: dict[int, int], bits: int
 ) -> None:
     assert symbols([codes]) == (expected, bits)
+
+
+def test_a_run_of_zeros_ends_with_its_block() -> None:
+    assert symbols([{62: 1}, {2: 1}]) == ({0xF0: 3, 0xE1: 1, 0x21: 1, 0x00: 1}, 2)
 
 
 @pytest.mark.parametrize("quality", [50, 75, 90])
