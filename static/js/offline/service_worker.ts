@@ -30,7 +30,7 @@ const own: Set<string> = new Set();
 let isTidy = false;
 /** Whether a file was missing or damaged: others may be. */
 let isSuspect = false;
-let mended: Promise<unknown> | null = null;
+let mending: Promise<unknown> | null = null;
 
 worker.addEventListener("install", (event) => {
   const stored = release ? navigator.locks.request(STORE, takeUp) : Promise.resolve();
@@ -56,7 +56,6 @@ async function takeUp() {
   const store = await caches.open(STORE);
   await store.delete(keyOf(LIST, release)); // stored anew, it is the last list
   const failed = await storeAll().catch((error) => ({ address: LIST, error }));
-  isSuspect = false;
   if (!failed) return;
   const isFull = failed.error instanceof DOMException;
   const problem = isFull ? failed.error.message : "";
@@ -80,6 +79,8 @@ async function storeAll() {
     }
   };
   await Promise.all(Array.from({ length: AT_ONCE }, take));
+  isSuspect = false;
+  mending = null;
   return failed.at(-1);
 }
 
@@ -186,7 +187,7 @@ async function asAsked(stored: Response, { headers }: Request): Promise<Response
 
 /** After an answer to this page: mend the store, or drop the releases that no open page came from. */
 async function upkeep(page: string) {
-  if (isSuspect) await (mended ??= storeAll());
+  if (isSuspect) await (mending ??= storeAll());
   if (isTidy || !own.has(page)) return;
   const pages = await worker.clients.matchAll({ type: "window" });
   if (!pages.every(({ id }) => own.has(id))) return;
