@@ -20,7 +20,7 @@ from support.places import ROOT
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
 
-from site_builder.runtime.imports import Table, read_imports
+from site_builder.runtime.imports import Table, imports_of, module_files
 
 # The same examples in every run: a change is judged by its own failures. `make test-deep` looks
 # for new ones.
@@ -50,7 +50,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 @pytest.fixture(scope="session")
 def imports_of_the_book() -> Table:
     """What each module of the simulations imports: four hundred sources, read once."""
-    return read_imports(ROOT / "simulations")
+    return imports_of(module_files(ROOT / "simulations"))
 
 
 @pytest.fixture(scope="session")

@@ -36,16 +36,9 @@ type Text = Callable[[Passage], Markup]
 """The XHTML of a passage."""
 
 
-def moodle_text(page: str, macros: Mapping[str, str]) -> Text:
-    """``page`` is the address of the chapter, nothing where it has none."""
-    return _text(page, renderer_with({**RULES, "math_inline": lambda token: _tex(token, macros)}))
-
-
-def qti_text(page: str) -> Text:
-    return _text(page, renderer_with(RULES))
-
-
 def _text(page: str, render: PassageRenderer) -> Text:
+    """``page`` is the address of the chapter, nothing where it has none."""
+
     def text(passage: Passage) -> Markup:
         if not passage:
             return Markup()
@@ -147,15 +140,17 @@ def asked_in(book: Book) -> Iterator[Asked]:
                 yield Asked(each, full, chapter, book.address, key, drawn_from=name)
 
 
-def written(book: Book, asked: Asked, platform: str, text: Text) -> str:
-    """The question for a ``platform``, whose passages are made by ``text``."""
+def written(book: Book, asked: Asked, platform: str) -> str:
+    """The question for a ``platform``: Moodle sets formulae itself, for QTI they are MathML."""
+    macros = book.settings.macros
+    rules = {"math_inline": lambda token: _tex(token, macros)} if platform == "moodle" else {}
     return render_template(
         asked.kind.export(platform),
         book,
         asked=asked,
         quiz=asked.quiz,
         chapter=asked.chapter,
-        text=text,
+        text=_text(asked.page, renderer_with({**RULES, **rules})),
     )
 
 
@@ -167,7 +162,7 @@ def left_out(book: Book) -> int:
 
 def make_moodle(book: Book) -> bytes:
     categories = [
-        (category, [_question(book, asked) for asked in group])
+        (category, [written(book, asked, "moodle") for asked in group])
         for category, group in groupby(asked_in(book), lambda asked: _category(book, asked))
     ]
     return render_template("editions/moodle.xml", book, categories=categories).encode()
@@ -181,10 +176,6 @@ def _category(book: Book, asked: Asked) -> str:
     return "/".join(["$course$", "top", *(name.replace("/", "//") for name in path)])
 
 
-def _question(book: Book, asked: Asked) -> str:
-    return written(book, asked, "moodle", moodle_text(asked.page, book.settings.macros))
-
-
 def make_qti(book: Book) -> bytes:
     """The archive. The same book is the same bytes."""
     asked = list(asked_in(book))
@@ -195,9 +186,6 @@ def make_qti(book: Book) -> bytes:
     files = {
         "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=asked),
         "test.xml": render_template("editions/qti-test.xml", book, chapters=chapters),
-        **{
-            f"items/{item.id}.xml": written(book, item, "qti", qti_text(item.page))
-            for item in asked
-        },
+        **{f"items/{item.id}.xml": written(book, item, "qti") for item in asked},
     }
     return archive_of({name: content.encode() for name, content in files.items()})

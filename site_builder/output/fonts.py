@@ -158,7 +158,7 @@ def face_rules() -> str:
             {"font-family": f'"{face.family}"'}
             | ({} if face in MATHS_FACES else _variant(face.style))
             | {"font-display": "swap", "src": f'url("../fonts/{face.file}") format("woff2")'}
-            | ({"unicode-range": _ranges(face.characters)} if face in MATHS_FACES else {})
+            | ({"unicode-range": ", ".join(_spans(face.characters))} if face in MATHS_FACES else {})
         )
         for face in FACES
     )
@@ -196,15 +196,11 @@ def _rule(said: Mapping[str, str]) -> str:
     return f"@font-face {{\n{lines}}}\n"
 
 
-def _ranges(codes: Iterable[int]) -> str:
-    return ", ".join(f"U+{first:X}-{last:X}" for first, last in _spans(codes))
-
-
-def _spans(codes: Iterable[int]) -> Iterator[tuple[int, int]]:
-    """First and last of each run of neighbours."""
+def _spans(codes: Iterable[int]) -> Iterator[str]:
+    """Each run of neighbours, by its first and last."""
     for _, run in groupby(enumerate(sorted(codes)), lambda item: item[1] - item[0]):
         found = [code for _, code in run]
-        yield found[0], found[-1]
+        yield f"U+{found[0]:X}-{found[-1]:X}"
 
 
 RECIPE = 3

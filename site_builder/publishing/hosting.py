@@ -5,6 +5,7 @@ import gzip
 import json
 import re
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import PurePosixPath
 from urllib.parse import urlsplit
 
@@ -27,18 +28,11 @@ MOST_SHARE = 0.95
 """The largest size of a copy, as a share of the file's."""
 
 
-def gzipped(data: bytes) -> bytes:
-    """With no time of its own, so that the same file is the same copy."""
-    return gzip.compress(data, 9, mtime=0)
-
-
-def brotlied(data: bytes) -> bytes:
-    packed: bytes = brotli.compress(data, quality=11)
-    return packed
-
-
-PACKERS: Mapping[str, Callable[[bytes], bytes]] = {".br": brotlied, ".gz": gzipped}
-"""Packers by the ending of a copy's name."""
+PACKERS: Mapping[str, Callable[[bytes], bytes]] = {
+    ".br": partial(brotli.compress, quality=11),
+    ".gz": partial(gzip.compress, compresslevel=9, mtime=0),
+}
+"""Packers by the ending of a copy's name: the same file is the same copy, without a time."""
 
 
 def compressed_copies(files: Mapping[str, Content]) -> dict[str, bytes]:
@@ -49,15 +43,11 @@ def compressed_copies(files: Mapping[str, Content]) -> dict[str, bytes]:
             continue
         data = content_bytes(content)
         for ending, pack in PACKERS.items():
-            packed = _pack_once(data, ending, pack)
+            # Packing well takes long, so what is known by its hash is not packed again.
+            packed = cached_result("packed", (bytes_hash(data), ending), partial(pack, data))
             if len(packed) < MOST_SHARE * len(data):
                 copies[name + ending] = packed
     return copies
-
-
-def _pack_once(data: bytes, ending: str, pack: Callable[[bytes], bytes]) -> bytes:
-    """Packing well takes long, so what is known by its hash is not packed again."""
-    return cached_result("packed", (bytes_hash(data), ending), lambda: pack(data))
 
 
 MANIFEST = "manifest.webmanifest"

@@ -7,6 +7,7 @@ found by its reader.
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from string import ascii_lowercase
 from types import MappingProxyType
 from typing import Any
@@ -60,8 +61,9 @@ class Work:
     @property
     def everyone(self) -> str:
         """``Zhang, Z.``; ``Kannala, J. and Brandt, S. S.``; ``Cook, R. L., Porter, T. and …``"""
+        initials = partial(re.sub, r"(\w)[\w’']*\.?", r"\1.")
         names = [
-            f"{family}, {_initials(given)}" if given else family for given, family in self.authors
+            f"{family}, {initials(given)}" if given else family for given, family in self.authors
         ]
         if names[-1:] == ["others"]:
             return f"{', '.join(names[:-1])} {self._et_al}"
@@ -117,10 +119,6 @@ class Work:
 type Works = Mapping[str, Work]
 """All entries by key, in the order of their authors, years and titles."""
 NO_WORKS: Works = MappingProxyType({})
-
-
-def _initials(given: str) -> str:
-    return re.sub(r"(\w)[\w’']*\.?", r"\1.", given)
 
 
 def _listed(*parts: str | None) -> str:

@@ -160,20 +160,12 @@ def paper_renderer() -> PassageRenderer:
     return renderer_with(
         {
             **RULES,
-            "heading_close": plain_heading_close,
-            "table_open": plain_table_open,
+            "heading_close": lambda token: f"</{token.tag}></div>\n",
+            "table_open": lambda _: '<div class="table-wrapper"><table>\n',
             "link_open": plain_open,
             "role_open": plain_open,
         }
     )
-
-
-def plain_heading_close(token: Token) -> str:
-    return f"</{token.tag}></div>\n"
-
-
-def plain_table_open(_token: Token) -> str:
-    return '<div class="table-wrapper"><table>\n'
 
 
 def plain_open(token: Token) -> str:

@@ -52,11 +52,6 @@ def sources_of(files: Mapping[str, Path], modules: Collection[str]) -> dict[str,
     return {archive_path(name, file): file for name, file in files.items() if name in modules}
 
 
-def read_imports(package: Path) -> Table:
-    """The imports of every module in the folder ``package``."""
-    return imports_of(module_files(package))
-
-
 def imports_of(files: Mapping[str, Path]) -> Table:
     """The imports of every module, given the files of all by their full names."""
     return {name: _imports(file, archive_path(name, file), files) for name, file in files.items()}

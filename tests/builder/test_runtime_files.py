@@ -41,7 +41,6 @@ from site_builder.runtime.imports import (
     module_files,
     outside,
     reach,
-    read_imports,
 )
 from site_builder.runtime.pack import (
     book_modules,
@@ -231,7 +230,7 @@ def package(tmp_path: Path) -> Path:
 
 
 def test_imports_are_found_with_their_place_however_indirect(package: Path) -> None:
-    table = read_imports(package)
+    table = imports_of(module_files(package))
     reached = reach(table, "simulations.scene")
     models = {"simulations.models", "simulations.models.lens"}
     assert reached == {"simulations", "simulations.scene", *models}

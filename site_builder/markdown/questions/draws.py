@@ -77,7 +77,8 @@ def _columns(text: str, context: ParseContext) -> Mapping[str, list[float]]:
     columns: dict[str, list[float]] = {}
     for part in text.split(";"):
         name, sign, values = (word.strip() for word in part.partition("="))
-        if not sign or "=" in IN_BRACKETS.sub("", values) or not _is_name(name) or name in columns:
+        is_name = name.isidentifier() and not iskeyword(name)
+        if not sign or "=" in IN_BRACKETS.sub("", values) or not is_name or name in columns:
             given = f"{part.strip()!r} draws no number"
             raise ExpressionError(f"{given}; legal: each name once, as 'f = 24, 35; N = 5.6, 8'")
         columns[name] = [
@@ -87,10 +88,6 @@ def _columns(text: str, context: ParseContext) -> Mapping[str, list[float]]:
             given = f"{part.strip()!r} draws a number twice"
             raise ExpressionError(f"{given}; legal: each once")
     return columns
-
-
-def _is_name(word: str) -> bool:
-    return word.isidentifier() and not iskeyword(word)
 
 
 def report_first(drawn: Sequence[Variant], context: ParseContext) -> bool:

@@ -54,15 +54,12 @@ def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH
             measured = measurements.find(ladder)
             return error_text(*_value(measured, tier, wanted), words)
         case [ladder, tier, wanted, "range"]:
-            return _range(measurements.find(ladder), tier, wanted, words)
+            measured = measurements.find(ladder)
+            _, unit = _value(measured, tier, wanted)
+            return with_unit(range_text(measured[tier].spread(wanted), unit, words), unit)
         case [ladder, tier, "over", other, wanted]:
             return words.numeral(_ratio(measurements.find(ladder), tier, other, wanted))
     raise MeasurementError(f"{{measured}} {asked!r}; {LEGAL}")
-
-
-def _range(measured: MeasuredLadder, tier: str, metric: str, words: Words) -> str:
-    _, unit = _value(measured, tier, metric)
-    return with_unit(range_text(measured[tier].spread(metric), unit, words), unit)
 
 
 def _about_all(name: str, measurements: Measurements) -> str:

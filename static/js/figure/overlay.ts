@@ -35,7 +35,7 @@ export class Overlay {
   }
 }
 
-/** Leave shapes, text and paint, as in `site_builder/checks/svg.py`. */
+/** Leave shapes, text and paint, as in `site_builder/checks/pictures.py`. */
 function makeInert(drawing: Element, markup: string) {
   const mayHandle = /\bon\w/i.test(markup);
   for (const element of drawing.querySelectorAll("*")) {

@@ -5,7 +5,7 @@
 
 import { fold, formsOf, wordsIn, type Language, type Word } from "./words.ts";
 
-/** A section of the book, as the builder's `search/records.py` writes it. */
+/** A section of the book, as the builder's `search/index.py` writes it. */
 interface Section {
   /** Relative to the site's root. */
   address: string;
