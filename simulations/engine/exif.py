@@ -4,6 +4,7 @@ Only the first bytes of a file are needed: in a JPEG, Exif is the segment APP1 b
 (section 4.7.2), in a PNG the chunk ``eXIf`` before the data. Inside is a TIFF file.
 """
 
+import re
 import struct
 from collections.abc import Iterator
 
@@ -16,7 +17,8 @@ LONGEST = 80
 NUMBERS = {
     0x829A: ("exposure_s", 1e-7, 1e5),
     0x829D: ("f_number", 0.1, 1e3),
-    0x8827: ("iso", 1.0, 1e7),
+    0x8827: ("iso", 1.0, 65534.0),  # two bytes: the next value says that it is more
+    0x8832: ("iso", 1.0, 1e7),
     0x920A: ("focal_mm", 0.1, 1e4),
     0xA405: ("focal_35mm_mm", 1.0, 1e4),
 }
@@ -24,7 +26,10 @@ NUMBERS = {
 SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 7: 1, 9: 4, 10: 8}
 """Bytes of one value, by type (TIFF 6.0, section 2)."""
 FORMATS = {3: "H", 4: "I", 5: "II", 9: "i", 10: "ii"}
-MOST_ENTRIES = 1000
+MOST_ENTRIES = 250
+"""Entries that are read of each of the two directories."""
+MARKER = re.compile(rb"\xff+([^\xff])")
+"""A marker of a JPEG, which any number of fill bytes may precede."""
 
 
 def exif_facts(head: bytes) -> dict[str, float | str]:
@@ -34,21 +39,18 @@ def exif_facts(head: bytes) -> dict[str, float | str]:
     fewer facts, never an error, and so do numbers that no camera has.
     """
     facts: dict[str, float | str] = {}
-    try:
-        for tag, value in _entries(_tiff(head)):
-            if tag in TEXTS and isinstance(value, bytes):
-                text = _printable(value)
-                facts |= {TEXTS[tag]: text} if text else {}
-            elif tag in NUMBERS and isinstance(value, float):
-                name, least, most = NUMBERS[tag]
-                facts |= {name: value} if least <= value <= most else {}
-    except (struct.error, IndexError, OverflowError):  # the last where addresses have 32 bits
-        pass
+    for tag, value in _entries(_tiff(head)):
+        if tag in TEXTS and isinstance(value, bytes) and (text := _printable(value)):
+            facts.setdefault(TEXTS[tag], text)
+        elif tag in NUMBERS and isinstance(value, float):
+            name, least, most = NUMBERS[tag]
+            if least <= value <= most:
+                facts.setdefault(name, value)
     return facts
 
 
 def _printable(value: bytes) -> str:
-    text = value.split(b"\0")[0].decode("utf-8", "replace")
+    text = value[: 4 * LONGEST].split(b"\0")[0].decode("utf-8", "replace")
     return "".join(sign for sign in text if sign.isprintable())[:LONGEST].strip()
 
 
@@ -61,19 +63,20 @@ def _tiff(head: bytes) -> bytes:
 
 def _in_jpeg(head: bytes) -> bytes:
     at = 2
-    while head[at] == 0xFF and head[at + 1] != 0xDA:  # the start of the scan ends the headers
-        (length,) = struct.unpack_from(">H", head, at + 2)
-        body = head[at + 4 : at + 2 + length]
-        if head[at + 1] == 0xE1 and body.startswith(b"Exif\0\0"):
+    while (found := MARKER.match(head, at)) and found[1] != b"\xda":  # where the scan begins
+        at = found.end()
+        length = int.from_bytes(head[at : at + 2])
+        body = head[at + 2 : at + length]
+        if found[1] == b"\xe1" and body.startswith(b"Exif\0\0"):
             return body[6:]
-        at += 2 + length
+        at += max(length, 2)
     return b""
 
 
 def _in_png(head: bytes) -> bytes:
     at = len(PNG)
-    while head[at + 4 : at + 8] != b"IDAT":
-        (length,) = struct.unpack_from(">I", head, at)
+    while at < len(head) and head[at + 4 : at + 8] != b"IDAT":
+        length = int.from_bytes(head[at : at + 4])
         if head[at + 4 : at + 8] == b"eXIf":
             return head[at + 8 : at + 8 + length]
         at += 12 + length
@@ -81,30 +84,35 @@ def _in_png(head: bytes) -> bytes:
 
 
 def _entries(tiff: bytes) -> Iterator[tuple[int, float | bytes]]:
-    """Tag and value of all entries of the first directory and of that of the exposure.
-
-    Raises `struct.error` where the file ends too early.
-    """
+    """Tag and value of the entries of the first directory, then of that of the exposure."""
     if tiff[:4] not in (b"II*\0", b"MM\0*"):
         return
     order = "<" if tiff.startswith(b"II") else ">"
-    (first,) = struct.unpack_from(f"{order}I", tiff, 4)
-    for tag, value in _directory(tiff, first, order):
-        if tag == POINTER and isinstance(value, float):
-            yield from _directory(tiff, int(value), order)
-        yield tag, value
+    first = [*_directory(tiff, _number(tiff, 4, order), order)]
+    yield from first
+    pointers = (value for tag, value in first if tag == POINTER and isinstance(value, float))
+    if pointer := next(pointers, 0.0):
+        yield from _directory(tiff, int(pointer), order)
+
+
+def _number(tiff: bytes, at: int, order: str, size: int = 4) -> int:
+    """A whole number; 0 where the file has ended."""
+    return int.from_bytes(tiff[at : at + size], "little" if order == "<" else "big")
 
 
 def _directory(tiff: bytes, start: int, order: str) -> Iterator[tuple[int, float | bytes]]:
-    (count,) = struct.unpack_from(f"{order}H", tiff, start)
-    for at in range(start + 2, start + 2 + 12 * min(count, MOST_ENTRIES), 12):
-        tag, kind, length = struct.unpack_from(f"{order}HHI", tiff, at)
+    """Tag and value of each entry that is whole."""
+    count = min(_number(tiff, start, order, 2), MOST_ENTRIES)
+    for at in range(start + 2, min(start + 2 + 12 * count, len(tiff) - 11), 12):
+        tag, kind, length, place = struct.unpack_from(f"{order}HHII", tiff, at)
         size = SIZES.get(kind, 0) * length
-        (place,) = struct.unpack_from(f"{order}I", tiff, at + 8) if size > 4 else (at + 8,)
+        value = tiff[place : place + size] if size > 4 else tiff[at + 8 : at + 8 + size]
+        if len(value) < size:
+            continue
         if kind == 2:
-            yield tag, struct.unpack_from(f"{length}s", tiff, place)[0]
+            yield tag, value
         elif kind in FORMATS and length:
-            parts = struct.unpack_from(order + FORMATS[kind], tiff, place)
+            parts = struct.unpack_from(order + FORMATS[kind], value)
             if len(parts) == 1:
                 yield tag, float(parts[0])
             elif parts[1]:

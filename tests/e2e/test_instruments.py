@@ -2,6 +2,7 @@
 
 import io
 import json
+import struct
 from base64 import b64encode
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 from playwright.sync_api import Locator, expect
 from support.dng import dng
 from support.edges import gaussian_edge, gaussian_half
@@ -85,8 +87,10 @@ def sheet_of_raw() -> list[list[str]]:
 
 
 def png(codes: Codes) -> bytes:
-    file = io.BytesIO()
-    Image.fromarray(codes).save(file, "PNG")
+    """A file whose codes are data, though it says that they are in proportion to the light."""
+    file, said = io.BytesIO(), PngInfo()
+    said.add(b"gAMA", struct.pack(">I", 100_000))
+    Image.fromarray(codes).save(file, "PNG", pnginfo=said)
     return file.getvalue()
 
 
@@ -148,11 +152,12 @@ def instrument(reader: Reader) -> Instrument:
 
 
 def edge_files(folder: Path) -> list[Path]:
-    """Two photographs, and two files that are none."""
+    """Two photographs, and three files that are none."""
     dot = png(np.zeros((1, 1, 3), np.uint8))
+    huge = dot[:16] + struct.pack(">II", 20_000, 20_000) + dot[24:]
     heic = b"\0\0\0\x18ftypheic" + bytes(64)
     edges = {name: png(codes) for name, codes in EDGES.items()}
-    return saved(folder, {**edges, "dot.png": dot, "phone.heic": heic})
+    return saved(folder, {**edges, "dot.png": dot, "phone.heic": heic, "huge.png": huge})
 
 
 def measured(name: str, given: dict[str, Any]) -> list[list[str]]:
@@ -175,10 +180,11 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     before = instrument.readout("measured").inner_text()
     files = edge_files(tmp_path)
     instrument.add(files)
-    assert instrument.states() == ["ready", "ready", "refused", "refused"]
+    assert instrument.states() == ["ready", "ready", "refused", "refused", "refused"]
     expect(photographs.nth(2)).to_contain_text("it needs at least 16 each way")
     expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
-    expect(said).to_contain_text("2 are refused")
+    expect(photographs.nth(4)).to_contain_text("20000")  # known before it is decoded
+    expect(said).to_contain_text("3 are refused")
     expect(reader.page.locator(".data-sheet tbody")).to_contain_text("soft.png")
     instrument.click(figure.get_by_role("button", name="Keep this place"))
     part = instrument.sheet()
@@ -217,10 +223,10 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     instrument.add(files)
     keep = box.get_by_label("Keep on this device")
     keep.check()
-    wait_stored(reader, 4)
+    wait_stored(reader, 5)
     reader.open(PAGE)
-    expect(photographs).to_have_count(4)
-    assert instrument.states() == ["ready", "ready", "refused", "refused"]
+    expect(photographs).to_have_count(5)
+    assert instrument.states() == ["ready", "ready", "refused", "refused", "refused"]
     expect(instrument.readout("measured")).to_have_text(soft)
     keep.uncheck()
     wait_stored(reader, 0)

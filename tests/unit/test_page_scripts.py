@@ -160,6 +160,30 @@ def test_functions_of_the_bindings_are_made_without_evaluating_text(said: dict[s
     assert said["sum"] == 2 * (100 + 10 + 1)
 
 
+CELLS = {
+    **{
+        begin + "1+1": f"'{begin}1+1"
+        for begin in ("=", " =", "\u3000=", "＝", "＋", "－", "@", "\t", "+")
+    },
+    "\ra": '"\'\ra"',
+    "-a,b": '"\'-a,b"',
+    "-1.5": "-1.5",
+    "+2": "+2",
+    "a=1": "a=1",
+    'say "x"': '"say ""x"""',
+    "": "",
+}
+"""Fields of a table by the texts in them."""
+
+
+def test_no_text_in_a_table_is_a_formula_and_numbers_stay_numbers(tmp_path: Path) -> None:
+    program = (
+        'import { csv } from "./js/page/dom.js";\n'
+        f"console.log(JSON.stringify({json.dumps(list(CELLS))}.map((one) => csv([[one]]))));\n"
+    )
+    assert said_by(tmp_path, program, ROOT, "page/dom") == [f"{c}\r\n" for c in CELLS.values()]
+
+
 @pytest.mark.parametrize(
     ("book", "own"),
     [(ROOT, {}), (FIXTURES / "german-book", {"1,000": 1, "1.000": 1000})],

@@ -23,10 +23,12 @@ export interface Opened {
   mosaic?: Mosaic;
 }
 
-/** What is wanted of a raw file: its cells, or a picture of some megapixels. */
+/** What is wanted of a file; of a raw one, its cells or a picture of some megapixels. */
 export interface Wanted {
   mosaic: boolean;
   megapixels: number;
+  /** Whether the codes of a PNG are measured, so that a profile or gamma in it changes nothing. */
+  measured: boolean;
   /** Reports what takes time. */
   say: (text: string) => void;
 }
@@ -39,7 +41,7 @@ const UNSEEN = 0.01;
 /** A side of fewer pixels shows nothing worth a lens. */
 const SMALLEST_PX = 16;
 /** Bytes at the beginning of a file in which a camera says how it took the picture. */
-const HEAD = 128 * 1024;
+const HEAD = 1024 * 1024;
 /** Longer side of a thumbnail. */
 const THUMBNAIL_PX = 192;
 
@@ -55,7 +57,8 @@ export function nextNumber() {
 /** A picture at a scene's size, or an error that says what is wrong and what would do. */
 export function decode(source: Source, number: number, size: Size): Promise<Picture> {
   const megapixels = typeof size === "number" ? size : (size[0] * size[1]) / 1e6;
-  const wanted = { mosaic: false, megapixels, say: () => {} };
+  const measured = typeof size === "number";
+  const wanted = { mosaic: false, megapixels, measured, say: () => {} };
   return inTurn(async () => await take(source, await open(source, wanted), number, size));
 }
 
@@ -67,29 +70,33 @@ export function inTurn<T>(act: () => Promise<T>): Promise<T> {
 }
 
 /** A file's picture, to be closed or sent away, or an error with words for the reader. */
-export async function open(source: Source, { say, ...wanted }: Wanted): Promise<Opened> {
+export async function open(source: Source, { say, measured, ...wanted }: Wanted): Promise<Opened> {
   const { name, file } = source;
   if (await isRaw(file)) {
     const { openRaw } = await import("../raw/raw_file.ts");
     const picture = await openRaw(name, { file, ...wanted }, say);
     if (picture) return picture;
-    return await openCoded(source, "raw.unknown"); // some browsers know more kinds
+    return await openCoded(source, "raw.unknown", measured); // some browsers know more kinds
   }
-  return await openCoded(source, "photograph.unreadable");
+  return await openCoded(source, "photograph.unreadable", measured);
 }
 
 /** Decode by the browser itself. */
 async function openCoded(
   { name, file }: Source,
   refusal: "raw.unknown" | "photograph.unreadable",
+  measured: boolean,
 ): Promise<Opened> {
   const mb = file.size / 1e6;
   if (mb > LARGEST_MB) {
     const sizes = { size: mb.toFixed(0), most: LARGEST_MB };
     throw new Error(words("photograph.large", { file: name, ...sizes }));
   }
-  const upright = { imageOrientation: "from-image" } as const;
-  const bitmap = await createImageBitmap(file, upright).catch(() => {
+  const png = await sizeOfPng(file);
+  if (png) refuseSize(name, png);
+  const colorSpaceConversion = png && measured ? "none" : "default";
+  const how = { imageOrientation: "from-image", colorSpaceConversion } as const;
+  const bitmap = await createImageBitmap(file, how).catch(() => {
     throw new Error(words(refusal, { file: name }));
   });
   try {
@@ -139,7 +146,14 @@ export async function thumbnailOf(bitmap: ImageBitmap): Promise<Blob> {
   return await canvas.convertToBlob({ type: "image/jpeg", quality: 0.8 });
 }
 
-function refuseSize(name: string, { width, height }: ImageBitmap) {
+/** The size that a PNG states before its pixels, which may be far more than its bytes. */
+async function sizeOfPng(file: Blob) {
+  const head = new DataView(await file.slice(0, 24).arrayBuffer());
+  const isPng = head.byteLength === 24 && head.getBigUint64(0) === 0x89504e470d0a1a0an;
+  return isPng ? { width: head.getUint32(16), height: head.getUint32(20) } : null;
+}
+
+function refuseSize(name: string, { width, height }: { width: number; height: number }) {
   const size = { file: name, width, height };
   if (Math.min(width, height) < SMALLEST_PX) {
     throw new Error(words("photograph.small", { ...size, least: SMALLEST_PX }));

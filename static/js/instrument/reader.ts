@@ -52,7 +52,8 @@ export class Reader {
 
   /** @param ends How often the interpreter had been ended when the photograph was to be read. */
   async #read(photo: Photo, ends: number, say: (text: string) => void) {
-    const wanted = { mosaic: this.mosaic, megapixels: this.scene ? MOST_MEGAPIXELS : 0, say };
+    const megapixels = this.scene ? MOST_MEGAPIXELS : 0;
+    const wanted = { mosaic: this.mosaic, megapixels, measured: true, say };
     const opened = await open(photo, wanted);
     photo.thumbnail ??= await thumbnailOf(opened.bitmap);
     if (this.scene && ends === this.#ends) {

@@ -67,10 +67,14 @@ export function download(name: string, content: BlobPart, type: string = "") {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-/** Comma-separated values (RFC 4180). */
+/** Beginnings that programs for tables take for a formula, also behind spaces and full-width. */
+const FORMULA = /^(?:[\t\r]|\s*[=+\-@＝＋－＠])/;
+
+/** Comma-separated values (RFC 4180), in which no text is a formula; numbers stay numbers. */
 export function csv(rows: (string | number)[][]) {
   const field = (value: string | number) => {
-    const text = String(value);
+    const given = String(value);
+    const text = FORMULA.test(given) && !Number.isFinite(Number(given)) ? `'${given}` : given;
     return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
   };
   return rows.map((row) => `${row.map(field).join(",")}\r\n`).join("");

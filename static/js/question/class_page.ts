@@ -99,7 +99,8 @@ export async function showClass(
   const said: string[] = [];
   for (const file of files) {
     try {
-      read.set(file.name.replace(/\.json$/i, ""), await answersIn(file));
+      const answers = await answersIn(file);
+      read.set(unused(file.name.replace(/\.json$/i, ""), read), answers);
     } catch (error) {
       said.push(words("progress.not_read", { file: file.name, reason: message(error) }));
     }
@@ -112,25 +113,27 @@ export async function showClass(
   place.replaceChildren(...results.map((result) => shown(result, place.dataset.root ?? "")));
 }
 
+/** The name, numbered where two files share it, as those from two folders may. */
+function unused(name: string, taken: ReadonlyMap<string, unknown>) {
+  let chosen = name;
+  for (let number = 2; taken.has(chosen); number += 1) chosen = `${name} (${number})`;
+  return chosen;
+}
+
 export function saveClass() {
   const head = ["question", "who", "first", "first_right", "last", "last_right", "trap"];
   const rows = results.flatMap(({ question, tried, trap }) =>
     tried.map(({ who, first, last }) => [
       question.id,
-      inert(who),
-      inert(first.text),
+      who,
+      first.text,
       Number(first.right),
-      inert(last.text),
+      last.text,
       Number(last.right),
-      inert(trap?.[0] ?? ""),
+      trap?.[0] ?? "",
     ]),
   );
   download("class.csv", csv([head, ...rows]), "text/csv");
-}
-
-/** Text that no program for tables takes for a formula; numbers stay numbers. */
-function inert(text: string) {
-  return /^[=+\-@\t\r]/.test(text) && !Number.isFinite(Number(text)) ? `'${text}` : text;
 }
 
 function shown({ question, tried, trap }: Result, root: string) {
