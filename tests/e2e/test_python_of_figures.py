@@ -118,6 +118,7 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     assert page.evaluate(focused, ".workshop button"), "the way out"
     hint = edited.code.get_attribute("aria-describedby")
     assert "press Escape" in page.locator(f"[id='{hint}']").inner_text()
+    assert page.workers[-1].url.startswith("blob:"), "so that it has the policy of the page"
     changed = edited.shown()
     assert changed["pixels"] != book["pixels"]
     assert changed["readouts"] == book["readouts"]
