@@ -11,6 +11,7 @@ import zipfile
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 from urllib.parse import unquote
 
 import pytest
@@ -18,10 +19,12 @@ from PIL import Image
 from support.little_book import OUTLINE, MakeBook, diagnostics, load_demo
 from support.places import ROOT
 
+from simulations.engine.frame import Frame
+from simulations.engine.stages import Outputs
 from site_builder.build import render_site
 from site_builder.editions.compose import compose
 from site_builder.editions.epub import make_epub
-from site_builder.output.writer import write_site
+from site_builder.output.writer import content_bytes, write_site
 
 PICTURES = ("Fig #3.png", "50%.png", "a?b.PNG", "straße & co.JPG", "%41.jpeg")
 TABLE = "data #1, 100%.csv"
@@ -49,7 +52,7 @@ def test_every_address_of_a_page_leads_to_a_file_whatever_its_name(
 ) -> None:
     options = named_book(make_book, tmp_path)()
     files = render_site(options)
-    page = html.unescape(bytes(files["first/index.html"]).decode())  # type: ignore[arg-type]
+    page = html.unescape(content_bytes(files["first/index.html"]).decode())
     found = [
         unquote(each) for each in re.findall(r'(?:src|href)="\.\./([^"#?]*/content/[^"]*)"', page)
     ]
@@ -99,8 +102,8 @@ def test_a_chapter_or_panel_whose_name_is_too_long_for_a_file_is_a_mistake(
     assert ("content/book.toml", 4) in {(one.path, one.line) for one in found}
     demo = load_demo("demo")
 
-    def draw(settings: object, outputs: object) -> object:
-        frame = demo.draw(settings, outputs)  # type: ignore[arg-type]
+    def draw(settings: Any, outputs: Outputs) -> Frame:
+        frame = demo.draw(settings, outputs)
         return replace(
             frame, panels=tuple(replace(each, name=each.name * 40) for each in frame.panels)
         )
@@ -114,7 +117,7 @@ def test_a_chapter_or_panel_whose_name_is_too_long_for_a_file_is_a_mistake(
 def test_braces_in_the_words_for_numbered_things_are_words(make_book: MakeBook) -> None:
     own = f'{OUTLINE}[labels]\nfigure = "Fig {{x}} {{% raw %}}"\n'
     files = render_site(make_book("::::{simulation} demo\nA.\n::::\n", {"content/book.toml": own}))
-    assert b"Fig {x} {% raw %} 0.1" in bytes(files["first/index.html"])  # type: ignore[arg-type]
+    assert b"Fig {x} {% raw %} 0.1" in content_bytes(files["first/index.html"])
 
 
 def linked(folder: Path) -> Path:
