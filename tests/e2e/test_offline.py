@@ -181,8 +181,10 @@ def turn_of_releases(
         return content
 
     if update in ("cut", "arriving"):
-        fault = Fault(lambda _: b"", status=404) if update == "cut" else Fault(hold)
+        fault = Fault(lambda _: b"Sign in") if update == "cut" else Fault(hold)
         host.faults[f"/2/{address(ODD)}"] = fault
+    files = folder_files(sites[last])
+    whole = sorted(content_bytes(files[name]).decode() for name in files if name != WORKER)
     host.root = sites[last]
     tab.open(host.url)
     if moment == "at rest":
@@ -199,6 +201,8 @@ def turn_of_releases(
         host.gone = True
         visible = shown(tab, host.url)
     assert visible == ROWS[row] * len(visible), row
+    if update == "cut" and moment != "offline":
+        assert set(whole) - {last} <= set(tab.ask(STORED)), "one file stops no other"
 
     host.gone = False
     host.faults.clear()
@@ -207,8 +211,6 @@ def turn_of_releases(
         tab.open(f"{host.url}other/")
         take_up(tab, host.url)
     tab.ask("() => window.end")
-    files = folder_files(sites[last])
-    whole = sorted(content_bytes(files[name]).decode() for name in files if name != WORKER)
     until(lambda: set(whole) <= set(tab.ask(STORED)))
     host.gone = True
     for page in ("", "other?place=1"):
