@@ -115,7 +115,7 @@ def sites(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, Path]:
     for release in "12":
         assets = f"assets/{release}/"
         write_scripts(ROOT, folder / release / assets, ["offline/service_worker"])
-        files = {
+        files: dict[str, bytes | Path] = {
             **folder_files(folder / release),
             "index.html": HTML.format(release=release, root="").encode(),
             "other/index.html": HTML.format(release=release, root="../").encode(),
