@@ -14,7 +14,6 @@ from urllib.parse import quote
 
 from platformdirs import user_cache_path
 
-from site_builder.diagnostics.diagnostic import announce
 
 SIZE = 20
 _known: dict[str, tuple[tuple[int, int, int], bytes]] = {}
@@ -28,6 +27,8 @@ def cache_folder() -> Path:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
+        from site_builder.diagnostics.diagnostic import announce  # needs the engine
+
         announce(f"{error}; XDG_CACHE_HOME names another folder; taking a temporary one")
         user = getattr(os, "getuid", int)()
         folder = Path(tempfile.gettempdir(), f"image-formation-{user}")

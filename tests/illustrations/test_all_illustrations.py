@@ -11,6 +11,7 @@ from support.found import ILLUSTRATIONS
 from support.label_boxes import labels
 
 from simulations.engine.plotting.labels import Rectangle
+from site_builder.output.style_sheets import colour_rules
 
 ROOT = Path(__file__).resolve().parents[2]
 DRAWN = {name: draw() for name, draw in ILLUSTRATIONS.items()}
@@ -71,6 +72,7 @@ def test_widths_fit_a_phone_and_descriptions_have_no_markup(name: str) -> None:
 
 def test_every_class_of_a_drawing_is_styled() -> None:
     sheets = "".join(file.read_text("utf-8") for file in (ROOT / "static" / "css").glob("*.css"))
+    sheets += colour_rules({})
     found = {
         name
         for illustration in DRAWN.values()
