@@ -14,7 +14,6 @@ from urllib.parse import quote
 
 from platformdirs import user_cache_path
 
-
 SIZE = 20
 _known: dict[str, tuple[tuple[int, int, int], bytes]] = {}
 
