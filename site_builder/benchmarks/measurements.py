@@ -200,8 +200,9 @@ def read_measurements(
     try:
         data = json.loads(sources.text(DATA))
         return Measurements(data["machine"], data["ladders"], load)
-    except json.JSONDecodeError as error:
-        sources.problems.add(DATA, error.lineno, f"malformed JSON: {error.msg}; run `{COMMAND}`")
+    except (ValueError, RecursionError) as error:
+        line, said = getattr(error, "lineno", 1), getattr(error, "msg", error)
+        sources.problems.add(DATA, line, f"malformed JSON: {said}; run `{COMMAND}`")
     except (KeyError, TypeError):
         sources.problems.add(DATA, 1, f"no 'machine' or no 'ladders'; run `{COMMAND}`")
     return Measurements(load_ladder=load)

@@ -40,8 +40,8 @@ def words_of(error: BaseException) -> str:
     """What Python prints of it behind its name, with the names that may have been meant."""
     if remembered := getattr(error, REMEMBERED, None):
         return str(remembered[1])
-    if type(error).__module__ != "builtins":
-        return str(error)
+    if type(error).__module__ != "builtins":  # by what survives a `__str__` that raises
+        return str(traceback.TracebackException(type(error), error, None))
     *_, last = traceback.TracebackException.from_exception(error).format_exception_only()
     return last.strip().partition(": ")[2]
 

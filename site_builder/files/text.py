@@ -94,7 +94,7 @@ class Sources:
         text = self.text(path)
         try:
             return Toml(tomllib.loads(text), dict(_places(text)), text)
-        except tomllib.TOMLDecodeError as error:
+        except (ValueError, RecursionError) as error:  # also of long numbers and deep lists
             place = re.search(r"line (\d+)", str(error))
             end = text.rstrip("\n").count("\n") + 1
             self.problems.add(path, int(place[1]) if place else end, f"malformed TOML: {error}")

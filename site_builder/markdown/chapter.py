@@ -60,7 +60,7 @@ def read_front_matter(tokens: Sequence[Token], context: ParseContext) -> FrontMa
         return FrontMatter()
     try:
         root = yaml.compose(tokens[0].content, Loader=yaml.SafeLoader)
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, RecursionError) as error:
         mark = getattr(error, "problem_mark", None)  # a character that YAML forbids has none
         reason = getattr(error, "problem", None) or str(error).partition("\n")[0]
         context.problem(mark.line + 2 if mark else 1, f"malformed YAML: {reason}; {YAML}")

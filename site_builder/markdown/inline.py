@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from urllib.parse import unquote
 
 from markdown_it.token import Token
 
@@ -122,8 +123,8 @@ def _gather_link(token: Token, line: int, context: ParseContext) -> None:
     if target.startswith(("https://", "http://")):
         token.attrSet("rel", "external")
         return
-    context.links.append(Link(target, line))
     file, mark, anchor = target.partition("#")
+    context.links.append(Link(f"{file}{mark}{unquote(anchor)}", line))
     if file:
         token.attrSet("href", f"../{chapter_id(file)}/{mark}{anchor}")
 

@@ -130,20 +130,18 @@ def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Works:
     if not sources.has(FILE):
         return NO_WORKS
     # Here and below: slow to import, and not needed while the bibliography is cached.
-    from pybtex.database import BibliographyDataError, parse_string
-    from pybtex.scanner import PybtexSyntaxError
+    from pybtex.database import parse_string
+    from pybtex.exceptions import PybtexError
 
     text, problems = sources.text(FILE), sources.problems
     try:
         entries = parse_string(text, "bibtex").entries
-    except PybtexSyntaxError as error:
-        problems.add(FILE, error.lineno or 1, f"malformed BibTeX: {error}")
+        lines = _lines(text)
+        works = [_work(key, entry, lines.get(key, 1), words) for key, entry in entries.items()]
+    except (PybtexError, RecursionError) as error:
+        line = getattr(error, "lineno", None) or _line_of(str(error), text)
+        problems.add(FILE, line, f"malformed BibTeX: {error}{_advice(str(error))}")
         return NO_WORKS
-    except BibliographyDataError as error:
-        problems.add(FILE, _line_of(str(error), text), f"malformed BibTeX: {error}")
-        return NO_WORKS
-    lines = _lines(text)
-    works = [_work(key, entry, lines.get(key, 1), words) for key, entry in entries.items()]
     for work in works:
         _check(work, problems)
     return {work.key: work for work in _with_letters(sorted(works, key=_order))}
@@ -156,9 +154,17 @@ def _lines(text: str) -> dict[str, int]:
 
 
 def _line_of(message: str, text: str) -> int:
-    """Line of the last entry whose key the message names."""
+    """Line of what the message quotes, or of the last entry whose key it names."""
+    _, mark, quoted = message.partition("'")
+    place = text.find(quoted.removesuffix("'")) if mark else -1
+    if place >= 0:
+        return text.count("\n", 0, place) + 1
     named = [line for key, line in _lines(text).items() if key in message]
     return max(named, default=1)
+
+
+def _advice(message: str) -> str:
+    return "; legal: names with 'and' between them" if "commas" in message else ""
 
 
 def _work(key: str, entry: Any, line: int, words: Words) -> Work:
@@ -196,11 +202,20 @@ def _with_letters(works: list[Work]) -> list[Work]:
     """Works of the same authors and year get letters that tell them apart."""
     labels = [(work.who, work.year) for work in works]
     return [
-        replace(work, letter=ascii_lowercase[labels[:at].count(label)])
+        replace(work, letter=_letters(labels[:at].count(label)))
         if labels.count(label) > 1
         else work
         for at, (work, label) in enumerate(zip(works, labels, strict=True))
     ]
+
+
+def _letters(place: int) -> str:
+    """
+    >>> [_letters(place) for place in (0, 25, 26, 53)]
+    ['a', 'z', 'aa', 'bb']
+    """
+    round_, last = divmod(place, len(ascii_lowercase))
+    return (_letters(round_ - 1) if round_ else "") + ascii_lowercase[last]
 
 
 def _check(work: Work, problems: Diagnostics) -> None:

@@ -291,7 +291,7 @@ def _portable(error: Exception) -> bytes:
         data = pickle.dumps(bare)
         unpacked(data)
     except Exception:  # a class of the author's, or one that needs arguments to be made again
-        said = f"{type(error).__name__}: {error}"
+        said = f"{type(error).__name__}: {words}"
         return pickle.dumps(remember(RuntimeError(said), place, said))
     return data
 

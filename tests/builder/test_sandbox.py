@@ -80,6 +80,17 @@ def fail_awkwardly() -> None:
     raise AwkwardError(1, 2)
 
 
+class SilentError(AwkwardError):
+    """Cannot be put into words."""
+
+    def __str__(self) -> str:
+        sys.exit("no words")
+
+
+def fail_silently() -> None:
+    raise SilentError(1, 2)
+
+
 def interrupt() -> None:
     raise KeyboardInterrupt
 
@@ -133,6 +144,7 @@ FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (look_for_a_server, PermissionError, "address: '127.0.0.1'; legal"),
     (partial(divmod, 1, 0), ZeroDivisionError, "zero"),
     (fail_awkwardly, RuntimeError, "AwkwardError: 1 and 2"),
+    (fail_silently, RuntimeError, r"SilentError: <exception str\(\) failed>"),
     (lambda: 1, TypeError, "legal: data and functions of modules"),
 ]
 

@@ -20,6 +20,7 @@ type Files = Mapping[str, bytes | Callable[[Path], object] | None]
 
 CHAPTER = "content/00-first.md"
 BOOK = "content/book.toml"
+DATA = "content/measurements.json"
 FRONT = little_book.FRONT.encode()
 
 
@@ -39,6 +40,11 @@ def link_to(target: str) -> Callable[[Path], object]:
         ({CHAPTER: FRONT + b"Text.\n\n" * 1_000_000},
          f"{CHAPTER}:1: 7.0 MB of text; legal: at most 1 MB"),
         ({CHAPTER: b""}, f"{CHAPTER}:1: no front matter; legal:"),
+        ({CHAPTER: FRONT.replace(b"First", b"[" * 5000)}, f"{CHAPTER}:1: malformed YAML: maximum"),
+        ({BOOK: OUTLINE.encode() + b"x = " + b"[" * 5000}, f"{BOOK}:5: malformed TOML: maximum"),
+        ({BOOK: OUTLINE.encode() + b"x = " + b"9" * 5000}, f"{BOOK}:5: malformed TOML: Exceeds"),
+        ({DATA: b"[" * 100_000}, f"{DATA}:1: malformed JSON: maximum"),
+        ({DATA: b"9" * 5000}, f"{DATA}:1: malformed JSON: Exceeds"),
         ({CHAPTER: Path.mkdir}, f"{BOOK}:4: unknown chapter '00-first'; legal: 01-second"),
         ({CHAPTER: FRONT + b":::{download} data/x.csv\n:::\n",
           "content/data/x.csv": link_to("x.csv")},
