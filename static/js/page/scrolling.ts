@@ -111,7 +111,8 @@ function idOf(link: HTMLAnchorElement) {
   return decodeURIComponent(link.hash.slice(1));
 }
 
-const BOXES = ".other-panels, .formula, .table-wrapper, .nowrap, :is(p, li) > math, pre";
+const BOXES =
+  ".other-panels, .formula, .table-wrapper, .nowrap, :is(p, li, .explanation) > math, pre";
 
 const sizes = new ResizeObserver((entries) => mark(entries.map(({ target }) => target)));
 
