@@ -135,6 +135,10 @@ def render_initial_frames(
             message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
             problems.add(figure.path, figure.line, message, error)
             continue
+        if not first.frame.panels:
+            message = f"{figure.scene.id}: a frame without panels; legal: at least one"
+            problems.add(figure.path, figure.line, message)
+            continue
         pictures = {}
         for panel, picture in first.pictures.items():
             name = f"{page}--{figure.id}--{panel}.webp"

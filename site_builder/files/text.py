@@ -14,7 +14,8 @@ from site_builder.files.folders import is_file
 
 HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
-CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
+"""Characters that no page can show and that break an e-book."""
 MOST_BYTES = 1_000_000
 """Most bytes of a file of text: twice a book."""
 QUOTES = re.compile(r"\"\"\"|'''")
@@ -81,10 +82,9 @@ class Sources:
             expected = f"at most {MOST_BYTES / 1e6:g} MB"
             self.problems.add(path, 1, f"{len(data) / 1e6:.1f} MB of text; legal: {expected}")
             text = text.partition("\n\n")[0] + "\n\n…\n"
-        for found in CONTROL.finditer(text):  # no page can show one; it breaks an e-book
+        for found in CONTROL.finditer(text):
             line = text.count("\n", 0, found.start()) + 1
-            message = f"control character U+{ord(found[0]):04X}; legal: visible text"
-            self.problems.add(path, line, message)
+            self.problems.add(path, line, unseen(found[0]))
         return CONTROL.sub(" ", text)
 
     def toml(self, path: str) -> Toml | None:
@@ -93,12 +93,34 @@ class Sources:
             return None
         text = self.text(path)
         try:
-            return Toml(tomllib.loads(text), dict(_places(text)), text)
+            toml = Toml(tomllib.loads(text), dict(_places(text)), text)
         except (ValueError, RecursionError) as error:  # also of long numbers and deep lists
             place = re.search(r"line (\d+)", str(error))
             end = text.rstrip("\n").count("\n") + 1
             self.problems.add(path, int(place[1]) if place else end, f"malformed TOML: {error}")
             return None
+        for keys, value in _texts(toml.table):
+            if found := CONTROL.search(value):  # written as an escape
+                self.problems.add(path, toml.line(*keys), unseen(found[0]))
+        return toml
+
+
+def unseen(character: str) -> str:
+    """What is wrong with one of `CONTROL`."""
+    return f"control character U+{ord(character):04X}; legal: visible text"
+
+
+def _texts(value: object, keys: Keys = ()) -> Iterator[tuple[Keys, str]]:
+    """Each text in a table, and each name, with the keys that lead there."""
+    if isinstance(value, str):
+        yield keys, value
+    elif isinstance(value, Mapping):
+        for name, held in value.items():
+            yield (*keys, name), name
+            yield from _texts(held, (*keys, name))
+    elif isinstance(value, list):
+        for place, held in enumerate(value):
+            yield from _texts(held, (*keys, place))
 
 
 def _places(text: str) -> Iterator[tuple[Keys, int]]:

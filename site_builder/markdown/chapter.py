@@ -14,6 +14,7 @@ from markdown_it.token import Token
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.book import Chapter
 from site_builder.document.places import Formula, Need, Target, Targets
+from site_builder.files.text import CONTROL, unseen
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.glossary import mark_terms
 from site_builder.markdown.inline import annotate, inline_passage
@@ -99,6 +100,9 @@ def _read_text(name: str, node: yaml.Node | None, context: ParseContext) -> str:
         fault = f"{name!r} is no text" if node else f"front matter without {name!r}"
         value = node.value if isinstance(node, yaml.ScalarNode) else ""
         context.problem(line, f'{fault}; legal: {name}: "{value or "some text"}"')
+    elif found := CONTROL.search(text):  # written as an escape
+        context.problem(line, unseen(found[0]))
+        text = ""
     elif found := MARKUP.search(text):
         fault = f"{found[0]!r} in {name!r}, which is shown as it stands"
         context.problem(line, f"{fault}; legal: words without marks")

@@ -15,6 +15,7 @@ from simulations.engine.controls import Control
 from simulations.engine.controls.control import setting
 from site_builder.cache.hashing import HOLDERS, hash_of, source_hash
 from site_builder.files.engine import ENGINE_PARTS
+from site_builder.files.text import CONTROL
 
 OURS = {*ENGINE_PARTS} - {"models"}
 """Parts of ``simulations`` that the builder itself imports."""
@@ -91,6 +92,8 @@ def unpacked(data: bytes) -> Any:
 class _Packer(pickle.Pickler):
     def reducer_override(self, value: Any) -> Any:
         kind = type(value)
+        if is_dataclass(kind) and not is_authors(kind.__module__):
+            _check_texts(value)
         if kind in HOLDERS:  # whose own reduction is its name
             return value.__reduce_ex__(pickle.HIGHEST_PROTOCOL)
         if isinstance(value, type):
@@ -114,6 +117,15 @@ class _Unpacker(pickle.Unpickler):
         if is_authors(module):
             raise OwnClassError(f"an object of {module}.{name}; legal: of a class of Python's own")
         return super().find_class(module, name)
+
+
+def _check_texts(value: Any) -> None:
+    """Raises `TypeError` where a field for a text holds none that a page can show."""
+    for each in fields(value):
+        held = getattr(value, each.name)
+        if each.type is str and (not isinstance(held, str) or CONTROL.search(held)):
+            said = f"{each.name} {held!r} of a {type(value).__name__}"
+            raise TypeError(f"{said}; legal: a text of characters that can be shown")
 
 
 def _class(kind: type[Any]) -> tuple[Callable[..., Any], tuple[Any, ...]]:

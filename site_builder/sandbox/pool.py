@@ -301,7 +301,9 @@ def _too_long(seconds: float) -> str:
 
 
 def _ender(code: int | None) -> str:
-    return signal.Signals(-code).name if code and code < 0 else f"its own code, as {code}"
+    if not code or code > 0:
+        return f"its own code, as {code}"
+    return next((each.name for each in signal.Signals if each == -code), f"signal {-code}")
 
 
 def _fence(more_bytes: int) -> None:

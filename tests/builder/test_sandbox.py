@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from support.small_package import PACKAGE, small_package
 
+from simulations.engine.frame import Readout
 from simulations.engine.settings import values_of
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.sandbox.data import Code, packed, real, unpacked
@@ -125,6 +126,7 @@ FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (partial(time.sleep, 60), LimitError, "waits for more than 0.3 s"),
     (partial(np.ones, 1_000_000_000), MemoryError, "allocate"),
     (be_killed, LimitError, "ended by SIGKILL"),
+    (partial(signal.raise_signal, 35), LimitError, "ended by signal 35"),
     *((partial(os._exit, n), LimitError, rf"ends the program by os._exit\({n}\)") for n in (0, 3)),
     (partial(sys.exit, 2), LimitError, "ends the program by SystemExit: 2"),
     (interrupt, LimitError, "ends the program by KeyboardInterrupt"),
@@ -145,6 +147,8 @@ FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (partial(divmod, 1, 0), ZeroDivisionError, "zero"),
     (fail_awkwardly, RuntimeError, "AwkwardError: 1 and 2"),
     (fail_silently, RuntimeError, r"SilentError: <exception str\(\) failed>"),
+    (partial(Readout, "a", None, "1"), TypeError, "label None of a Readout; legal"),  # type: ignore[arg-type]
+    (partial(Readout, "a", "A\ud800", "1"), TypeError, r"label 'A\\ud800' of a Readout; legal"),
     (lambda: 1, TypeError, "legal: data and functions of modules"),
 ]
 
