@@ -4,14 +4,18 @@ import sys
 from types import ModuleType
 from typing import Any
 
+HEAP, IMMUTABLE = 1 << 9, 1 << 8
+"""Flags of classes (`Py_TPFLAGS_HEAPTYPE`, `Py_TPFLAGS_IMMUTABLETYPE` in `object.h`)."""
 _namespaces: list[tuple[dict[str, Any], dict[str, Any]]] = []
 """The namespace of each module, and `sys.modules`, and what it held before any edit ran."""
+_classes: list[tuple[type, dict[str, Any]]] = []
+"""Each class of theirs that can be changed, and its attributes, likewise."""
 _finders: list[tuple[list[Any], list[Any]]] = []
 """The lists by which modules are found, likewise."""
 
 
 def restore_modules() -> None:
-    """Undo what earlier edits have set in `builtins`, numpy and all other modules.
+    """Undo what earlier edits have set in `builtins`, numpy, all other modules and their classes.
 
     The first call keeps what the modules hold. Nothing of `builtins` is used before it is restored.
     Submodules that were imported meanwhile stay.
@@ -24,6 +28,12 @@ def restore_modules() -> None:
         for name in namespace.keys() - kept.keys():
             if type(namespace[name]) is not ModuleType:
                 del namespace[name]
+    for kind, kept in _classes:
+        for name, value in kept.items():
+            if vars(kind).get(name) is not value:
+                type.__setattr__(kind, name, value)
+        for name in vars(kind).keys() - kept.keys():
+            type.__delattr__(kind, name)
     if not _finders:
         _finders.extend((each, each.copy()) for each in (sys.meta_path, sys.path, sys.path_hooks))
     known = {id(namespace) for namespace, _ in _namespaces}
@@ -31,3 +41,12 @@ def restore_modules() -> None:
     for namespace in [*map(vars, modules), sys.modules]:
         if id(namespace) not in known:
             _namespaces.append((namespace, dict(namespace)))
+    seen = {id(kind) for kind, _ in _classes}
+    for kind in {each for module in modules for each in vars(module).values() if _is_open(each)}:
+        if id(kind) not in seen:
+            _classes.append((kind, dict(vars(kind))))
+
+
+def _is_open(value: object) -> bool:
+    """Whether a value is a class whose attributes can be set."""
+    return isinstance(value, type) and value.__flags__ & (HEAP | IMMUTABLE) == HEAP

@@ -152,12 +152,16 @@ def instrument(reader: Reader) -> Instrument:
 
 
 def edge_files(folder: Path) -> list[Path]:
-    """Two photographs, and three files that are none."""
+    """Two photographs, and four files that are none."""
     dot = png(np.zeros((1, 1, 3), np.uint8))
     huge = dot[:16] + struct.pack(">II", 20_000, 20_000) + dot[24:]
     heic = b"\0\0\0\x18ftypheic" + bytes(64)
     edges = {name: png(codes) for name, codes in EDGES.items()}
-    return saved(folder, {**edges, "dot.png": dot, "phone.heic": heic, "huge.png": huge})
+    bomb = io.BytesIO()
+    Image.new("L", (8, 8)).save(bomb, "JPEG")
+    few = bomb.getvalue().replace(struct.pack(">HH", 8, 8), struct.pack(">HH", 20_000, 20_001))
+    broken = {"dot.png": dot, "phone.heic": heic, "huge.png": huge, "huge.jpg": few}
+    return saved(folder, {**edges, **broken})
 
 
 def measured(name: str, given: dict[str, Any]) -> list[list[str]]:
@@ -180,11 +184,12 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     before = instrument.readout("measured").inner_text()
     files = edge_files(tmp_path)
     instrument.add(files)
-    assert instrument.states() == ["ready", "ready", "refused", "refused", "refused"]
+    assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
     expect(photographs.nth(2)).to_contain_text("it needs at least 16 each way")
     expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
     expect(photographs.nth(4)).to_contain_text("20000")  # known before it is decoded
-    expect(said).to_contain_text("3 are refused")
+    expect(photographs.nth(5)).to_contain_text("20001")
+    expect(said).to_contain_text("4 are refused")
     expect(reader.page.locator(".data-sheet tbody")).to_contain_text("soft.png")
     instrument.click(figure.get_by_role("button", name="Keep this place"))
     part = instrument.sheet()
@@ -223,10 +228,10 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     instrument.add(files)
     keep = box.get_by_label("Keep on this device")
     keep.check()
-    wait_stored(reader, 5)
+    wait_stored(reader, 6)
     reader.open(PAGE)
-    expect(photographs).to_have_count(5)
-    assert instrument.states() == ["ready", "ready", "refused", "refused", "refused"]
+    expect(photographs).to_have_count(6)
+    assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
     expect(instrument.readout("measured")).to_have_text(soft)
     keep.uncheck()
     wait_stored(reader, 0)

@@ -188,6 +188,8 @@ HARMS = (
     "import sys; sys.stdout = None; sys.modules.clear(); sys.meta_path.clear()",
     "import simulations.engine.frame as frame; frame.to_json = None; frame.len = None",
     "import simulations.browser as browser; browser._reply = browser._request = None",
+    "from simulations.engine.scene import Scene; Scene.render = Scene.clamp = None",
+    "import json; json.JSONEncoder.encode = None; json.JSONDecoder.decode = None",
     "import sys; sys.setrecursionlimit(50); raise SystemExit",
     "import os; os._exit(0)",
     "raise ValueError('\\x1b[31m' + 20_000_000 * 'x')",

@@ -214,6 +214,37 @@ def test_junk_under_every_name_that_the_book_keeps_is_no_answer_and_does_no_harm
     assert chosen(page) == "0"
 
 
+LOADED = (
+    ("perspective-projection/", "sessionStorage", "unsent", "null"),
+    ("measure-your-camera/", "localStorage", "instrument:calibration", "5"),
+)
+
+
+@pytest.mark.parametrize(("address", "storage", "name", "junk"), LOADED)
+def test_a_page_that_is_loaded_with_junk_works_and_can_be_left(
+    plain_reader: Reader, address: str, storage: str, name: str, junk: str
+) -> None:
+    plain_reader.open(address, live=False)
+    page = plain_reader.page
+    page.locator(".theme-toggle").click()
+    page.evaluate(KEEP, [storage, name, junk])
+    page.reload()
+    if name.startswith("instrument"):
+        expect(
+            page.locator("figure:has([data-simulation=calibration]) .intake-keep")
+        ).to_be_checked()
+    else:
+        expect(page.locator(".progress-count")).not_to_be_empty()
+    plain_reader.turn_to("glossary/", live=False)
+    plain_reader.assert_no_complaints()
+
+
+KEEP = """([storage, name, junk]) => {
+  const prefix = Object.keys(localStorage).find((key) => key.endsWith(':theme')).slice(0, -5);
+  window[storage].setItem(prefix + name, junk);
+}"""
+
+
 def test_a_browser_that_denies_every_kind_of_storage_shows_a_book_that_works(
     chromium: Browser, server: StaticServer
 ) -> None:

@@ -93,7 +93,8 @@ async function openCoded(
     throw new Error(words("photograph.large", { file: name, ...sizes }));
   }
   const png = await sizeOfPng(file);
-  if (png) refuseSize(name, png);
+  const stated = png ?? (await statedSize(file));
+  if (stated) refuseSize(name, stated);
   const colorSpaceConversion = png && measured ? "none" : "default";
   const how = { imageOrientation: "from-image", colorSpaceConversion } as const;
   const bitmap = await createImageBitmap(file, how).catch(() => {
@@ -146,7 +147,22 @@ export async function thumbnailOf(bitmap: ImageBitmap): Promise<Blob> {
   return await canvas.convertToBlob({ type: "image/jpeg", quality: 0.8 });
 }
 
-/** The size that a PNG states before its pixels, which may be far more than its bytes. */
+/**
+ * The size that a file states before its pixels, which may be far more than its bytes; null where the
+ * browser finds none. An image that is not shown is not decoded.
+ */
+async function statedSize(file: Blob) {
+  const image = new Image();
+  image.src = URL.createObjectURL(file);
+  await new Promise((resolve) => {
+    image.onload = image.onerror = resolve;
+  });
+  URL.revokeObjectURL(image.src);
+  const { naturalWidth: width, naturalHeight: height } = image;
+  return width && height ? { width, height } : null;
+}
+
+/** The same of a PNG, also of one that browsers refuse for its size. */
 async function sizeOfPng(file: Blob) {
   const head = new DataView(await file.slice(0, 24).arrayBuffer());
   const isPng = head.byteLength === 24 && head.getBigUint64(0) === 0x89504e470d0a1a0an;

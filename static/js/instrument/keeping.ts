@@ -5,6 +5,7 @@
 
 import { STORAGE } from "../book.js";
 import { isAddressed, moveControls, readValues } from "../figure/controls.ts";
+import { KINDS } from "../figure/control_kinds.js";
 import type { SimulationFigure } from "../figure/element.ts";
 import { settingsOf } from "../figure/permalink.ts";
 import type { Source } from "../figure/photograph.ts";
@@ -113,5 +114,10 @@ export function forgetSession(scene: string) {
 export function restoreSession(scene: string, figure: SimulationFigure) {
   const { form, controls } = settingsOf(figure);
   const kept = recall(keyOf(scene));
-  if (kept && !isAddressed(figure)) moveControls(form, controls, kept, "change");
+  if (kept === null || isAddressed(figure)) return;
+  const values = controls.map((control) => {
+    return [control.name, KINDS[control.kind].parse(control, String(kept[control.name]))];
+  });
+  const legal = Object.fromEntries(values.filter(([, value]) => value !== undefined));
+  moveControls(form, controls, legal, "change");
 }

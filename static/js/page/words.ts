@@ -47,8 +47,9 @@ const NUMBER = /[−-]?\d+(?:\.\d+)?/g;
 
 /** A text of a figure, translated where the page has a translation; `#` stands for each number. */
 export function figureText(text: string) {
-  const label = current.FIGURES[text.trim().replaceAll(NUMBER, "#")];
-  if (label === undefined) return text;
+  const key = text.trim().replaceAll(NUMBER, "#");
+  if (!Object.hasOwn(current.FIGURES, key)) return text;
+  const label = current.FIGURES[key];
   const numbers = text.match(NUMBER) ?? [];
   let next = 0;
   return label.replaceAll("#", () => numeral(numbers[next++]));

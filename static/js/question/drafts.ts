@@ -25,7 +25,7 @@ const untouched: WeakMap<HTMLFormElement, string> = new WeakMap();
 
 export function installDrafts() {
   try {
-    drafts = JSON.parse(sessionStorage.getItem(KEY) ?? "{}");
+    drafts = { ...JSON.parse(sessionStorage.getItem(KEY) ?? "{}") };
   } catch {
     // Denied, or not ours: there are none.
   }
