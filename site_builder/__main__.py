@@ -222,6 +222,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 if __name__ == "__main__":
+    for stream in ("stdout", "stderr"):
+        if getattr(sys, stream) is None:  # closed by what started the command
+            setattr(sys, stream, open(os.devnull, "w"))  # noqa: PTH123, SIM115
     gc.set_threshold(100_000)  # a build makes many objects that stay, and few cycles
     status = main()
     sys.stdout.flush()

@@ -1,8 +1,11 @@
 """Commands: what they say, to people and to programs, and with which number they end."""
 
 import json
+import os
 import re
 import shlex
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -122,6 +125,20 @@ def test_a_site_is_built_where_it_is_wanted_and_stays_after_a_mistake(
     before = {path: path.read_bytes() for path in out.rglob("*.html")}
     assert run("build", "--out", str(out), body=":::{note}\nNever closed.\n") == 1
     assert {path: path.read_bytes() for path in out.rglob("*.html")} == before
+
+
+@pytest.mark.parametrize("closed", [1, 2])
+def test_a_command_without_output_ends_with_its_number(closed: int, tmp_path: Path) -> None:
+    """A folder without a book is 1, and what is printed is lost."""
+    command = f"{shlex.quote(sys.executable)} -m site_builder check {closed}>&-"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(
+        command, shell=True, cwd=tmp_path, env=environment, capture_output=True, text=True,
+        check=False,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert "Traceback" not in done.stderr
 
 
 def test_an_interrupted_command_ends_without_a_traceback(
