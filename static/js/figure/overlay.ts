@@ -14,8 +14,12 @@ const scratch = document.implementation
   .createHTMLDocument()
   .createElementNS("http://www.w3.org/2000/svg", "svg");
 
-/** What a drawing by a reader's Python may not hold, as it would lead or reach elsewhere. */
-const ACTIVE = "script, foreignObject, a, set, animate, animateMotion, animateTransform";
+/**
+ * What a drawing by a reader's Python may not hold: what leads or reaches elsewhere, styles of the whole
+ * page, and copies, of which a few that hold each other are too many to draw.
+ */
+const ACTIVE =
+  "script, style, use, foreignObject, a, set, animate, animateMotion, animateTransform";
 const REACHING = `${ACTIVE}, [*|href]:not([*|href^="#"], [*|href^="data:image/"])`;
 
 /** A panel's drawing. */
