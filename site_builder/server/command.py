@@ -103,7 +103,9 @@ class Builds:
     async def build(self) -> None:
         """One build. Cancelled, it ends the process; the last good site stays."""
         self._sheets = dict(style_sheets(self.root))
-        process, self._next = self._next or await self._start(), None
+        process, self._next = self._next, None
+        if process is None or process.returncode is not None:  # it found no book, which may be back
+            process = await self._start()
         try:
             printed, problems = await _output(process)
         finally:

@@ -220,6 +220,24 @@ def test_the_next_build_has_its_code_already_unless_that_has_changed(
     assert (builds.out / "b.html").read_text() == text
 
 
+def test_a_waiting_process_that_has_ended_is_replaced(builds: Builds) -> None:
+    """As it ends at once where the book is away for a moment."""
+
+    async def two_builds() -> None:
+        write_builder(builds)
+        await builds.build()
+        waiting = builds._next
+        assert waiting
+        waiting.kill()
+        await waiting.wait()
+        await builds.build()
+        await builds.end_waiting()
+
+    run(two_builds())
+    assert builds.news.state.number == 2
+    assert not builds.news.state.mistakes
+
+
 REFUSED = "http://127.0.0.1:9"
 """A proxy at a port where nobody listens: every connection is refused at once."""
 LAST = "<!DOCTYPE html><title>The last good site</title>"
