@@ -220,6 +220,7 @@ DRAWINGS = (
     "<text tabindex='0' autofocus='' onfocus='fetch(\"URL\")'>here</text>",
     "<script>fetch('URL')</script>",
     "<style>body { visibility: hidden }</style><g id='a'><text>x</text></g><use href='#a'/>",
+    "<pattern id='p'><rect fill='url(#q)'/></pattern><mask id='m'><g mask='url(#m)'/></mask>",
 )
 DRAWN = """async ([drawings]) => {
   const {Overlay} = (await customElements.whenDefined('simulation-figure')).inside;
@@ -228,7 +229,7 @@ DRAWN = """async ([drawings]) => {
   return drawings.map((drawing) => {
     overlay.show(drawing);
     return [...svg.querySelectorAll('*')].flatMap((element) => [
-      ...(element.matches('style') ? ['style'] : []),
+      ...(element.matches('style, pattern, mask') ? [element.localName] : []),
       ...(element.namespaceURI === svg.namespaceURI ? [] : [element.localName]),
       ...element.getAttributeNames().filter((name) => /^on|href$|^src$/.test(name)),
     ]);
@@ -242,7 +243,7 @@ def test_a_drawing_by_edited_python_leads_and_reaches_nowhere(
     visitor.turn_to(CHAPTER)
     drawings = [each.replace("URL", f"http://{elsewhere.address}/secret") for each in DRAWINGS]
     left = visitor.page.evaluate(DRAWN, [drawings])
-    assert left == [[], [], [], [], [], ["href"], [], [], []], "an address in the drawing itself"
+    assert left == [[], [], [], [], [], ["href"], [], [], [], []], "an address in the drawing itself"
     assert visitor.page.url.endswith(CHAPTER)
     assert all("inline event handler" in each for each in visitor.complaints)
     visitor.complaints.clear()  # the policy refused it as well

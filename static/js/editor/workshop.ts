@@ -155,8 +155,9 @@ export class Workshop {
     try {
       const request = this.live.request();
       this.edited.adopt(json, request, await this.edited.draw(request, json));
-      edits.setRuns(edits.json === json);
       this.live.drawnBy(this.edited);
+      await painted(); // a drawing that freezes the page must not come back with each visit
+      edits.setRuns(edits.json === json);
     } catch (error) {
       if (this.#running) this.#failed(error); // else the reader stopped it
     } finally {
@@ -254,4 +255,9 @@ export class Workshop {
 /** A problem that no line is known for. */
 function unplaced(text: string): Problem {
   return { message: text, definition: "", line: 0 };
+}
+
+/** When the browser has painted what the page shows now. */
+function painted() {
+  return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
 }

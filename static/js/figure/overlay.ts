@@ -20,6 +20,8 @@ const scratch = document.implementation
  */
 const ACTIVE =
   "script, style, use, foreignObject, a, set, animate, animateMotion, animateTransform";
+/** Paint made of shapes: where it is made of such paint itself, a few letters are too much to draw. */
+const PAINT = "pattern, mask, clipPath, marker";
 const REACHING = `${ACTIVE}, [*|href]:not([*|href^="#"], [*|href^="data:image/"])`;
 
 /** A panel's drawing. */
@@ -43,7 +45,8 @@ export class Overlay {
 function makeInert(drawing: Element, markup: string) {
   const mayHandle = /\bon\w/i.test(markup);
   for (const element of drawing.querySelectorAll("*")) {
-    if (element.namespaceURI !== drawing.namespaceURI || element.matches(REACHING)) {
+    const nested = element.matches(PAINT) && element.outerHTML.includes("url(");
+    if (nested || element.namespaceURI !== drawing.namespaceURI || element.matches(REACHING)) {
       element.remove();
     } else if (mayHandle) {
       for (const name of element.getAttributeNames()) {
