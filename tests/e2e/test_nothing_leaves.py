@@ -243,7 +243,8 @@ def test_a_drawing_by_edited_python_leads_and_reaches_nowhere(
     visitor.turn_to(CHAPTER)
     drawings = [each.replace("URL", f"http://{elsewhere.address}/secret") for each in DRAWINGS]
     left = visitor.page.evaluate(DRAWN, [drawings])
-    assert left == [[], [], [], [], [], ["href"], [], [], [], []], "an address in the drawing itself"
+    of_the_drawing_itself = {5: ["href"]}
+    assert left == [of_the_drawing_itself.get(n, []) for n in range(len(DRAWINGS))]
     assert visitor.page.url.endswith(CHAPTER)
     assert all("inline event handler" in each for each in visitor.complaints)
     visitor.complaints.clear()  # the policy refused it as well
