@@ -187,7 +187,7 @@ BUDGET_S = 0.08
 PAGE = '<!DOCTYPE html><meta charset="utf-8"><title>Bench</title><link rel="icon" href="data:,">'
 MEASURE = """async (payload) => {
   const {Runtime} = await import(new URL('js/runtime/runtime.js', location.href).href);
-  window.runtime ??= new Runtime(new URL('runtime/', location.href).href);
+  window.runtime ??= new Runtime(new URL('runtime/', location.href).href, () => []);
   return (await window.runtime.call('measure', payload)).result;
 }"""
 
