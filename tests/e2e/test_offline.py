@@ -2,7 +2,7 @@
 
 import threading
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -150,14 +150,19 @@ def test_a_release_is_there_whole_or_not_at_all_whatever_is_stored_and_arrives(
     turn_of_releases(row, tab, host, sites)
 
 
+@pytest.mark.parametrize(
+    "rows",
+    [IN_FIREFOX[:2], pytest.param(IN_FIREFOX[2:], marks=pytest.mark.deep)],
+    ids=["some", "others"],
+)
 def test_a_release_is_there_whole_or_not_at_all_in_firefox(
-    sites: Mapping[str, Path], tmp_path: Path
+    rows: Sequence[tuple[str, str, str]], sites: Mapping[str, Path], tmp_path: Path
 ) -> None:
     opened = ENGINES["Firefox"](tmp_path)
     if opened is None:
         pytest.skip(f"Firefox: {HOW_TO}")
     with opened as firefox:
-        for row in IN_FIREFOX:
+        for row in rows:
             with serving(sites["1"]) as host:
                 turn_of_releases(row, firefox, host, sites)
 
