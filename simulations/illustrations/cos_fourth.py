@@ -40,7 +40,7 @@ def draw() -> Illustration:
         dot(middle, "camera", 3.5),
         dimension((OPENING, AXIS + 34), (SENSOR, AXIS + 34), "muted"),
         label((OPENING + 66, AXIS - 16), "θ", "ray italic"),
-        label(((OPENING + SENSOR) / 2, AXIS + 29), "f", "muted italic", "middle"),
+        label(((OPENING + SENSOR) / 2, AXIS + 29), "z_s", "muted italic", "middle"),
         label((OPENING - 12, AXIS - 78), "opening, seen at a slant:", "camera small", "middle"),
         label((OPENING - 12, AXIS - 62), "cos θ", "camera", "middle"),
         label((OPENING + 58, AXIS - 134), "path longer by 1/cos θ:", "ray small", "middle"),

@@ -19,7 +19,7 @@ type Ray = list[tuple[float, float]]
 
 
 def behind(height: float, at_opening: float, focal: float) -> float:
-    """Where a ray from the point meets the sheet: a thin lens bends it by its height over f."""
+    """Where a ray from the point meets the sheet: a thin lens bends it by its height over F."""
     slope = (at_opening - height) / (OPENING - SOURCE) - at_opening / focal
     return at_opening + slope * (SHEET - OPENING)
 

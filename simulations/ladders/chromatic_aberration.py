@@ -106,7 +106,7 @@ def reference(workload: Workload) -> Floats:
 
 
 def _magnification(wavelength_um: Floats) -> Floats:
-    """1 + t (1/f_d − 1/f): the lens's power follows n − 1, with n = A + B/λ²."""
+    """1 + t (1/F_d − 1/F): the lens's power follows n − 1, with n = A + B/λ²."""
     slope = (1.62 - 1.0) / 36.4 / (0.4861**-2 - 0.6563**-2)
     extra_power = slope * (wavelength_um**-2 - 0.5876**-2) / (1.62 - 1.0) / 50.0
     return 1.0 - 60.0 * extra_power

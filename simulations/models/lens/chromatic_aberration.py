@@ -76,7 +76,7 @@ def lateral_chromatic_scale(
     """Size of a distant object's image at each wavelength, relative to the d line.
 
     With the stop at distance t in front of the lens, the chief rays meet the glass off its centre
-    and are deviated by dispersion: ``1 + t (1/f_d − 1/f(λ))``. With the stop in the lens (t = 0)
+    and are deviated by dispersion: ``1 + t (1/F_d − 1/F(λ))``. With the stop in the lens (t = 0)
     every colour has the same scale.
     """
     require(

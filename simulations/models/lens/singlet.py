@@ -62,12 +62,12 @@ class Rays:
 
 
 def thin_power_per_mm(lens: Singlet) -> float:
-    """1/f by the lensmaker's formula for no thickness: (n − 1)(1/R₁ − 1/R₂)."""
+    """1/F by the lensmaker's formula for no thickness: (n − 1)(1/R₁ − 1/R₂)."""
     return (lens.index - 1.0) * (lens.front_per_mm - lens.back_per_mm)
 
 
 def power_per_mm(lens: Singlet) -> float:
-    """1/f with the thickness: light converges between the surfaces."""
+    """1/F with the thickness: light converges between the surfaces."""
     both = lens.front_per_mm * lens.back_per_mm * lens.thickness_mm / lens.index
     return thin_power_per_mm(lens) + (lens.index - 1.0) ** 2 * both
 

@@ -23,15 +23,15 @@ __all__ = [
 
 
 def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
-    """Distance behind the lens at which an object is sharp: 1/f = 1/Z + 1/Z'.
+    """Distance behind the lens at which an object is sharp: 1/F = 1/Z + 1/z.
 
     Parameters
     ----------
     focal_mm : float
         Focal length, positive and finite.
     distance_mm : (...) floats
-        Object distance, at least the focal length. For an object at infinity the image is at f; for
-        one at f the rays leave parallel and the image distance is inf.
+        Object distance, at least the focal length. For an object at infinity the image is at F; for
+        one at F the rays leave parallel and the image distance is inf.
 
     Raises
     ------
@@ -50,9 +50,9 @@ def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
 
 
 def principal_distance_mm(focal_mm: float, focus_mm: float) -> float:
-    """From the lens to a sensor that sees ``focus_mm`` sharp: z = f s / (s − f), at least f.
+    """From the lens to a sensor that sees ``focus_mm`` sharp: z_s = F s / (s − F), at least F.
 
-    A focused camera projects with this distance, not with the focal length: x = z X / Z. So its
+    A focused camera projects with this distance, not with the focal length: x = z_s X / Z. So its
     picture grows a little as the focus comes nearer, which is called focus breathing. The two are
     equal only at infinity. Photogrammetry's other name for it is the camera constant.
 
@@ -68,7 +68,7 @@ def principal_distance_mm(focal_mm: float, focus_mm: float) -> float:
 
 
 def working_f_number(focal_mm: float, f_number: float, focus_mm: float) -> float:
-    """N z / f: the distance from lens to sensor in diameters of the opening.
+    """N z_s / F: the distance from lens to sensor in diameters of the opening.
 
     The light on the axis falls with its square. At infinity it is N, the number on the lens; for a
     nearer focus the sensor is farther away and gets less light. Parameters as in
@@ -94,8 +94,8 @@ def circle_of_confusion_mm(
 ) -> Floats:
     """Diameter on the sensor of the disc that a point at ``depth_mm`` spreads into.
 
-    ``c = A f / (1 − f/Z_f) · |1/Z − 1/Z_f|`` with aperture diameter A = f/N. In dioptres the
-    formula is right for both Z → ∞ and Z_f → ∞.
+    ``c = A F / (1 − F/s) · |1/Z − 1/s|`` with aperture diameter A = F/N. In dioptres the
+    formula is right for both Z → ∞ and s → ∞.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def depth_of_field(
 ) -> tuple[float, float]:
     """Nearest and furthest distance whose circle of confusion does not exceed ``coc_mm``.
 
-    Exact, not the usual approximation for Z ≫ f. The far limit is inf from the `hyperfocal`
+    Exact, not the usual approximation for Z ≫ F. The far limit is inf from the `hyperfocal`
     distance on; a pinhole (``f_number`` inf) has (0, inf).
     """
     focal_mm, f_number, focus_mm = _checked_lens(focal_mm, f_number, focus_mm)
@@ -145,7 +145,7 @@ def depth_of_field(
 
 
 def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
-    """The nearest focus at which infinity is acceptably sharp: f²/(N c) + f.
+    """The nearest focus at which infinity is acceptably sharp: F²/(N c) + F.
 
     Focused there, everything from half that distance on is sharp.
     """

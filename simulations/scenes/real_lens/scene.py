@@ -139,8 +139,8 @@ def readouts(settings: Settings, glass: Glass, true: singlet.Rays) -> Iterator[R
         singlet.focal_mm(power if abs(power) > FLATTEST else 0.0)
         for power in (singlet.thin_power_per_mm(glass.lens), singlet.power_per_mm(glass.lens))
     )
-    yield readout("focal_thin", "f, thin lens", thin, "mm")
-    yield readout("focal", "f, thick lens", thick, "mm", role="image")
+    yield readout("focal_thin", "F, thin lens", thin, "mm")
+    yield readout("focal", "F, thick lens", thick, "mm", role="image")
     places = (
         ("thin_at", "Thin lens: image at", glass.thin_mm, ""),
         ("thick_at", "Thick lens: image at", glass.paraxial_mm, "image"),
