@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Self
 
 from simulations.engine.scene import Scene
-from site_builder.document.places import Passage, Target
+from site_builder.document.places import Heading, Passage, Target
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +44,14 @@ class Prose:
     """Paragraphs, lists, headings, formulae: anything that plain Markdown makes."""
 
     words: Passage
+
+
+@dataclass(frozen=True, slots=True)
+class Deeper:
+    """A section beyond the first pass, folded until it is asked for; the rest of it is in the
+    blocks inside."""
+
+    heading: Heading
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,15 @@ from operator import attrgetter
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.document.blocks import Block, Prediction, Quiz, Simulation, Source, contents
+from site_builder.document.blocks import (
+    Block,
+    Deeper,
+    Prediction,
+    Quiz,
+    Simulation,
+    Source,
+    contents,
+)
 from site_builder.document.places import (
     Citation,
     Definition,
@@ -101,6 +109,11 @@ class Chapter:
     def url(self) -> str:
         """Address relative to the site's root."""
         return f"{self.folder}{self.id}/"
+
+    @property
+    def first_pass(self) -> tuple[Block, ...]:
+        """What is not folded."""
+        return tuple(block for block in self.body if not isinstance(block.content, Deeper))
 
     @property
     def simulations(self) -> tuple[Simulation, ...]:

@@ -78,6 +78,8 @@ class Heading:
     level: int
     id: str
     words: Passage
+    deeper: bool = False
+    """Whether it stands in a section beyond the first pass, or begins one."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from markdown_it.token import Token
 
 from site_builder.diagnostics.blame import CodeError, raised_by_code
 from site_builder.diagnostics.diagnostic import unknown
-from site_builder.document.blocks import Block, Prose
+from site_builder.document.blocks import Block, Deeper, Prose
 from site_builder.document.places import Passage, passage
 from site_builder.markdown.content_files import fault_of_file
 from site_builder.markdown.directive import Body, Directive, DirectiveCall, OptionLine, OptionValue
@@ -77,6 +77,31 @@ def _fault_of_option(
     if option.form and given and not re.fullmatch(option.form, given):
         return f"{option.name} {given!r}; legal: {option.doc}"
     return fault_of_file(given, context.content, option.file) if option.file and given else ""
+
+
+def read_page(tokens: Sequence[Token], context: ParseContext) -> tuple[Block, ...]:
+    """All tokens of a page as blocks, in order; each deeper section is one."""
+    headings = {heading.id: heading for heading in context.headings}
+    blocks: list[Block] = []
+    read_to = 0
+    for start, token in enumerate(tokens):
+        if token.type == "heading_open" and token.meta.get("deeper"):
+            blocks += read_blocks(tokens[read_to:start], context)
+            read_to = _end_of_section(tokens, start)
+            inside = read_blocks(tokens[start + 3 : read_to], context)
+            content = Deeper(headings[str(token.attrGet("id"))])
+            blocks.append(Block("deeper", content, inside))
+    return (*blocks, *read_blocks(tokens[read_to:], context))
+
+
+def _end_of_section(tokens: Sequence[Token], start: int) -> int:
+    """The index of the next heading of the level of the one at ``start``, or of a higher one, or
+    of the page's footnotes."""
+    for index, token in enumerate(tokens[start + 1 :], start + 1):
+        is_heading = token.type == "heading_open" and not token.level
+        if token.type == "footnote_block_open" or (is_heading and token.tag <= tokens[start].tag):
+            return index
+    return len(tokens)
 
 
 def read_blocks(tokens: Sequence[Token], context: ParseContext) -> tuple[Block, ...]:

@@ -15,7 +15,7 @@ from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.book import Chapter
 from site_builder.document.places import Formula, Need, Target, Targets
 from site_builder.files.text import CONTROL, unseen
-from site_builder.markdown.blocks import read_blocks
+from site_builder.markdown.blocks import read_page
 from site_builder.markdown.glossary import mark_terms
 from site_builder.markdown.inline import annotate, inline_passage
 from site_builder.markdown.numbering import number_targets
@@ -190,7 +190,7 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
     tokens = set_aside(draft.tokens)
     annotate(tokens, context)
     mark_terms(tokens, context)
-    body = read_blocks(tokens, context)
+    body = read_page(tokens, context)
     before = tuple(
         Need(inline_passage(entry.text, entry.line, context), entry.chapter, entry.line)
         for entry in draft.matter.before

@@ -23,16 +23,21 @@ from site_builder.markdown.directive import LABEL, Directive, DirectiveCall
 from site_builder.markdown.parse_context import FigurePlace, ParseContext
 from site_builder.markdown.text.tokens import plain_text
 
-GIVEN = re.compile(r"\s*(?<!\\)\{#([^\s{}]+)\}\s*$")
+GIVEN = re.compile(r"\s*(?<!\\)\{([#.][^\s{}][^{}]*)\}\s*$")
+ATTRIBUTES = re.compile(r"(?:#(?P<id>\S+))?\s*(?P<deeper>\.deeper)?\s*")
+LEGAL_ATTRIBUTES = "legal: '{#id}', '{.deeper}' or '{#id .deeper}'"
+DEEPER_LEVELS = (2, 3)
+"""Of headings whose sections may be folded."""
 
 
 def heading_ids_rule(state: StateCore) -> None:
-    """Take the id from the end of each heading's words into the ``meta`` of its opening token."""
+    """Take what stands in braces at the end of each heading into the ``meta`` of its opening
+    token."""
     for opening, inline in zip(state.tokens, state.tokens[1:], strict=False):
         last = inline.children[-1] if opening.type == "heading_open" and inline.children else None
         if last is None or last.type != "text" or not (found := GIVEN.search(last.content)):
             continue
-        opening.meta["id"] = found[1]
+        opening.meta["given"] = found[1]
         last.content = last.content[: found.start()]
         inline.content = GIVEN.sub("", inline.content)
 
@@ -51,7 +56,8 @@ def list_headings(tokens: Sequence[Token], context: ParseContext) -> None:
             context.problem(line, f"{text!r} underlined is a heading; legal: {expected}")
         _check_level(level, text, line, context)
         name = str(opening.attrGet("id"))
-        context.headings.append(Heading(level, name, passage(_without_links(inline))))
+        words, folded = passage(_without_links(inline)), bool(opening.meta["folded"])
+        context.headings.append(Heading(level, name, words, deeper=folded))
 
 
 def _check_level(level: int, text: str, line: int, context: ParseContext) -> None:
@@ -121,6 +127,8 @@ class _Numbering:
     context: ParseContext
     targets: list[Target] = field(default_factory=list)
     counts: Counter[str] = field(default_factory=Counter)
+    folded: int = 0
+    """Level of the heading whose section is a deeper one; 0 outside of such."""
 
     def directive(self, directive: Directive[Any] | None, token: Token) -> None:
         if directive is None or directive.numbered is None:
@@ -161,12 +169,36 @@ class _Numbering:
     def heading(self, tokens: Sequence[Token]) -> None:
         opening, inline, closing = tokens
         line, text = (opening.map or [0])[0] + 1, plain_text(inline)
+        self._read_attributes(opening, line)
         name = self.context.take_id(self._heading_id(opening, text, line), line, "heading")
         opening.attrSet("id", name)
         shown = self.context.shared.words("labels.section", title=text)
         target = Target("Section", self.chapter, name, "", text, line, name=shown)
         closing.meta["target"] = target
         self.targets.append(target)
+
+    def _read_attributes(self, opening: Token, line: int) -> None:
+        """The heading's id, whether it begins a deeper section, and whether it stands in one."""
+        given, level = opening.meta.get("given", ""), int(opening.tag[1])
+        if not opening.level and level <= self.folded:
+            self.folded = 0
+        found = ATTRIBUTES.fullmatch(given)
+        if not found:
+            self.context.problem(line, f"{{{given}}} after a heading; {LEGAL_ATTRIBUTES}")
+        elif found["deeper"] and (fault := self._fault_of_fold(opening, level)):
+            expected = "'##' or '###' at the margin, in no other deeper section"
+            self.context.problem(line, f"a deeper section {fault}; legal: {expected}")
+        else:
+            opening.meta |= {"id": found["id"] or "", "deeper": bool(found["deeper"])}
+            self.folded = level if found["deeper"] else self.folded
+        opening.meta["folded"] = self.folded > 0
+
+    def _fault_of_fold(self, opening: Token, level: int) -> str:
+        if opening.level:
+            return "inside a directive, list or quotation"
+        if self.folded:
+            return "inside another"
+        return "" if level in DEEPER_LEVELS else f"of level {level}"
 
     def _heading_id(self, opening: Token, text: str, line: int) -> str:
         given = str(opening.meta.get("id", ""))

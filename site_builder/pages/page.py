@@ -1,12 +1,13 @@
 """One page of the site or of an edition, from its template. No markup is made here."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 from markupsafe import Markup
 
-from site_builder.document.blocks import Block, Simulation
+from site_builder.document.blocks import Block, Simulation, contents
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.markdown.directives.media import DrawnIllustration
@@ -61,9 +62,9 @@ WORDS_A_MINUTE = 180
 """Words a minute in a text with formulae, read with care."""
 
 
-def reading_minutes(chapter: Chapter, describe: Describe) -> int:
-    """Minutes for its text, captions and questions, without its figures."""
-    words = sum(section.count_words() for section in sections_of(chapter.body, describe))
+def reading_minutes(blocks: Iterable[Block], describe: Describe) -> int:
+    """Minutes for their text, captions and questions, without their figures."""
+    words = sum(section.count_words() for section in sections_of(blocks, describe))
     return max(1, round(words / WORDS_A_MINUTE))
 
 
@@ -154,7 +155,7 @@ def render_page(
         "simulation_view": simulation_view,
         "paper": rows is not None,
         "rows": rows or {},
-        "minutes": reading_minutes(chapter, describing(site.initial_frames)) if chapter else 0,
+        "minutes_of": partial(reading_minutes, describe=describing(site.initial_frames)),
     }
     return environment.get_template(template).render(
         shared,
@@ -179,8 +180,8 @@ def render_page(
 
 
 def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:
-    """The scenes of a page, which starts Python at once if it has any."""
-    figures = chapter.simulations if chapter else ()
+    """The scenes that a page shows unfolded; it starts Python at once if it has any."""
+    figures = tuple(contents(chapter.first_pass, Simulation)) if chapter else ()
     if isinstance(cover, Block) and isinstance(cover.content, Simulation):
         figures = (cover.content,)
     return tuple(dict.fromkeys(figure.scene.id for figure in figures))

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 from markdown_it.token import Token
 
-from site_builder.document.blocks import Block, Prose, Simulation
+from site_builder.document.blocks import Block, Deeper, Prose, Simulation
 from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Channel, Passage
 from site_builder.markdown.directives import DIRECTIVES
@@ -152,6 +152,10 @@ class _Reader:
         for block in blocks:
             if isinstance(block.content, Prose):
                 self.add_words(block.content.words, "text")
+            elif isinstance(block.content, Deeper):
+                heading = block.content.heading
+                self.drafts.append(Section(heading.id, plain_words(heading.words)))
+                self.read(block.inside)
             elif plain := PLAIN[block.template]:
                 content = plain(block.content)
                 if block.target and content.channel != "question":

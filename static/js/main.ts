@@ -7,6 +7,7 @@ import * as figures from "./editor/feature.ts";
 import * as instruments from "./instrument/feature.ts";
 import * as ladders from "./ladder/bench.ts";
 import * as cases from "./page/case_filter.ts";
+import * as deeper from "./page/deeper.ts";
 import * as keys from "./page/keys.ts";
 import { begin } from "./page/navigate.ts";
 import { notice } from "./page/notice.ts";
@@ -21,7 +22,7 @@ import { useWordsOf, words } from "./page/words.ts";
 import * as progress from "./question/progress.ts";
 import * as questions from "./question/questions.ts";
 
-const AIDS = [theme, search, keys, cases, terms, scrolling, offline, release];
+const AIDS = [theme, deeper, search, keys, cases, terms, scrolling, offline, release];
 
 useWordsOf(document);
 addEventListener(FORGETFUL, () => notice(words("page.forgetful")));

@@ -29,7 +29,7 @@ SOURCES = {".py", ".html", ".ts", ".css", ".mjs"}
 
 
 def test_every_directive_has_a_template_and_cells_in_notebooks() -> None:
-    templates = {"prose"} | {directive.template for directive in DIRECTIVES}
+    templates = {"prose", "deeper"} | {directive.template for directive in DIRECTIVES}
     assert {file.stem for file in (TEMPLATES / "blocks").iterdir()} == templates
     assert set(PARTS) == templates
 

@@ -197,4 +197,4 @@ def test_a_picture_file_has_its_size(
 
 def test_540_words_are_read_in_three_minutes(make_book: MakeBook) -> None:
     book, *_ = check_site(make_book("word " * 540))
-    assert reading_minutes(book.chapters[0], lambda _figure: "") == 3
+    assert reading_minutes(book.chapters[0].body, lambda _figure: "") == 3

@@ -18,6 +18,7 @@ from playwright.sync_api import (
 from support.limits import limit_ms
 from support.page_scripts import (
     BRING,
+    EVERYTHING,
     FOLLOW,
     LIVE,
     OFFER,
@@ -50,6 +51,7 @@ class Reader:
         self.complaints: list[str] = []
         self.page = context.new_page()
         self.page.add_init_script(WATCH_SHIFTS)
+        self.page.add_init_script(EVERYTHING)
         self.page.on("console", self._note_console)
         self.page.on("pageerror", lambda error: self.complaints.append(f"uncaught: {error}"))
         context.on("request", self._note_request)

@@ -14,6 +14,7 @@ from simulations.engine.frame import Panel
 from site_builder.document.blocks import (
     OTHERWISE,
     Block,
+    Deeper,
     Option,
     Prediction,
     Prose,
@@ -202,6 +203,13 @@ def prose(content: Prose, _block: Block, page: ChapterPage) -> Iterator[Part]:
         yield Text(page.markdown(Passage(tokens[start:end])))
 
 
+def deeper(content: Deeper, block: Block, page: ChapterPage) -> Iterator[Part]:
+    """As any section, with a mark behind its heading."""
+    heading, mark = content.heading, page.words("chapter.deeper")
+    yield Text(f"{'#' * heading.level} {page.markdown(heading.words)} ({escaped(mark)})")
+    yield from parts_of(block.inside, page)
+
+
 def callout(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:
     return _quoted(f"**{page.markdown(content.title)}**", block, page)
 
@@ -263,6 +271,7 @@ PARTS: Mapping[str, Maker] = {
     "audio": audio,
     "callout": callout,
     "data-sheet": data_sheet,
+    "deeper": deeper,
     "download": download,
     "example": example,
     "extremes": extremes,

@@ -189,7 +189,8 @@ async function atRest(main: HTMLElement | null): Promise<boolean> {
 }
 
 function isAtRest() {
-  const figures = all(document, "simulation-figure", HTMLElement);
+  const shown = "simulation-figure:not(details:not([open]) *)";
+  const figures = all(document, shown, HTMLElement);
   const live = figures.length > 0 && figures.every(({ dataset }) => dataset.state === "live");
   return live && performance.now() - lastInput > RESTED;
 }

@@ -141,18 +141,26 @@ export class LiveFigure {
     return this.#sound;
   }
 
-  /** Ask for the first frame as soon as it is known whether the figure is in view. */
+  /**
+   * Ask for the first frame as soon as it is known whether the figure is in view; where its section
+   * is folded up, once that is opened.
+   */
   #startInView() {
-    this.figure.dataset.state = isSparing() ? "waiting" : "starting";
+    if (isSparing()) this.figure.dataset.state = "waiting";
     if (this.#waits) say(this.figure, sparingReason(), { begin: true, lasting: true });
+    const begin = () => {
+      const isNew = !this.#asked && this.figure.dataset.state !== "failed";
+      if (isNew) this.#ask(performance.now(), "", URGENCY.far);
+    };
+    const { signal } = this.#listeners;
+    this.figure.closest("details")?.addEventListener("toggle", begin, { signal });
     const observer = new IntersectionObserver(
       ([entry]) => {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
         if (this.#near) this.prerendered.near();
         this.#cache();
-        const isNew = !this.#asked && this.figure.dataset.state !== "failed";
-        if (isNew) this.#ask(performance.now(), "", URGENCY.far);
+        begin();
       },
       { rootMargin: "50% 0px" },
     );
@@ -179,6 +187,11 @@ export class LiveFigure {
       say(this.figure, "");
       this.runtime.restart();
     }
+  }
+
+  /** Whether it stands in a section that is folded up. */
+  get #isFolded() {
+    return this.figure.closest("details:not([open])") !== null;
   }
 
   /** Whether Python must not start before the reader asks. */
@@ -232,7 +245,9 @@ export class LiveFigure {
    * @param moving Name of the control whose moves are drafted, if one moves.
    */
   #ask(time: number, moving: string, urgency: number = URGENCY.touched) {
-    if (!this.figure.isConnected || this.#waits) return;
+    if (!this.figure.isConnected || this.#waits || this.#isFolded) return;
+    const { dataset } = this.figure;
+    if (dataset.state === "still") dataset.state = "starting";
     const [values, tier] = [this.#values, this.#tier(moving)];
     const asked = `${values} ${tier} ${this.own.key}`;
     if (asked === this.#asked) return;

@@ -117,7 +117,7 @@ export function record(
   // A figure that has left with its page has nothing to say in the address of the next.
   if (!figure.isConnected || !isArrived() || url.href === location.href) return;
   if (entry === "replace") history.replaceState(history.state, "", url);
-  else history.pushState({ scroll: Math.round(scrollY) }, "", url);
+  else history.pushState({ ...history.state, scroll: Math.round(scrollY) }, "", url);
 }
 
 /** Bring every figure of the page to where the address says, or back to the page's start. */

@@ -35,6 +35,24 @@ export function within<T extends Element>(
   return found instanceof type ? found : null;
 }
 
+/** The element that the address, or a link, points to; none where its end is mangled. */
+export function hashTarget(hash: string = location.hash) {
+  try {
+    return document.getElementById(decodeURIComponent(hash.slice(1)));
+  } catch {
+    return null;
+  }
+}
+
+/** Open the folds around an element, if there are any. */
+export function unfold(found: Element | null) {
+  for (let fold = outer(found); fold; fold = outer(fold)) fold.open = true;
+}
+
+function outer(found: Element | null) {
+  return found?.parentElement?.closest("details") ?? null;
+}
+
 /** A new element with a class and a text. */
 export function element<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,

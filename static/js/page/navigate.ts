@@ -6,7 +6,8 @@
  */
 
 import { isMetered } from "./data_saver.ts";
-import { all, isPlain, within } from "./dom.ts";
+import { opened } from "./deeper.ts";
+import { all, hashTarget, isPlain, unfold, within } from "./dom.ts";
 import { notice } from "./notice.ts";
 import { isOfRelease } from "./release.ts";
 import { useWordsOf, words } from "./words.ts";
@@ -75,10 +76,13 @@ export function begin(pageParts: Part[]) {
       for (const part of pageParts) part.returned?.();
     } else turnTo(new URL(location.href), turned, leaveShown);
   });
-  addEventListener("scroll", () => {
-    clearTimeout(scrollTimer);
-    scrollTimer = setTimeout(saveScroll, 100);
-  });
+  for (const kind of ["scroll", "toggle"]) {
+    const later = () => {
+      clearTimeout(scrollTimer);
+      scrollTimer = setTimeout(saveScroll, 100);
+    };
+    addEventListener(kind, later, true);
+  }
 }
 
 /** Whether the address is of the page that is shown, and not of one that is still fetched. */
@@ -140,6 +144,7 @@ function putInPlace(page: Document) {
 function restoreScroll() {
   const target = hashTarget();
   const stored = history.state?.scroll;
+  unfold(target);
   if (stored === undefined && target) target.scrollIntoView();
   else jumpTo(stored ?? 0);
 }
@@ -150,19 +155,11 @@ function jumpTo(top: number) {
   requestAnimationFrame(() => scrollTo({ top, behavior: "instant" }));
 }
 
-/** The element that the address points to; none where its end is mangled. */
-export function hashTarget() {
-  try {
-    return document.getElementById(decodeURIComponent(location.hash.slice(1)));
-  } catch {
-    return null;
-  }
-}
-
 function saveScroll() {
   clearTimeout(scrollTimer);
   if (!isArrived()) return;
-  history.replaceState({ ...history.state, scroll: Math.round(scrollY) }, "");
+  const state = { ...history.state, scroll: Math.round(scrollY), opened: opened() };
+  history.replaceState(state, "");
 }
 
 const HINTS = ["pointerover", "focusin", "touchstart"];

@@ -77,10 +77,10 @@ function watchSections() {
   for (const heading of listed()) headings.observe(heading);
 }
 
-/** The headings that the contents list, in the order of the page. */
+/** The headings that the contents list and that are not folded up, in the order of the page. */
 function listed() {
   const links = all(document, "#contents .sections a", HTMLAnchorElement);
-  return links.flatMap((link) => document.getElementById(idOf(link)) ?? []);
+  return links.flatMap((link) => document.getElementById(idOf(link)) ?? []).filter(isShown);
 }
 
 function markSection() {

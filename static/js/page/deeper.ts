@@ -1,0 +1,50 @@
+/**
+ * Sections beyond the first pass. Each is folded until it is asked for: by hand, by a link to what is
+ * in it, or with all others by the choice in the chapter's header. The history knows which are open,
+ * so that a reload or a return finds the page as it was left.
+ */
+
+import { all, hashTarget, unfold, within } from "./dom.ts";
+import { recall, remember } from "./storage.ts";
+
+const KEPT = "everything";
+
+/** Listen on any page. */
+export function install() {
+  document.addEventListener("change", (event) => {
+    const pass = within(event, "input[name=pass]", HTMLInputElement);
+    if (!pass) return;
+    remember(KEPT, pass.value === "whole");
+    for (const fold of folds()) fold.open = pass.value === "whole";
+  });
+  // Before the browser follows it.
+  document.addEventListener("click", (event) => {
+    const link = within(event, 'a[href*="#"]', HTMLAnchorElement);
+    if (link?.pathname === location.pathname) unfold(hashTarget(link.hash));
+  });
+}
+
+/** Open what the reader wants open, what was open, and what the address leads to. */
+export function arrive() {
+  const isWhole = recall(KEPT) === true;
+  for (const pass of all(document, "input[name=pass]", HTMLInputElement)) {
+    pass.checked = (pass.value === "whole") === isWhole;
+  }
+  const places: number[] = history.state?.opened ?? [];
+  for (const [place, fold] of folds().entries()) {
+    if (isWhole || places.includes(place)) fold.open = true;
+  }
+  const target = hashTarget();
+  if (!target?.closest("details:not([open])")) return;
+  unfold(target);
+  target.scrollIntoView();
+}
+
+/** Which of the page's are open, by their places. */
+export function opened() {
+  return [...folds().entries()].flatMap(([place, { open }]) => (open ? [place] : []));
+}
+
+function folds() {
+  return all(document, "details.deeper", HTMLDetailsElement);
+}
