@@ -213,7 +213,7 @@ BY_PHONE = {
     ],
     320: [*fits(320), REACH, LONGEST],
 }
-PRINTED = ("", "lens-distortion/", "speed-and-accuracy/", "where-the-models-break/")
+PRINTED = ("", "lens-distortion/", "speed-and-accuracy/", "hard-cases/")
 """With figures, questions, tables of ladders, and hard cases."""
 ON_PAPER = [Look("can be pressed", PRESSED_ON_PAPER), Look("is shut", SHUT_ON_PAPER)]
 

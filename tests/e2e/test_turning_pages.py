@@ -249,7 +249,7 @@ def test_folds_and_filters_of_chapters_open_and_find(plain_reader: Reader) -> No
     expect(docstring).to_contain_text('"""')
     expect(docstring).to_be_visible()
 
-    plain_reader.turn_to("where-the-models-break/", live=False)
+    plain_reader.turn_to("hard-cases/", live=False)
     field = page.get_by_role("searchbox", name="Filter the cases")
     field.fill("quaternion zero")
     rows = page.locator(".extremes tbody tr").locator("visible=true")
