@@ -111,7 +111,7 @@ def _reply(frame: Frame) -> Reply:
 
 
 def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -> str:
-    """The next, better estimate of the error of the frame at these values.
+    """The next, better estimate of the error of the frame at these values, or of its times.
 
     JSON of a `Readout`, or ``null`` if there is no better one. A call with other values starts
     anew. Raises `UnknownIdError` and `ControlError`.
@@ -121,7 +121,7 @@ def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -
     begun, estimates = _estimates.get(figure, (None, iter(())))
     if begun != call:
         scene, request = _request(figure, scene_id, values, tier, edits)
-        estimates = scene.estimates(*request)
+        estimates = scene.estimates(*request, clock=time.perf_counter)
         _estimates[figure] = (call, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)

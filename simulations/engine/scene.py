@@ -9,6 +9,7 @@ from simulations.engine.controls import Control, Slider, Value
 from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.handles import Handle, Point, mistakes, places, pulled
+from simulations.engine.ladder import Clock
 from simulations.engine.photograph import Codes, Photograph, Whole
 from simulations.engine.reading import Readings
 from simulations.engine.settings import check_settings, clamp_settings, controls_of, values_of
@@ -80,6 +81,11 @@ class Scene[S]:
     estimate: Callable[[S, Outputs, str], Iterator[Readout]] | None = None
     """Yields better and better estimates of the error of a frame in a tier, with a unit. Called
     while nothing moves; each step must be short."""
+    times: Callable[[S, Clock], Iterator[Readout]] | None = None
+    """Yields better and better times that parts of the frame take here, by a clock in seconds. A
+    drawing shows each in an element that has its name as ``data-estimate``; no frame holds any."""
+    sets: Mapping[str, Callable[[S, Outputs], Mapping[str, Value]]] = field(default_factory=dict)
+    """For each button that sets other controls, the values that it gives them."""
     formula: Callable[..., object] | None = None
     """The function of a model that the figure is about, among those that compute or draw it; the
     editor of its Python opens there."""
@@ -176,11 +182,14 @@ class Scene[S]:
         cache: StageCache | None = None,
     ) -> dict[str, Value]:
         """The values that bring ``handle`` as near to ``place`` as possible, in the frames of a
-        tier.
+        tier; or those that a button of this name sets.
 
         Raises `KeyError` for an unknown handle, `ValueError` for a place that is not finite.
         """
         by_name = {entry.name: entry for entry in self.handles}
+        if handle in self.sets:
+            done = self.run(settings, tier, cache or StageCache(), photograph, readings)
+            return dict(self.sets[handle](settings, done.outputs))
         if handle not in by_name:
             raise KeyError(f"handle {handle!r}; legal: {', '.join(by_name) or 'none'}")
         shown = {"tier": self._settled(tier), "photograph": photograph}
@@ -199,12 +208,15 @@ class Scene[S]:
         cache: StageCache,
         photograph: Photograph | None = None,
         readings: Readings = (),
+        clock: Clock | None = None,
     ) -> Iterator[Readout]:
-        """Better and better estimates of the error of the frame; none if the scene has no
-        `estimate`."""
+        """Better and better estimates of the error of the frame, then, with a clock, of its times;
+        none if the scene has no `estimate` and no `times`."""
         if self.estimate is not None:
             outputs = self.run(settings, tier, cache, photograph, readings).outputs
             yield from self.estimate(settings, outputs, self._settled(tier))
+        if self.times is not None and clock:
+            yield from self.times(settings, clock)
 
     def _settled(self, tier: str) -> str:
         return tier if tier in (*self.tiers, *self.own_drafts) else self.default_tier

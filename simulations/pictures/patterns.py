@@ -19,9 +19,9 @@ def band(u: Floats, low: ArrayLike, high: ArrayLike, footprint: ArrayLike) -> Fl
     return covered / (2.0 * half)
 
 
-def band_about(distance: Floats, half_width: float) -> Floats:
+def band_about(distance: Floats, half_width: float, area: bool = True) -> Floats:
     """Share of each pixel (H, W) within ``half_width`` of the line where ``distance`` is 0."""
-    return band(distance, -half_width, half_width, pixel_width(distance))
+    return band(distance, -half_width, half_width, pixel_width(distance, area))
 
 
 def stripes(u: Floats, period: float, width: float, footprint: ArrayLike) -> Floats:
@@ -46,16 +46,19 @@ def checker(
     return 0.5 + 0.5 * along_u * along_v
 
 
-def siemens_star(x: Floats, y: Floats, spokes: int) -> Floats:
+def siemens_star(x: Floats, y: Floats, spokes: int, area: bool = True) -> Floats:
     """Share of the light spokes: resolution falls towards the centre, where they blend to grey."""
     per_rad = spokes / np.pi  # a spoke is 1 wide, as is its gap
-    pixel = 0.5 * (pixel_width(x) + pixel_width(y))
+    pixel = 0.5 * (pixel_width(x, area) + pixel_width(y, area))
     footprint = pixel * per_rad / np.maximum(np.hypot(x, y), NARROWEST)
     return stripes(np.arctan2(y, x) * per_rad - 0.5, 2.0, 1.0, footprint)
 
 
-def pixel_width(coordinate: Floats) -> Floats:
-    """Change of ``coordinate`` (H, W) across a pixel, summed over both axes."""
+def pixel_width(coordinate: Floats, area: bool = True) -> Floats:
+    """Change of ``coordinate`` (H, W) across a pixel, summed over both axes; without ``area``, of a
+    sample at the middle of the pixel, next to nothing."""
+    if not area:
+        return np.asarray(NARROWEST)
     down, across = np.gradient(coordinate)
     return np.maximum(np.abs(down) + np.abs(across), NARROWEST)
 

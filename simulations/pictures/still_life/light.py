@@ -42,8 +42,8 @@ def lamp_direction(light_angle_deg: float) -> Vector:
     return (level * math.sin(angle), -level * math.cos(angle), math.sin(LAMP_ELEVATION_RAD))
 
 
-def light(parts: tuple[Surface, ...], light_angle_deg: float) -> LitScene:
-    """Shade wall, floor and things."""
+def light(parts: tuple[Surface, ...], light_angle_deg: float, bounced: float = 1.0) -> LitScene:
+    """Shade wall, floor and things; ``bounced`` is the share of the light from the floor."""
     lamp = lamp_direction(light_angle_deg)
     wall, floor, *things = parts
     height = max(part.top + part.coverage.shape[0] for part in (wall, floor))
@@ -52,26 +52,29 @@ def light(parts: tuple[Surface, ...], light_angle_deg: float) -> LitScene:
     depth = np.zeros((height, width))
     for part in (wall, floor):
         rows = slice(part.top, part.top + part.coverage.shape[0])
-        base[:, rows] += _premultiplied(part, lamp)[:3]
+        base[:, rows] += _premultiplied(part, lamp, bounced)[:3]
         depth[rows] += part.depth * part.coverage
     depth[depth == 0.0] = WALL_DISTANCE  # no ray reaches these pixels, which stay black
-    layers = tuple(Layer(_premultiplied(part, lamp), part.top, part.left) for part in things)
+    lit = ((part, _premultiplied(part, lamp, bounced)) for part in things)
+    layers = tuple(Layer(planes, part.top, part.left) for part, planes in lit)
     return LitScene(base, depth, layers, tuple(float(part.depth[0, 0]) for part in things))
 
 
-def _premultiplied(part: Surface, lamp: Vector) -> Planes:
+def _premultiplied(part: Surface, lamp: Vector, bounced: float) -> Planes:
     """(4, h, w) radiance times coverage, then coverage."""
     planes = np.empty((4, *part.coverage.shape), np.float32)
     planes[3] = part.coverage
-    np.multiply(radiance(part, lamp), planes[3], out=planes[:3])
+    np.multiply(radiance(part, lamp, bounced), planes[3], out=planes[:3])
     return planes
 
 
-def radiance(part: Surface, lamp: Vector) -> Planes:
+def radiance(part: Surface, lamp: Vector, bounced: float = 1.0) -> Planes:
     """(3, h, w) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
     direct = (lambert(part.normals, lamp) * _lamp_seen(part, lamp)).astype(np.float32)
     from_above = (0.5 + 0.5 * part.normals[..., 2]) * part.openness
-    around = _tinted(BOUNCE, part.openness) + _tinted(ROOM - BOUNCE, from_above)
+    around = _tinted(ROOM, from_above)
+    if bounced:
+        around += _tinted(bounced * BOUNCE, part.openness - from_above)
     shaded = part.albedo * (_tinted(LAMP, direct) + around)
     if part.thing is not None and part.thing.gloss > 0:
         highlight = blinn_phong(

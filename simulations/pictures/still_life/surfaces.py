@@ -89,22 +89,33 @@ def _thing_surface(thing: Thing, seen: WorldRays) -> Surface | None:
         return None
     directions = seen.directions[window]
     hit = intersect(thing.solid, seen.eye, directions)
-    coverage = edge_coverage(hit.margin) * seen.valid[window]
+    coverage = _covered(hit.margin, seen.area) * seen.valid[window]
     if not coverage.any():
         return None
-    normals = _mean_normals(thing.solid, seen.eye, directions, hit.normals)
-    albedo, depth = _thing_albedo(thing, hit.normals), thing_depth(thing) + seen.back
-    openness = _sky_seen(hit.points, hit.normals, besides=thing)
+    points, facing = seen.kept(hit.points), hit.normals
+    if points is not hit.points and isinstance(thing.solid, Sphere):
+        outwards = points - thing.solid.centre
+        facing = outwards / np.linalg.norm(outwards, axis=-1, keepdims=True)
+    normals = _mean_normals(thing.solid, seen, directions, facing)
+    albedo, depth = _thing_albedo(thing, facing, seen.area), thing_depth(thing) + seen.back
+    openness = _sky_seen(points, facing, besides=thing)
     (rows, columns), depths = window, np.full(coverage.shape, depth)
-    place = thing, rows.start, columns.start, hit.points
+    place = thing, rows.start, columns.start, points
     return Surface(*place, normals, -directions, coverage, albedo, openness, depths)
 
 
-def _mean_normals(solid: Sphere | Box, eye: Vector, directions: Floats, normals: Floats) -> Floats:
+def _covered(margin: Floats, area: bool) -> Floats:
+    return edge_coverage(margin) if area else np.asarray(margin > 0, float)
+
+
+def _mean_normals(
+    solid: Sphere | Box, seen: WorldRays, directions: Floats, normals: Floats
+) -> Floats:
     """The normals (h, w, 3), where a pixel holds two faces of a box weighted by their areas."""
-    if isinstance(solid, Sphere):
+    if isinstance(solid, Sphere) or not seen.area:
         return normals
-    shares = np.stack([edge_coverage(margin) for margin in face_margins(solid, eye, directions)])
+    margins = face_margins(solid, seen.eye, directions)
+    shares = np.stack([edge_coverage(margin) for margin in margins])
     axes = solid.world_to_box
     facing = -np.sign(directions @ axes.T)
     return (facing * np.moveaxis(shares / shares.sum(axis=0), 0, -1)) @ axes
@@ -130,14 +141,14 @@ def window_of(mask: Mask, margin: int = 1) -> Window | None:
     return slice(top, bottom), slice(left, right)
 
 
-def _thing_albedo(thing: Thing, normals: Floats) -> Planes:
+def _thing_albedo(thing: Thing, normals: Floats, area: bool) -> Planes:
     if thing.second_albedo is None:
         colour = np.array(thing.albedo, np.float32)
         return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
     axis = np.array([0.42, -0.25, 0.87])  # of the stripes, tilted towards the camera
     latitude = np.arcsin(np.clip(normals @ (axis / np.linalg.norm(axis)), -1.0, 1.0))
     place = latitude * (thing.stripe_count / math.pi)  # a stripe is 1 wide
-    share = stripes(place, 2.0, 1.0, pixel_width(place))
+    share = stripes(place, 2.0, 1.0, pixel_width(place, area))
     return _mix(np.asarray(thing.albedo), np.asarray(thing.second_albedo), share)
 
 
@@ -183,7 +194,7 @@ def windows_between(
 def _wall_and_floor(seen: WorldRays) -> tuple[Surface, Surface]:
     far = _distance((0, WALL_DISTANCE, 0), (0, -1, 0), seen, seen.directions)
     height = seen.eye[2] + seen.directions[..., 2] * far  # where the ray meets the wall
-    above = edge_coverage(height)
+    above = _covered(height, seen.area)
     return _backdrop(seen, WALL_PLANE, above), _backdrop(seen, FLOOR_PLANE, 1.0 - above)
 
 
@@ -200,32 +211,32 @@ def _backdrop(seen: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> S
     top, bottom = max(top - 1, 0), max(bottom, top + 2)  # patterns need two rows
     directions = seen.directions[top:bottom]
     distance = _distance(*plane, seen, directions)
-    points = seen.eye + directions * distance[..., None]
+    points = seen.kept(seen.eye + directions * distance[..., None])
     normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
     openness = _sky_seen(points, normals)
     if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor in front of it
         away = np.maximum(WALL_DISTANCE - points[..., 1], 0.0)
         openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))
     coverage = share[top:bottom] * seen.valid[top:bottom]
-    albedo = _floor_albedo(points) if plane is FLOOR_PLANE else _wall_albedo(points)
+    albedo = (_floor_albedo if plane is FLOOR_PLANE else _wall_albedo)(points, seen.area)
     depth = depth_along_axis(points) + seen.back
     place = None, top, 0, points
     return Surface(*place, normals, -directions, coverage, albedo, openness, depth)
 
 
-def _floor_albedo(points: Floats) -> Planes:
+def _floor_albedo(points: Floats, area: bool) -> Planes:
     x, y = points[..., 0] - TILE_CENTRE[0], points[..., 1] - TILE_CENTRE[1]
-    share = checker(x, y, TILE, pixel_width(x), pixel_width(y))
+    share = checker(x, y, TILE, pixel_width(x, area), pixel_width(y, area))
     return _mix(FLOOR_DARK, FLOOR_LIGHT, share)
 
 
-def _wall_albedo(points: Floats) -> Planes:
+def _wall_albedo(points: Floats, area: bool) -> Planes:
     x, z = points[..., 0], points[..., 2]
     across, up = _to_nearest(x, PANEL), _to_nearest(z - 0.15, PANEL)
-    grooves = np.maximum(band_about(across, 0.025), band_about(up, 0.025))
-    skirting = band_about(z, 0.15)
+    grooves = np.maximum(band_about(across, 0.025, area), band_about(up, 0.025, area))
+    skirting = band_about(z, 0.15, area)
     wall = _lay_over(_mix(WALL, GROOVE, grooves), SKIRTING, skirting)
-    return _with_chart(wall, x - CHART[0], z - CHART[1])
+    return _with_chart(wall, x - CHART[0], z - CHART[1], area)
 
 
 def _to_nearest(coordinate: Floats, spacing: float) -> Floats:
@@ -239,19 +250,23 @@ def _lay_over(picture: Planes, colour: Floats, share: Floats) -> Planes:
     return picture * (1 - covered) + ink[:, None, None] * covered
 
 
-def _with_chart(wall: Planes, x: Floats, z: Floats) -> Planes:
+def _with_chart(wall: Planes, x: Floats, z: Floats, area: bool) -> Planes:
     """Draw a framed sheet with a Siemens star between two columns of bars on ``wall``, in place."""
     near = (np.abs(x) < CHART[2] / 2 + 0.1) & (np.abs(z) < CHART[3] / 2 + 0.1)
     window = window_of(near)
     if window is None:
         return wall
     x, z = x[window], z[window]
-    frame = band_about(x, CHART[2] / 2 + 0.05) * band_about(z, CHART[3] / 2 + 0.05)
-    sheet = band_about(x, CHART[2] / 2) * band_about(z, CHART[3] / 2)
-    disc = band_about(np.hypot(x, z), 0.52)
-    columns = band_about(np.abs(x) - 0.74, 0.13) * band_about(z, 0.48)
-    bars = stripes(z + 0.04, 0.16, 0.08, pixel_width(z))
-    ink = np.maximum(disc * siemens_star(x, z, 18), columns * bars)
+
+    def within(across: Floats, half: float) -> Floats:
+        return band_about(across, half, area)
+
+    frame = within(x, CHART[2] / 2 + 0.05) * within(z, CHART[3] / 2 + 0.05)
+    sheet = within(x, CHART[2] / 2) * within(z, CHART[3] / 2)
+    disc = within(np.hypot(x, z), 0.52)
+    columns = within(np.abs(x) - 0.74, 0.13) * within(z, 0.48)
+    bars = stripes(z + 0.04, 0.16, 0.08, pixel_width(z, area))
+    ink = np.maximum(disc * siemens_star(x, z, 18, area), columns * bars)
     framed, part = wall[:, *window], sheet.astype(np.float32)
     framed[:] = _lay_over(framed, INK, frame)
     framed += (_mix(PAPER, INK, ink) - INK.astype(np.float32)[:, None, None]) * part

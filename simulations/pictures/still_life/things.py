@@ -73,6 +73,18 @@ class WorldRays:
     """Origin of all rays: the lens's centre, or another point of its opening."""
     back: float = 0.0
     """Distance of the lens behind `EYE`, along its axis: metres."""
+    area: bool = True
+    """Whether a pixel takes the mean over its area, or a sample in its middle."""
+    float32_from: float | None = None
+    """Distance of the origin from which float32 counts the places that the rays meet, metres;
+    ``None`` for float64."""
+
+    def kept(self, points: Floats) -> Floats:
+        """World points (..., 3) as they are stored."""
+        if self.float32_from is None:
+            return points
+        origin = self.float32_from * np.array([0.6, 0.64, 0.48])
+        return np.asarray((points + origin).astype(np.float32) - origin)
 
 
 def eye(back: float = 0.0, right: float = 0.0, down: float = 0.0) -> Vector:

@@ -106,9 +106,9 @@ def widest_barrel(focal_length: float, focus: float, strongest: float) -> float:
     return max(strongest, -4 / (27 * corner**2))
 
 
-def bend_rays(rays: Rays, k1: float) -> Rays:
+def bend_rays(rays: Rays, k1: float, k2: float = 0.0) -> Rays:
     """The ray that the lens bends onto each pixel, without resampling."""
-    ideal, valid = undistort_clamped(rays.directions[..., :2], Distortion(k1=k1))
+    ideal, valid = undistort_clamped(rays.directions[..., :2], Distortion(k1=k1, k2=k2))
     return Rays(np.concatenate((ideal, rays.directions[..., 2:]), axis=-1), valid)
 
 

@@ -306,7 +306,7 @@ export class LiveFigure {
       clearFailure(this.figure);
       showLive(this.figure, job, 0);
       this.#uncached = job;
-      this.#cache();
+      setTimeout(() => this.#cache()); // once this job is done and the figure rests
     }
     return true;
   }

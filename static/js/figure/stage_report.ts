@@ -15,7 +15,7 @@ export type Stage = { name: string; status: "computed" | "reused" | "skipped"; r
 /** A scene's own words, or the engine's. */
 type Reason = string | Said[];
 
-type Estimate = Pick<Readout, "label" | "text" | "unit">;
+type Estimate = Pick<Readout, "name" | "label" | "text" | "unit">;
 type Shown = { values: string; tier: string };
 
 /** Milliseconds without a new frame after which the error is measured. */
@@ -59,6 +59,8 @@ export class Accuracy {
   #waiting: Shown | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #near = false;
+  /** What the picture shows of estimates: each was written into the elements of its name. */
+  #told: Map<string, string> = new Map();
   /** A figure's first frame also waits for its code to be loaded, and says so. */
   #frames = 0;
 
@@ -67,7 +69,7 @@ export class Accuracy {
 
   /** @param ask The next estimate for a frame; null where there is no better one. */
   constructor(
-    figure: HTMLElement,
+    readonly figure: HTMLElement,
     readonly ask: (shown: Shown, urgency: () => number) => Promise<Estimate | null>,
   ) {
     this.line = maybe(figure, ".accuracy", HTMLElement);
@@ -77,13 +79,14 @@ export class Accuracy {
 
   /** A frame was painted; drafts, which are not `settled`, are not measured. */
   shown({ values, tier }: Shown, ms: number, settled: boolean) {
-    if (!this.line) return;
+    if (!this.line && !this.#times) return;
     this.stop();
+    for (const [name, text] of this.#told) this.#tell(name, text);
     this.#frames += 1;
     this.#set("frame", words(this.#frames > 1 ? "stage_report.frame" : "stage_report.first_frame"));
     this.#set("ms", withUnit(numeral(ms.toFixed(ms < 10 ? 1 : 0)), "ms"));
     this.#set("value", "…");
-    delete this.line.dataset.judged;
+    delete this.line?.dataset.judged;
     if (!settled) return;
     this.#waiting = { values, tier };
     this.#rest();
@@ -96,7 +99,12 @@ export class Accuracy {
   }
 
   get #isSeen() {
-    return this.#near && this.report?.open;
+    return this.#near && (this.report?.open || this.#times);
+  }
+
+  /** Whether the picture has room for times. */
+  get #times() {
+    return !!this.figure.querySelector("[data-estimate]");
   }
 
   stop() {
@@ -116,8 +124,9 @@ export class Accuracy {
       while (this.#waiting === shown && this.#isSeen) {
         const estimate = await this.ask(shown, URGENCY);
         if (this.#waiting !== shown) return;
-        if (estimate) this.#write(estimate);
-        else {
+        if (estimate) {
+          if (!this.#tell(estimate.name, estimate.text)) this.#write(estimate);
+        } else {
           this.#waiting = null;
           if (this.line) this.line.dataset.judged = "true";
         }
@@ -126,8 +135,16 @@ export class Accuracy {
       if (this.#waiting !== shown) return;
       this.#waiting = null;
       const text = words("stage_report.not_measured", { reason: message(error) });
-      this.#write({ label: words("stage_report.error"), text, unit: "" });
+      this.#write({ name: "", label: words("stage_report.error"), text, unit: "" });
     }
+  }
+
+  /** Write a number where the picture has room for it. */
+  #tell(name: string, text: string) {
+    const places = this.figure.querySelectorAll(`[data-estimate="${CSS.escape(name)}"]`);
+    for (const place of places) setText(place, numeral(text));
+    if (places.length) this.#told.set(name, text);
+    return places.length > 0;
   }
 
   #write({ label, text, unit }: Estimate) {

@@ -149,9 +149,9 @@ export const CALLS = {
   /** The next estimate of a frame's error, if any. */
   error: call<
     FrameRequest & { edits?: string },
-    { estimate: { label: string; text: string; unit: string } | null }
+    { estimate: Pick<Readout, "name" | "label" | "text" | "unit"> | null }
   >([...FRAME, "edits"], (estimate) => ({ estimate: JSON.parse(estimate) }), {
-    estimate: isOptional(({ label, text, unit }) => [label, text, unit].every(isText)),
+    estimate: isOptional(({ name, label, text, unit }) => [name, label, text, unit].every(isText)),
   }),
   /** Index of the first condition that holds. */
   judge: call<FrameRequest & { conditions: string[] }, { met: number | null }>(

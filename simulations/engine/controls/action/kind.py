@@ -22,7 +22,8 @@ class Action:
     drives: str = ""
     """Name of the slider that the button moves in the browser, if any."""
     effect: str = ""
-    """``play`` (sweep that slider to its end; press again to pause) or ``step``."""
+    """``play`` (sweep that slider to its end; press again to pause), ``step``, or ``set``: other
+    controls get the values of `Scene.sets`."""
     seconds: float = 8.0
     """Duration of ``play`` from the slider's minimum to its maximum."""
     arrival: bool = False
