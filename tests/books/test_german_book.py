@@ -138,7 +138,10 @@ def test_a_folder_that_is_no_book_or_hides_a_part_of_the_engine_is_refused(
 
 @pytest.mark.browser
 def test_a_visit_in_german(site: Path, german_book: Any, brisk_chromium: Browser) -> None:
-    with serving(site) as server, visit(brisk_chromium, server, bypass_csp=True) as reader:
+    with (
+        serving(site) as server,
+        visit(brisk_chromium, server, folded=True, bypass_csp=True) as reader,
+    ):
         figure = reader.open_figure(german_book, "fadenpendel")
         figure.locator("input[name=length]").fill("1.5")
         reader.settle(figure)  # a figure whose cost is not known yet drafts

@@ -9,11 +9,8 @@ SILENT_WORKER = """globalThis.Worker = class extends EventTarget {
 };"""
 """Python that never starts: figures keep their stills and their controls."""
 
-EVERYTHING = """try {
-  const key = 'image-formation:everything';
-  if (localStorage.getItem(key) === null) localStorage.setItem(key, 'true');
-} catch {}"""
-"""The reader's choice to see deeper sections unfolded, unless there is another."""
+EVERYTHING = "try { localStorage.setItem('image-formation:everything', 'true'); } catch {}"
+"""The reader's choice to see deeper sections unfolded."""
 
 FRUGAL = """Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
 sessionStorage.setItem('image-formation:asked', 'yes')"""

@@ -51,7 +51,6 @@ class Reader:
         self.complaints: list[str] = []
         self.page = context.new_page()
         self.page.add_init_script(WATCH_SHIFTS)
-        self.page.add_init_script(EVERYTHING)
         self.page.on("console", self._note_console)
         self.page.on("pageerror", lambda error: self.complaints.append(f"uncaught: {error}"))
         context.on("request", self._note_request)
@@ -265,16 +264,19 @@ def set_limits(context: BrowserContext) -> None:
 
 
 @contextmanager
-def visit(chromium: Browser, server: Serving, script: str = "", **options: Any) -> Iterator[Reader]:
-    """A reader with a fresh browser profile, in whose pages ``script`` runs first.
+def visit(
+    chromium: Browser, server: Serving, script: str = "", *, folded: bool = False, **options: Any
+) -> Iterator[Reader]:
+    """A reader with a fresh browser profile, in whose pages ``script`` runs first, and who reads
+    deeper sections too, unless they stay ``folded``.
 
     Nothing is kept for reading offline unless ``options`` allow it.
     """
     context = chromium.new_context(**{"viewport": DESK, "service_workers": "block", **options})
     set_limits(context)
     someone = Reader(context, server.url)
-    if script:
-        someone.page.add_init_script(script)
+    for each in filter(None, (script, "" if folded else EVERYTHING)):
+        someone.page.add_init_script(each)
     try:
         yield someone
     finally:

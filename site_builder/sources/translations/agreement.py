@@ -60,8 +60,8 @@ def check_contents(original: Chapter, translated: Chapter, problems: Diagnostics
         for chapter in (translated, original)
     )
     for name in sorted(deeper ^ expected):
-        is_not = "is not" if name in expected else "is"
-        message = f"section {name!r} {is_not} deeper, unlike that of {original.path}"
+        verb = "is not" if name in expected else "is"
+        message = f"section {name!r} {verb} deeper, unlike that of {original.path}"
         problems.add(translated.path, 1, f"{message}; legal: '{{.deeper}}' as in the original")
     figures = {figure.id: figure for figure in original.simulations}
     for figure in translated.simulations:
