@@ -1,8 +1,19 @@
-"""An illustration: static drawings with a description."""
+"""An illustration: static drawings with a description, shown at once or in steps."""
 
+import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 
+from simulations.engine.drawing import group
 from simulations.engine.frame import Panel as Panel
+
+LATER = re.compile(r'class="step-(\d+)"')
+
+
+def in_steps(first: Iterable[str], *later: Iterable[str]) -> str:
+    """Marks that appear one part after the other, as the reader asks for them."""
+    parts = (group(marks, f"step-{step}") for step, marks in enumerate(later, start=2))
+    return "".join([*first, *parts])
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,6 +24,12 @@ class Illustration:
     """SVG only, without rasters; side by side if there is space, else stacked."""
     description: str
     """One to three sentences on what the drawings show, with the numbers."""
+
+    @property
+    def steps(self) -> int:
+        """How many steps the drawings have; 1 where all appears at once."""
+        found = (LATER.findall(panel.overlay) for panel in self.panels)
+        return max([1, *(int(step) for steps in found for step in steps)])
 
     def __post_init__(self) -> None:
         if not self.panels:

@@ -6,7 +6,7 @@ import numpy as np
 
 from simulations.engine.drafting import arc, dimension, label
 from simulations.engine.drawing import dot, line, polygon
-from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.illustration import Illustration, Panel, in_steps
 from simulations.models.lens.vignetting import vignetting_cos4
 
 OPENING, SENSOR, AXIS = 96.0, 296.0, 210.0
@@ -24,7 +24,7 @@ def draw() -> Illustration:
     slanted = (narrow * math.sin(ANGLE_RAD), narrow * math.cos(ANGLE_RAD))
     opening = (OPENING, AXIS - HALF), (OPENING, AXIS + HALF)
     upper, lower = (SENSOR, spot[1] - PIXEL), (SENSOR, spot[1] + PIXEL)
-    marks = [
+    first = [
         line((20, AXIS), (SENSOR + 14, AXIS), "muted thin dashed"),
         polygon([*opening, lower, upper], "ray fill thin"),
         line(middle, spot, "ray"),
@@ -35,16 +35,22 @@ def draw() -> Illustration:
         line((SENSOR, 24), (SENSOR, AXIS + 30), "image bold"),
         line(upper, lower, "image bold"),
         polygon([upper, (SENSOR + 8, upper[1]), (SENSOR + 8, lower[1]), lower], "image solid"),
-        line(np.subtract(middle, slanted), np.add(middle, slanted), "camera"),
         arc(middle, 58, 0, ANGLE_RAD, "ray"),
         dot(middle, "camera", 3.5),
         dimension((OPENING, AXIS + 34), (SENSOR, AXIS + 34), "muted"),
         label((OPENING + 66, AXIS - 16), "θ", "ray italic"),
         label(((OPENING + SENSOR) / 2, AXIS + 29), "z_s", "muted italic", "middle"),
+    ]
+    second = [
+        line(np.subtract(middle, slanted), np.add(middle, slanted), "camera"),
         label((OPENING - 12, AXIS - 78), "opening, seen at a slant:", "camera small", "middle"),
         label((OPENING - 12, AXIS - 62), "cos θ", "camera", "middle"),
+    ]
+    third = [
         label((OPENING + 58, AXIS - 134), "path longer by 1/cos θ:", "ray small", "middle"),
         label((OPENING + 58, AXIS - 118), "cos^2 θ", "ray", "middle"),
+    ]
+    fourth = [
         label((SENSOR + 18, spot[1] - 2), "lit at a slant:", "image small"),
         label((SENSOR + 18, spot[1] + 14), "cos θ", "image"),
     ]
@@ -54,4 +60,5 @@ def draw() -> Illustration:
         "costs its square, and the sensor is lit at a slant, which costs the cosine again: "
         f"{100 * share:.0f} % is left."
     )
-    return Illustration((Panel("section", "", 400.0, 258.0, overlay="".join(marks)),), words)
+    overlay = in_steps(first, second, third, fourth)
+    return Illustration((Panel("section", "", 400.0, 258.0, overlay=overlay),), words)

@@ -82,7 +82,8 @@ def _written(value: object) -> str:
 def illustration(drawn: DrawnIllustration, block: Block, page: ChapterPage) -> Iterator[Part]:
     name = f"{block.target.id if block.target else 'illustration'}.png"
     picture = page.picture(drawn.illustration.panels)
-    yield _pictured(block, page, drawn.description, {name: picture}, drawn.caption)
+    words = Passage((*drawn.caption.tokens, *drawn.sentences.tokens))
+    yield _pictured(block, page, drawn.description, {name: picture}, words)
 
 
 def figure(shown: Media, block: Block, page: ChapterPage) -> Iterator[Part]:

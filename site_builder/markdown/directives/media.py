@@ -29,6 +29,7 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.text.tokens import end_of_element
 from site_builder.sandbox.data import Code, called
 from site_builder.sandbox.pool import run_limited
 
@@ -148,10 +149,19 @@ class DrawnIllustration:
     illustration: Illustration
     description: str
     caption: Passage
+    sentences: Passage
+    """A list of one item for each step; nothing for a drawing that appears at once."""
+
+    @property
+    def steps(self) -> tuple[Passage, ...]:
+        """The items of the list."""
+        tokens = self.sentences.tokens
+        starts = [at for at, token in enumerate(tokens) if token.type == "list_item_open"]
+        return tuple(Passage(tokens[at + 1 : end_of_element(tokens, at) - 1]) for at in starts)
 
 
 def read_illustration(
-    call: DirectiveCall, caption: Passage, context: ParseContext
+    call: DirectiveCall, words: Passage, context: ParseContext
 ) -> DrawnIllustration:
     what = f"illustration {call.argument!r}"
     try:
@@ -161,9 +171,17 @@ def read_illustration(
     if not isinstance(illustration, Illustration):
         kind = type(illustration).__name__
         raise CodeError(f"{what}: draw returned {kind}; legal: an Illustration")
+    kinds = [token.type for token in words.tokens]
+    end = kinds.index("ordered_list_open") if "ordered_list_open" in kinds else len(kinds)
+    caption, sentences = Passage(words.tokens[:end]), Passage(words.tokens[end:])
     if not caption:
         context.problem(call.line, f"{what} has no caption; legal: one to three sentences")
-    return DrawnIllustration(illustration, call.text("alt") or illustration.description, caption)
+    description = call.text("alt") or illustration.description
+    drawn = DrawnIllustration(illustration, description, caption, sentences)
+    if max(1, len(drawn.steps)) != illustration.steps:
+        counts = f"{illustration.steps} steps and a numbered list of {len(drawn.steps)}"
+        context.problem(call.line, f"{what} has {counts}; legal: a sentence for each step")
+    return drawn
 
 
 @cached
@@ -176,11 +194,11 @@ ILLUSTRATION = Directive(
     doc="a drawing made by the book's models",
     argument=Argument("name", "names no drawing", MODULES, "illustration"),
     options=(OptionLine("alt", doc="what it shows, instead of its own description"), LABEL),
-    body=CAPTION,
+    body=Body("a caption; for a drawing in steps, a numbered list of sentences", CAPTION.read),
     read=read_illustration,
     template="illustration",
     numbered=Numbered("Figure", lambda call: f"figure-{call.argument}", again=True),
-    plain=lambda drawn: Plain((drawn.description, drawn.caption), "figure"),
+    plain=lambda drawn: Plain((drawn.description, drawn.caption, drawn.sentences), "figure"),
 )
 
 
