@@ -32,6 +32,11 @@ def at(point: ArrayLike) -> Floats:
     return project(world_to_camera(np.asarray(point, float), OUTSIDE), LENSES)[0]
 
 
+def beside(point: ArrayLike, right: float, down: float) -> Floats:
+    """So far from there, in units of the drawing."""
+    return at(point) + np.array([right, down])
+
+
 def corner(across: float, down: float) -> Floats:
     """X r₁ + Y r₂ + t."""
     return ORIGIN + across * R1 + down * R2

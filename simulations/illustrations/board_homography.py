@@ -9,6 +9,7 @@ from simulations.illustrations._board_before_camera import (
     R1,
     R2,
     at,
+    beside,
     board,
     corner,
     image_plane,
@@ -29,29 +30,29 @@ def draw() -> Illustration:
         arrow(at(CENTRE), at(ORIGIN), "camera"),
         dot(at(CENTRE), "camera", 5),
         label((ox, oy + 20), "camera", "camera", "middle"),
-        label(at(0.55 * ORIGIN) + (0, -8), "t", "camera italic strong ground", "middle"),
+        label(beside(0.55 * ORIGIN, 0, -8), "t", "camera italic strong ground", "middle"),
     ]
     second = [
         arrow(at(ORIGIN), at(ORIGIN + R1), "error bold"),
         arrow(at(ORIGIN), at(ORIGIN + R2), "error bold"),
-        label(at(ORIGIN + 0.6 * R1) + (-6, -8), "r_1", "error italic ground", "end"),
-        label(at(ORIGIN + 0.6 * R2) + (0, 20), "r_2", "error italic ground", "middle"),
+        label(beside(ORIGIN + 0.6 * R1, -6, -8), "r_1", "error italic", "end"),
+        label(beside(ORIGIN + 0.6 * R2, -6, 4), "r_2", "error italic", "end"),
     ]
     third = [
         arrow(at(ORIGIN), at(corner(ACROSS, 0)), "error"),
         arrow(at(corner(ACROSS, 0)), at(point), "error"),
         dot(at(point), "world", 5),
-        label(at(point) + (10, 5), "(X, Y, 0)", "world italic"),
+        label(beside(point, 10, 5), "(X, Y, 0)", "world italic"),
     ]
     fourth = [
         line(at(CENTRE), at(point), "ray"),
         dot(at(image), "image", 4.5),
-        label(at(image) + (0, -10), "m", "image italic ground", "middle"),
+        label(beside(image, 0, -10), "m", "image italic ground", "middle"),
     ]
     words = (
         "A camera, its image plane and a slanting board of three by three squares. An arrow leads "
-        f"to the board's origin, {ACROSS} squares along one edge and {DOWN} along the other lead to "
-        "a corner, and the ray of this corner meets the image plane in its picture."
+        f"to the board's origin, {ACROSS} squares along one edge and {DOWN} along the other lead "
+        "to a corner, and the ray of this corner meets the image plane in its picture."
     )
     overlay = in_steps(first, second, third, fourth)
     return Illustration((Panel("space", "", 400.0, 240.0, overlay=overlay),), words)

@@ -27,7 +27,7 @@ OUTSIDE = math.atan(float(RAY.slope[0]))
 
 def angles() -> tuple[float, float, float, float]:
     """Between ray and normal: before and behind the front, before and behind the back."""
-    return FIRST, FIRST + INSIDE, INSIDE - SECOND, OUTSIDE - SECOND
+    return FIRST, FIRST + INSIDE, SECOND - INSIDE, SECOND - OUTSIDE
 
 
 def _glass() -> list[tuple[float, float]]:

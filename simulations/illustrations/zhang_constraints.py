@@ -11,6 +11,7 @@ from simulations.illustrations._board_before_camera import (
     R2,
     SQUARES,
     at,
+    beside,
     board,
     corner,
     image_plane,
@@ -34,7 +35,7 @@ def draw() -> Illustration:
     near, right, far, down = (pierced(corner(*place)) for place in places)
     first = [
         *board(),
-        image_plane((-1.4, -1.25), (2.2, 2.25)),
+        image_plane((-1.4, -1.2), (2.15, 2.2)),
         *(line(at(start), at(end1), "image thin dashed") for start in (near, down)),
         *(line(at(start), at(end2), "image thin dashed") for start in (near, right)),
         polygon([at(near), at(right), at(far), at(down)], "image"),
@@ -42,16 +43,16 @@ def draw() -> Illustration:
         dot(at(end2), "image", 4.5),
         dot(at(CENTRE), "camera", 5),
         label((ox - 12, oy + 5), "camera", "camera", "end"),
-        label(at(end1) + (8, 5), "h_1", "image italic ground"),
-        label(at(end2) + (8, 5), "h_2", "image italic ground"),
+        label(beside(end1, 8, 5), "h_1", "image italic ground"),
+        label(beside(end2, 8, 5), "h_2", "image italic ground"),
     ]
     second = [
         line(at(CENTRE), at(end1), "ray"),
         line(at(CENTRE), at(end2), "ray"),
         arrow(at(corner(0, 0)), at(corner(1, 0)), "error bold"),
         arrow(at(corner(0, 0)), at(corner(0, 1)), "error bold"),
-        label(at(corner(0.6, 0)) + (0, -9), "r_1", "error italic", "middle"),
-        label(at(corner(0, 0.6)) + (-6, 4), "r_2", "error italic", "end"),
+        label(beside(corner(0.6, 0), 0, -9), "r_1", "error italic", "middle"),
+        label(beside(corner(0, 0.6), -6, 4), "r_2", "error italic", "end"),
     ]
     short = 0.35
     third = [polyline([at(short * R1), at(short * (R1 + R2)), at(short * R2)], "error")]

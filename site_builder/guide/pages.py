@@ -86,6 +86,24 @@ def _parameters(stated: Callable[..., object]) -> str:
     return ", ".join(str(each.replace(annotation=Parameter.empty)) for each in parameters)
 
 
+STEPS = """## In steps
+
+A derivation is followed best as it grows. Give the marks of each step to `in_steps`, six steps \
+at most. Below the caption, write a numbered list, one sentence for each step; the build tells you \
+where their numbers differ. Readers press *Next step*, an arrow key or the drawing. On paper the \
+whole drawing is shown, with all sentences.
+
+:::{source} simulations.illustrations.mirror:draw
+The marks of two steps.
+:::
+
+:::{illustration} mirror
+Light at a mirror.
+
+1. A ray meets the mirror.
+2. It leaves at the same angle to the normal, on the other side.
+:::
+"""
 MEASURED = """\
 ## Colours that are measured
 
@@ -147,6 +165,7 @@ def drawing_page(roles: Sequence[str], manners: Mapping[str, str], texts: Sequen
         [
             f"## Roles of colour\n\n| Role | In a sentence |\n|---|---|\n{colours}",
             f"## Manners\n\n| Class | Looks |\n|---|---|\n{looks}\nLabels may also be {words}.\n",
+            STEPS,
             MEASURED,
         ],
     )

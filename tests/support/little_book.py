@@ -16,7 +16,7 @@ from support.toy_ladder import toy_data, toy_ladder
 
 from simulations.engine.drawing import line, polygon, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
-from simulations.engine.illustration import Illustration
+from simulations.engine.illustration import Illustration, in_steps
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider, toggle
 from simulations.engine.stages import Outputs, Stage
@@ -176,7 +176,7 @@ DEMO = Scene(
 
 def draw() -> Illustration:
     """An illustration, as if it lay where a book has them."""
-    drawn = "".join(polygon([(0, 0), (size, 0), (0, size)]) for size in (30, 60))
+    drawn = in_steps(*([polygon([(0, 0), (size, 0), (0, size)])] for size in (30, 60)))
     panel = Panel("plan", "Plan", 400, 300, overlay=drawn)
     return Illustration((panel,), "One triangle has twice the sides of the other.")
 
