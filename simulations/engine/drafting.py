@@ -4,6 +4,7 @@ Angles are counter-clockwise as seen, from the right.
 """
 
 import math
+from base64 import b64encode
 from collections.abc import Iterable, Sequence
 
 import numpy as np
@@ -18,7 +19,9 @@ from simulations.engine.drawing import (
     polygon,
     polyline,
 )
+from simulations.engine.frame import Raster
 from simulations.engine.letters import SCRIPT, SCRIPT_SIZE
+from simulations.engine.raster import png
 
 HEIGHTS = {"_": ("sub", 0.22), "^": ("super", -0.37)}
 """Class of a script, and its distance below the baseline in letter heights of the label."""
@@ -63,6 +66,14 @@ def swatch_polygon(points: Sequence[Point], srgb: Sequence[float]) -> str:
     """A polygon, likewise."""
     corners = " ".join(f"{coordinate(x)},{coordinate(y)}" for x, y in points)
     return f'<polygon class="swatch" points="{corners}" fill="{_hex(srgb)}"/>'
+
+
+def picture(corner: Point, width: float, height: float, raster: Raster) -> str:
+    """A raster (H, W, 4) over a rectangle, its pixels as squares, the same in all themes."""
+    x, y, w, h = (coordinate(value) for value in (corner[0], corner[1], width, height))
+    data = f"data:image/png;base64,{b64encode(png(raster)).decode()}"
+    size = f'x="{x}" y="{y}" width="{w}" height="{h}" preserveAspectRatio="none"'
+    return f'<image class="pixelated" {size} href="{data}"/>'
 
 
 def tinted(children: Iterable[str], srgb: Sequence[float]) -> str:

@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 
-from simulations.engine.drafting import label, swatch
+from simulations.engine.drafting import label, picture
 from simulations.engine.illustration import Illustration, Panel
+from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_counting import shot_noise
@@ -26,14 +27,10 @@ def draw() -> Illustration:
     edge = (SIDE - CELLS * PITCH) / 2
     for mean in MEANS_E:
         shown = encode_srgb(np.clip(GREY * counts(mean) / mean, 0, 1))
-        marks = [
-            swatch((edge + PITCH * x, PITCH * y), PITCH + 0.3, PITCH + 0.3, (value,) * 3)
-            for y, row in enumerate(shown)
-            for x, value in enumerate(row)
-        ]
         noise = f"noise {100 / math.sqrt(mean):.2g} %"
-        marks.append(label((SIDE / 2, CELLS * PITCH + 20), noise, "muted", "middle"))
-        panels.append(Panel(f"mean-{mean}", f"{mean} electrons", SIDE, 196, overlay="".join(marks)))
+        overlay = picture((edge, 0.0), CELLS * PITCH, CELLS * PITCH, to_rgba8(shown))
+        overlay += label((SIDE / 2, CELLS * PITCH + 20), noise, "muted", "middle")
+        panels.append(Panel(f"mean-{mean}", f"{mean} electrons", SIDE, 196, overlay=overlay))
     words = "A wall of one grey, seen by 12 by 12 cells, with " + ", ".join(
         f"{mean} electrons a cell (noise {100 / math.sqrt(mean):.2g} %)" for mean in MEANS_E
     )

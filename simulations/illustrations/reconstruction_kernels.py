@@ -1,14 +1,17 @@
-"""The bumps of five interpolations, from the flat square to Lanczos's window."""
+"""The bumps of five interpolations, and a piece of a picture that each has enlarged."""
 
 import numpy as np
 
-from simulations.engine.drafting import label
+from simulations.engine.drafting import label, picture
 from simulations.engine.drawing import dot, line
 from simulations.engine.illustration import Illustration, Panel
 from simulations.engine.plotting import Axis, Plot
-from simulations.models.sampling.resampling import KERNELS
+from simulations.engine.raster import to_rgba8
+from simulations.models.arrays import Floats
+from simulations.models.sampling.resampling import KERNELS, sample
+from simulations.pictures.round_windows import places, rings
 
-WIDTH, HEIGHT = 190.0, 170.0
+WIDTH, HEIGHT, SIDE = 190.0, 338.0, 160.0
 PLOT = Plot(Axis(-3.3, 3.3, 6, 184), Axis(-0.22, 1.08, 140, 10))
 TITLES = {
     "nearest": "Nearest",
@@ -17,6 +20,15 @@ TITLES = {
     "spline": "B-spline",
     "lanczos3": "Lanczos 3",
 }
+PIECE, TIMES = 12, 12
+"""Pixels along a side of the piece, and how often it is enlarged."""
+
+
+def enlarged(kernel: str) -> Floats:
+    """(144, 144) a piece of the rings with waves of about four pixels."""
+    along = (np.arange(PIECE * TIMES) + 0.5) / TIMES - 0.5
+    place = np.stack(np.meshgrid(along + 83, along + 33), axis=-1)
+    return sample(rings(*places()), place, kernel)
 
 
 def draw() -> Illustration:
@@ -31,10 +43,15 @@ def draw() -> Illustration:
             line(PLOT.at(-3.3, 0), PLOT.at(3.3, 0), "muted thin"),
             PLOT.curve(x, weights, "ray bold"),
             *(dot(PLOT.at(*place), "image", 3.2) for place in zip(whole, samples, strict=True)),
-            label((WIDTH / 2, HEIGHT - 6), taps, "muted", "middle"),
+            label((WIDTH / 2, 164), taps, "muted", "middle"),
+            picture(((WIDTH - SIDE) / 2, HEIGHT - SIDE), SIDE, SIDE, to_rgba8(enlarged(name))),
         ]
         panels.append(Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks)))
     words = "The weight of a sample over its distance in pixels, for five kernels: " + ", ".join(
         f"{TITLES[name]} ({KERNELS[name].taps} samples along each axis)" for name in TITLES
     )
-    return Illustration(tuple(panels), f"{words}. Dots mark the weights at whole distances.")
+    return Illustration(
+        tuple(panels),
+        f"{words}. Dots mark the weights at whole distances. Below each, bright and dark arcs "
+        "enlarged by it: squares with the first, beads with the second, then smooth arcs.",
+    )

@@ -13,15 +13,21 @@ from functools import partial
 import numpy as np
 
 from simulations.engine.ladder import DRAWS, Ladder, Metric, Tier
-from simulations.models.arrays import Floats, centred
+from simulations.models.arrays import Floats
 from simulations.models.error_measures import psnr_db
 from simulations.models.sampling.fine_detail import FineDetail, fine_detail
 from simulations.models.sampling.resampling import gather, gather_table
-from simulations.pictures.round_windows import PICTURES, RADIUS_PX, SIZE
+from simulations.pictures.round_windows import (
+    INSIDE,
+    PICTURES,
+    SIZE,
+    TURN_RAD,
+    TURNS,
+    pictures_at,
+    places,
+)
 
 CENTRE = (SIZE - 1) / 2
-TURNS = 12
-TURN_RAD = np.deg2rad(33.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,9 +53,8 @@ class Turned:
 
 def prepare(turn_rad: float = TURN_RAD) -> Workload:
     """The ladder's workload; tests use other angles too."""
-    pictures = np.stack([picture(*_places(0.0)) for picture in PICTURES], axis=-1)
-    source = np.stack(_places(turn_rad), axis=-1) + CENTRE
-    return Workload(pictures.astype(np.float32), source, turn_rad)
+    source = np.stack(places(turn_rad), axis=-1) + CENTRE
+    return Workload(pictures_at(*places()).astype(np.float32), source, turn_rad)
 
 
 def draw(index: int) -> Workload:
@@ -57,14 +62,6 @@ def draw(index: int) -> Workload:
     turns, is passed over."""
     angles = np.delete(np.linspace(20.0, 43.0, DRAWS + 3), slice(27, 30))
     return prepare(float(np.deg2rad(angles[index])))
-
-
-def _places(angle_rad: float) -> tuple[Floats, Floats]:
-    """(128, 128) each: the source places of a rotation by the angle."""
-    along = centred(SIZE)
-    x, y = np.meshgrid(along, along)
-    cos, sin = np.cos(angle_rad), np.sin(angle_rad)
-    return cos * x - sin * y, sin * x + cos * y
 
 
 def _turn(workload: Workload, *, kernel: str) -> Turned:
@@ -80,17 +77,13 @@ def _turn(workload: Workload, *, kernel: str) -> Turned:
 
 def reference(workload: Workload) -> Turned:
     """The formulae of the pictures at places rotated by one and by twelve angles."""
-
-    def at(angle_rad: float) -> Floats:
-        return np.stack([picture(*_places(angle_rad)) for picture in PICTURES], axis=-1)
-
-    return Turned(at(workload.turn_rad), at(TURNS * workload.turn_rad))
+    turn = workload.turn_rad
+    return Turned(pictures_at(*places(turn)), pictures_at(*places(TURNS * turn)))
 
 
 def _psnr(pictures: Floats, truth: Floats) -> float:
     """The error of all pictures together, within the window."""
-    inside = np.hypot(*_places(0.0)) < RADIUS_PX
-    return psnr_db(pictures[inside], truth[inside])
+    return psnr_db(pictures[INSIDE], truth[INSIDE])
 
 
 def psnr_each(pictures: Floats, truth: Floats) -> list[float]:

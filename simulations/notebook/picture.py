@@ -1,11 +1,11 @@
 """A frame as one SVG: its panels side by side, the pixels below the drawings."""
 
-import io
 from base64 import b64encode
 from collections.abc import Iterator, Sequence
 from html import escape
 
-from simulations.engine.frame import Panel, Raster
+from simulations.engine.frame import Panel
+from simulations.engine.raster import png
 
 GAP = 16.0
 """Between panels, and around them, in units of their view boxes."""
@@ -41,12 +41,3 @@ def _placed(panels: Sequence[Panel], top: float) -> Iterator[str]:
             yield f'<image{pixelated} {size} preserveAspectRatio="none" href="{picture}"/>'
         yield f'<g class="overlay">{panel.overlay}</g></svg>'
         left += panel.width + GAP
-
-
-def png(raster: Raster) -> bytes:
-    """A raster as a PNG, packed quickly rather than tightly."""
-    from PIL import Image  # needed in notebooks alone
-
-    buffer = io.BytesIO()
-    Image.fromarray(raster).save(buffer, "PNG", compress_level=1)
-    return buffer.getvalue()

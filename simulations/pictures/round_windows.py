@@ -7,7 +7,7 @@ meets no edge. Coordinates are in pixels from the centre, x to the right and y d
 
 import numpy as np
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, centred
 
 SIZE = 128  # pixels along a side
 RADIUS_PX, FADE_PX = 52.0, 16.0  # radius of the window, and width over which it fades
@@ -20,6 +20,8 @@ RINGS_AT_PX = (-20.0, 8.0)
 FINEST = 0.35  # frequency of the rings at the far side of the window, in cycles per pixel
 DISCS = 90
 SOFT_PX = 0.6  # scale of a disc's edge, which is about two pixels wide, enough for sampling
+TURNS, TURN_RAD = 12, np.deg2rad(33.0)
+"""Turns that resampling is judged by, and their angle: see `simulations.ladders.resampling`."""
 
 
 def waves(x: Floats, y: Floats) -> Floats:
@@ -53,6 +55,22 @@ def discs(x: Floats, y: Floats) -> Floats:
 
 
 PICTURES = (waves, rings, discs)
+
+
+def places(angle_rad: float = 0.0) -> tuple[Floats, Floats]:
+    """(128, 128) each: the source places (x, y) of the pixels of a turned picture."""
+    x, y = np.meshgrid(centred(SIZE), centred(SIZE))
+    cos, sin = np.cos(angle_rad), np.sin(angle_rad)
+    return cos * x - sin * y, sin * x + cos * y
+
+
+def pictures_at(x: Floats, y: Floats) -> Floats:
+    """(..., 3) all three pictures."""
+    return np.stack([picture(x, y) for picture in PICTURES], axis=-1)
+
+
+INSIDE = np.hypot(*places()) < RADIUS_PX
+"""(128, 128) the pixels within the window."""
 
 
 def _window(x: Floats, y: Floats) -> Floats:

@@ -42,6 +42,7 @@ class Settings:
     angle: float = slider("Slant of the edge", 5, 0, 40, 0.5, unit="°")
     aperture: float = slider("Aperture", 8, 2.8, 22, 0.1, prefix="f/")
     pitch: float = slider("Pixel pitch p", 4, 0.5, 10, 0.1, unit="µm")
+    wave: float = slider("Wave over the line", 0.25, 0, 1, 0.01, unit="cycles/px")
     noise: float = slider("Noise", 1, 0.3, 3, 0.1, unit="% of the step")
     sharpening: float = slider("Sharpening", 0, 0, 1.5, 0.1)
     response: str = choice(

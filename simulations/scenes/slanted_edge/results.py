@@ -38,10 +38,12 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     true: Floats = outputs["true"]
     formula = math.nan if np.isnan(true).any() else scale * first_fall(FREQUENCIES, true, 0.5)
     slant = math.degrees(reading.pixels.line.angle_rad) if reading else math.nan
+    contrast = contrast_of(reading, settings.wave) if reading else math.nan
     found = (
         ("measured", "MTF50, from the edge", scale * half.frequency, PER_MM, 1, "image"),
         ("error", "Standard error", scale * half.error, PER_MM, 2, "image"),
         ("true", "MTF50, lens × pixel", formula, PER_MM, 1, "ray"),
+        ("contrast", "Contrast of the wave", contrast, "", 2, "image"),
         ("per_px", "MTF50, per pixel", half.frequency, PER_PX, 3, "image"),
         ("per_px_error", "Standard error, per pixel", half.error, PER_PX, 4, "image"),
         ("slant", "Slant found", slant, "°", 2, ""),
@@ -55,6 +57,11 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     away = off_middle(outputs["box"], outputs)
     middle = readout("place", "From the middle to the corner", away, "%", digits=0)
     return (*numbers, halos(reading), angle, middle)
+
+
+def contrast_of(reading: EdgeReading, frequency: float) -> float:
+    """The MTF at a frequency in cycles per pixel."""
+    return float(reading.transfer([frequency])[0][0])
 
 
 def halos(reading: EdgeReading | None) -> Readout:

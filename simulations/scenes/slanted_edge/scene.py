@@ -7,6 +7,7 @@ from textwrap import wrap
 import numpy as np
 
 from simulations.engine.controls import PointLists, Value
+from simulations.engine.drafting import swatch
 from simulations.engine.drawing import dot, line, path, rectangle, text
 from simulations.engine.frame import Frame, Panel, format_number, value_with_error
 from simulations.engine.handles import Handle, Point
@@ -18,25 +19,35 @@ from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats, centred
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, measure
 from simulations.models.sampling.slanted_edge_line import EdgeLine
 from simulations.models.sampling.slanted_edge_pixels import EdgePixels
 from simulations.scenes.slanted_edge.edge import (
+    DARK,
     HEIGHT,
     MOST_KEPT,
     STAGES,
+    STEP,
+    WAVELENGTH_UM,
     WIDTH,
     Box,
     KeptEdge,
     Settings,
     Sharpness,
 )
-from simulations.scenes.slanted_edge.results import EXPORTS, per_mm, readouts, sheet
+from simulations.scenes.slanted_edge.results import EXPORTS, contrast_of, per_mm, readouts, sheet
 
 SIZE = WIDTH, HEIGHT
 # Pixels either side of the edge that the second panel may show, at least so many times the width
 # over which the light rises from a tenth to nine tenths.
 REACHES, RISES = (4.0, 8.0, 16.0, 32.0, 64.0), 2.0
+SPOT_UM, MOST_APERTURE = (
+    1.22 * WAVELENGTH_UM,
+    22.0,
+)  # radius of Airy's disc at f/1; the smallest hole
+OF_LINE = Axis(-1.0, 1.2, 222.0, 12.0)
+FREQUENCY = Axis(0.0, 1.0, 34.0, 388.0)
 NYQUIST = 0.5
 HANDLE_ROW = 20.0  # height of the edge's handle
 SPECK, MOST_SPECKS = 1.4, 800  # length of the stroke for a pixel, and how many are drawn
@@ -106,33 +117,73 @@ def in_panel(edge: EdgeLine, box: Box, x: float, y: float) -> Point:
     return box.at(0.5 * width + column, 0.5 * height + row)
 
 
-def light_across(pixels: EdgePixels | str, reading: EdgeReading | None) -> Iterator[str]:
-    """Each pixel by its distance from the edge; those of one row; the slope of their curve."""
-    reach, highest = REACHES[0], 0.0
-    if reading is not None:
-        wanted = min(RISES * reading.rise, 0.5 * reading.pixels.reach)
-        reach = next(reach for reach in REACHES if reach >= wanted)
-        place = np.linspace(-1.0, 1.0, 161) * reach
-        slope = reading.curve.slope(place)
-        highest = float(slope.max())
-    plot = Plot(Axis(-reach, reach, 34.0, 388.0), Axis(-0.2, max(1.2, highest), 222.0, 40.0))
-    across = Scale("distance from the edge", "px", (-reach, 0, reach), style="small")
+def axis_across(settings: Settings, reading: EdgeReading | None, simulated: bool) -> Axis:
+    """Distances from the edge, in two panels; in the simulated picture for all apertures alike."""
+    wanted = SPOT_UM * MOST_APERTURE / settings.pitch
+    if not simulated:
+        wanted = min(RISES * reading.rise, 0.5 * reading.pixels.reach) if reading else 0.0
+    reach = next(reach for reach in REACHES if reach >= wanted)
+    return Axis(-reach, reach, 34.0, 388.0)
+
+
+def light_across(pixels: EdgePixels | str, reading: EdgeReading | None, x: Axis) -> Iterator[str]:
+    """A sharp edge, a row of its picture, and each pixel by its distance from the edge."""
+    plot = Plot(x, Axis(-0.15, 1.15, 222.0, 92.0))
+    across = Scale("distance from the edge", "px", (x.low, 0, x.high), style="small")
     yield plot.frame(across, Scale(ticks=(0, 1), grid=(0, 1), tick_style="muted small"))
     if reading is not None:
-        yield plot.curve(place, slope, "light")
+        place = places_shown(x, reading)
         yield plot.curve(place, reading.curve.spread(place), "image thin")
     if isinstance(pixels, EdgePixels):
         inside = np.abs(pixels.distance) < plot.x.high
         yield specks(plot, pixels.distance[inside], pixels.value[inside])
         row = inside & (pixels.row == len(pixels.line.rows) // 2)
-        for x, y in zip(pixels.distance[row].tolist(), pixels.value[row].tolist(), strict=True):
-            yield plot.mark(x, y, "camera", 3.5)
+        distance, value = pixels.distance[row], pixels.value[row]
+        yield text((plot.x.start, 14), "before the lens", "muted small")
+        yield from strip(plot, 20.0, 0.5 * np.array((x.low, x.high)), np.array((0.0, 1.0)), x.high)
+        yield text((plot.x.start, 54), "one row of pixels", "camera small")
+        yield from strip(plot, 60.0, distance, value, math.cos(pixels.line.angle_rad))
+        for place, light in zip(distance.tolist(), value.tolist(), strict=True):
+            yield plot.mark(place, light, "camera", 3.5)
+    entries = Entry("all pixels", "image", "dot"), Entry("one row", "camera", "dot")
+    yield legend((plot.x.start, 288), entries, "small")
+
+
+def strip(plot: Plot, top: float, middle: Floats, value: Floats, width: float) -> Iterator[str]:
+    """Greys (N,) between dark and light, around places (N,) of the plot."""
+    greys = encode_srgb(np.clip(DARK + STEP * value, 0.0, 1.0)).tolist()
+    for x, grey in zip(middle.tolist(), greys, strict=True):
+        left, right = plot.x.clamped(x - 0.5 * width), plot.x.clamped(x + 0.5 * width)
+        yield swatch((left, top), right - left, 20.0, (grey,) * 3)
+
+
+def places_shown(x: Axis, reading: EdgeReading) -> Floats:
+    """Distances from the edge, close enough for a wave of one cycle per pixel."""
+    reach = min(x.high, reading.pixels.reach - 1.0)
+    return np.linspace(-reach, reach, round(40 * reach) + 1)
+
+
+def line_and_wave(sharpness: Sharpness, frequency: float, x: Axis) -> Iterator[str]:
+    """The slope of the light, a wave, and their product: its area is the contrast that is left."""
+    plot, reading = Plot(x, OF_LINE), sharpness.reading
+    across = Scale("distance from the edge", "px", (x.low, 0, x.high), style="small")
+    yield plot.frame(across, Scale(ticks=(-1, 0, 1), grid=(0,), tick_style="muted small"))
+    if reading is not None:
+        place = places_shown(x, reading)
+        slope, turns = reading.curve.slope(place), 2.0 * np.pi * frequency * place
+        # Of all shifts of the wave, the one with the largest area.
+        wave = np.cos(turns + np.angle(np.sum(slope * np.exp(-1j * turns))))
+        yield plot.curve(place, wave, "world thin")
+        yield plot.between(place, slope * wave, np.zeros_like(place), "image fill thin")
+        yield plot.curve(place, slope, "light bold")
+        area = f"area {format_number(contrast_of(reading, frequency), 2)}"
+        yield text((plot.x.end, 22), area, "image small ground", "end")
     entries = (
-        Entry("all pixels", "image", "dot"),
-        Entry("one row", "camera", "dot"),
-        Entry("slope, per px", "light"),
+        Entry("slope, per px", "light bold"),
+        Entry("wave", "world thin"),
+        Entry("their product", "image fill", "area"),
     )
-    yield legend((plot.x.start, 288), entries, "small", plot.x.end - plot.x.start)
+    yield legend((plot.x.start, 288), entries, "small")
 
 
 def specks(plot: Plot, distance: Floats, value: Floats) -> str:
@@ -143,11 +194,14 @@ def specks(plot: Plot, distance: Floats, value: Floats) -> str:
     return path([[(u - half, v), (u + half, v)] for u, v in zip(x, y, strict=True)], "image bold")
 
 
+def contrast_plot(sharpness: Sharpness) -> Plot:
+    most = 1.05 if sharpness.refusal else max(1.05, float(sharpness.contrast.max()) + 0.05)
+    return Plot(FREQUENCY, Axis(0.0, most, 222.0, 40.0))
+
+
 def waves_left(sharpness: Sharpness, true: Floats) -> Iterator[str]:
     """The MTF as measured from the picture, and by the formulae if they are known."""
-    known = not np.isnan(true).any()
-    most = 1.05 if sharpness.refusal else max(1.05, float(sharpness.contrast.max()) + 0.05)
-    plot = Plot(Axis(0.0, 1.0, 34.0, 388.0), Axis(0.0, most, 222.0, 40.0))
+    known, plot = not np.isnan(true).any(), contrast_plot(sharpness)
     contrast = Scale(ticks=(0, 0.5, 1), grid=(0.5, 1), tick_style="muted small")
     yield plot.region(x=(NYQUIST, 1.0))
     yield plot.frame(Scale("frequency", "cycles per px", (0.5, 1), style="small"), contrast)
@@ -182,12 +236,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     kept, refusal = kept_places(outputs["places"]), sharpness.refusal
     frame = over_picture(settings, outputs["box"], pixels, simulated, refusal)
     picture, over = outputs["shown"], "".join((*kept, *frame))
-    across = "".join(light_across(pixels, sharpness.reading))
-    waves, title = waves_left(sharpness, outputs["true"]), "What is left of a wave’s contrast"
+    x = axis_across(settings, sharpness.reading, simulated)
+    across = "".join(light_across(pixels, sharpness.reading, x))
+    product = "".join(line_and_wave(sharpness, settings.wave, x))
+    waves, title = waves_left(sharpness, outputs["true"]), "What is left of a wave’s contrast: MTF"
     return Frame(
         (
             Panel("picture", "The picture of an edge", *SIZE, picture, over, True, True),
-            Panel("across", "Light across the edge", *SIZE, overlay=across),
+            Panel("across", "Light across the edge: ESF", *SIZE, overlay=across),
+            Panel("line", "Its slope, the image of a line: LSF", *SIZE, overlay=product),
             Panel("waves", title, *SIZE, overlay="".join(waves)),
         ),
         readouts(settings, outputs),
@@ -216,6 +273,30 @@ def end_at(settings: Settings, outputs: Outputs) -> Point | None:
 def end_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     angle = math.atan2(place[0] - WIDTH / 2, HEIGHT / 2 - HANDLE_ROW)
     return {"angle": math.degrees(angle)}
+
+
+def spot_at(settings: Settings, outputs: Outputs) -> Point | None:
+    if outputs["photograph"] is not None:
+        return None
+    x = axis_across(settings, None, True)
+    return x.place(SPOT_UM * settings.aperture / settings.pitch), OF_LINE.place(0.0)
+
+
+def spot_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    x = axis_across(settings, None, True)
+    return {"aperture": x.value(place[0]) * settings.pitch / SPOT_UM}
+
+
+def wave_at(settings: Settings, outputs: Outputs) -> Point | None:
+    sharpness: Sharpness = outputs["sharpness"]
+    if sharpness.reading is None:
+        return None
+    contrast = contrast_of(sharpness.reading, settings.wave)
+    return contrast_plot(sharpness).at(settings.wave, contrast)
+
+
+def wave_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"wave": FREQUENCY.value(place[0])}
 
 
 def corner_at(settings: Settings, _outputs: Outputs) -> Point:
@@ -264,6 +345,8 @@ SCENE = Scene(
         Handle(
             "rectangle", "picture", "Rectangle", MIDDLE, middle_at, middle_pulled, "press", "image"
         ),
+        Handle("spot", "line", "Lens’s spot", ("aperture",), spot_at, spot_pulled, role="light"),
+        Handle("wave", "waves", "Wave", ("wave",), wave_at, wave_pulled, role="image"),
         Handle("keep", "across", "This place", ("kept",), nowhere, keep, "aim"),
         Handle("forget", "waves", "All places", ("kept",), nowhere, forget, "aim"),
     ),
