@@ -58,8 +58,7 @@ def draw() -> Illustration:
         for n, (title, pictures) in enumerate(shown.items())
     )
     words = (
-        "Pieces of three pictures, magnified: fine waves, rings and discs. Moved by two pixels "
-        "they look the same. Without waves shorter than six pixels the fine waves are gone, the "
-        "outer rings are grey and the discs have soft edges and a ripple."
+        "Pieces of three pictures. Moved by two pixels they look the same. Without waves shorter "
+        "than six pixels the fine waves are gone, the outer rings grey, the discs soft."
     )
     return Illustration(panels, words)

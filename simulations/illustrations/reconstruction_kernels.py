@@ -47,11 +47,9 @@ def draw() -> Illustration:
             picture(((WIDTH - SIDE) / 2, HEIGHT - SIDE), SIDE, SIDE, to_rgba8(enlarged(name))),
         ]
         panels.append(Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks)))
-    words = "The weight of a sample over its distance in pixels, for five kernels: " + ", ".join(
-        f"{TITLES[name]} ({KERNELS[name].taps} samples along each axis)" for name in TITLES
-    )
     return Illustration(
         tuple(panels),
-        f"{words}. Dots mark the weights at whole distances. Below each, bright and dark arcs "
-        "enlarged by it: squares with the first, beads with the second, then smooth arcs.",
+        "The weight of a sample over its distance in pixels, for five kernels, and below each the "
+        "same fine arcs, enlarged: squares with the nearest pixel, beads with the triangle, a "
+        "little beaded with the cubic, smooth with B-spline and Lanczos.",
     )

@@ -46,6 +46,6 @@ def draw() -> Illustration:
         panels.append(Panel(kernel, title, *size, overlay=crops(pictures) + number + words))
     return Illustration(
         tuple(panels),
-        "Pieces of three pictures, magnified, after twelve turns by 33 degrees. The nearest pixel "
-        f"tears edges, bilinear blurs, the spline looks true. {'; '.join(said)}.",
+        "Pieces of three pictures after twelve turns. The nearest pixel tears edges, bilinear "
+        f"blurs, the spline looks true. {'; '.join(said)}.",
     )
