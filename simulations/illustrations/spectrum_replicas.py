@@ -50,8 +50,8 @@ def _panel(name: str, title: str, highest: float) -> Panel:
 
 def draw() -> Illustration:
     words = (
-        "Amplitude over frequency in cycles per sample, with copies of the spectrum at every "
-        f"whole number. Where the highest frequency is {HIGHEST[0][2]:g} the copies stand apart. "
+        "Amplitude over frequency, with copies of the spectrum at every whole number. "
+        f"Where the highest frequency is {HIGHEST[0][2]:g} the copies stand apart. "
         f"Where it is {HIGHEST[1][2]:g} they reach below the Nyquist frequency of ½, down to "
         f"{abs(float(alias_frequency(HIGHEST[1][2]))):.2f}, and lie there as aliases."
     )

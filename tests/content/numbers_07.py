@@ -36,6 +36,32 @@ def the_error_of_one_edge() -> Says:
     assert np.isclose(error, found.half.error, rtol=0.02)
 
 
+def halfway_between_two_samples() -> Says:
+    def given(count: int) -> float:
+        n = np.arange(1 - count // 2, 1 + count // 2)
+        return float(np.cos(0.4 * np.pi * n) @ np.sinc(0.5 - n))
+
+    one, two = np.sinc([0.5, 1.5])
+    wave = np.cos(0.4 * np.pi * np.arange(-1, 3))
+    yield f"(1 + {wave[2]:.2f}) = {one:.3f} \\cdot {1 + wave[2]:.3f} = {given(2):.3f}$"
+    yield f"= {two:.3f} \\cdot ({wave[0] + wave[3]:.1f}) = {two * (wave[0] + wave[3]):.3f}$"
+    yield f"which makes it worse: {given(4):.3f}. Six samples give {given(6):.3f}"
+    yield f"ten {given(10):.3f}, a hundred {given(100):.3f} and a thousand {given(1000):.3f}"
+    n = np.arange(-2, 4)
+    weights = KERNELS["lanczos3"].weigh(0.5 - n)
+    windowed = np.cos(0.4 * np.pi * n) @ weights / weights.sum()
+    yield f"give {windowed:.3f} in place of {given(6):.3f}, where {np.cos(np.pi / 5):.3f} is"
+
+
+def what_a_small_spot_makes_of_edges_and_waves() -> Says:
+    spot = np.array([0.25, 0.5, 0.25])
+    assert np.convolve([0, 0, 0, 1, 1, 1], spot, "same")[1:5].tolist() == [0, 0.25, 0.75, 1]
+    yield "An edge with the values 0, 0, 1, 1 then becomes 0, ¼, ¾, 1"
+    sums = [spot @ np.cos(2 * np.pi * f * np.arange(-1, 2)) for f in (0, 0.25, 0.5)]
+    assert np.allclose(sums, [1, 0.5, 0])
+    yield "1 at $f = 0$, ½ at a quarter cycle per pixel and 0 at Nyquist"
+
+
 def what_pixels_as_small_as_points_would_add() -> Says:
     frequency = np.linspace(0, 200, 20001)
     half = first_fall(frequency, lens_transfer(frequency, 0.55, 8), 0.5)
