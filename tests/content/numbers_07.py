@@ -50,7 +50,8 @@ def halfway_between_two_samples() -> Says:
     n = np.arange(-2, 4)
     weights = KERNELS["lanczos3"].weigh(0.5 - n)
     windowed = np.cos(0.4 * np.pi * n) @ weights / weights.sum()
-    yield f"give {windowed:.3f} in place of {given(6):.3f}, where {np.cos(np.pi / 5):.3f} is"
+    yield f"the sinc makes {windowed:.3f} of the six samples of the example above"
+    yield f"in place of {given(6):.3f}, where {np.cos(np.pi / 5):.3f} is right"
 
 
 def what_a_small_spot_makes_of_edges_and_waves() -> Says:
