@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 
 import numpy as np
 import pytest
@@ -26,6 +27,17 @@ HALF = gaussian_half(1.5)
 def test_the_edge_differs_from_lens_and_pixel(aperture: float, angle: float) -> None:
     shown = texts_at(SCENE, angle=angle, aperture=aperture, noise=0.3)
     assert float(shown["measured"]) == pytest.approx(float(shown["true"]), rel=0.03)
+
+
+@pytest.mark.parametrize("wave", [0.1, 0.25, 0.4, 0.6])
+def test_the_product_drawn_has_another_area_than_printed(wave: float) -> None:
+    """Parts below zero count against those above; faint light beyond the panel is missing."""
+    (drawn,) = (each.overlay for each in frame_of(SCENE, wave=wave).panels if each.name == "line")
+    (points,) = re.findall(r'class="image fill thin" points="([^"]*)"', drawn)
+    x, y = np.array([point.split(",") for point in points.split()], float).T
+    area = 0.5 * abs(x @ np.roll(y, 1) - y @ np.roll(x, 1))
+    units = (388 - 34) / 8 * (222 - 12) / 2.2
+    assert area / units == pytest.approx(float(texts_at(SCENE, wave=wave)["contrast"]), abs=0.02)
 
 
 def photograph(width: int, height: int, **facts: float) -> Photograph:
