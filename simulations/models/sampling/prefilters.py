@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats
-from simulations.models.require import as_whole, require
+from simulations.models.require import require
 
 type Complexes = NDArray[np.complex128]
 
-KINDS = ("none", "box", "box-2", "box-4", "box-8", "gaussian", "sinc")
+KINDS = ("none", "box", "gaussian", "sinc")
 """The kinds of `prefilter`."""
 GAUSSIAN_SIGMA_PX = 0.5
 """Standard deviation of the Gaussian pre-filter: about the blur of a sharp lens."""
@@ -37,15 +37,12 @@ class Prefilter:
 
 
 def prefilter(kind: str) -> Prefilter:
-    """The pre-filter of a kind: a point, the pixel's area, points that approximate it, or two bell
-    curves."""
+    """The pre-filter of a kind: a point, the pixel's area, or one of two bell curves."""
     match kind:
         case "none":
-            return supersample(1)
+            return Prefilter(np.zeros(1), np.ones(1))
         case "box":
             return _by_simpson(0.5, np.ones(INTERVALS + 1))
-        case "box-2" | "box-4" | "box-8":
-            return supersample(int(kind.removeprefix("box-")))
         case "gaussian":
             reach = 5 * GAUSSIAN_SIGMA_PX
             offsets = np.linspace(-reach, reach, INTERVALS + 1)
@@ -54,17 +51,6 @@ def prefilter(kind: str) -> Prefilter:
             offsets = np.linspace(-LOBES, LOBES, INTERVALS + 1)
             return _by_simpson(LOBES, np.sinc(offsets) * np.sinc(offsets / LOBES))
     raise ValueError(f"prefilter {kind!r}; legal: {', '.join(KINDS)}")
-
-
-def supersample(factor: int) -> Prefilter:
-    """The mean of ``factor`` points, each in the middle of an equal part of the pixel.
-
-    An approximation of the box that is itself a sampling, ``factor`` times as dense: waves of
-    ``factor`` cycles per pixel pass unchanged.
-    """
-    factor = as_whole("factor", factor, 1)
-    places = (np.arange(factor) + 0.5) / factor - 0.5
-    return Prefilter(places, np.full(factor, 1.0 / factor))
 
 
 def _by_simpson(reach: float, kernel: Floats) -> Prefilter:

@@ -37,9 +37,6 @@ PATTERNS = {"stripes": "Stripes", "zone_plate": "Zone plate"}
 FILTERS = {
     "none": "None: a point of each pixel",
     "box": "Box: the pixel's whole area",
-    "box-2": "Box, by 2 × 2 points",
-    "box-4": "Box, by 4 × 4 points",
-    "box-8": "Box, by 8 × 8 points",
     "gaussian": "Gaussian, σ = 0.5 px",
     "sinc": "Windowed sinc, 8 px wide",
 }

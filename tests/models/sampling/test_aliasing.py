@@ -100,16 +100,6 @@ def test_a_chirp_is_averaged_over_the_pixel() -> None:
     assert wave.imag == pytest.approx(over_pixel(np.imag, x), abs=1e-6)
 
 
-@pytest.mark.parametrize("factor", [1, 2, 4, 8])
-def test_points_in_a_pixel_have_the_transfer_of_their_comb(factor: int) -> None:
-    """|sin πf / (n sin πf/n)|: the sum of n equal waves with a phase of 2πf/n between them."""
-    frequencies = np.linspace(0.05, 0.95, 19)
-    steps = np.sin(np.pi * frequencies / factor)
-    expected = np.sin(np.pi * frequencies) / (factor * steps)
-    found = prefilters.transfer(prefilters.supersample(factor), frequencies)
-    np.testing.assert_allclose(found, expected, atol=1e-14)
-
-
 def test_a_wave_s_share_in_place_is_the_cosine_of_how_far_it_moved() -> None:
     x, _ = np.meshgrid(np.arange(64.0), np.arange(64.0))
     wave, moved = (np.cos(2 * np.pi * 0.25 * (x - s)) for s in (0.0, 0.5))
