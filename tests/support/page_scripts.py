@@ -1,6 +1,6 @@
 """JavaScript that a reader of the tests runs in the pages of the book."""
 
-FIGURES = "document.querySelectorAll('simulation-figure')"
+FIGURES = "document.querySelectorAll('simulation-figure:not(details:not([open]) *)')"
 LIVE = f"[...{FIGURES}].every((figure) => figure.dataset.state === 'live')"
 
 SILENT_WORKER = """globalThis.Worker = class extends EventTarget {

@@ -76,13 +76,11 @@ export function begin(pageParts: Part[]) {
       for (const part of pageParts) part.returned?.();
     } else turnTo(new URL(location.href), turned, leaveShown);
   });
-  for (const kind of ["scroll", "toggle"]) {
-    const later = () => {
-      clearTimeout(scrollTimer);
-      scrollTimer = setTimeout(saveScroll, 100);
-    };
-    addEventListener(kind, later, true);
-  }
+  addEventListener("scroll", () => {
+    clearTimeout(scrollTimer);
+    scrollTimer = setTimeout(saveScroll, 100);
+  });
+  addEventListener("toggle", saveScroll, true);
 }
 
 /** Whether the address is of the page that is shown, and not of one that is still fetched. */
