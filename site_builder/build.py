@@ -32,7 +32,12 @@ from site_builder.benchmarks.measurements import read_measurements
 from site_builder.cache.results import cached_result
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
-from site_builder.checks.whole_book import check_book, check_skeletons, check_translation
+from site_builder.checks.whole_book import (
+    check_book,
+    check_first_passes,
+    check_skeletons,
+    check_translation,
+)
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
@@ -172,6 +177,7 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
         book, problems, prerendered=options.runtime and not options.reload
     )
     check_frames(book, initial_frames, static_files(options.root), problems)
+    check_first_passes(book, describing(initial_frames), problems)
     for path, line, text in printed():
         problems.warn(path, line, f"prints {text!r}, which no reader sees")
     for warning in sorted(set(problems.doubts)):

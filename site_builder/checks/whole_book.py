@@ -21,13 +21,23 @@ from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.terms import BOOK, GLOSSARY
 from site_builder.references.terms import SYMBOLS as FILE
-from site_builder.render.words import plain_words
+from site_builder.render.words import Describe, plain_words, reading_minutes
 
 STANDS_OUT = 1.4
 """How many times as long as the longest wrong answer a key may be, or the shortest wrong answer as
 the key: lines of one paragraph differ as much, so up to there it is not seen at a glance."""
 FEW_LETTERS = 12
 """Two words: among short answers a smaller difference has no meaning, whatever its ratio."""
+
+
+def check_first_passes(book: Book, describe: Describe, problems: Diagnostics) -> None:
+    """None takes longer than the book allows."""
+    most = book.settings.first_pass
+    for chapter in book.chapters:
+        minutes = reading_minutes(chapter.first_pass, describe)
+        if minutes > most > 0:
+            expected = f"at most {most}, with '{{.deeper}}' behind the headings of other sections"
+            problems.add(chapter.path, 1, f"a first pass of {minutes} minutes; legal: {expected}")
 
 
 def check_questions(book: Book, problems: Diagnostics) -> None:

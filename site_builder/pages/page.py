@@ -1,6 +1,6 @@
 """One page of the site or of an edition, from its template. No markup is made here."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -17,7 +17,7 @@ from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.terms import GLOSSARY, SYMBOLS
 from site_builder.render.screen import paper_renderer
-from site_builder.render.words import Describe, sections_of
+from site_builder.render.words import reading_minutes
 from site_builder.settings.declared import PATH
 from site_builder.sources.outline import LECTURE_PLAN
 from site_builder.sources.translations.files import figure_markup
@@ -56,16 +56,6 @@ def origin(book: Book, path: str, chapter: Chapter | None) -> str:
     else:
         file = MADE_FROM.get(path, "")
     return book.source.replace(PATH, file) if file else ""
-
-
-WORDS_A_MINUTE = 180
-"""Words a minute in a text with formulae, read with care."""
-
-
-def reading_minutes(blocks: Iterable[Block], describe: Describe) -> int:
-    """Minutes for their text, captions and questions, without their figures."""
-    words = sum(section.count_words() for section in sections_of(blocks, describe))
-    return max(1, round(words / WORDS_A_MINUTE))
 
 
 TRANSLATED = ("landing.html", "chapter.html")

@@ -123,6 +123,16 @@ def sections_of(
     return reader.finished()
 
 
+WORDS_A_MINUTE = 180
+"""Words a minute in a text with formulae, read with care."""
+
+
+def reading_minutes(blocks: Iterable[Block], describe: Describe) -> int:
+    """Minutes for their text, captions and questions, without their figures."""
+    words = sum(section.count_words() for section in sections_of(blocks, describe))
+    return max(1, round(words / WORDS_A_MINUTE))
+
+
 def chapter_sections(chapter: Chapter, describe: Describe) -> tuple[Section, ...]:
     """With the chapter's title and summary at the head of the first."""
     first = Section("", chapter.title, said={"text": [f"{chapter.summary} "]})

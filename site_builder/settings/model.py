@@ -155,6 +155,9 @@ class Settings:
         one_of(languages()), "the language of text and interface, `site_builder/languages/`", "en"
     )
     first_number: int = key(whole_number(0), "the number of the first chapter", 0)
+    first_pass: int = key(
+        whole_number(1), "the most minutes of a chapter's first pass", 0, without="any number"
+    )
     storage: str = key(
         PREFIX, "begins the names of what a browser stores", "", without="made of the title"
     )

@@ -23,11 +23,12 @@ from support.little_book import (
 )
 
 from site_builder.build import check_site, render_site
+from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.markdown.content_files import picture_size
 from site_builder.markdown.directives.media import size_words
 from site_builder.output.writer import Content, content_bytes
 from site_builder.pages.licences import gather_licences
-from site_builder.pages.page import reading_minutes
+from site_builder.render.words import reading_minutes
 from site_builder.runtime.store import VERSIONS
 
 BOOK = "content/book.toml"
@@ -196,5 +197,10 @@ def test_a_picture_file_has_its_size(
 
 
 def test_540_words_are_read_in_three_minutes(make_book: MakeBook) -> None:
-    book, *_ = check_site(make_book("word " * 540))
+    text = "word " * 540
+    book, *_ = check_site(make_book(text))
     assert reading_minutes(book.chapters[0].body, lambda _figure: "") == 3
+    outline = {"content/book.toml": f"first_pass = 2\n{OUTLINE}"}
+    with pytest.raises(BuildError, match="a first pass of 3 minutes; legal: at most 2"):
+        check_site(make_book(text, files=outline))
+    check_site(make_book(f"## More {{.deeper}}\n\n{text}", files=outline))

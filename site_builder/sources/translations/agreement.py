@@ -55,12 +55,12 @@ def check_contents(original: Chapter, translated: Chapter, problems: Diagnostics
     if translated.summary == original.summary:
         message = f"the summary is that of {original.path}; better: in the language of the folder"
         problems.warn(translated.path, 1, message)
-    deeper, expected = (
+    deeper, meant = (
         {heading.id for heading in chapter.headings if heading.deeper}
         for chapter in (translated, original)
     )
-    for name in sorted(deeper ^ expected):
-        verb = "is not" if name in expected else "is"
+    for name in sorted(deeper ^ meant):
+        verb = "is not" if name in meant else "is"
         message = f"section {name!r} {verb} deeper, unlike that of {original.path}"
         problems.add(translated.path, 1, f"{message}; legal: '{{.deeper}}' as in the original")
     figures = {figure.id: figure for figure in original.simulations}
