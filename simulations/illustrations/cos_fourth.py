@@ -56,9 +56,7 @@ def draw() -> Illustration:
     ]
     words = (
         f"Light through an opening reaches the sensor at {math.degrees(ANGLE_RAD):.0f}° to the "
-        "axis. The opening looks narrower by the cosine, the path is longer by one over it, which "
-        "costs its square, and the sensor is lit at a slant, which costs the cosine again: "
-        f"{100 * share:.0f} % is left."
+        f"axis, and {100 * share:.0f} % of what falls on the axis is left."
     )
     overlay = in_steps(first, second, third, fourth)
     return Illustration((Panel("section", "", 400.0, 258.0, overlay=overlay),), words)

@@ -91,8 +91,7 @@ def draw() -> Illustration:
     ]
     words = (
         "A ray parallel to the axis meets the front of a lens at {:.0f}° to the normal and goes "
-        "on at {:.0f}°; it meets the back at {:.0f}° to the normal there and leaves at {:.0f}°. In "
-        "all it has turned by {:.0f}° towards the axis, which it then crosses."
-    ).format(*(abs(math.degrees(each)) for each in (*angles(), OUTSIDE)))
+        "on at {:.0f}°; it meets the back at {:.0f}° to the normal there and leaves at {:.0f}°."
+    ).format(*map(math.degrees, angles()))
     overlay = in_steps(first, second, third, fourth, fifth)
     return Illustration((Panel("section", "", 400.0, 156.0, overlay=overlay),), words)

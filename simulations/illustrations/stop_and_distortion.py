@@ -92,9 +92,8 @@ def draw() -> Illustration:
         ]
         panels.append(Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks)))
     words = (
-        "A ray at 20° to the axis through a simple lens, and a square grid as the lens makes it. "
-        "With the stop in front the ray arrives too near the axis and the grid is a barrel. With "
-        "the stop behind it arrives too far out and the grid is a pincushion. With the stop "
-        "between two equal lenses the grid is nearly straight."
+        "A ray through a simple lens, and a square grid as the lens makes it: a barrel with the "
+        "stop in front, a pincushion with the stop behind, and nearly straight with the stop "
+        "between two equal lenses."
     )
     return Illustration(tuple(panels), words)
