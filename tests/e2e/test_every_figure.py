@@ -98,8 +98,8 @@ def changes(guest: Reader, figure: Locator, control: Any, gesture: Gesture) -> b
     for attempt in range(4):
         frames = guest.frames(figure)
         gesture(guest, element, control, attempt)
-        # A gesture at the end of a slider makes no frame; what plays begins a little later.
-        if control.get("effect") == "play" or figure.evaluate(MAKES_A_FRAME, frames):
+        # A gesture at the end of a slider makes no frame; some buttons move others a little later.
+        if control.get("effect") in ("play", "set") or figure.evaluate(MAKES_A_FRAME, frames):
             guest.wait_frame(figure, frames)
         guest.settle(figure)
         if guest.shown(figure) != before:

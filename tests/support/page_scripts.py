@@ -125,7 +125,7 @@ TRY_CONTROLS = """async (figure, controls) => {
     for (let attempt = 0; attempt < 4 && count() === frames; attempt += 1) {
       if (kind === 'action') {
         element.click();
-        if (effect === 'play') {
+        if (effect === 'play' || effect === 'set') {
           for (let waited = 0; count() === frames && waited < 300; waited += 1) await frame();
           if (element.dataset.state === '1') element.click();
         }
