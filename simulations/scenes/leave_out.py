@@ -1,9 +1,9 @@
 """What may be left out: the camera with a switch for each of seven effects, what each costs in the
 picture when it is left out, and, measured where the figure runs, how long it takes.
 
-Errors are of the mean picture, encoded for the display, before it is rounded to codes. Shot noise
-is no error, so counts of electrons are compared at the same random numbers: that is the least RMS
-by which one distribution can be turned into the other.
+Errors are of the mean picture as displayed, not rounded to codes. Noise is no error: counts of
+electrons are compared at the same random numbers, the least RMS that turns one distribution into
+the other.
 """
 
 import math
@@ -20,7 +20,7 @@ from simulations.engine.frame import Frame, Panel, Readout, format_number, reado
 from simulations.engine.ladder import Clock
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, choice, controls_of, toggle
+from simulations.engine.settings import action, choice, controls_of, toggle, values_of
 from simulations.engine.stages import Outputs, Stage, StageCache, run
 from simulations.models.arrays import Planes
 from simulations.models.color.srgb import encode_srgb
@@ -37,13 +37,13 @@ from simulations.scenes._still_life_camera import (
     SENSOR_WIDTH_MM,
     Rays,
     defocus,
-    largest_blur_px,
+    drawing_of,
     overlay,
     pinhole_rays,
     principal_mm,
 )
-from simulations.scenes.camera.lens import Settings as CameraSettings
-from simulations.scenes.camera.lens import after_step, bend_rays
+from simulations.scenes.camera.lens import Settings as Camera
+from simulations.scenes.camera.lens import after_step, bend_rays, blur_of
 from simulations.scenes.camera.stages import vignette
 
 HALF_A_CODE = 0.5
@@ -59,28 +59,29 @@ LEAST, MOST = 0.01, 100.0  # codes at the ends of the bars
 
 @dataclass(frozen=True, slots=True)
 class Photo:
-    """A picture to be taken of the still life."""
+    """A photograph to be taken of the still life."""
 
     label: str
-    focal_length: float  # mm, before a step back
-    aperture: float
-    k1: float
-    k2: float
-    focus: float = 3.2  # m
-    back: float = 0.0  # m
-    white_e: float = 10_000.0  # electrons of a full well, which is white
-    origin_m: float = 10.0  # distance of the world's origin
-    floor: float = 1.0  # brightness of the floor, and of what it sends back
-    light_angle: float = 40.0
+    camera: Camera
+    k2: float = 0.03
+    white_e: float = 10_000.0
+    """Electrons of a full well."""
+    floor: float = 1.0
+    """How bright the floor is, and so what it sends back."""
+    origin_m: float = 10.0
+    """Distance of the world's origin."""
 
 
+AT_F22 = Camera(focal_length=35.0, aperture=22.0, k1=-0.1)
 PHOTOS: Mapping[str, Photo] = {
-    "room": Photo("Room, small aperture", 35.0, 22.0, -0.1, 0.03),
-    "afar": Photo("From afar, with a long lens", 50.0, 16.0, -0.05, 0.02, back=30.0),
-    "portrait": Photo("Portrait, wide open", 85.0, 1.4, -0.05, 0.02),
-    "night": Photo("Night, a few electrons", 35.0, 2.0, -0.1, 0.03, white_e=12.0),
-    "stage": Photo("Stage with a black floor", 35.0, 22.0, -0.1, 0.03, floor=0.04),
-    "map": Photo("Room on a map, its origin 1000 km away", 35.0, 22.0, -0.1, 0.03, origin_m=1e6),
+    "room": Photo("Room, small aperture", AT_F22),
+    "afar": Photo("From afar, with a long lens", Camera(aperture=16.0, k1=-0.05, back=30.0), 0.02),
+    "portrait": Photo(
+        "Portrait, wide open", Camera(focal_length=85.0, aperture=1.4, k1=-0.05), 0.02
+    ),
+    "night": Photo("Night, a few electrons", replace(AT_F22, aperture=2.0), white_e=12.0),
+    "stage": Photo("Stage with a black floor", AT_F22, floor=0.04),
+    "map": Photo("Room on a map, its origin 1000 km away", AT_F22, origin_m=1e6),
 }
 
 
@@ -117,13 +118,12 @@ def left_out(settings: Settings, _tier: str = "") -> dict[str, str]:
 
 def parameters(photo: str, left: str = "") -> dict[str, Value]:
     """Of the stages of `MODEL`, without some of the effects."""
-    it = PHOTOS[photo]
-    now = after_step(CameraSettings(focal_length=it.focal_length, focus=it.focus, back=it.back))
-    names = ("aperture", "back", "light_angle", "k1", "k2", "floor", "origin_m", "white_e")
+    it, now = PHOTOS[photo], after_step(PHOTOS[photo].camera)
     return {
-        **{name: getattr(it, name) for name in names},
-        **{"reduction": 1, "enlarged": 1, "margin_columns": 0, "margin_rows": 0},
-        **{"focal_length": now.focal_length, "focus": now.focus, "drawn_focus": now.focus},
+        **values_of(now),
+        **{"k2": it.k2, "white_e": it.white_e, "floor": it.floor, "origin_m": it.origin_m},
+        **{"reduction": 1, "margin_columns": 0, "margin_rows": 0},
+        **drawing_of(False, now.focal_length, now.focus),
         **{f"with_{name}": name not in left.split() for name in EFFECTS},
     }
 
@@ -199,12 +199,11 @@ def complete(photo: str) -> Complete:
     def mean(left: str = "") -> Planes:
         return np.asarray(run(MODEL, parameters(photo, left), cache).outputs["falloff"])
 
-    light, white_e = mean(), PHOTOS[photo].white_e
-    noise = [
-        codes(count(light, white_e, False, draw)) - codes(count(light, white_e, True, draw))
-        for draw in range(DRAWS)
-    ]
-    truth = codes(light)
+    def counted(poisson: bool, draw: int) -> Planes:
+        return codes(count(mean(), PHOTOS[photo].white_e, poisson, draw))
+
+    noise = [counted(False, draw) - counted(True, draw) for draw in range(DRAWS)]
+    truth = codes(mean())
     costs = {name: root_mean_square(codes(mean(name)) - truth) for name in EFFECTS}
     return Complete(truth, noise[0], {**costs, "poisson": root_mean_square(noise)})
 
@@ -235,20 +234,16 @@ STAGES = (Stage("complete", complete), Stage("taken", take, ("complete",)))
 
 def reasons(photo: str) -> dict[str, str]:
     """What the cost of each effect depends on."""
-    it, given = PHOTOS[photo], parameters(photo)
-    focal_length, focus = float(given["focal_length"]), float(given["focus"])
-    principal = principal_mm(focal_length, focus)
+    it, now = PHOTOS[photo], after_step(PHOTOS[photo].camera)
+    principal = principal_mm(now.focal_length, now.focus)
     corner = np.array([[SENSOR_WIDTH_MM / 2, SENSOR_HEIGHT_MM / 2]]) / principal
-    with_k2, without = (
-        undistort_clamped(corner, Distortion(k1=it.k1, k2=k2))[0] for k2 in (it.k2, 0.0)
-    )
-    moved = float(np.linalg.norm(with_k2 - without)) * principal / PITCH_MM
+    seen = [undistort_clamped(corner, Distortion(k1=now.k1, k2=k2))[0] for k2 in (it.k2, 0.0)]
+    moved = float(np.linalg.norm(seen[0] - seen[1])) * principal / PITCH_MM
     dimmer = 1.0 - float(vignetting_cos4(np.linalg.norm(corner)))
-    blur = largest_blur_px(focal_length, it.aperture, focus, it.k1, it.back)
     reflected = it.floor * float(np.mean([FLOOR_LIGHT, FLOOR_DARK]))
     far = f"{it.origin_m / 1000:.0f} km" if it.origin_m >= 1000 else f"{it.origin_m:.0f} m"
     return {
-        "blur": f"discs to {format_number(blur, 1)} px",
+        "blur": f"discs to {format_number(blur_of(now), 1)} px",
         "k2": f"corners move {format_number(moved, 1)} px",
         "falloff": f"corners lose {100 * dimmer:.0f} %",
         "bounce": f"the floor reflects {100 * reflected:.0f} %",
@@ -264,7 +259,7 @@ def share(codes: float) -> float:
 
 
 def measured_here(name: str, row: float, style: str) -> str:
-    """A number that `estimate` finds."""
+    """A number that `times` finds."""
     number = text((MS_END, row), "–", style, "end")
     return number.replace("<text", f'<text data-estimate="{name}"', 1)
 
@@ -292,19 +287,19 @@ def costs(settings: Settings, whole: Complete, rms: float) -> Iterator[str]:
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The photograph, its difference from the complete model's, and the list of costs."""
-    whole: Complete = outputs["complete"]
-    taken: Taken = outputs["taken"]
+    whole, taken = outputs["complete"], outputs["taken"]
     missing = [LABELS[name] for name in EFFECTS if not getattr(settings, name)]
     picture, off = (np.moveaxis(planes, 0, -1) for planes in (taken.counted, taken.off))
-    photograph = to_rgba8(encode_srgb(picture))
-    difference = to_rgba8(0.5 + MAGNIFY / 255.0 * off)
-    overlay = "".join(costs(settings, whole, taken.rms))
-    title = f"Off the complete model, × {MAGNIFY}"
+    photograph, difference = to_rgba8(encode_srgb(picture)), to_rgba8(0.5 + MAGNIFY / 255 * off)
+    overlay, title = (
+        "".join(costs(settings, whole, taken.rms)),
+        f"Difference from the complete model, × {MAGNIFY}",
+    )
     words = f"without {', '.join(missing)}" if missing else "by the complete model"
     return Frame(
         (
             Panel("photograph", "The photograph", WIDTH, HEIGHT, photograph, lead=True),
-            Panel("costs", "Left out alone, it costs and saves", WIDTH, LIST_HEIGHT, None, overlay),
+            Panel("costs", "Left out, each costs and saves", WIDTH, LIST_HEIGHT, None, overlay),
             Panel("difference", title, WIDTH, HEIGHT, difference),
         ),
         (
@@ -316,9 +311,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             ),
         ),
         f"{PHOTOS[settings.photo].label}: the still life {words}, "
-        f"{format_number(taken.rms, 2)} codes off in RMS. Left out alone, these cost "
-        + ", ".join(f"{LABELS[name]} {cost:.2f}" for name, cost in whole.costs.items())
-        + " codes.",
+        f"{format_number(taken.rms, 2)} codes off in RMS.",
     )
 
 
@@ -341,20 +334,19 @@ def times(settings: Settings, clock: Clock) -> Iterator[Readout]:
     turns, so that a busy moment falls on both; of each, the fastest counts."""
     given, stages = parameters(settings.photo), {stage.name: stage for stage in MODEL}
     outputs = run(MODEL, given, StageCache()).outputs
-    whole, saved = dict.fromkeys(EFFECTS, math.inf), dict.fromkeys(EFFECTS, math.inf)
-    without = dict(whole)
+    whole, without = dict.fromkeys(EFFECTS, math.inf), dict.fromkeys(EFFECTS, math.inf)
+
+    def saved(name: str, *effects: str) -> Readout:
+        ms = 1000.0 * sum(whole[each] - without[each] for each in effects)
+        return Readout(name, "Time saved", format_number(ms, 1), "ms")
+
     for _ in range(ROUNDS):
         for name, stage in EFFECTS.items():
             run_here = partial(seconds, stages[stage], outputs, clock)
             whole[name] = min(whole[name], run_here(given))
             without[name] = min(without[name], run_here(parameters(settings.photo, name)))
-            saved[name] = whole[name] - without[name]
-            yield milliseconds(name, saved[name])
-        yield milliseconds("saved", sum(saved[name] for name in left_out(settings)["left"].split()))
-
-
-def milliseconds(name: str, seconds: float) -> Readout:
-    return Readout(name, "Time saved", format_number(1000.0 * seconds, 1), "ms")
+            yield saved(name, name)
+        yield saved("saved", *left_out(settings)["left"].split())
 
 
 SCENE = Scene(
