@@ -242,6 +242,8 @@ class Scene[S]:
             if driven and driven not in sliders:
                 legal = ", ".join(sliders) or "none"
                 yield f"{control.name!r} drives no slider {driven!r}; legal: {legal}"
+            if (getattr(control, "effect", "") == "set") != (control.name in self.sets):
+                yield f"{control.name!r} sets nothing; legal: a button in `sets`, with effect set"
 
     def _wrong_own_pictures(self) -> Iterator[str]:
         for control in self.controls:

@@ -90,6 +90,10 @@ class Figure:
     def _setter(self, name: str) -> Callable[[Value], None]:
         def changed(value: Value) -> None:
             self.values[name] = value
+            if name in self.scene.sets:
+                now = self.scene.clamp(self.values)
+                for other, given in self.scene.pull(now, name, (0.0, 0.0), self.tier).items():
+                    self.widgets[other].value = given
             self._show()
 
         return changed

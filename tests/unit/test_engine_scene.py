@@ -31,6 +31,11 @@ class Settings:
 
 
 @dataclass(frozen=True)
+class Setting:
+    least: int = action("Least", effect="set")
+
+
+@dataclass(frozen=True)
 class Driving:
     size: float = slider("Size", 1, 0, 2, 1)
     play: int = action("Play", drives="sise", effect="play")
@@ -81,6 +86,7 @@ def use(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Scene[Any]]:
         ({**SHADED, "own_drafts": {"coarse": ("size",)}}, "'coarse' is a tier; legal: another"),
         ({"own_drafts": {"rough": ("sise",)}}, "drafted 'sise'"),
         ({"settings": Driving}, "'play' drives no slider 'sise'; legal: size"),
+        ({"settings": Setting}, "'least' sets nothing; legal: a button in `sets`"),
     ],
 )
 def test_a_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], message: str) -> None:

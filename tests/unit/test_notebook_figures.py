@@ -31,6 +31,7 @@ class Settings:
     again: int = action("Once", "Twice", "Thrice")
     step: int = action("Next", drives="size", effect="step")
     play: int = action("Play", drives="size", effect="play", seconds=3)
+    least: int = action("Least", effect="set")
     marks: str = points("Marks", lists=1, most=2, buttons={})
 
 
@@ -46,7 +47,13 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     return Frame(panels, numbers, said, sound=sound)
 
 
-SCENE = Scene("demo", "Demo", Settings, draw)
+SCENE = Scene(
+    "demo",
+    "Demo",
+    Settings,
+    draw,
+    sets={"least": lambda given, _outputs: {"size": 1.0, "on": given.on}},
+)
 
 
 @pytest.fixture
@@ -61,7 +68,7 @@ def demo(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., Figur
 def test_a_widget_moves_the_figure(demo: Callable[..., Figure]) -> None:
     shown = demo(size=3)
     widgets = shown.widgets
-    assert [*widgets] == ["size", "kind", "on", "again", "step", "play"]
+    assert [*widgets] == ["size", "kind", "on", "again", "least", "step", "play"]
     assert shown.frame.description == "3 a False 0"
     widgets["size"].value = 1.0
     widgets["kind"].value = "b"
@@ -70,6 +77,9 @@ def test_a_widget_moves_the_figure(demo: Callable[..., Figure]) -> None:
     widgets["again"].click()
     assert shown.frame.description == "1 b True 2"
     assert widgets["again"].description == "Thrice"
+    widgets["size"].value = 4.0
+    widgets["least"].click()
+    assert shown.frame.description == "1 b True 2"
 
 
 def test_a_picture_has_the_pixels_and_the_drawings_of_its_frame(
