@@ -92,6 +92,30 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
     return EditedReply(reply, text, printed.getvalue()[:MOST_PRINTED])
 
 
+def exercise(program: str, edits: str, stage: str) -> str:
+    """JSON of what a stage of an exercise finds in the reader's text ``edits``.
+
+    ``program`` is JSON of a `simulations.editing.exercise.Exercise`. Errors in the text are
+    returned, as ``problem``; ``printed`` is what it printed.
+    """
+    if sys.platform == "emscripten" and _last_edits != [edits]:
+        restore_modules()
+        _last_edits[:] = [edits]
+    from simulations.editing.exercise import Exercise, judged, place_of  # most never need it
+    from simulations.editing.problems import problem_of
+
+    asked = Exercise(**json.loads(program))
+    printed = io.StringIO()
+    found: dict[str, Any] = {}
+    try:
+        with redirect_stdout(printed):
+            found = judged(asked, edits, stage, time.perf_counter)
+    except BaseException as error:  # the reader's code may raise anything, `SystemExit` too
+        found = {"problem": asdict(problem_of(error, [place_of(asked, edits)]))}
+    found["printed"] = printed.getvalue()[:MOST_PRINTED]
+    return json.dumps(found, ensure_ascii=False)
+
+
 def prepare(scene_id: str) -> None:
     """Import a scene in advance. Raises `UnknownIdError`."""
     load_scene(scene_id)

@@ -1,9 +1,11 @@
 """The definitions of a module as pieces of its source, which readers can read and edit."""
 
 import ast
+import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib import import_module
+from importlib.machinery import ModuleSpec
 from inspect import unwrap
 from typing import Any
 from zipimport import zipimporter
@@ -45,6 +47,23 @@ def _stored_source(module: str) -> str | None:
     """The module's file in `SOURCES`."""
     package = module.rpartition(".")[0]
     return zipimporter(f"{SOURCES}/{package.replace('.', '/')}").get_source(module)
+
+
+class SourceFinder:
+    """The last finder of the browser: takes modules that were not fetched from `SOURCES`."""
+
+    def find_spec(self, name: str, _path: object, _target: object = None) -> ModuleSpec | None:
+        if not name.startswith("simulations."):
+            return None
+        folder = name.rpartition(".")[0].replace(".", "/")
+        return zipimporter(f"{SOURCES}/{folder}").find_spec(name)
+
+
+def import_from_sources() -> None:
+    """In the browser: let every module of the book be imported, fetched or not."""
+    known = any(isinstance(finder, SourceFinder) for finder in sys.meta_path)
+    if sys.platform == "emscripten" and not known:
+        sys.meta_path.append(SourceFinder())
 
 
 def definitions(source: str) -> dict[str, Definition]:

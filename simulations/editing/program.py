@@ -72,7 +72,7 @@ def edition_of(edits: Edits) -> Edition:
     `KeyError` or `ValueError` for an unknown definition.
     """
     for definition, text in edits.items():
-        _check(definition, text)
+        check_text(definition, text)
     sources: dict[str, str] = {}
     places: list[Place] = []
     for module, keys in groupby(sorted(edits), key=lambda key: key.partition(":")[0]):
@@ -110,8 +110,9 @@ def splice(module: str, source: str, texts: Mapping[str, str]) -> tuple[str, lis
     return "\n".join(lines).removesuffix("\n") + "\n", places
 
 
-def _check(definition: str, text: str) -> None:
-    name = definition.partition(":")[2]
+def check_text(definition: str, text: str) -> None:
+    """Raise `RefusedEditError` for a text that is not Python or does not define the name."""
+    name = definition.rpartition(":")[2]
     try:
         compile(text, definition, "exec", dont_inherit=True)  # finds more mistakes than parsing
         statements = ast.parse(text).body

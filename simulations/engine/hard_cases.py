@@ -70,14 +70,20 @@ class HardCases:
 
 def read_table(table_id: str, text: str) -> HardCases:
     """The table ``text``. Mistakes in it raise whatever Python says of them."""
-    data = tomllib.loads(text)
+    return table_of(table_id, tomllib.loads(text))
+
+
+def table_of(
+    table_id: str, data: Mapping[str, Any], instead: Mapping[str, Any] | None = None
+) -> HardCases:
+    """The table of parsed ``data``; ``instead``: names with another meaning in the questions."""
     names: dict[str, Any] = {"np": np, "inf": np.inf, "nan": np.nan}
     for path in data["names"]:
         names |= _named(path)
     for name, expression in data.get("objects", {}).items():
         names[name] = evaluate(expression, names)
     cases = tuple(HardCase(id=name, **entry) for name, entry in data["cases"].items())
-    return HardCases(table_id, data["title"], names, cases)
+    return HardCases(table_id, data["title"], {**names, **(instead or {})}, cases)
 
 
 def _named(path: str) -> Mapping[str, Any]:

@@ -8,6 +8,7 @@ from pathlib import Path, PurePosixPath
 from simulations.engine.conditions import first_true
 from simulations.engine.controls import ControlError, Slider
 from simulations.engine.expressions import ExpressionError
+from site_builder.checks.exercises import check_exercises
 from site_builder.diagnostics.diagnostic import Diagnostics, cause, unknown
 from site_builder.document.blocks import Option, Prediction, Quiz, Reveal, Simulation, contents
 from site_builder.document.book import OUTLINE, Book, Chapter
@@ -254,6 +255,7 @@ def check_book(book: Book, problems: Diagnostics) -> None:
             problems.add(chapter.path, 1, "no text; legal: some below the front matter")
         _check_reveals(chapter, problems)
         check_figure_questions(chapter, problems)
+        check_exercises(chapter, problems)
     _check_needs(book, problems)
     check_questions(book, problems)
     _check_cited(book, problems)

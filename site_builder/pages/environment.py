@@ -22,7 +22,12 @@ from site_builder.output.scripts import script_words
 from site_builder.pages.back_matter import marked_terms
 from site_builder.pages.policy import json_for_html, page_policy
 from site_builder.pages.versions import lead_to_original, original_of, original_page
-from site_builder.pages.views.ladder import default_error, slowest_to_quickest, view_ladder
+from site_builder.pages.views.ladder import (
+    default_error,
+    slowest_to_quickest,
+    view_chart,
+    view_ladder,
+)
 from site_builder.pages.views.question import kind_view, question_data
 from site_builder.pages.views.simulation import CONTROL_KINDS
 from site_builder.render.screen import PassageRenderer, named, screen_renderer
@@ -51,6 +56,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "kind_view": kind_view,
     "question_data": question_data,
     "view_ladder": view_ladder,
+    "view_chart": view_chart,
     "default_error": default_error,
     "slowest_to_quickest": slowest_to_quickest,
     "quantity": quantity,

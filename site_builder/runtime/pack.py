@@ -46,6 +46,8 @@ from site_builder.runtime.store import (
 )
 
 TABLE_NAME = "runtime.json"
+ASKED = ("simulations.models.", "simulations.hard_cases.")
+"""Begins the names of modules of which exercises ask hard cases, whatever pages run."""
 SIMULATIONS = "simulations"
 """The chunk with all sources, for readers who edit them."""
 SITE_PACKAGES = f"/lib/python{PYTHON_VERSION.rpartition('.')[0]}/site-packages"
@@ -131,7 +133,8 @@ def pack_runtime(
         )
     chunks = cut(imports, scenes, ladders)
     ours = {chunk: chunk_archive(files, names, byte_code) for chunk, names in chunks.items()}
-    ours[SIMULATIONS] = chunk_archive(files, modules)
+    asked = {name for name in files if name.startswith(ASKED)}
+    ours[SIMULATIONS] = chunk_archive(files, modules | asked)
     archives = {
         **{f"{chunk}.zip": file for chunk, file in frozen.archives.items()},
         **{f"{chunk}.zip": stores.put(folder, f"{chunk}.zip", ours[chunk]) for chunk in ours},

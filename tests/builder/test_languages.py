@@ -31,7 +31,7 @@ QUOTED = re.compile(r"""["'`]([a-z][\w-]*(?:\.[\w-]+)+)["'`]""")
 MADE = (
     "labels.", "style.", "callout.", "landing.count_", "script.theme.", "script.figure.",
     "script.predict.", "script.runtime.", "script.stage_report.", "script.tools.python_copied",
-    "script.search.found", "script.search.near",
+    "script.search.found", "script.search.near", "script.exercise.",
 )  # fmt: skip
 """Begin the keys that are put together where they are asked for."""
 

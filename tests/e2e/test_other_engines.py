@@ -31,6 +31,7 @@ def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goe
         moves_a_figure(engine)
         if whole:
             edits_its_python(engine)
+            writes_a_function(engine)
         answers(engine)
         searches(engine)
         click(engine, middle(engine, ".pager a[rel=next]"))
@@ -45,6 +46,27 @@ def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goe
         host.gone = True
         engine.open(host.url + ("perspective-projection/" if whole else "glossary/"))
         wait_for(engine, f"() => {ONE_LIVES}" if whole else HAS_TERMS)
+
+
+def writes_a_function(engine: Engine) -> None:
+    """Check what the exercise starts with, then its solution."""
+    for text, verdict in (("starter", "wrong"), ("solution", "correct")):
+        engine.ask(WRITE, text)
+        wait_for(engine, WRITTEN, verdict)
+
+
+WRITE = """(text) => {
+  const form = document.querySelector('form[data-kind=code]');
+  const data = JSON.parse(form.querySelector('.quiz-data').text);
+  const area = form.querySelector('textarea');
+  area.value = data[text] ?? data.program[text];
+  area.dispatchEvent(new Event('input', {bubbles: true}));
+  form.requestSubmit();
+}"""
+WRITTEN = """(verdict) => {
+  const form = document.querySelector('form[data-kind=code]');
+  return form.dataset.answered === verdict && !form.hasAttribute('aria-busy');
+}"""
 
 
 def moves_a_figure(engine: Engine) -> None:

@@ -128,8 +128,13 @@ DRAWING = re.compile(
 
 def quiz(question: Quiz, block: Block, page: ChapterPage) -> Iterator[Part]:
     asked = (f"{named(block.target)}{page.markdown(question.prompt)}", _offered(question, page))
-    answers = "\n".join(_answers(question, page))
-    yield Text("\n\n".join((*filter(None, asked), folded(page.words("question.answer"), answers))))
+    answers = folded(page.words("question.answer"), "\n".join(_answers(question, page)))
+    if starter := kind_of(question).starter(question):
+        yield Text("\n\n".join(filter(None, asked)))
+        yield Code(starter)
+        yield Text(answers)
+    else:
+        yield Text("\n\n".join((*filter(None, asked), answers)))
 
 
 def predict(question: Prediction, block: Block, page: ChapterPage) -> Iterator[Part]:
@@ -160,6 +165,9 @@ def _offered(question: Question, page: ChapterPage) -> str:
 def _answers(question: Quiz, page: ChapterPage) -> Iterator[str]:
     """A line for each answer, with its explanation."""
     kind = kind_of(question)
+    if kind.starter(question):
+        yield from (page.markdown(option.words) for option in question.options if option.correct)
+        return
     if kind.needs_page:  # its other answers are settings that only a page can judge
         yield from (f"- {page.markdown(o.explanation)}" for o in question.options if o.correct)
         if solution := kind.view(question, page.chapter.simulations):

@@ -16,13 +16,14 @@ from site_builder.markdown.directives.media import (
     ILLUSTRATION,
     VIDEO,
 )
-from site_builder.markdown.directives.questions import ANSWER, PREDICT, QUIZ
+from site_builder.markdown.directives.questions import ANSWER, EXERCISE, PREDICT, QUIZ
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.directives.source import SOURCE
 
 DIRECTIVES: tuple[Directive[Any], ...] = (
     SIMULATION,
     QUIZ,
+    EXERCISE,
     PREDICT,
     ANSWER,
     *CALLOUTS,

@@ -20,6 +20,7 @@ from site_builder.markdown.directive import (
     DirectiveCall,
     Numbered,
     OptionLine,
+    OptionValue,
 )
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.draws import DRAW, report_first
@@ -173,6 +174,23 @@ QUIZ = question_directive(
     kind_doc="how it is answered",
     numbered=Numbered("Question", lambda call: f"quiz-{call.argument}"),
     draws=True,
+)
+
+
+def read_exercise(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Quiz | None:
+    options = {**call.options, "kind": OptionValue(CODE.quiz[0], call.line)}
+    question = QUIZ.read(replace(call, name="quiz", options=options), body, context)
+    return question if isinstance(question, Quiz) else None
+
+
+CODE = kind_named("code")
+EXERCISE = replace(
+    QUIZ,
+    name="exercise",
+    doc="a function to write",
+    options=CODE.options,
+    body=replace(QUIZ.body, doc="the task, its parts in code blocks, and hints as a list"),
+    read=read_exercise,
 )
 
 

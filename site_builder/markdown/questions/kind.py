@@ -22,6 +22,7 @@ from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 
 HERE = Path(__file__).parent
+FIGURE_LINE = OptionLine("figure", doc="the element id of a figure of the page")
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +65,8 @@ class QuestionKind:
     """The options to choose from or to put in order, as a page lists them."""
     drawn: bool = False
     """Whether its field is a drawing, which holds what is right."""
+    starter: Callable[[Question], str] = lambda _question: ""
+    """The Python that a notebook offers to complete, with its checks."""
     needs_page: bool = False
     """Whether it is answered with a figure of its page, which no other place has."""
 

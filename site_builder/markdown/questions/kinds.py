@@ -3,13 +3,14 @@
 from site_builder.document.blocks import Question
 from site_builder.markdown.directive import OptionLine
 from site_builder.markdown.questions.choice.kind import CHOICE
+from site_builder.markdown.questions.code.kind import CODE
 from site_builder.markdown.questions.figure.kind import FIGURE
 from site_builder.markdown.questions.kind import QuestionKind
 from site_builder.markdown.questions.number.kind import NUMBER
 from site_builder.markdown.questions.order.kind import ORDER
 from site_builder.markdown.questions.sketch.kind import SKETCH
 
-KINDS = (CHOICE, NUMBER, ORDER, FIGURE, SKETCH)
+KINDS = (CHOICE, NUMBER, ORDER, FIGURE, SKETCH, CODE)
 
 
 def kind_named(name: str) -> QuestionKind:

@@ -6,12 +6,15 @@ from site_builder.cache.results import cached
 from site_builder.diagnostics.diagnostic import unknown
 
 LANGUAGES = ("python", "console", "text", "bash", "javascript", "json", "toml", "markdown")
+PARTS = ("starter", "check", "solution", "wrong", "adapter")
+"""Blocks of an exercise, which are Python."""
 
 
 def code_html(code: str, language: str) -> str:
     """``code`` as a ``<pre>``; plain where ``language`` is empty."""
     if not language:
         return f'<pre class="code"><code>{escape(code)}</code></pre>\n'
+    language = "python" if language in PARTS else language
     opening = f'<pre class="code highlight"><code class="language-{escape(language)}">'
     body = "\n".join(highlighted_lines(code, language))
     return f"{opening}{body}\n</code></pre>\n"

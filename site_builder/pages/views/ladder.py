@@ -53,29 +53,42 @@ class LadderView:
     """JSON for the page's script, safe inside a script element."""
 
 
+@dataclass(frozen=True, slots=True)
+class ChartView:
+    """The chart alone, as exercises show it."""
+
+    chart: Chart
+    data: str
+    """JSON for the page's script, safe inside a script element."""
+
+
+def view_chart(measured: MeasuredLadder, words: Words = ENGLISH) -> ChartView:
+    chart = pareto_chart(measured, words)
+    data = {
+        "ladder": measured.ladder.id,
+        "metrics": [
+            {"id": m.id, "label": m.label, "unit": m.unit, "higher": m.higher_is_better}
+            for m in _metrics(measured)
+        ],
+        "tiers": [{"id": i.tier.id, "label": i.tier.label} for i in measured.tiers],
+        "time": asdict(chart.time),
+        "error": asdict(chart.error),
+    }
+    return ChartView(chart, json_for_html(data))
+
+
 def view_ladder(figure: LadderFigure, words: Words = ENGLISH) -> LadderView:
     measured = figure.measured
-    chart = pareto_chart(measured, words)
+    drawn = view_chart(measured, words)
     metrics = _metrics(measured)
     choice = default_choice(measured, words) if figure.default_reason else None
     return LadderView(
-        chart=chart,
+        chart=drawn.chart,
         metrics=metrics,
         choice=choice,
         outcome=_chosen(measured, choice, words) if choice else _nearest(measured, words),
         rows=tuple(_row(measured, item, words) for item in measured.tiers),
-        data=json_for_html(
-            {
-                "ladder": measured.ladder.id,
-                "metrics": [
-                    {"id": m.id, "label": m.label, "unit": m.unit, "higher": m.higher_is_better}
-                    for m in metrics
-                ],
-                "tiers": [{"id": i.tier.id, "label": i.tier.label} for i in measured.tiers],
-                "time": asdict(chart.time),
-                "error": asdict(chart.error),
-            }
-        ),
+        data=drawn.data,
     )
 
 

@@ -1,6 +1,7 @@
 /** Opens the Python of figures: what does it is fetched when it is first needed. */
 
 import { message } from "../errors.ts";
+import { glide, jump } from "../figure/animate.ts";
 import { SimulationFigure } from "../figure/element.ts";
 import * as figures from "../figure/feature.ts";
 import { say } from "../figure/status.ts";
@@ -28,6 +29,27 @@ export function install() {
 }
 
 export const { arrive, returned } = figures;
+
+/**
+ * Have a figure of the page drawn with a text in place of one of the book's definitions.
+ *
+ * @param id Element id of the figure.
+ * @param key Of the definition.
+ * @param values To which the controls are set.
+ */
+export async function useInFigure(
+  id: string,
+  key: string,
+  text: string,
+  values: Record<string, string>,
+) {
+  const figure = document.getElementById(id)?.querySelector("simulation-figure");
+  if (!(figure instanceof SimulationFigure)) throw new Error(words("question.no_figure"));
+  figure.scrollIntoView({ block: "center" });
+  jump(figure, values);
+  glide(figure, values);
+  await (await workshopOf(figure)).use(key, text);
+}
 
 async function open(figure: SimulationFigure) {
   try {

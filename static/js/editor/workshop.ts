@@ -77,6 +77,15 @@ export class Workshop {
     else this.#mark(edits);
   }
 
+  /** Have `text` in place of a definition of the book's, and run it. */
+  async use(key: string, text: string) {
+    const edits = await this.#stored();
+    if (!(key in edits.sources.definitions)) throw new Error(words("workshop.unused"));
+    edits.write(key, text.trimEnd());
+    this.#panel?.open(key);
+    await this.#run();
+  }
+
   leave() {
     this.figure.removeEventListener("painted", this.#showStages);
     this.#panel?.leave();

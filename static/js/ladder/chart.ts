@@ -33,10 +33,15 @@ const DIAMOND = `0,${-HALF} ${HALF},0 0,${HALF} ${-HALF},0`;
 const ARROWS = [-HALF, HALF].map((tip) => `${tip},0 ${-tip},${HALF} ${-tip},${-HALF}`);
 
 /**
- * A diamond at the median, on a bar over the middle half of the samples. Where the chart ends
+ * A diamond or a ring at the median, on a bar over the middle half of the samples. Where the chart ends
  * before the value does, an arrow at its border.
  */
-export function addPoint(group: Element, result: Result, { time, error, metrics }: Ladder) {
+export function addPoint(
+  group: Element,
+  result: Result,
+  { time, error, metrics }: Ladder,
+  form: "diamond" | "ring" = "diamond",
+) {
   const [metric] = metrics;
   const y = position(error, result.errors[metric.id] ?? (metric.higher ? Infinity : 0));
   const [low, x, high] = [result.low_ms, result.milliseconds, result.high_ms].map((value) =>
@@ -48,7 +53,9 @@ export function addPoint(group: Element, result: Result, { time, error, metrics 
   const transform = `translate(${x.toFixed(2)} ${y.toFixed(2)})`;
   group.append(
     element("line", { class: "spread", x1: low, x2: high, y1: y, y2: y }),
-    element("polygon", { class: "solid", points, transform }),
+    form === "ring" && points === DIAMOND
+      ? element("circle", { class: "ring", r: HALF + 2, transform })
+      : element("polygon", { class: "solid", points, transform }),
   );
 }
 

@@ -18,6 +18,7 @@ const isObject: Check = (value) => typeof value === "object" && value !== null;
 
 /** Whether a value can be an answer to any question. */
 export const isGiven: Check = (value) => {
+  if (typeof value?.code === "string") return Number.isInteger(value.reply);
   const numbers = Array.isArray(value) ? value : [value];
   return numbers.length <= MOST_NUMBERS && numbers.every(Number.isFinite);
 };
@@ -32,6 +33,7 @@ const SHAPES: Record<string, Check> = {
     typeof entry.right === "boolean" &&
     isGiven(entry.first ?? 0),
   predict: (entry) => isName(entry.edition) && isGiven(entry.guess === null ? 0 : entry.guess),
+  code: ({ text }) => typeof text === "string",
   python: ({ edits }) => isObject(edits) && Object.values(edits).every(isEdit),
 };
 
@@ -45,7 +47,7 @@ export function isSound(name: string, value: any): boolean {
 const passing: Map<string, unknown> = new Map();
 
 /** What a reader would miss. */
-const DEAR = /^(quiz|predict|python):/;
+const DEAR = /^(quiz|predict|python|code):/;
 let isReported = false;
 
 /** Dispatched on `window` when something dear could not be stored, once. */

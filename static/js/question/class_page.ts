@@ -70,6 +70,7 @@ function judged(question: Variant, given: Given | undefined): Try | null {
 }
 
 function textOf({ options, tolerance, drawn }: Variant, given: Given) {
+  if (typeof given === "object" && "code" in given) return given.code;
   const places = [given].flat();
   const text =
     tolerance === undefined

@@ -13,7 +13,10 @@ export interface Question {
 }
 
 /** An answer as it is stored. */
-export type Given = number | number[];
+export type Given = number | number[] | Program;
+
+/** A reader's code, and the index of the reply to it. */
+export type Program = { code: string; reply: number };
 
 export interface Verdict {
   right: boolean;

@@ -113,6 +113,11 @@ const isSaid: Check = (value) => isText(value) || (isObject(value) && isText(val
 const isProblem: Check = ({ message, definition, line }) =>
   isSaid(message) && isText(definition) && Number.isInteger(line);
 
+const isMiss: Check = ({ fault, call, got, expected, recognised, pictures }) =>
+  [fault, call, got, expected].every(isText) &&
+  Number.isInteger(recognised) &&
+  isListOf(isObject, 2)(pictures);
+
 const FRAME_VALUES = {
   meta: isText,
   rasters: isListOf(isBuffer, 100),
@@ -138,6 +143,18 @@ export const CALLS = {
     ...FRAME_VALUES,
     problem: isOptional(isProblem),
     printed: isText,
+  }),
+  /** What a stage of an exercise finds in the reader's text. */
+  exercise: call<
+    { program: string; edits: string; stage: string; ladder: string },
+    Record<string, unknown>
+  >(["program", "edits", "stage"], JSON.parse, {
+    printed: isText,
+    problem: isOptional(({ message, line }) => isSaid(message) && Number.isInteger(line)),
+    miss: isOptional(isMiss),
+    yours: isOptional(isObject),
+    tiers: isOptional(isListOf(isObject, 100)),
+    trials: isOptional(isListOf(isObject, 1000)),
   }),
   /** The control values that bring a handle to a place of its panel. */
   pull: call<

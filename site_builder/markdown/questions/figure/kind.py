@@ -10,7 +10,7 @@ from site_builder.document.places import Passage
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import check_answers, read_answers, report_not_coded
-from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.markdown.questions.kind import FIGURE_LINE, Asked, QuestionKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +74,7 @@ FIGURE = QuestionKind(
     read=read_state,
     quiz=("figure",),
     options=(
-        OptionLine("figure", doc="the element id of the figure that is to be set"),
+        FIGURE_LINE,
         OptionLine("solution", doc="settings that solve it, `control=value …`"),
     ),
     page_data=lambda question: {"conditions": conditions(question)},

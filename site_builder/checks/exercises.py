@@ -1,0 +1,82 @@
+"""What an exercise says of itself is true: its solution is right, what it starts with is not,
+and each wrong answer is wrong and recognised."""
+
+from functools import partial
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import simulations
+from simulations.editing.exercise import Exercise, judged, prove
+from site_builder.cache.results import cached
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.document.blocks import Quiz
+from site_builder.document.book import Chapter
+from site_builder.files.folders import folder_hash
+from site_builder.markdown.questions.code.kind import Task
+from site_builder.sandbox.pool import run_limited
+
+
+def check_exercises(chapter: Chapter, problems: Diagnostics) -> None:
+    for quiz in chapter.quizzes:
+        if isinstance(quiz.details, Task):
+            for line, message in _faults(quiz, quiz.details, chapter):
+                problems.add(quiz.path, line, f"exercise {quiz.id!r}: {message}")
+
+
+def _faults(quiz: Quiz, task: Task, chapter: Chapter) -> list[tuple[int, str]]:
+    figures = [figure.id for figure in chapter.simulations]
+    if task.figure and task.figure not in (*figures, *chapter.figures):
+        return [(quiz.line, unknown("figure of this page", task.figure, figures))]
+    if task.measured:
+        tiers = [tier.id for tier in task.measured.ladder.tiers]
+        if task.exercise.tier not in tiers:
+            return [(quiz.line, unknown("tier", task.exercise.tier, tiers))]
+    sources = tuple(folder_hash(Path(path), "*.py") for path in simulations.__path__)
+    found = _found(task.exercise, task.starter, sources)
+    return [(quiz.line if at is None else task.lines[at], message) for at, message in found]
+
+
+@cached
+def _found(
+    exercise: Exercise, starter: str, _sources: tuple[bytes, ...]
+) -> list[tuple[int | None, str]]:
+    """What is wrong, with the number of the answer: 0 for the solution, None for the start."""
+    try:
+        run_limited(partial(prove, exercise))
+        if miss := _judged(exercise, exercise.solution, "values")["miss"]:
+            return [(0, f"the solution is wrong: {_said(miss)}; legal: a right one")]
+        if exercise.hard:
+            _judged(exercise, exercise.solution, "hard")  # it need not pass them
+    except Exception as error:  # whatever the author's code raises
+        return [(0, f"the solution fails: {type(error).__name__}: {error}")]
+    found: list[tuple[int | None, str]] = []
+    if not _is_wrong(exercise, starter):
+        found.append((None, "what it starts with is right; legal: a start that is not"))
+    for index, code in enumerate(exercise.wrong):
+        try:
+            miss = _judged(exercise, code, "values")["miss"]
+        except Exception as error:
+            found.append((index + 1, f"a wrong answer fails: {type(error).__name__}: {error}"))
+            continue
+        if not miss:
+            found.append((index + 1, "a wrong answer is right; legal: one that a check finds"))
+        elif miss["recognised"] != index:
+            message = f"a wrong answer is taken for another: {_said(miss)}"
+            found.append((index + 1, f"{message}; legal: answers that differ"))
+    return found
+
+
+def _judged(exercise: Exercise, code: str, stage: str) -> dict[str, Any]:
+    return run_limited(partial(judged, exercise, code, stage, perf_counter))
+
+
+def _is_wrong(exercise: Exercise, code: str) -> bool:
+    try:
+        return _judged(exercise, code, "values")["miss"] is not None
+    except Exception:  # it need not run
+        return True
+
+
+def _said(found: dict[str, Any]) -> str:
+    return f"{found['call']} is {found['got']}, expected {found['expected']}"

@@ -1,0 +1,35 @@
+"""The exercises of the book: each solution has the error of the book's tier of the same method."""
+
+import json
+import re
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from simulations.editing.exercise import Exercise, judged
+
+DATA = re.compile(r'<script type="application/json" class="quiz-data">(.*?)</script>', re.DOTALL)
+
+
+def programs(page: str) -> list[Exercise]:
+    questions: list[Any] = [json.loads(text) for text in DATA.findall(page)]
+    return [Exercise(**each["program"]) for each in questions if each["kind"] == "code"]
+
+
+def test_chapters_ask_for_functions_and_solutions_are_as_exact_as_their_tiers(
+    book: Any, built_site: Path
+) -> None:
+    asked = {
+        chapter["number"]: programs((built_site / chapter["url"] / "index.html").read_text())
+        for chapter in book["chapters"]
+    }
+    assert {*range(1, 9), 10, 11} <= {number for number, some in asked.items() if some}
+    assert sum(map(len, asked.values())) >= 12
+    ticks = count()
+    for exercise in (each for some in asked.values() for each in some if each.ladder):
+        found = judged(exercise, exercise.solution, "workload", lambda: float(next(ticks)))
+        tier = next(each for each in found["tiers"] if each["tier"] == exercise.tier)
+        expected = pytest.approx(tier["errors"], rel=1e-3, abs=1e-12)
+        assert found["yours"]["errors"] == expected, exercise.name

@@ -1,0 +1,122 @@
+"""Functions that readers write: judged, recognised, measured, used in a figure, kept; and whatever
+is written, the reader is told something and the page goes on."""
+
+import json
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator, expect
+from support.limits import limit_ms
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+NAME, CHAPTER = "write-a-homography", "2d-transformations/"
+FIGURE = "figure-transform-2d"
+WRITE = """(area, text) => {
+  area.value = text;
+  area.dispatchEvent(new Event('input', {bubbles: true}));
+}"""
+ENDED = "form => !form.hasAttribute('aria-busy') && form.dataset.answered"
+
+
+@pytest.fixture
+def form(reader: Reader) -> Locator:
+    reader.open(CHAPTER, live=False)
+    return form_of(reader)
+
+
+def form_of(reader: Reader) -> Locator:
+    return reader.page.locator(f"form[data-quiz={NAME}]")
+
+
+def program_of(form: Locator) -> Any:
+    return json.loads(form.locator(".quiz-data").inner_text())
+
+
+def check(form: Locator, text: str) -> str:
+    """Write and check a text; what is said of it."""
+    form.locator("textarea").evaluate(WRITE, text)
+    form.locator("button[type=submit]").click()
+    form.page.wait_for_function(ENDED, arg=form.element_handle(), timeout=limit_ms())
+    return form.locator("[data-results]").inner_text() + form.locator(".feedback").inner_text()
+
+
+def test_a_function_is_written_judged_used_in_a_figure_and_kept(
+    reader: Reader, form: Locator
+) -> None:
+    data = json.loads(form.locator(".quiz-data").text_content() or "")
+    solution, wrong = data["program"]["solution"], data["program"]["wrong"]
+    form.locator("textarea").focus()
+    expect(form.locator(".cm-content")).to_be_focused(timeout=limit_ms())
+    for text in wrong:
+        said = check(form, text)
+        assert text.splitlines()[0].removeprefix("# ")[:30] in said
+        assert form.get_attribute("data-answered") == "wrong"
+    expect(form.locator(".code-solution")).to_be_visible()
+    form.locator("[data-hint]").click()
+    expect(form.locator(".code-hints li").first).to_be_visible()
+    check(form, solution)
+    assert form.get_attribute("data-answered") == "correct"
+    assert "image_of" in form.locator(".cm-content").inner_text()
+    form.locator("[data-use]").click()
+    figure = reader.page.locator(f"#{FIGURE} simulation-figure")
+    expect(figure).to_have_attribute("data-edited", "", timeout=limit_ms())
+    reader.open(CHAPTER, live=False)
+    form = form_of(reader)
+    assert form.get_attribute("data-answered") == "correct"
+    assert form.locator("textarea").input_value() == solution
+    form.locator("[data-put-back]").click()
+    assert form.locator("textarea").input_value() == data["starter"]
+
+
+def test_code_without_end_is_stopped(form: Locator) -> None:
+    form.locator("textarea").evaluate(WRITE, "def image_of(H, points):\n    while True: pass")
+    form.locator("button[type=submit]").click()
+    form.locator("[data-stop]").click()
+    expect(form.locator("[data-results]")).not_to_be_empty()
+    expect(form.locator("[data-stop]")).to_be_disabled()
+    assert form.get_attribute("data-answered") is None
+
+
+BODIES = (
+    "pass", "return", "return None", "return 3", "return 'text'", "return points[0]", "return H",
+    "return [1, 2]", "return points[:, 0]", "return {}", "return points * np.nan", "return print",
+    "return points.astype(complex) * 1j", "return points.astype(np.float16)", "return object()",
+    "return points / 0", "1 / 0", "raise KeyError('x')", "raise SystemExit", "exit()",
+    "raise KeyboardInterrupt", "import os; os._exit(3)", "import sys; sys.exit(1)",
+    "import pandas", "import js",
+    "import scipy.linalg", "open('/etc/passwd')", "return image_of(H, points)", "yield points",
+    "print('x' * 10**6); return points", "points[:] = 0; return points",
+    "H[:] = 1; return points",
+    "np.linalg.inv(np.zeros((3, 3)))", "global np; np = None; return points",
+    "np.array = None; return points", "__builtins__['len'] = None; return points",
+    "return np.zeros((10**5, 10**5))", "return 'x' * 10**8", "return [0] * 10**7",
+    "assert False, '<img src=x onerror=alert(1)>'", "raise ValueError('\\u202e')", "del points",
+    "return unknown", "import numpy.fft; return numpy.fft.fft(points)", "async def f(): pass",
+    "return (yield)", "lambda: 0", "eval('1/0')", "exec('return 1')", "return points,",
+)  # fmt: skip
+TEXTS = (
+    "",
+    "def",
+    "def image_of(",
+    "x = 1",
+    "class image_of: pass",
+    "image_of = 3",
+    "\0",
+    "\ud800",
+)
+
+
+def test_whatever_is_written_gets_an_answer_and_leaves_the_page_whole(
+    reader: Reader, form: Locator
+) -> None:
+    for body in BODIES:
+        said = check(form, f"def image_of(H, points):\n    {body}")
+        assert len(said) > len("Not yet. Try again."), body
+        assert form.get_attribute("data-answered") == "wrong", body
+    for text in TEXTS:
+        assert len(check(form, text)) > len("Not yet. Try again."), text
+    figure = reader.page.locator(f"#{FIGURE} simulation-figure")
+    reader.bring(figure)
+    reader.settle(figure)

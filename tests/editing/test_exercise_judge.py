@@ -1,0 +1,83 @@
+"""Exercises: what is wrong with a reader's function is found and named; expected mistakes are
+recognised by what they compute; a right one is measured and tried at the extremes."""
+
+from dataclasses import replace
+
+import pytest
+
+from simulations.editing.exercise import Exercise, first_miss, prove, trials
+
+TURNED = Exercise(
+    name="turned",
+    check="""
+POINTS = np.array([[1.0, 0.0], [2.0, 3.0]])
+turned(POINTS, 0.5)
+turned(POINTS, 0.0)
+turned(POINTS, np.inf)
+assert np.allclose(turned(POINTS, np.pi / 2), [[0, 1], [-3, 2]])
+""",
+    solution="""
+def turned(points, angle):
+    if not np.isfinite(angle):
+        raise ValueError("angle")
+    c, s = np.cos(angle), np.sin(angle)
+    return points @ np.array([[c, s], [-s, c]])
+""",
+    wrong=(
+        "def turned(points, angle):\n    return points",
+        "def turned(points, angle):\n    c, s = np.cos(angle), np.sin(angle)\n"
+        "    return points @ np.array([[c, -s], [s, c]])",
+    ),
+)
+C_S = "c, s = np.cos(angle), np.sin(angle); R = np.array([[c, s], [-s, c]]); "
+
+
+@pytest.mark.parametrize(
+    ("body", "fault", "recognised"),
+    [
+        ("pass", "nothing", -1),
+        ("return points", "value", 0),
+        ("return points + 0.0", "value", 0),
+        ("return points @ np.array([[np.cos(angle), -np.sin(angle)], "
+         "[np.sin(angle), np.cos(angle)]])", "value", 1),
+        ("return points[0]", "shape", -1),
+        ("return points * np.nan", "nan", -1),
+        ("return points.astype(str)", "kind", -1),
+        (C_S + "points[:] = points @ R; return points", "input", -1),
+        (C_S + "return points @ np.nan_to_num(R)", "accepted", -1),
+    ],
+)  # fmt: skip
+def test_the_first_fault_is_named(body: str, fault: str, recognised: int) -> None:
+    cases, miss = first_miss(TURNED, f"def turned(points, angle):\n    {body}")
+    assert miss
+    assert (cases, miss.fault, miss.recognised) == (3, fault, recognised)
+
+
+def test_the_solution_is_right_and_what_is_claimed_of_it_is_proved() -> None:
+    prove(TURNED)
+    assert first_miss(TURNED, TURNED.solution) == (3, None)
+    with pytest.raises(AssertionError):
+        prove(replace(TURNED, check=TURNED.check + "\nassert not turned(POINTS, 0.0).any()"))
+
+
+def test_a_wrong_picture_is_shown_at_the_place_that_is_most_wrong() -> None:
+    asked = Exercise("grey", "grey(16)", "def grey(n):\n    return np.full((n, n), 0.5)")
+    _, miss = first_miss(asked, "def grey(n):\n    a = np.full((n, n), 0.5)\n    a[3, 4] = 1\n"
+                                "    return a")  # fmt: skip
+    assert miss
+    assert (miss.call, miss.got, miss.expected) == ("grey(16)[3, 4]", "1", "0.5")
+    assert [(each["width"], each["height"]) for each in miss.pictures] == [(16, 16)] * 2
+
+
+def test_hard_cases_are_asked_through_the_adapter() -> None:
+    case = {"why": "why", "returns": "it", "expected": "near([0.0, 1.0])"}
+    table = {
+        "title": "Turns",
+        "names": ["simulations.models.geometry.rotations:*"],
+        "cases": {"one": {**case, "call": "exponential([0, 0, np.pi / 2])[:2, 0]"}},
+    }
+    adapter = "def exponential(v):\n    return np.pad(turned(np.eye(2), v[2]).T, ((0, 1), (0, 1)))"
+    model = "simulations.models.geometry.rotations:exponential"
+    asked = replace(TURNED, model=model, adapter=adapter, hard=table)
+    assert [trial.passed for trial in trials(asked, TURNED.solution)] == [True]
+    assert [trial.passed for trial in trials(asked, TURNED.wrong[0])] == [False]
