@@ -109,7 +109,7 @@ def exercise(program: str, edits: str, stage: str) -> str:
     found: dict[str, Any] = {}
     try:
         with redirect_stdout(printed):
-            found = judged(asked, edits, stage, time.perf_counter)
+            found = judged(asked, edits, stage, load_ladder, time.perf_counter)
     except BaseException as error:  # the reader's code may raise anything, `SystemExit` too
         found = {"problem": asdict(problem_of(error, [place_of(asked, edits)]))}
     found["printed"] = printed.getvalue()[:MOST_PRINTED]

@@ -18,8 +18,7 @@ import numpy as np
 from simulations.editing.definitions import import_from_sources
 from simulations.editing.program import Place, check_text
 from simulations.engine.hard_cases import HardCases, answer, as_expected, show, table_of
-from simulations.engine.ladder import Clock, Tier, TierResult, measure_tier
-from simulations.registry import load_ladder
+from simulations.engine.ladder import Clock, Ladder, Tier, TierResult, measure_tier
 
 READERS = "exercise"
 """Name of the module in which the reader's text runs."""
@@ -35,6 +34,7 @@ NUMBERS = "biufc"
 """Kinds of NumPy's types."""
 
 type Function = Callable[..., Any]
+type LoadLadder = Callable[[str], Ladder]
 
 
 @dataclass(frozen=True, slots=True)
@@ -259,9 +259,10 @@ def _picture(value: Any) -> Mapping[str, Any]:
     return {"height": values.shape[0], "width": values.shape[1], "rgb": data}
 
 
-def measured(exercise: Exercise, text: str, clock: Clock) -> tuple[TierResult, list[TierResult]]:
+def measured(
+    exercise: Exercise, text: str, ladder: Ladder, clock: Clock
+) -> tuple[TierResult, list[TierResult]]:
     """The reader's function, and the tiers of the ladder, on its workload."""
-    ladder = load_ladder(exercise.ladder)
     run = Check.of(exercise).names(function_of(exercise, text))["run"]
     own = Tier("", "", "", run)
     workload = ladder.prepare()
@@ -326,14 +327,16 @@ def _tried(table: HardCases, call: str) -> Any:
         return error
 
 
-def judged(exercise: Exercise, text: str, stage: str, clock: Clock) -> dict[str, Any]:
+def judged(
+    exercise: Exercise, text: str, stage: str, load_ladder: LoadLadder, clock: Clock
+) -> dict[str, Any]:
     """What a ``stage`` finds, as plain data. Raises what the text raises."""
     import_from_sources()
     if stage == "values":
         count, miss = first_miss(exercise, text)
         return {"count": count, "miss": miss and asdict(miss)}
     if stage == "workload":
-        yours, tiers = measured(exercise, text, clock)
+        yours, tiers = measured(exercise, text, load_ladder(exercise.ladder), clock)
         return {"yours": _plain(yours), "tiers": [*map(_plain, tiers)]}
     return {"trials": [asdict(trial) for trial in trials(exercise, text)]}
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import simulations
 from simulations.editing.exercise import Exercise, judged, prove
+from simulations.registry import load_ladder
 from site_builder.cache.results import cached
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import Quiz
@@ -68,7 +69,7 @@ def _found(
 
 
 def _judged(exercise: Exercise, code: str, stage: str) -> dict[str, Any]:
-    return run_limited(partial(judged, exercise, code, stage, perf_counter))
+    return run_limited(partial(judged, exercise, code, stage, load_ladder, perf_counter))
 
 
 def _is_wrong(exercise: Exercise, code: str) -> bool:

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from simulations.editing.exercise import Exercise, judged
+from simulations.registry import load_ladder
 
 DATA = re.compile(r'<script type="application/json" class="quiz-data">(.*?)</script>', re.DOTALL)
 
@@ -29,7 +30,7 @@ def test_chapters_ask_for_functions_and_solutions_are_as_exact_as_their_tiers(
     assert sum(map(len, asked.values())) >= 12
     ticks = count()
     for exercise in (each for some in asked.values() for each in some if each.ladder):
-        found = judged(exercise, exercise.solution, "workload", lambda: float(next(ticks)))
+        found = judged(exercise, exercise.solution, "workload", load_ladder, lambda: next(ticks))
         tier = next(each for each in found["tiers"] if each["tier"] == exercise.tier)
         expected = pytest.approx(tier["errors"], rel=1e-3, abs=1e-12)
         assert found["yours"]["errors"] == expected, exercise.name
