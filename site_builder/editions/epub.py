@@ -2,6 +2,7 @@
 
 import os
 import re
+from base64 import b64decode
 from collections.abc import Mapping
 from copy import deepcopy
 from datetime import UTC, datetime
@@ -111,7 +112,10 @@ def _take_images(trees: Mapping[str, Element], composed: Composed) -> dict[str, 
                 element.set(name, targets[source])
                 continue
             key = source
-            content = content_bytes(composed.files[source])
+            if source.startswith("data:"):  # of a drawing, which makes no other kind than PNG
+                source, content = "drawing.png", b64decode(source.partition(",")[2])
+            else:
+                content = content_bytes(composed.files[source])
             if source.startswith(f"{composed.assets}stills/") and source.endswith(".webp"):
                 source, content = source.removesuffix("webp") + "png", as_png(content)
             target = _free_name(Path(source), taken)

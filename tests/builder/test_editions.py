@@ -91,6 +91,12 @@ def test_pictures_of_one_name_in_two_folders_are_two(make_book: MakeBook) -> Non
     assert shown == [["one"], ["two"]]
 
 
+def test_pixels_of_a_drawing_stay_in_its_page(make_book: MakeBook) -> None:
+    book = epub(make_book, ":::{illustration} similar-triangles\nPlan.\n\n1. A.\n2. B.\n:::\n", {})
+    assert book.read(f"{FOLDER}images/drawing.png").startswith(b"\x89PNG")
+    assert not any(b"data:" in book.read(name) for name in book.namelist())
+
+
 def test_an_e_book_names_its_authors_and_its_cover(make_book: MakeBook) -> None:
     outline = (
         f'{OUTLINE}hero = "demo"\nhero_caption = "The demo."\n[imprint]\ndoi = "10.1000/182"\n'

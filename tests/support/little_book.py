@@ -14,6 +14,7 @@ from support.html_outline import outline, read_html
 from support.places import ROOT
 from support.toy_ladder import toy_data, toy_ladder
 
+from simulations.engine.drafting import picture
 from simulations.engine.drawing import line, polygon, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
 from simulations.engine.illustration import Illustration, in_steps
@@ -177,7 +178,8 @@ DEMO = Scene(
 def draw() -> Illustration:
     """An illustration, as if it lay where a book has them."""
     drawn = in_steps(*([polygon([(0, 0), (size, 0), (0, size)])] for size in (30, 60)))
-    panel = Panel("plan", "Plan", 400, 300, overlay=drawn)
+    dots = picture((70, 0), 60, 60, np.zeros((2, 2, 4), np.uint8))
+    panel = Panel("plan", "Plan", 400, 300, overlay=drawn + dots)
     return Illustration((panel,), "One triangle has twice the sides of the other.")
 
 
