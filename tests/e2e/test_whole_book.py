@@ -36,7 +36,8 @@ CATALOGUED = """() => [
   [...document.querySelectorAll('form.quiz')].map((form) => form.dataset.quiz),
 ]"""
 STILLS = """() => [...document.querySelectorAll('simulation-figure')].map((figure) => ({
-  drawings: [...figure.querySelectorAll('svg.overlay')].map((svg) => svg.innerHTML),
+  drawings: [...figure.querySelectorAll('svg.overlay')]
+    .map((svg) => svg.innerHTML.replaceAll(/(<text data-estimate[^>]*>)[^<]*/g, '$1')),
   readouts: [...figure.querySelectorAll('output')].map((output) => output.textContent),
   values: [...figure.querySelectorAll('.control-value')].map((text) => text.textContent),
   description: figure.querySelector('.description').textContent,
