@@ -177,7 +177,8 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
         book, problems, prerendered=options.runtime and not options.reload
     )
     check_frames(book, initial_frames, static_files(options.root), problems)
-    check_first_passes(book, describing(initial_frames), problems)
+    if not problems:  # a figure that fails has no description to count
+        check_first_passes(book, describing(initial_frames), problems)
     for path, line, text in printed():
         problems.warn(path, line, f"prints {text!r}, which no reader sees")
     for warning in sorted(set(problems.doubts)):
