@@ -1,13 +1,17 @@
 """Chapter 7: sampling."""
 
+import json
+
 import numpy as np
 from support.frames import outputs_of
-from support.worked_numbers import Says
+from support.worked_numbers import CONTENT, Says
 
+from simulations.illustrations.twelve_turns import TITLES, judged, turned
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.resampling import KERNELS
 from simulations.models.sensor.resolution import pixel_transfer
+from simulations.pictures.round_windows import TURN_RAD, TURNS, pictures_at, places
 from simulations.scenes.slanted_edge.edge import Sharpness
 from simulations.scenes.slanted_edge.scene import SCENE as SLANTED_EDGE
 
@@ -78,6 +82,17 @@ def _mtf50_at_f_8(pitch: float) -> float:
     frequency = np.linspace(0, 200, 20001)
     both = lens_transfer(frequency, 0.55, 8) * pixel_transfer(frequency, pitch)
     return first_fall(frequency, both, 0.5)
+
+
+def what_twelve_turns_leave() -> Says:
+    """The pictures in the page have the numbers that the ladder measured."""
+    ladder = json.loads((CONTENT / "measurements.json").read_text("utf-8"))["ladders"]["resampling"]
+    truth = pictures_at(*places(TURNS * TURN_RAD))
+    for kernel in TITLES:
+        errors = ladder["tiers"][kernel]["errors"]
+        measured = [errors[name] for name in ("psnr-often", "present", "in-place")]
+        np.testing.assert_allclose(judged(turned(kernel), truth), measured, rtol=1e-3)
+    yield "more than 100 % is present, and little of it in place"
 
 
 def the_cubic_s_weights_halfway() -> Says:
