@@ -24,7 +24,7 @@ ORIGIN = np.array([-0.6, -0.9, 3.6])
 SQUARES, FOCAL = 3, 2.0
 CENTRE = np.zeros(3)
 OUTSIDE = look_at((8.0, 5.0, -3.5), (-0.2, 0.0, 3.0), (0.0, -1.0, 0.0))
-LENSES = intrinsics(560.0, (200.0, 121.0))
+LENSES = intrinsics(560.0, (200.0, 124.0))
 
 
 def at(point: ArrayLike) -> Floats:

@@ -36,7 +36,7 @@ def draw() -> Illustration:
         arrow(at(ORIGIN), at(ORIGIN + R1), "error bold"),
         arrow(at(ORIGIN), at(ORIGIN + R2), "error bold"),
         label(beside(ORIGIN + 0.6 * R1, -6, -8), "r_1", "error italic", "end"),
-        label(beside(ORIGIN + 0.6 * R2, -6, 4), "r_2", "error italic", "end"),
+        label(beside(ORIGIN + 0.35 * R2, -6, 6), "r_2", "error italic", "end"),
     ]
     third = [
         arrow(at(ORIGIN), at(corner(ACROSS, 0)), "error"),
