@@ -85,8 +85,13 @@ class Reader:
         assert not complaints, "\n".join(complaints)
 
     def forget(self) -> None:
-        """Empty the storage of the book."""
-        self.page.evaluate("localStorage.clear(); sessionStorage.clear()")
+        """Empty the storage of the book, but for the choice to read deeper sections too."""
+        everything = "image-formation:everything"
+        self.page.evaluate(
+            f"const kept = localStorage.getItem('{everything}'); "
+            "localStorage.clear(); sessionStorage.clear(); "
+            f"if (kept) localStorage.setItem('{everything}', kept)"
+        )
 
     def keep_no_files(self) -> None:
         """Empty the browser's cache."""
