@@ -52,7 +52,7 @@ def draw() -> Illustration:
         label((PLOT.x.end, foot + 18), "ideal radius r", "muted small", "end"),
     ]
     words = (
-        f"The distorted radius against the ideal one, for k1 = −0.3, and a level line at {SEEN:g}. "
+        f"The distorted radius against the ideal one, for k1 = −0.3, and a line at {SEEN:g}. "
         "From the first guess the tangent is followed up to that line, which gives the second "
         "guess: " + ", ".join(f"{r:.4f}" for r in found) + "."
     )
