@@ -298,7 +298,7 @@ def test_an_archive_holds_just_its_modules_and_equal_sources_give_equal_bytes(
 IMPORT_ALL = """
 import json, sys
 from simulations import browser, registry
-from simulations.editing import copies  # these two by the worker, once they are asked for
+from simulations.editing import copies, exercise  # by the worker, once they are asked for
 from simulations.engine import conditions
 for scene in registry.SCENE_MODULES: registry.load_scene(scene)
 for ladder in registry.LADDER_MODULES: registry.load_ladder(ladder)
