@@ -180,6 +180,8 @@ class Book:
     """Words and addresses of the links of the landing page, relative to the site's root."""
     bibliography: Works = NO_WORKS
     lecture_plan: LecturePlan | None = None
+    asked: tuple[tuple[Target, tuple[str, ...]], ...] = ()
+    """Sections, and words by which readers look for them."""
     glossary: tuple[Definition, ...] = ()
     """In alphabetical order."""
     symbols: Mapping[str, tuple[Meaning, ...]] = field(default_factory=dict)

@@ -137,6 +137,7 @@ def _bare(book: Book) -> Book:
         chapters=cards,
         bibliography=NO_WORKS,
         lecture_plan=None,
+        asked=(),
         glossary=tuple(glossary),
         symbols={},
     )

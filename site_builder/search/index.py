@@ -41,6 +41,8 @@ class Record:
     explains: tuple[str, ...]
     """Names of the glossary's terms that are explained here, entries of the index that lead here,
     and symbols that are introduced here."""
+    asked: tuple[str, ...]
+    """Words by which readers look for it."""
     text: str
     figures: str
     questions: str
@@ -52,6 +54,8 @@ class Records:
 
     explained: Mapping[str, Sequence[str]]
     """Terms by the address of the section that explains them."""
+    asked: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    """Words of readers, likewise."""
     _introduced: set[str] = field(default_factory=set)
     _numbers: Iterator[int] = field(default_factory=count)
 
@@ -71,6 +75,7 @@ class Records:
             title=section.title if section.anchor else "",
             introduced=tuple(fresh),
             explains=tuple(self.explained.get(address, ())),
+            asked=tuple(self.asked.get(address, ())),
             text=section.text("text"),
             figures=section.text("figure"),
             questions=section.text("question"),
@@ -83,7 +88,11 @@ type PageRecords = tuple[tuple[Record, ...], ...]
 
 def make_records(book: Book, describe: Describe) -> PageRecords:
     """The records of all chapters, then those of the glossary."""
-    records = Records(explained_terms(book))
+    asked = {
+        _address(f"{section.chapter}/index.html", section.id): words
+        for section, words in book.asked
+    }
+    records = Records(explained_terms(book), asked)
     pages = [
         (f"{chapter.url}index.html", chapter_sections(chapter, describe))
         for chapter in book.chapters

@@ -44,7 +44,13 @@ from site_builder.references.terms import (
     read_symbols,
 )
 from site_builder.sandbox.loading import loaded
-from site_builder.sources.outline import Outline, check_addresses, read_lecture_plan, read_outline
+from site_builder.sources.outline import (
+    Outline,
+    check_addresses,
+    read_asked,
+    read_lecture_plan,
+    read_outline,
+)
 from site_builder.sources.translations.files import find_languages, folder_of
 
 
@@ -147,6 +153,7 @@ def read_book(
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(sources, targets),
+        asked=tuple(read_asked(sources, targets)),
         glossary=read_definitions(glossary),
         symbols=read_meanings(read_symbols(sources), symbols),
         languages=find_languages(sources.root, settings),

@@ -1,5 +1,6 @@
-"""``book.toml`` of a book, its settings and words, and its chapters in order; and
-``content/lecture-plan.toml``: the sections of another textbook, and ours that teach them.
+"""``book.toml`` of a book, its settings and words, and its chapters in order;
+``content/lecture-plan.toml``: the sections of another textbook, and ours that teach them; and
+``content/search.toml``: sections, and the words by which readers look for them.
 
 The lecture plan only names sections. Their figures and questions are found in the chapters.
 """
@@ -17,7 +18,7 @@ from site_builder.document.places import Position, Target, Targets, chapter_id
 from site_builder.files.text import Sources, Toml
 from site_builder.formulae.temml import Macros
 from site_builder.languages.words import Words, languages, load_words
-from site_builder.settings.declared import Reader
+from site_builder.settings.declared import Key, Reader, texts
 from site_builder.settings.model import FILE_NAME, Settings, read_settings
 
 
@@ -184,3 +185,24 @@ def _closing(chapter: str, targets: Targets) -> Taught | None:
     """The questions at the end of a chapter; None where it has none."""
     found = [t for t in targets.inside[chapter] if t.kind == "Section" and t.id == END]
     return _taught(found[0], targets) if found else None
+
+
+ASKED = "content/search.toml"
+WORDS = texts('["words of a reader", …]', least=1)
+
+
+def read_asked(sources: Sources, targets: Targets) -> Iterator[tuple[Target, tuple[str, ...]]]:
+    """Sections, and words by which readers look for them. Mistakes are reported."""
+    toml = sources.toml(ASKED) or Toml()
+    reader = Reader(ASKED, toml, sources.problems)
+    declared = [Key(place, WORDS, "", (), "") for place in toml.table]
+    taken: dict[str, str] = {}
+    for place, asked in reader.values(declared, toml.table).items():
+        for words in asked:
+            if taken.setdefault(words.casefold(), place) != place:
+                message = f"{words!r} leads to {taken[words.casefold()]}; legal: to one section"
+                sources.problems.add(ASKED, toml.line_of_text(words, toml.line(place)), message)
+        try:
+            yield _section(place, targets), asked
+        except LookupError as error:
+            reader.report((place,), str(error))

@@ -165,7 +165,7 @@ def test_without_editor_and_search_the_book_is_built_and_says_so(
 
 
 def record(number: int) -> Record:
-    return Record(number, f"page/#{number}", "Page", "Title", (), (), "Some text.", "", "")
+    return Record(number, f"page/#{number}", "Page", "Title", (), (), (), "Some text.", "", "")
 
 
 def test_the_index_has_every_section_and_a_fault_under_node_is_reported(tmp_path: Path) -> None:

@@ -266,16 +266,22 @@ def test_folds_and_filters_of_chapters_open_and_find(plain_reader: Reader) -> No
     expect(page.locator("details.extremes[open]")).to_have_count(0)
 
 
+def read_toml(name: str) -> dict[str, Any]:
+    return tomllib.loads((ROOT / "content" / f"{name}.toml").read_text(encoding="utf-8"))
+
+
 def terms() -> Iterator[tuple[str, str]]:
-    """Words, and the address of the section that explains them: terms and every name of the
-    glossary."""
+    """Words, and the address of the section that explains them: questions, what readers ask for,
+    and every name of a term of the glossary."""
     listed = (ROOT / "tests" / "fixtures" / "search_terms.txt").read_text(encoding="utf-8")
     for line in listed.splitlines():
         if line and not line.startswith("#"):
             term, _, address = line.partition(" | ")
             yield term, address
-    text = (ROOT / "content" / "glossary.toml").read_text(encoding="utf-8")
-    for term, entry in tomllib.loads(text).items():
+    for section, asked in read_toml("search").items():
+        for words in asked:
+            yield words, section.replace("#", "/#")
+    for term, entry in read_toml("glossary").items():
         chapter, mark, section = entry["explained"].partition("#")
         for name in (term, *entry.get("also", ())):
             yield name, f"{chapter}/{mark}{section}"
@@ -304,6 +310,7 @@ def test_each_term_is_found_first_where_it_is_explained(visitor: Reader) -> None
     first_hit(visitor, dialog, "lens")
     requests = visitor.note_requests()
     wanted = dict(terms())
+    assert {*read_toml("book")["search_examples"]} <= wanted.keys()
     found = dict(zip(wanted, dialog.evaluate(FIRST_HITS, [*wanted]), strict=True))
     visitor.page.keyboard.press("Escape")
     assert not [address for address in requests if "/search/" in address]

@@ -198,7 +198,7 @@ def load_demo(scene_id: str) -> Scene[Settings]:
 
 
 IMPORT = "from simulations.notebook.live import figure"
-FIELDS = ("title", "introduced", "explains", "text", "figures", "questions")
+FIELDS = ("title", "introduced", "explains", "asked", "text", "figures", "questions")
 """What a record of the search holds."""
 
 

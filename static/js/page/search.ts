@@ -41,7 +41,12 @@ function clicked(event: MouseEvent) {
   if (within(event, "[data-search]", Element)) openSearch();
   const dialog = within(event, "dialog.search", HTMLDialogElement);
   if (!dialog) return;
-  if (within(event, ".search-retry", Element)) refresh(dialog);
+  const example = within(event, "[data-words]", HTMLElement);
+  if (example) {
+    field(dialog).value = example.textContent ?? "";
+    field(dialog).focus();
+  }
+  if (example || within(event, ".search-retry", Element)) refresh(dialog);
   else if (event.target === dialog || within(event, "a, [data-close]", Element)) dialog.close();
 }
 

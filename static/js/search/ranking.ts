@@ -15,6 +15,8 @@ interface Section {
   introduced: string[];
   /** Terms of the glossary and symbols that it explains. */
   explains: string[];
+  /** Words by which readers look for it. */
+  asked: string[];
   text: string;
   figures: string;
   questions: string;
@@ -23,21 +25,36 @@ interface Section {
 /** A section that was found. `matched` has the words by which it was, as the index spells them. */
 export type Hit = Section & { score: number; matched: string[] };
 
-const FIELDS = ["title", "introduced", "explains", "chapter", "text", "figures", "questions"];
+const FIELDS = [
+  "title",
+  "introduced",
+  "explains",
+  "asked",
+  "chapter",
+  "text",
+  "figures",
+  "questions",
+];
 const BOOST = {
   title: 4,
   introduced: 2.5,
   explains: 2.5,
+  asked: 2.5,
   chapter: 2,
   text: 2,
   figures: 1,
   questions: 0.3,
 };
+/** Letters from which a word that the book has not may be misspelt, in one letter and in two. */
+const MISSPELT = [6, 8];
+/** Letters of a word that may be the beginning of others, where more than one is asked for. */
+const BEGINNING = 4;
 /** Weights of words that only begin as the query, or are only similar. */
 const WEIGHTS = { prefix: 0.3, fuzzy: 0.2 };
 /** Long sections are not held against a term that they repeat: they explain it. */
 const BM25 = { k: 2, b: 0.3, d: 0.5 };
-/** Factors for a whole query found in one piece; `part`: in a longer term that is explained. */
+/** Factors for a whole query found in one piece; `part`: in a longer term that is explained, or such
+ * a term in it. */
 const WHOLE = { explained: 10, part: 3, term: 2, title: 1.8, text: 1.25 };
 /** For what stands before a chapter's first heading: there things are named, to be explained later. */
 const OPENING = 0.6;
@@ -63,9 +80,8 @@ export function settings(language: Language) {
 }
 
 /**
- * The sections that have all words; where there is none, those with words that are similar; where
- * there is none of these, those with some of the words, or with words that are less similar. Best
- * first.
+ * The sections that have all words; where there is none, those with some of them. Best first. A word
+ * that the book has not, in any form, stands for those that are spelt nearly so.
  *
  * @param index A MiniSearch.
  */
@@ -76,37 +92,39 @@ export function find(
 ): { hits: Hit[]; exact: boolean } {
   const words = asked(query, language);
   if (words.length === 0) return { hits: [], exact: true };
-  const attempts = [
-    { combineWith: "AND", fuzzy: false },
-    { combineWith: "AND", fuzzy: 0.25 },
-    { combineWith: "OR", fuzzy: 0.25 },
-    { combineWith: "OR", fuzzy: 0.4 },
-  ];
-  for (const { combineWith, fuzzy } of attempts) {
-    const queries = words.map((word) => queryFor(word, language, fuzzy));
-    const found = index.search(
-      { combineWith, queries },
-      {
-        boost: BOOST,
-        weights: WEIGHTS,
-        bm25: BM25,
-        tokenize: (form: string) => [form],
-        processTerm: (form: string) => form,
-      },
-    );
-    if (found.length > 0)
-      return { hits: ranked(index, found, words, query, language), exact: !fuzzy };
-  }
-  return { hits: [], exact: true };
+  const search = (queries: any[], combineWith: string): any[] =>
+    index.search({ combineWith, queries }, SEARCH);
+  const least = words.length > 1 ? BEGINNING : 2;
+  const exactly = words.map((word) => queryFor(word, language, least));
+  const known = exactly.map((query) => search([query], "AND").length > 0);
+  const queries = words.map(({ whole }, place) =>
+    known[place] ? exactly[place] : { queries: [whole], fuzzy: slack(whole) },
+  );
+  const all = search(queries, "AND");
+  const found = all.length > 0 ? all : search(queries, "OR");
+  const exact = found.length === 0 || (all.length > 0 && known.every(Boolean));
+  return { hits: ranked(index, found, words, query, language), exact };
+}
+
+const SEARCH = {
+  boost: BOOST,
+  weights: WEIGHTS,
+  bm25: BM25,
+  tokenize: (form: string) => [form],
+  processTerm: (form: string) => form,
+};
+
+/** Letters in which a word may differ from one that is meant. */
+function slack(word: string) {
+  return MISSPELT.filter((letters) => word.length >= letters).length;
 }
 
 /** A word in any of its forms, or all its parts. */
-function queryFor({ whole, parts }: Word, language: Language, fuzzy: number | boolean) {
+function queryFor({ whole, parts }: Word, language: Language, least: number) {
   const one = (word: string) => ({
     combineWith: "OR",
     queries: formsOf(word, language),
-    prefix: word.length > 1,
-    fuzzy,
+    prefix: word.length >= least,
   });
   const queries: any[] = whole ? [one(whole)] : [];
   const searched = parts.filter((part) => !language.stopWords.has(part));
@@ -131,12 +149,16 @@ function ranked(index: any, found: any[], words: Word[], query: string, language
     const others = rootsOf(asked(term, language));
     return others.join("") === roots.join("") || `${others.sort()}` === `${[...roots].sort()}`;
   };
-  const isIn = (text: string) =>
-    ` ${rootsOf(asked(text, language)).join(" ")} `.includes(` ${roots.join(" ")} `);
+  const contains = (whole: string[], part: string[]) =>
+    part.length > 0 && ` ${whole.join(" ")} `.includes(` ${part.join(" ")} `);
+  const isIn = (text: string) => contains(rootsOf(asked(text, language)), roots);
+  const holds = (term: string) =>
+    term.length >= BEGINNING && contains(roots, rootsOf(asked(term, language)));
   const hits = found.map(({ terms: matched, ...section }) => {
     let { score } = section;
-    if (section.explains.some(isSame)) score *= WHOLE.explained;
-    else if (section.explains.some(isIn)) score *= WHOLE.part;
+    const terms: string[] = [...section.explains, ...section.asked];
+    if (terms.some(isSame)) score *= WHOLE.explained;
+    else if (terms.some((term) => isIn(term) || holds(term))) score *= WHOLE.part;
     if (section.introduced.some(isSame)) score *= WHOLE.term;
     if (isIn(section.title)) score *= WHOLE.title;
     if (words.length > 1 && fold(section.text).includes(fold(query))) score *= WHOLE.text;

@@ -85,13 +85,23 @@ function item(template: HTMLTemplateElement, hit: Hit, compared: Language) {
   return copy;
 }
 
-/** An excerpt of that part of the section in which the words were found. */
+/**
+ * An excerpt of that part of the section in which most of the words were found; before the text,
+ * what it explains under other words.
+ */
 function said(hit: Hit, compared: Language) {
-  const pieces = excerpt(hit.text, hit.matched, compared);
-  if (pieces.some((piece) => piece.hit)) return pieces.map(shownPiece);
-  const other = [hit.figures, hit.questions].map((text) => excerpt(text, hit.matched, compared));
-  const found = other.find((excerpt) => excerpt.some((piece) => piece.hit));
-  return (found ?? pieces).map(shownPiece);
+  const names = [...hit.explains, ...hit.asked];
+  const [text, ...others] = [hit.text, hit.figures, hit.questions, ...names].map((part) =>
+    excerpt(part, hit.matched, compared),
+  );
+  const best = others.reduce((one, other) => (kinds(other) > kinds(one) ? other : one), text);
+  const isName = others.indexOf(best) > 1;
+  return (isName ? [...best, { text: " · ", hit: false }, ...text] : best).map(shownPiece);
+}
+
+/** How many different words were found. */
+function kinds(pieces: { text: string; hit: boolean }[]) {
+  return new Set(pieces.filter(({ hit }) => hit).map(({ text }) => text.toLowerCase())).size;
 }
 
 function shownPiece({ text, hit }: { text: string; hit: boolean }) {
