@@ -5,6 +5,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from typing import Any, Literal
+from urllib.parse import quote
 
 import pytest
 from playwright.sync_api import Locator, expect
@@ -280,7 +281,7 @@ def terms() -> Iterator[tuple[str, str]]:
             yield term, address
     for section, asked in read_toml("search").items():
         for words in asked:
-            yield words, section.replace("#", "/#")
+            yield words, quote(section.replace("#", "/#"), safe="/#")
     for term, entry in read_toml("glossary").items():
         chapter, mark, section = entry["explained"].partition("#")
         for name in (term, *entry.get("also", ())):
@@ -337,13 +338,17 @@ def test_results_are_marked_chosen_by_keyboard_and_near_where_a_word_is_misspelt
     button.click()
     dialog = visitor.page.locator("dialog.search")
     field, hits = dialog.locator("input"), dialog.locator("a[data-result]")
+    field.fill("")
+    dialog.get_by_role("button", name="white sky").click()
+    expect(hits.first).to_have_attribute("href", re.compile("#from-photons-to-a-number$"))
+    expect(field).to_be_focused()
     first_hit(visitor, dialog, "circle of confusion")
     marks = hits.first.locator(".result-excerpt mark")
     assert {mark.lower() for mark in marks.all_inner_texts()} >= {"circle", "confusion"}
     assert first_hit(visitor, dialog, "vingetting") == first_hit(visitor, dialog, "vignetting")
     field.fill("vingetting")
     expect(dialog.get_by_role("status")).to_contain_text("Similar")
-    field.fill("xyzzyplugh")
+    field.fill("banana")  # which is no balance
     expect(dialog.get_by_role("status")).to_contain_text("Nothing found")
     expect(dialog.locator(".search-nothing")).to_be_visible()
     assert hits.count() == 0
