@@ -298,6 +298,6 @@ WHOLE = """() => {
     document.querySelectorAll('article.chapter p').length,
     document.querySelectorAll('simulation-figure svg.overlay').length,
     count('.control-grid, .site-header button, dialog', true),
-    count('form.quiz details, .answer-body', false),
+    count(':is(form.quiz details, .answer-body):not(.scripted *, .deeper:not([open]) *)', false),
   ];
 }"""

@@ -49,6 +49,7 @@ class Reader:
     def __init__(self, context: BrowserContext, root: str) -> None:
         self.root = root
         self.complaints: list[str] = []
+        self.wants = ""
         self.page = context.new_page()
         self.page.add_init_script(WATCH_SHIFTS)
         self.page.on("console", self._note_console)
@@ -85,13 +86,8 @@ class Reader:
         assert not complaints, "\n".join(complaints)
 
     def forget(self) -> None:
-        """Empty the storage of the book, but for the choice to read deeper sections too."""
-        everything = "image-formation:everything"
-        self.page.evaluate(
-            f"const kept = localStorage.getItem('{everything}'); "
-            "localStorage.clear(); sessionStorage.clear(); "
-            f"if (kept) localStorage.setItem('{everything}', kept)"
-        )
+        """Empty the storage of the book, but for what the reader wants from the start."""
+        self.page.evaluate(f"localStorage.clear(); sessionStorage.clear(); {self.wants}")
 
     def keep_no_files(self) -> None:
         """Empty the browser's cache."""
@@ -280,7 +276,8 @@ def visit(
     context = chromium.new_context(**{"viewport": DESK, "service_workers": "block", **options})
     set_limits(context)
     someone = Reader(context, server.url)
-    for each in filter(None, (script, "" if folded else EVERYTHING)):
+    someone.wants = "" if folded else EVERYTHING
+    for each in filter(None, (script, someone.wants)):
         someone.page.add_init_script(each)
     try:
         yield someone
