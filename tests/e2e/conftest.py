@@ -21,7 +21,7 @@ def uncached(built_site: Path) -> Iterator[StaticServer]:
 
 @pytest.fixture(scope="session")
 def telephone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    options = {"viewport": PHONE, "has_touch": True, "is_mobile": True}
+    options: dict[str, Any] = {"viewport": PHONE, "has_touch": True, "is_mobile": True}
     with visit(brisk_chromium, site_server, SILENT_WORKER, **options) as someone:
         yield someone
 
