@@ -178,6 +178,8 @@ class Book:
     """Appendices at the end."""
     starts: tuple[tuple[str, str], ...] = ()
     """Words and addresses of the links of the landing page, relative to the site's root."""
+    stops: tuple[tuple[str, str], ...] = ()
+    """Those of its path."""
     bibliography: Works = NO_WORKS
     lecture_plan: LecturePlan | None = None
     asked: tuple[tuple[Target, tuple[str, ...]], ...] = ()

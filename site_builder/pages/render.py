@@ -76,6 +76,7 @@ def _title_page(site: Site) -> dict[str, Any]:
     return {
         "cover": Block(SIMULATION.template, book.hero) if book.hero else None,
         "starts": book.starts,
+        "stops": book.stops,
         "thumbnails": {item.id: thumbnail(item, site.initial_frames) for item in book.chapters},
         "counts": {
             "chapters": sum(not chapter.is_appendix for chapter in book.chapters),
@@ -134,6 +135,7 @@ def _bare(book: Book) -> Book:
         book,
         hero=None,
         starts=(),
+        stops=(),
         chapters=cards,
         bibliography=NO_WORKS,
         lecture_plan=None,

@@ -120,6 +120,19 @@ class Runtime:
 
 
 @dataclass(frozen=True, slots=True)
+class ReadingPath:
+    """Sections of several chapters, in the order of a question that runs through them."""
+
+    title: str = key(TEXT, "for whom it is", "", without="no path")
+    stops: Mapping[str, str] = key(
+        entries('a table of texts with places, "Why so?" = "chapter#section"'),
+        "where it leads, in order",
+        MappingProxyType({}),
+        without="none",
+    )
+
+
+@dataclass(frozen=True, slots=True)
 class Trust:
     """What goes from the sources into the pages unchecked."""
 
@@ -186,6 +199,7 @@ class Settings:
         MappingProxyType({}),
         without="the first chapter",
     )
+    path: ReadingPath = key(table(ReadingPath), "a way through the book", ReadingPath())
     publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
     runtime: Runtime = key(table(Runtime), "what figures are computed with", Runtime())
     trust: Trust = key(table(Trust), "what goes into the pages unchecked", Trust())

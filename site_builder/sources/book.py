@@ -2,7 +2,7 @@
 read, and what they are read with."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -149,7 +149,8 @@ def read_book(
         settings=settings,
         words=words,
         hero=_read_hero(outline, shared, problems),
-        starts=tuple(read_starts(outline, targets, problems)),
+        starts=tuple(read_links(settings.starts, outline, targets, problems)),
+        stops=tuple(read_links(settings.path.stops, outline, targets, problems)),
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(sources, targets),
@@ -276,14 +277,14 @@ def read_hero_caption(outline: Outline, shared: Shared, problems: Diagnostics) -
     return caption
 
 
-def read_starts(
-    outline: Outline, targets: Targets, problems: Diagnostics
+def read_links(
+    links: Mapping[str, str], outline: Outline, targets: Targets, problems: Diagnostics
 ) -> Iterator[tuple[str, str]]:
-    """The words and the address of each link of the title page."""
-    for words, place in outline.settings.starts.items():
+    """The words and the address of each of these links of the title page."""
+    for words, place in links.items():
         try:
             found = targets.find(place, "")
         except LookupError as error:
-            problems.add(outline.path, outline.start_lines[words], str(error))
+            problems.add(outline.path, outline.link_lines[words], str(error))
         else:
             yield words, f"{found.chapter}/#{found.id}" if found.id else f"{found.chapter}/"

@@ -70,8 +70,8 @@ class Outline:
     chapters: tuple[tuple[str, int, Position], ...]
     """File names without ``.md``, each with its line in this file and its place in the book."""
     hero_line: int
-    start_lines: Mapping[str, int]
-    """By the words of the link."""
+    link_lines: Mapping[str, int]
+    """Of the title page, by the words of the link."""
     macros: Macros
     """Macros whose names are legal."""
     path: str = OUTLINE
@@ -94,9 +94,14 @@ def read_outline(sources: Sources) -> Outline:
             for name, position in positions(settings, words)
         ),
         hero_line=toml.line("hero"),
-        start_lines={words: toml.line("starts", words) for words in settings.starts},
+        link_lines=link_lines(settings, toml),
         macros=_sound_macros(settings.macros, toml, problems),
     )
+
+
+def link_lines(settings: Settings, toml: Toml) -> dict[str, int]:
+    tables = {("starts",): settings.starts, ("path", "stops"): settings.path.stops}
+    return {words: toml.line(*at, words) for at, links in tables.items() for words in links}
 
 
 def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:

@@ -21,11 +21,17 @@ from site_builder.sources.book import (
     ChapterFile,
     list_pages,
     read_hero_caption,
+    read_links,
     read_shared,
-    read_starts,
     targets_state,
 )
-from site_builder.sources.outline import Outline, check_parts, positions, read_outline
+from site_builder.sources.outline import (
+    Outline,
+    check_parts,
+    link_lines,
+    positions,
+    read_outline,
+)
 from site_builder.sources.translations.agreement import check_contents, check_places, with_shared
 from site_builder.sources.translations.files import (
     file_of,
@@ -65,7 +71,8 @@ def read_translations(
             settings=own.settings,
             words=own.words,
             hero=_hero(original, own, shared, problems),
-            starts=tuple(_starts(original, language, own, targets, problems)),
+            starts=tuple(_links("starts", original, own, targets, problems)),
+            stops=tuple(_links("path", original, own, targets, problems)),
             chapters=tuple(chapters),
             bibliography=shared.bibliography,
             glossary=read_definitions(definitions),
@@ -96,7 +103,7 @@ def _outline(sources: Sources, language: str, original: Outline) -> Outline:
         words=words,
         chapters=tuple((name, line, places[name]) for name, line, _ in original.chapters),
         hero_line=toml.line("hero_caption"),
-        start_lines={words: toml.line("starts", words) for words in settings.starts},
+        link_lines=link_lines(settings, toml),
         path=file_of(language),
         folder=folder_of(language),
     )
@@ -130,11 +137,12 @@ def _hero(book: Book, outline: Outline, shared: Shared, problems: Diagnostics) -
     return book.hero and replace(book.hero, caption=read_hero_caption(outline, shared, told))
 
 
-def _starts(
-    book: Book, language: str, outline: Outline, targets: Targets, problems: Diagnostics
+def _links(
+    table: str, book: Book, outline: Outline, targets: Targets, problems: Diagnostics
 ) -> Iterator[tuple[str, str]]:
-    is_translated = outline.settings.starts != book.settings.starts
-    told = problems if is_translated else Diagnostics()
-    for words, address in read_starts(outline, targets, told):
-        there = address.partition("/")[0] in book.languages[language]
+    links, originals = (getattr(each.settings, table) for each in (outline, book))
+    told = problems if links != originals else Diagnostics()
+    links = links.stops if table == "path" else links
+    for words, address in read_links(links, outline, targets, told):
+        there = address.partition("/")[0] in book.languages[outline.settings.language]
         yield words, f"{outline.folder}{address}" if there else address

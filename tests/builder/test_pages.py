@@ -108,11 +108,12 @@ def test_the_title_page_has_starts_parts_and_the_first_figure_of_a_chapter(
     make_book: MakeBook,
 ) -> None:
     more = '[starts]\n"Begin" = "second"\n"Look" = "second#a-section"\n'
+    more += '[path]\ntitle = "A path"\n[path.stops]\n"Why?" = "first"\n'
     outline = SHOWN + more + '[parts]\nMotion = "second"\n'
     body = ":::{simulation} demo\nTry: it.\n:::\n"
     site = rendered(make_book(body, {BOOK: outline}))
     page = read_html(site["index.html"])
-    assert {"./second/", "./second/#a-section"} <= {*page.addresses()}
+    assert {"./second/", "./second/#a-section", "#path", "./first/"} <= {*page.addresses()}
     assert [each.text for each in page.all("h3")] == ["Motion"]
     shown = [e for e in page.elements if "thumbnail" in e["class"]]
     assert len(shown) == 1, "of two chapters, one has a figure"

@@ -112,7 +112,7 @@ def translated_glossary(sources: Sources, words: Words, original: Glossary) -> G
 
 TRANSLATED = (
     "title", "subtitle", "prerequisites", "hero_caption", "made_by", "search_examples", "parts",
-    "labels", "starts",
+    "labels", "starts", "path",
 )  # fmt: skip
 """Keys of the outline that a translation may have; what it leaves out is the original's."""
 
