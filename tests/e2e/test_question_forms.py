@@ -115,7 +115,7 @@ def test_every_figure_question_is_solved_by_its_solution(visitor: Reader, book: 
 SET = """([id, values]) => {
   const form = document.getElementById(id).querySelector('form.controls');
   for (const [name, value] of Object.entries(values)) {
-    const control = form.elements[name];
+    const control = form.querySelector(`:is(input, select)[name="${name}"]`);
     if (control.type === 'checkbox') control.checked = value === 'true';
     else control.value = value;
     control.dispatchEvent(new Event('input', {bubbles: true}));
