@@ -47,8 +47,8 @@ def halfway_between_two_samples() -> Says:
 
     one, two = np.sinc([0.5, 1.5])
     wave = np.cos(0.4 * np.pi * np.arange(-1, 3))
-    yield f"(1 + {wave[2]:.2f}) = {one:.3f} \\cdot {1 + wave[2]:.3f} = {given(2):.3f}$"
-    yield f"= {two:.3f} \\cdot ({wave[0] + wave[3]:.1f}) = {two * (wave[0] + wave[3]):.3f}$"
+    yield f"{one:.3f} \\cdot {1 + wave[2]:.3f} = {given(2):.3f}$"
+    yield f"${two:.3f} \\cdot ({wave[0] + wave[3]:.1f}) = {two * (wave[0] + wave[3]):.3f}$"
     yield f"which makes it worse: {given(4):.3f}. Six samples give {given(6):.3f}"
     yield f"ten {given(10):.3f}, a hundred {given(100):.3f} and a thousand {given(1000):.3f}"
     n = np.arange(-2, 4)
