@@ -41,11 +41,11 @@ def pinhole_transfer(
 
 
 def spread_mm(hole_mm: float, distance_mm: float, wavelength_um: float) -> float:
-    """Width of the spot of a very narrow hole: 2.44 λ f / A, of Airy's disc."""
+    """Width of the spot of a very narrow hole: 2.44 λ z_s / A, of Airy's disc."""
     require_positive("hole_mm", hole_mm)
     return spot_diameter_um(wavelength_um, float(distance_mm) / float(hole_mm)) / 1000.0
 
 
 def sharpest_hole_mm(distance_mm: float, wavelength_um: float) -> float:
-    """The diameter of a hole that is as wide as its diffraction spot: √(2.44 λ f)."""
+    """The diameter of a hole that is as wide as its diffraction spot: √(2.44 λ z_s)."""
     return math.sqrt(spread_mm(1.0, distance_mm, wavelength_um))
