@@ -45,8 +45,8 @@ const BOOST = {
   figures: 1,
   questions: 0.3,
 };
-/** Letters from which a word that the book has not may be misspelt, in one letter and in two. */
-const MISSPELT = [6, 8];
+/** Letters from which a word that the book has not may be misspelt, once and twice. */
+const MISSPELT = { once: 6, twice: 12 };
 /** Letters of a word that may be the beginning of others, where more than one is asked for. */
 const BEGINNING = 4;
 /** Weights of words that only begin as the query, or are only similar. */
@@ -98,7 +98,7 @@ export function find(
   const exactly = words.map((word) => queryFor(word, language, least));
   const known = exactly.map((query) => search([query], "AND").length > 0);
   const queries = words.map(({ whole }, place) =>
-    known[place] ? exactly[place] : { queries: [whole], fuzzy: slack(whole) },
+    known[place] ? exactly[place] : misspelt(whole),
   );
   const all = search(queries, "AND");
   const found = all.length > 0 ? all : search(queries, "OR");
@@ -114,17 +114,33 @@ const SEARCH = {
   processTerm: (form: string) => form,
 };
 
-/** Letters in which a word may differ from one that is meant. */
-function slack(word: string) {
-  return MISSPELT.filter((letters) => word.length >= letters).length;
+/** The words that are meant by one that the book has not: a short word is never another one. */
+function misspelt(word: string) {
+  const boostDocument = (_section: number, term: string) => Number(isMeant(word, term));
+  return { queries: [word], fuzzy: word.length < MISSPELT.once ? false : 2, boostDocument };
+}
+
+/** Whether two words differ in one letter, or in the order of two, and not in the first one. */
+function isMeant(word: string, term: string) {
+  if (word[0] !== term[0]) return false;
+  if (word.length >= MISSPELT.twice) return true;
+  const shorter = Math.min(word.length, term.length);
+  let start = 1;
+  while (start < shorter && word[start] === term[start]) start++;
+  let end = 0;
+  while (end < shorter - start && word.at(-1 - end) === term.at(-1 - end)) end++;
+  const [one, other] = [word, term].map((each) => each.slice(start, each.length - end));
+  return Math.max(one.length, other.length) < 2 || one === [...other].reverse().join("");
 }
 
 /** A word in any of its forms, or all its parts. */
 function queryFor({ whole, parts }: Word, language: Language, least: number) {
   const one = (word: string) => ({
     combineWith: "OR",
-    queries: formsOf(word, language),
-    prefix: word.length >= least,
+    queries: formsOf(word, language).map((form, place) => ({
+      queries: [form],
+      prefix: place === 0 && word.length >= least, // not of a stem: `lens` is no `length`
+    })),
   });
   const queries: any[] = whole ? [one(whole)] : [];
   const searched = parts.filter((part) => !language.stopWords.has(part));
