@@ -3,6 +3,13 @@
  * when the book is built; nothing else of the book knows CodeMirror.
  */
 
+import {
+  autocompletion,
+  type CompletionContext,
+  type CompletionResult,
+  closeCompletion,
+  completionKeymap,
+} from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { pythonLanguage } from "@codemirror/lang-python";
 import {
@@ -10,6 +17,7 @@ import {
   indentOnInput,
   indentUnit,
   syntaxHighlighting,
+  syntaxTree,
 } from "@codemirror/language";
 import { EditorState, StateEffect, StateField } from "@codemirror/state";
 import {
@@ -69,11 +77,37 @@ const theme = EditorView.theme({
   },
   "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground":
     { background: "color-mix(in srgb, var(--accent) 30%, transparent)" },
+  ".cm-tooltip": { color: "var(--ink)", background: "var(--raised)", borderColor: "var(--rule)" },
+  ".cm-tooltip.cm-tooltip-autocomplete > ul": { fontFamily: "var(--mono)" },
+  ".cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]": {
+    color: "var(--paper)",
+    background: "var(--accent)",
+  },
   "&.cm-focused .cm-matchingBracket": {
     backgroundColor: "var(--accent-wash)",
     outline: "1px solid var(--accent)",
   },
 });
+
+/** Where a text names something: arguments of a function, loops, and what is assigned. */
+const NAMED = [/\bdef \w+\(([^)]*)\)/g, /\bfor ([\w, ]+) in\b/g, /^ *([\w, ]+?) *[-+*/@]?=(?!=)/gm];
+
+/** Names of the text that begin with what stands before the cursor, or `members` after `np.`. */
+function completed(context: CompletionContext, members: string[]): CompletionResult | null {
+  const { state, pos } = context;
+  const word = context.matchBefore(/(np\.)?\w+$|np\.$/);
+  if (!word || /String|Comment/.test(syntaxTree(state).resolveInner(pos, -1).name)) return null;
+  const after = word.text.startsWith("np.");
+  const from = after ? word.from + 3 : word.from;
+  if (!after && state.sliceDoc(from - 1, from) === ".") return null;
+  const text = state.sliceDoc(0, from) + state.sliceDoc(pos);
+  const named = NAMED.flatMap((pattern) => [...text.matchAll(pattern)]).flatMap(([, names]) =>
+    names.split(",").map((name) => name.replace(/[:=*].*| /g, "")),
+  );
+  const used = [...text.matchAll(/\bnp\.([\w.]*\w)/g)].map(([, member]) => member);
+  const labels = new Set(after ? [...members, ...used] : named.filter((name) => name.length > 1));
+  return { from, options: [...labels].map((label) => ({ label })), validFor: /^\w*$/ };
+}
 
 /**
  * Have CodeMirror adopt its styles as a sheet of the document's. Left to itself it does so only in
@@ -95,20 +129,28 @@ export class CodeEditor {
   #key = "";
 
   readonly hint: string;
+  readonly members: string[];
   readonly run: () => void;
   readonly changed: () => void;
   readonly view: EditorView;
 
   /**
    * @param options.hint Id of the element that tells how to use the keyboard.
+   * @param options.members What is offered after `np.`.
    * @param options.changed Called after each change of the text.
    * @param options.run Called when the reader presses Ctrl or ⌘ and Enter.
    */
   constructor(
     parent: HTMLElement,
-    { hint, changed, run }: { hint: string; changed: () => void; run: () => void },
+    {
+      hint,
+      members = [],
+      changed,
+      run,
+    }: { hint: string; members?: string[]; changed: () => void; run: () => void },
   ) {
     this.hint = hint;
+    this.members = members;
     this.run = run;
     this.changed = changed;
     this.view = new EditorView({ parent });
@@ -166,7 +208,11 @@ export class CodeEditor {
       extensions: [
         keymap.of([
           { key: "Mod-Enter", run: () => done(this.run()) },
-          { key: "Escape", run: (view) => done(view.setTabFocusMode(WAY_OUT)) },
+          {
+            key: "Escape",
+            run: (view) => done([closeCompletion(view), view.setTabFocusMode(WAY_OUT)]),
+          },
+          ...completionKeymap.filter(({ key }) => key !== "Escape"),
           indentWithTab,
           ...defaultKeymap,
           ...historyKeymap,
@@ -179,6 +225,12 @@ export class CodeEditor {
         drawSelection(),
         highlightActiveLine(),
         highlightActiveLineGutter(),
+        autocompletion({
+          override: [(context) => completed(context, this.members)],
+          defaultKeymap: false, // its Escape would have to be pressed twice
+          selectOnOpen: false, // Enter begins a line until one is chosen
+          icons: false,
+        }),
         pythonLanguage,
         syntaxHighlighting(classHighlighter),
         problemLine,

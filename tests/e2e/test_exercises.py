@@ -2,6 +2,7 @@
 is written, the reader is told something and the page goes on."""
 
 import json
+import re
 from typing import Any
 
 import pytest
@@ -76,7 +77,32 @@ def test_code_without_end_is_stopped(form: Locator) -> None:
     form.locator("[data-stop]").click()
     expect(form.locator("[data-results]")).not_to_be_empty()
     expect(form.locator("[data-stop]")).to_be_disabled()
+    expect(form.locator(".feedback")).to_be_empty()
     assert form.get_attribute("data-answered") is None
+
+
+def test_names_are_offered_and_the_editor_can_still_be_left_by_escape_and_tab(
+    form: Locator,
+) -> None:
+    keyboard, offered = form.page.keyboard, form.locator(".cm-tooltip-autocomplete li")
+    form.locator("textarea").focus()
+    expect(form.locator(".cm-content")).to_be_focused(timeout=limit_ms())
+    keyboard.press("Control+a")
+    keyboard.type("def image_of(H, points):\nshifted = points + 1\nreturn sh")
+    expect(offered).to_have_text(["shifted"])
+    keyboard.press("Enter")
+    expect(form.locator("textarea")).to_have_value(re.compile(r"return sh\n +$"))
+    keyboard.type("sh")
+    expect(offered).to_have_text(["shifted"])
+    keyboard.press("ArrowDown")
+    keyboard.press("Enter")
+    expect(form.locator("textarea")).to_have_value(re.compile(r"\n +shifted$"))
+    keyboard.type(" + np.n")
+    expect(offered).to_have_text(["nan"])
+    keyboard.press("Escape")
+    keyboard.press("Tab")
+    expect(offered).to_have_count(0)
+    expect(form.locator("[type=submit]")).to_be_focused()
 
 
 BODIES = (

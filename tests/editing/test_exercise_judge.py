@@ -53,6 +53,16 @@ def test_the_first_fault_is_named(body: str, fault: str, recognised: int) -> Non
     assert (cases, miss.fault, miss.recognised) == (3, fault, recognised)
 
 
+def test_the_names_in_a_failed_call_are_explained() -> None:
+    _, miss = first_miss(TURNED, TURNED.wrong[0])
+    assert miss
+    assert miss.given == ({"name": "POINTS", "value": "[[1, 0], [2, 3]]"},)
+    check = "GRID = np.ones((9, 2))\nturned(GRID, 0.5)"
+    _, miss = first_miss(replace(TURNED, check=check), TURNED.wrong[0])
+    assert miss
+    assert miss.given == ({"name": "GRID", "shape": "(9, 2)"},)
+
+
 def test_the_solution_is_right_and_what_is_claimed_of_it_is_proved() -> None:
     prove(TURNED)
     assert first_miss(TURNED, TURNED.solution) == (3, None)
@@ -81,3 +91,5 @@ def test_hard_cases_are_asked_through_the_adapter() -> None:
     asked = replace(TURNED, model=model, adapter=adapter, hard=table)
     assert [trial.passed for trial in trials(asked, TURNED.solution)] == [True]
     assert [trial.passed for trial in trials(asked, TURNED.wrong[0])] == [False]
+    beyond = "def exponential(v):\n    raise NotImplementedError"
+    assert trials(replace(asked, adapter=beyond), TURNED.solution) == []

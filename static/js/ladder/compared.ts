@@ -3,52 +3,57 @@
 import type { Ladder, Result } from "./chart.ts";
 import { numeral, words } from "../page/words.ts";
 
-/** Errors that differ by less are alike: a share, or decibels. */
-const ALIKE = { share: 0.01, decibels: 0.1 };
+/** Errors that differ by less are alike: a share, or decibels. Smaller than `rounding` they all are. */
+const ALIKE = { share: 0.01, decibels: 0.1, rounding: 1e-12 };
 
 /**
- * How the reader's method does against the book's `tier` of the same kind; what beats it; and the
- * tiers that are next in speed and in error. Times are alike where their middle halves overlap.
+ * How the reader's method does against the book's `tier` of the same kind, and the fastest
+ * tier that beats it; or else the tiers that are next in speed and in error. Times are alike where
+ * their middle halves overlap.
  */
 export function compared(yours: Result, tiers: Result[], ladder: Ladder, tier: string): string[] {
   const [metric] = ladder.metrics;
   const label = (id: string) => ladder.tiers.find((each) => each.id === id)?.label ?? id;
   const loss = ({ errors }: Result) => {
     const error = errors[metric.id];
-    if (error === null) return metric.higher ? Number.NEGATIVE_INFINITY : 0;
+    if (error === null) return metric.higher ? -Number.MAX_VALUE : Number.MAX_VALUE;
     return metric.higher ? -error : error;
   };
   const speed = (one: Result, other: Result) =>
     one.high_ms < other.low_ms ? 1 : one.low_ms > other.high_ms ? -1 : 0;
   const quality = (one: Result, other: Result) => {
     const [a, b] = [loss(one), loss(other)];
-    const slack = metric.unit === "dB" ? ALIKE.decibels : ALIKE.share * Math.abs(b);
+    const share = Math.max(ALIKE.share * Math.abs(b), metric.higher ? 0 : ALIKE.rounding);
+    const slack = metric.unit === "dB" ? ALIKE.decibels : share;
     return a < b - slack ? 1 : a > b + slack ? -1 : 0;
   };
   const said: string[] = [];
   const book = tiers.find((each) => each.tier === tier);
   if (book) {
     const ratio = book.milliseconds / yours.milliseconds;
-    const times = numeral((ratio < 1 ? 1 / ratio : ratio).toPrecision(2));
+    const times = numeral(String(Number((ratio < 1 ? 1 / ratio : ratio).toPrecision(2))));
     const key = ["slower", "as_fast", "faster"][speed(yours, book) + 1];
     said.push(words(`exercise.${key}`, { times, tier: label(tier) }));
     const [own, other] = [yours, book].map(({ errors }) => errorText(errors[metric.id]));
     const error = { metric: metric.label, own, other, unit: metric.unit };
     said.push(words(`exercise.${quality(yours, book) === 0 ? "as_exact" : "error"}`, error));
   }
-  const others = tiers.filter((each) => each.tier !== tier);
-  const beats = (each: Result) =>
-    speed(each, yours) >= 0 &&
-    quality(each, yours) >= 0 &&
-    speed(each, yours) + quality(each, yours) > 0;
-  const winner = others.find(beats);
-  said.push(
-    winner ? words("exercise.beaten", { tier: label(winner.tier) }) : words("exercise.unbeaten"),
-  );
-  const quicker = others
+  const winner = tiers
+    .filter((each) => {
+      const [time, error] = [speed(each, yours), quality(each, yours)];
+      return time >= 0 && error >= 0 && time + error > 0;
+    })
+    .sort((one, other) => one.milliseconds - other.milliseconds)[0];
+  if (winner) {
+    const [time, error] = [speed(winner, yours), quality(winner, yours)];
+    const key = time === 0 ? "beaten_in_error" : error === 0 ? "beaten_in_time" : "beaten";
+    return [...said, words(`exercise.${key}`, { tier: label(winner.tier) })];
+  }
+  said.push(words("exercise.unbeaten"));
+  const quicker = tiers
     .filter((each) => speed(each, yours) > 0)
     .sort((one, other) => loss(one) - loss(other))[0];
-  const better = others
+  const better = tiers
     .filter((each) => quality(each, yours) > 0)
     .sort((one, other) => one.milliseconds - other.milliseconds)[0];
   if (quicker) said.push(words("exercise.way_faster", { tier: label(quicker.tier) }));

@@ -162,8 +162,8 @@ function settle(form: HTMLFormElement, given: Settled) {
 
 function fail(form: HTMLFormElement, error: unknown) {
   show(form, questionOf(form), undefined);
-  const reason = message(error);
-  say(form, words("question.no_judge", { reason }));
+  const byReader = error instanceof DOMException && error.name === "AbortError";
+  if (!byReader) say(form, words("question.no_judge", { reason: message(error) }));
   showProgress();
 }
 

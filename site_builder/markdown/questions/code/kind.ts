@@ -57,6 +57,7 @@ interface Miss {
   expected: string;
   recognised: number;
   pictures: { width: number; height: number; rgb: string }[];
+  given: { name: string; value?: string; shape?: string }[];
 }
 
 /** Longest time of each stage, in milliseconds. */
@@ -126,6 +127,7 @@ class CodeAnswer extends HTMLElement {
 
   connectedCallback() {
     const { form, area } = this;
+    one(this, ".row", HTMLElement).prepend(one(form, "[type=submit]", HTMLButtonElement)); // near the code, not below all results
     this.restore();
     form.addEventListener("reset", () => queueMicrotask(() => this.restore()));
     area.addEventListener("focus", () => this.#open(), { once: true });
@@ -173,7 +175,7 @@ class CodeAnswer extends HTMLElement {
     this.#running(true);
     try {
       const found = await this.#judged("values", code);
-      if (check !== this.#check) throw new Error(words("exercise.ended"));
+      if (check !== this.#check) throw stopped();
       const wrong = found.problem || found.miss;
       this.#showValues(found);
       if (wrong) {
@@ -185,7 +187,8 @@ class CodeAnswer extends HTMLElement {
       return { code, reply: 0 };
     } catch (error) {
       const byCode = error instanceof RuntimeFailure && ["lost", "python"].includes(error.kind);
-      if (!byCode || check !== this.#check) throw error;
+      if (check !== this.#check) throw stopped();
+      if (!byCode) throw error;
       this.#say(reasonOf(error));
       return { code, reply: this.#question.options.length };
     } finally {
@@ -249,8 +252,14 @@ class CodeAnswer extends HTMLElement {
     this.#add(line ? words("exercise.problem", { line, said }) : said);
   }
 
-  #showMiss({ fault, call, got, expected, pictures }: Miss) {
+  #showMiss({ fault, call, got, expected, pictures, given }: Miss) {
     this.#add(words(`exercise.${fault}`, { call, got, expected }));
+    const told = given.map(({ name, value, shape }) =>
+      value === undefined
+        ? words("exercise.given_shape", { name, shape: shape ?? "" })
+        : words("exercise.given", { name, value }),
+    );
+    if (told.length > 0) this.#add(told.join(" ")).className = "fine";
     if (pictures.length < 2) return;
     const list = element("div", "code-pictures row");
     for (const [index, { width, height, rgb }] of pictures.entries()) {
@@ -290,7 +299,15 @@ class CodeAnswer extends HTMLElement {
         element("li", "", legible(words("exercise.hard_case", { call, got, expected, why }))),
       );
     }
-    if (passed < trials.length) this.#results.append(list);
+    if (passed === trials.length) return;
+    const name = this.#question.program.model.split(":")[1];
+    const valid = trials.some(({ expected }) => /, (True|False)$/.test(expected));
+    const said = [
+      words("exercise.hard_calls", { name }),
+      valid ? words("exercise.hard_valid") : "",
+    ];
+    this.#add(said.join(" ").trim()).className = "fine";
+    this.#results.append(list);
   }
 
   /** @param solved Whether what is stored is right. */
@@ -369,7 +386,9 @@ class CodeAnswer extends HTMLElement {
     if (!Editor || !this.isConnected) return;
     const { area } = this;
     const place = element("div", "code-editor");
+    const known = `${this.area.value} ${one(this, ".code-hints", HTMLElement).textContent}`;
     const editor = new Editor(place, {
+      members: [...known.matchAll(/\bnp\.([\w.]*\w)/g)].map(([, member]) => member),
       hint: area.getAttribute("aria-describedby") ?? "",
       changed: () => {
         if (area.value === editor.text) return;
@@ -399,6 +418,11 @@ class CodeAnswer extends HTMLElement {
   #refresh() {
     one(this, "[data-put-back]", HTMLButtonElement).disabled = this.text === this.#question.starter;
   }
+}
+
+/** What a check ends with that the reader has stopped. */
+function stopped() {
+  return new DOMException(words("exercise.ended"), "AbortError");
 }
 
 /** What ended the code. */
