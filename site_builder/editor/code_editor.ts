@@ -229,6 +229,7 @@ export class CodeEditor {
           override: [(context) => completed(context, this.members)],
           defaultKeymap: false, // its Escape would have to be pressed twice
           selectOnOpen: false, // Enter begins a line until one is chosen
+          interactionDelay: 0,
           icons: false,
         }),
         pythonLanguage,

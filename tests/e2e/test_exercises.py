@@ -105,6 +105,19 @@ def test_names_are_offered_and_the_editor_can_still_be_left_by_escape_and_tab(
     expect(form.locator("[type=submit]")).to_be_focused()
 
 
+def test_forgetting_all_answers_forgets_what_was_written(reader: Reader, form: Locator) -> None:
+    starter = form.locator("textarea").input_value()
+    check(form, "def image_of(H, points):\n    return H")
+    reader.open("", live=False)
+    reader.page.locator("section.progress [data-progress-reset]").click()
+    reader.open(CHAPTER, live=False)
+    assert form_of(reader).locator("textarea").input_value() == starter
+    check(form_of(reader), "def image_of(H, points):\n    return H")
+    reader.page.locator("section.progress [data-progress-reset]").click()
+    expect(form_of(reader).locator("[data-results]")).to_be_empty()
+    assert form_of(reader).locator("textarea").input_value() == starter
+
+
 BODIES = (
     "pass", "return", "return None", "return 3", "return 'text'", "return points[0]", "return H",
     "return [1, 2]", "return points[:, 0]", "return {}", "return points * np.nan", "return print",

@@ -95,7 +95,7 @@ export function install() {
 }
 
 function reset(section: HTMLElement) {
-  if (section.dataset.progress === "book") forget(/^(quiz|predict):/);
+  if (section.dataset.progress === "book") forget(/^(quiz|predict|code):/);
   document.dispatchEvent(new Event("answers-forgotten"));
   say(section, words("progress.forgotten"));
 }

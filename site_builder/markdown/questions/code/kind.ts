@@ -74,7 +74,8 @@ export const kind: Kind<Exercise, Program> = {
     for (const name of ["answers-forgotten", "answers-read"]) {
       document.addEventListener(name, () => {
         for (const form of exercises()) {
-          if (name === "answers-forgotten" || answered(form)) remember(keyOf(form), null);
+          if (name === "answers-forgotten") answerIn(form).forget();
+          else if (answered(form)) remember(keyOf(form), null);
           answerIn(form).restore();
         }
       });
@@ -139,6 +140,14 @@ class CodeAnswer extends HTMLElement {
   restore() {
     const { form } = this;
     this.text = recall(keyOf(form))?.text ?? answered(form) ?? this.#question.starter;
+  }
+
+  /** What was written and found is gone. */
+  forget() {
+    remember(keyOf(this.form), null);
+    this.#tried.clear();
+    this.#say("");
+    for (const found of all(this, ".code-chart, .code-solution", HTMLElement)) found.hidden = true;
   }
 
   disconnectedCallback() {
