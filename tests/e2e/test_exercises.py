@@ -67,8 +67,10 @@ def test_a_function_is_written_judged_used_in_a_figure_and_kept(
     form = form_of(reader)
     assert form.get_attribute("data-answered") == "correct"
     assert form.locator("textarea").input_value() == solution
+    expect(form.locator("[data-use]")).to_be_enabled()
     form.locator("[data-put-back]").click()
     assert form.locator("textarea").input_value() == data["starter"]
+    expect(form.locator("[data-use]")).to_be_disabled()
 
 
 def test_code_without_end_is_stopped(form: Locator) -> None:

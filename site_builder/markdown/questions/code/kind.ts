@@ -95,7 +95,7 @@ export const kind: Kind<Exercise, Program> = {
   },
 
   mark(form, _question, given) {
-    answerIn(form).offerSolution(given?.reply === 0);
+    answerIn(form).offerSolution(given?.reply === 0 ? given.code : null);
   },
 };
 
@@ -123,6 +123,8 @@ class CodeAnswer extends HTMLElement {
   #opened = false;
   /** Texts that were tried and wrong. */
   #tried: Set<string> = new Set();
+  /** The text that was found right last, unless another was wrong since: it can be used. */
+  #right: string | null = null;
   /** Number of the check under way; results of an earlier one are dropped. */
   #check = 0;
 
@@ -319,12 +321,12 @@ class CodeAnswer extends HTMLElement {
     this.#results.append(list);
   }
 
-  /** @param solved Whether what is stored is right. */
-  offerSolution(solved: boolean) {
+  /** @param right What is stored, if it is right. */
+  offerSolution(right: string | null) {
     const solution = one(this, ".code-solution", HTMLElement);
-    solution.hidden &&= !solved && this.#tried.size < TRIES;
-    const use = maybe(this, "[data-use]", HTMLButtonElement);
-    if (use) use.disabled = !solved;
+    solution.hidden &&= right === null && this.#tried.size < TRIES;
+    this.#right = right;
+    this.#refresh();
   }
 
   get #results() {
@@ -426,6 +428,8 @@ class CodeAnswer extends HTMLElement {
 
   #refresh() {
     one(this, "[data-put-back]", HTMLButtonElement).disabled = this.text === this.#question.starter;
+    const use = maybe(this, "[data-use]", HTMLButtonElement);
+    if (use) use.disabled = this.text !== this.#right;
   }
 }
 
