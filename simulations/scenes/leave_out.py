@@ -20,7 +20,7 @@ from simulations.engine.frame import Frame, Panel, Readout, format_number, reado
 from simulations.engine.ladder import Clock
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, choice, controls_of, toggle, values_of
+from simulations.engine.settings import action, choice, controls_of, slider, toggle, values_of
 from simulations.engine.stages import Outputs, Stage, StageCache, run
 from simulations.models.arrays import Planes
 from simulations.models.color.srgb import encode_srgb
@@ -42,6 +42,7 @@ from simulations.scenes._still_life_camera import (
     pinhole_rays,
     principal_mm,
 )
+from simulations.scenes._wipe import over_wipe, wipe_handle, wiped
 from simulations.scenes.camera.lens import Settings as Camera
 from simulations.scenes.camera.lens import after_step, bend_rays, blur_of
 from simulations.scenes.camera.stages import vignette
@@ -88,6 +89,7 @@ PHOTOS: Mapping[str, Photo] = {
 @dataclass(frozen=True, slots=True)
 class Settings:
     photo: str = choice("Photograph", {name: photo.label for name, photo in PHOTOS.items()})
+    split: float = slider("Complete model shown", 0.5, 0, 1, 0.01, unit="of the picture")
     small: int = action("Leave out all below half a code", effect="set")
     blur: bool = toggle("Blur", default=True)
     k2: bool = toggle("Distortion k₂", default=True)
@@ -185,6 +187,8 @@ def codes(irradiance: Planes) -> Planes:
 class Complete:
     """The picture of the complete model, and what leaving out one effect costs."""
 
+    counted: Planes
+    """(3, H, W) share of white."""
     mean: Planes
     """(3, H, W) codes without noise."""
     noise: Planes
@@ -205,7 +209,8 @@ def complete(photo: str) -> Complete:
     noise = [counted(False, draw) - counted(True, draw) for draw in range(DRAWS)]
     truth = codes(mean())
     costs = {name: root_mean_square(codes(mean(name)) - truth) for name in EFFECTS}
-    return Complete(truth, noise[0], {**costs, "poisson": root_mean_square(noise)})
+    whole = count(mean(), PHOTOS[photo].white_e, True)
+    return Complete(whole, truth, noise[0], {**costs, "poisson": root_mean_square(noise)})
 
 
 @dataclass(frozen=True, slots=True)
@@ -289,8 +294,12 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The photograph, its difference from the complete model's, and the list of costs."""
     whole, taken = outputs["complete"], outputs["taken"]
     missing = [LABELS[name] for name in EFFECTS if not getattr(settings, name)]
-    picture, off = (np.moveaxis(planes, 0, -1) for planes in (taken.counted, taken.off))
-    photograph, difference = to_rgba8(encode_srgb(picture)), to_rgba8(0.5 + MAGNIFY / 255 * off)
+    planes = (whole.counted, taken.counted, taken.off)
+    before, after, off = (np.moveaxis(each, 0, -1) for each in planes)
+    complete, simpler = (to_rgba8(encode_srgb(picture)) for picture in (before, after))
+    photograph = wiped(complete, simpler, settings.split)
+    difference = to_rgba8(0.5 + MAGNIFY / 255 * off)
+    names = over_wipe(settings.split, WIDTH, HEIGHT, ("complete", "left out"))
     overlay, title = (
         "".join(costs(settings, whole, taken.rms)),
         f"Difference from the complete model, × {MAGNIFY}",
@@ -298,7 +307,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     words = f"without {', '.join(missing)}" if missing else "by the complete model"
     return Frame(
         (
-            Panel("photograph", "The photograph", WIDTH, HEIGHT, photograph, lead=True),
+            Panel("photograph", "The photograph", WIDTH, HEIGHT, photograph, names, lead=True),
             Panel("costs", "Left out, each costs and saves", WIDTH, LIST_HEIGHT, None, overlay),
             Panel("difference", title, WIDTH, HEIGHT, difference),
         ),
@@ -355,6 +364,7 @@ SCENE = Scene(
     Settings,
     draw,
     STAGES,
+    handles=(wipe_handle("photograph", "split", WIDTH, HEIGHT),),
     sets={"small": small},
     times=times,
     parameters=left_out,
