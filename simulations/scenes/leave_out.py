@@ -299,7 +299,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     complete, simpler = (to_rgba8(encode_srgb(picture)) for picture in (before, after))
     photograph = wiped(complete, simpler, settings.split)
     difference = to_rgba8(0.5 + MAGNIFY / 255 * off)
-    names = over_wipe(settings.split, WIDTH, HEIGHT, ("complete", "left out"))
+    names = over_wipe(settings.split, WIDTH, HEIGHT, ("complete", "simpler"))
     overlay, title = (
         "".join(costs(settings, whole, taken.rms)),
         f"Difference from the complete model, × {MAGNIFY}",
