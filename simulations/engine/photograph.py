@@ -16,6 +16,8 @@ type Codes = NDArray[np.uint8]
 type Facts = Mapping[str, float | str]
 type CellCodes = NDArray[np.uint16]
 
+MOST_MEGAPIXELS = 120.0  # larger ones are refused by the page
+
 
 @dataclass(frozen=True, slots=True)
 class Whole:
@@ -27,8 +29,9 @@ class Whole:
     """Whether `read` wants the cells of raw files. These photographs' pictures are small."""
 
     def __post_init__(self) -> None:
-        if not 0.0 < self.most_megapixels <= 24.0:
-            raise ValueError(f"{self.most_megapixels:g} megapixels; legal: above 0, at most 24")
+        if not 0.0 < self.most_megapixels <= MOST_MEGAPIXELS:
+            legal = f"above 0, at most {MOST_MEGAPIXELS:g}"
+            raise ValueError(f"{self.most_megapixels:g} megapixels; legal: {legal}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +77,11 @@ class Photograph:
         codes = self.codes
         if codes.ndim != 3 or codes.shape[2] != 3 or codes.dtype != np.uint8 or not codes.size:
             raise ValueError(f"photograph {codes.shape} {codes.dtype}; legal: (H, W, 3) uint8")
+
+    @property
+    def is_scaled(self) -> bool:
+        """Whether the file has more pixels than the codes."""
+        return float(self.facts.get("full_width", 0)) > self.codes.shape[1]
 
 
 def photograph_from_page(picture: Any) -> Photograph:

@@ -77,21 +77,22 @@ def test_a_photograph_is_measured_in_other_pixels(
     assert max(pixels_of(seen).shape) <= 1200
 
 
-def test_a_reduced_photograph_keeps_its_pitch() -> None:
-    whole, reduced = (photograph(300, 200, full_width=float(w)) for w in (300, 600))
-    first, second = (float(texts_of(shown_of(each))["measured"]) for each in (whole, reduced))
-    assert second == pytest.approx(first / 2, rel=0.01)
+def test_a_reduced_photograph_gives_no_number() -> None:
+    settings = SCENE.check({"kept": ";0.4,0.3_0.6,0.6"})
+    run = SCENE.run(settings, "", StageCache(), photograph(300, 200, full_width=600.0))
+    assert "scaled down" in run.outputs["sharpness"].refusal
+    assert not sheet(settings, run.outputs)
 
 
 def test_the_pitch_differs_from_focal_length_and_equivalent() -> None:
     """A full-frame camera of 6000 × 4000 pixels, a crop of 1.5, and a telephone."""
     assert pixel_pitch_um(50, 50, 6000, 4000) == pytest.approx(6.0, rel=1e-3)
     assert pixel_pitch_um(50, 75, 6000, 4000) == pytest.approx(4.0, rel=1e-3)
-    facts = {"focal_mm": 4.2, "focal_35mm_mm": 26.0, "full_width": 4032.0, "full_height": 3024.0}
+    facts = {"focal_mm": 4.2, "focal_35mm_mm": 26.0, "full_width": 300.0, "full_height": 225.0}
     settings = SCENE.check({})
     run = SCENE.run(settings, "", StageCache(), photograph(300, 200, **facts))
     lines = {line.name: line.text for line in sheet(settings, run.outputs)}
-    assert float(lines["pitch"]) == pytest.approx(1.39, abs=0.01)
+    assert float(lines["pitch"]) == pytest.approx(18.64, abs=0.01)
     assert lines["mtf50_1"].startswith(f"{HALF:.2f}")
 
 

@@ -154,8 +154,8 @@ def test_a_scene_without_the_function_says_so(use: Callable[..., None]) -> None:
         (lambda: scene_of(exports=WHOLE["exports"] * 2), "legal: a name for each"),
         (lambda: Export("a b", "Text", ".txt", as_text), "legal"),
         (lambda: Export("a", "Text", "txt", as_text), "legal"),
-        (lambda: Whole(0.0), "legal: above 0, at most 24"),
-        (lambda: Whole(25.0), "legal: above 0, at most 24"),
+        (lambda: Whole(0.0), "legal: above 0, at most 120"),
+        (lambda: Whole(121.0), "legal: above 0, at most 120"),
     ],
 )
 def test_a_scene_of_photographs_that_contradicts_itself_is_refused(make: Any, message: str) -> None:

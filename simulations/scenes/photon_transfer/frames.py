@@ -87,7 +87,7 @@ def read(photograph: Photograph) -> Mapping[str, Any]:
     codes, facts = photograph.codes, photograph.facts
     if min(codes.shape[:2]) < SMALLEST:
         raise UnfitError(TOO_SMALL)
-    if float(facts.get("full_width", 0)) > codes.shape[1]:
+    if photograph.is_scaled:
         raise UnfitError(SCALED)
     middle = middle_of(codes)
     if max(map(files.unevenness, files.planes_of(middle).values())) > files.MOST_UNEVEN:

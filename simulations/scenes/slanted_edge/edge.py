@@ -32,6 +32,10 @@ HALO_PX = 1.0  # σ of the blur whose difference from the picture sharpens it
 WAVELENGTH_UM = 0.55
 MOST_SHOWN = 1200  # largest side in px at which a photograph is shown; it is measured in full
 MOST_KEPT = 8  # places
+SCALED = (
+    "This picture was scaled down, which changes its sharpness: save the part around the edge as a "
+    "smaller file, without scaling."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,8 +197,12 @@ def chosen_box(codes: Codes, x: float, y: float, width: float, height: float) ->
     return box_in((codes.shape[1], codes.shape[0]), (x, y), (width, height))
 
 
-def edge_pixels(codes: Codes, box: Box, response: str) -> EdgePixels | str:
-    """The pixels of the edge in the rectangle, or the fault of the rectangle."""
+def edge_pixels(
+    codes: Codes, box: Box, response: str, photograph: Photograph | None
+) -> EdgePixels | str:
+    """The pixels of the edge in the rectangle, or the fault of the picture or the rectangle."""
+    if photograph is not None and photograph.is_scaled:
+        return SCALED
     cut = codes[box.top : box.bottom, box.left : box.right]
     try:
         return locate_edge(light_of_codes(cut, srgb=response == "srgb"))
@@ -214,14 +222,16 @@ def sharpness(pixels: EdgePixels | str) -> Sharpness:
     return Sharpness(reading, reading.half_contrast(), *reading.transfer(FREQUENCIES))
 
 
-def kept_edges(codes: Codes, kept: str, response: str) -> tuple[KeptEdge, ...]:
+def kept_edges(
+    codes: Codes, kept: str, response: str, photograph: Photograph | None
+) -> tuple[KeptEdge, ...]:
     """The rectangles that were kept: pairs of opposite corners, as shares of the panel."""
     corners = PointLists.from_text(kept).lists[0] if kept else ()
     tall, found = 100.0 * HEIGHT / WIDTH, []
     for (left, top), (right, bottom) in zip(corners[::2], corners[1::2], strict=False):
         centre = 50.0 * (left + right), 0.5 * tall * (top + bottom)
         box = chosen_box(codes, *centre, 100.0 * (right - left), tall * (bottom - top))
-        found.append(KeptEdge(box, sharpness(edge_pixels(codes, box, response))))
+        found.append(KeptEdge(box, sharpness(edge_pixels(codes, box, response, photograph))))
     return tuple(found)
 
 

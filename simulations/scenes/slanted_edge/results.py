@@ -22,19 +22,15 @@ PER_MM, PER_PX = "cycles/mm", "cycles/px"
 NOT_MEASURABLE = "not measurable"
 
 
-def per_mm(settings: Settings, outputs: Outputs) -> float:
-    """Pixels of the picture per millimetre of the sensor."""
-    photograph: Photograph | None = outputs["photograph"]
-    reduced = 1.0
-    if photograph is not None and "full_width" in photograph.facts:
-        reduced = float(photograph.facts["full_width"]) / photograph.codes.shape[1]
-    return 1000.0 / (settings.pitch * reduced)
+def per_mm(settings: Settings) -> float:
+    """Pixels per millimetre of the sensor."""
+    return 1000.0 / settings.pitch
 
 
 def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """MTF50 with its error, halos, and where the rectangle is."""
     measured: Sharpness = outputs["sharpness"]
-    half, reading, scale = measured.half, measured.reading, per_mm(settings, outputs)
+    half, reading, scale = measured.half, measured.reading, per_mm(settings)
     true: Floats = outputs["true"]
     formula = math.nan if np.isnan(true).any() else scale * first_fall(FREQUENCIES, true, 0.5)
     slant = math.degrees(reading.pixels.line.angle_rad) if reading else math.nan
@@ -102,7 +98,7 @@ def lines_of(
     number: int, place: KeptEdge, settings: Settings, outputs: Outputs
 ) -> Iterator[Readout]:
     """MTF50 in both units, and halos if there are any."""
-    reading, half, scale = place.sharpness.reading, place.sharpness.half, per_mm(settings, outputs)
+    reading, half, scale = place.sharpness.reading, place.sharpness.half, per_mm(settings)
     assert reading is not None
     middle = format_number(off_middle(place.box, outputs), 0)
     label = f"MTF50, {middle} % from the middle to the corner, along the {direction(reading)}"
@@ -137,7 +133,7 @@ def reading_of(outputs: Outputs) -> EdgeReading:
 
 
 def mtf_file(settings: Settings, outputs: Outputs) -> str:
-    reading, scale = reading_of(outputs), per_mm(settings, outputs)
+    reading, scale = reading_of(outputs), per_mm(settings)
     head = "cycles_per_px,cycles_per_mm,contrast,standard_error"
     return csv(head, FREQUENCIES, scale * FREQUENCIES, *reading.transfer(FREQUENCIES))
 
@@ -159,7 +155,7 @@ def json_file(settings: Settings, outputs: Outputs) -> str:
     found = {
         "picture": photograph.name if photograph else "simulated",
         "codes": settings.response,
-        "pixel_pitch_um": 1000.0 / per_mm(settings, outputs),
+        "pixel_pitch_um": 1000.0 / per_mm(settings),
         "rectangle": facts_of(shown, outputs),
         "kept": [facts_of(place, outputs) for place in kept],
     }

@@ -8,7 +8,7 @@ from simulations.engine.controls import PointLists, Value
 from simulations.engine.drawing import dot, line, rectangle, text
 from simulations.engine.frame import Frame, Panel, format_number, value_with_error
 from simulations.engine.handles import Handle, Point
-from simulations.engine.photograph import Whole
+from simulations.engine.photograph import MOST_MEGAPIXELS, Whole
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import centred
@@ -137,7 +137,7 @@ def describe(settings: Settings, outputs: Outputs) -> str:
         slant = f"A soft edge between dark and light, slanted by {degrees}°"
     if sharpness.refusal:
         return f"{slant}, gives no MTF. {sharpness.refusal}"
-    scale, half = per_mm(settings, outputs), sharpness.half
+    scale, half = per_mm(settings), sharpness.half
     found = value_with_error(scale * half.frequency, scale * half.error)
     return f"{slant}: waves of {found} cycles per mm keep half of their contrast."
 
@@ -226,7 +226,7 @@ SCENE = Scene(
         Handle("keep", "across", "This place", ("kept",), nowhere, keep, "aim"),
         Handle("forget", "waves", "All places", ("kept",), nowhere, forget, "aim"),
     ),
-    Whole(24),
+    Whole(MOST_MEGAPIXELS),
     exports=EXPORTS,
     sheet=sheet,
     formula=measure,
