@@ -36,7 +36,9 @@ export const kind: Kind<Sketched, number[]> = {
     });
     document.addEventListener("input", (event) => {
       const form = within(event, ".sketch-points input", Element)?.closest("form");
-      if (form) redraw(form);
+      if (!form) return;
+      within(event, "input", HTMLInputElement)?.classList.add("set");
+      redraw(form);
     });
     for (const name of ["focusin", "focusout"]) {
       document.addEventListener(name, (event) => {
@@ -49,7 +51,8 @@ export const kind: Kind<Sketched, number[]> = {
   /** Begin with points in the middle, which are no guess yet. */
   prepare(form, { sketch }) {
     delete form.dataset.drawn;
-    const points = sliders(form).map((_, index) => {
+    const points = sliders(form).map((slider, index) => {
+      slider.classList.remove("set");
       const circle = document.createElementNS(SVG, "circle");
       circle.setAttribute("r", String(RADIUS));
       circle.setAttribute("cx", String(across(index, sketch)));
@@ -70,7 +73,10 @@ export const kind: Kind<Sketched, number[]> = {
   },
 
   put(form, given) {
-    for (const [index, slider] of sliders(form).entries()) slider.value = String(given[index]);
+    for (const [index, slider] of sliders(form).entries()) {
+      slider.value = String(given[index]);
+      slider.classList.add("set");
+    }
     redraw(form);
   },
 
@@ -115,11 +121,13 @@ function draw(svg: SVGSVGElement, form: HTMLFormElement, event: PointerEvent) {
   stroke(event);
 }
 
+/** Points that no stroke has passed yet follow the nearest one that has been. */
 function pull(form: HTMLFormElement, sketch: Sketch, from: DOMPoint, to: DOMPoint) {
   const { top, bottom } = sketch.field;
   const [low, high] = [Math.min(from.x, to.x), Math.max(from.x, to.x)];
   const reach = low < high ? NEAR : (across(1, sketch) - across(0, sketch)) / 2;
-  for (const [index, slider] of sliders(form).entries()) {
+  const points = sliders(form);
+  for (const [index, slider] of points.entries()) {
     const x = across(index, sketch);
     const passed = x >= low && x <= high;
     if (!passed && Math.abs(x - to.x) > reach) continue;
@@ -127,6 +135,12 @@ function pull(form: HTMLFormElement, sketch: Sketch, from: DOMPoint, to: DOMPoin
     const y = from.y + share * (to.y - from.y);
     const [least, most] = sketch.y;
     slider.value = String(least + ((most - least) * (bottom - y)) / (bottom - top));
+    slider.classList.add("set");
+  }
+  const set = points.flatMap((slider, index) => (slider.matches(".set") ? [index] : []));
+  for (const [index, slider] of points.entries()) {
+    const [nearest] = set.toSorted((a, b) => Math.abs(a - index) - Math.abs(b - index));
+    if (nearest !== undefined) slider.value = points[nearest].value;
   }
   redraw(form);
 }
