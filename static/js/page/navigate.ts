@@ -16,9 +16,7 @@ import { useWordsOf, words } from "./words.ts";
 const OF_A_PAGE = [
   'meta[name="description"]',
   'meta[property^="og:"]',
-  ...["icon", "apple-touch-icon", "canonical", "alternate", "manifest"].map(
-    (rel) => `link[rel="${rel}"]`,
-  ),
+  ...["canonical", "alternate", "manifest"].map((rel) => `link[rel="${rel}"]`),
 ].join();
 
 /**
@@ -52,6 +50,10 @@ export function begin(pageParts: Part[]) {
     for (const part of pageParts) part.leave?.(shownPath);
   };
   for (const part of pageParts) part.install();
+  // All pages have the same ones, but from other addresses they are found by whole addresses only.
+  for (const link of all(document.head, 'link[rel$="icon"]', HTMLLinkElement)) {
+    link.setAttribute("href", link.href);
+  }
   turned();
   for (const kind of HINTS) document.addEventListener(kind, hint, { passive: true });
   history.scrollRestoration = "manual";
@@ -95,10 +97,6 @@ async function turnTo(url: URL, turned: () => void, commit: () => void) {
   try {
     const page = parsed(url, await fetchPage(url, signal));
     if (signal.aborted) return;
-    // Until it has others, the browser finds the icons from the next page's address, too.
-    for (const link of all(document.head, "link[rel=icon]", HTMLLinkElement)) {
-      link.setAttribute("href", link.href);
-    }
     commit();
     putInPlace(page);
     shownPath = location.pathname;
