@@ -29,7 +29,9 @@ def colour_rules(colours: Colours) -> str:
         f"""
 .overlay .{name}, .role-{name} {{ color: var({variable}); }}
 .readout.role-{name} {{ --mark: var({variable}); }}
-simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name})) {{ opacity: 0.25; }}
+simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name}), text.muted) {{
+  opacity: 0.25;
+}}
 [data-lit="{name}"] .role-{name}:not({LIT_OTHERWISE}) {{
   border-radius: var(--radius);
   background: color-mix(in srgb, currentColor 14%, transparent);

@@ -103,7 +103,7 @@ export class Prerendered {
     let mark = maybe(this.figure, ".early-mark", HTMLElement);
     if (!mark) {
       mark = element("p", "early-mark box fine");
-      one(this.figure, ".panels", HTMLElement).append(mark);
+      one(this.figure, ".panel", HTMLElement).append(mark);
     }
     mark.textContent = text;
   }
