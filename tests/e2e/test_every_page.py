@@ -33,7 +33,7 @@ WIDER = """(width) => {
   const {scrollWidth} = document.documentElement;
   return scrollWidth > width ? [scrollWidth] : [];
 }"""
-SCROLLED = """() => [...document.querySelectorAll("main *:not(pre, .other-panels)")]
+SCROLLED = """() => [...document.querySelectorAll("main *:not(pre, textarea, .other-panels)")]
   .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
   .filter((one) => one.scrollWidth > one.clientWidth + 1)
   .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`)"""
@@ -137,6 +137,7 @@ TOUCHING = """(known) => {
   };
   const overlap = (a, b) =>
     a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+  for (const fold of document.querySelectorAll('details:has(simulation-figure)')) fold.open = true;
   for (const view of document.querySelectorAll('simulation-figure .panel-view')) {
     const panel = view.getBoundingClientRect();
     const of = `${view.closest('figure').id} ${view.closest('.panel').dataset.panel}: `;
@@ -164,6 +165,14 @@ TOUCHING = """(known) => {
   return [...found].filter((one) => !known.includes(one));
 }"""
 """Letters need a fifth of their line above and below them less than it has."""
+
+
+OFF_HEADER = """() => [...document.querySelectorAll(".site-header *")]
+  .filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > innerWidth + 1)
+  .map((one) => one.className)"""
+COPIED = """() => [...document.querySelectorAll("[data-copy-embed]")]
+  .map(({dataset}) => [new URL(dataset.copyEmbed, location.href).href, +dataset.height])"""
+TALLER = "() => document.documentElement.scrollHeight - innerHeight"
 
 
 FAR = """(most) => {
@@ -313,6 +322,23 @@ def test_no_chapter_scrolls_sideways_with_letters_twice_as_large(
     for address in plain_reader.leaf_through(pages(book)):
         plain_reader.page.add_style_tag(content=LARGER_LETTERS)
         wrong += found(plain_reader, [Look("the page is wider", WIDER, 390)], address)
+        plain_reader.page.set_viewport_size({"width": 320, "height": 800})
+        wrong += found(plain_reader, [Look("lies beside the header", OFF_HEADER)], address)
+        plain_reader.page.set_viewport_size({"width": 390, "height": 800})
+    assert wrong == []
+
+
+@pytest.mark.deep
+def test_a_copied_frame_shows_the_whole_figure(plain_reader: Reader, book: Any) -> None:
+    page, frames = plain_reader.page, []
+    for _ in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
+        frames += page.evaluate(COPIED)
+    wrong = []
+    for address, height in frames:
+        page.set_viewport_size({"width": 1000, "height": height})
+        page.goto(address)
+        if page.evaluate(TALLER) > 0:
+            wrong.append(address)
     assert wrong == []
 
 

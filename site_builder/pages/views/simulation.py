@@ -185,6 +185,7 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
     """``assets`` is the address of the assets folder, relative to the page."""
     figure, scene = still.figure, still.figure.scene
     frame, tiers = still.frame, tier_labels(scene, _ladder)
+    count = len(frame.panels)
     cells, folded_cells = control_cells(still, tiers=bool(tiers), words=words)
     readouts, folded_readouts = readouts_in_sight(still)
     return SimulationView(
@@ -213,7 +214,7 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         sounds=frame.sound is not None,
         takes_picture=scene.photograph is not None and not scene.measures_photographs,
         makes_files=_makes_files(figure),
-        frame_height=760 + 140 * (len(frame.panels) > 2) + 100 * figure.yours,
+        frame_height=800 + 120 * (count > 2) + 250 * (count > 3) + 180 * figure.yours,
     )
 
 
