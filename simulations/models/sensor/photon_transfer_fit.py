@@ -30,8 +30,14 @@ MOST_OFF_LINE = 0.1
 """Largest residual of a variance, as a share of the line."""
 SATURATED_NOISE = 0.1
 """Share of shot noise that is left where the well or the converter is full."""
+NOT_DARK = (
+    "No whole pair is dark, and a file’s own black level may be some codes off: take a pair with "
+    "the lens cap on."
+)
 LARGEST_PATTERN = 0.05
 """Share of the light. No sensor's cells differ more: it is the surface."""
+MOST_OFF_BLACK, MOST_OFF_BLACK_DN = 5e-4, 4.0
+"""Share of the scale, or so many DN, within which a pair next to a file's black has no light."""
 SURE = 2.0
 """Standard errors by which a variance must exceed 0 to be told."""
 
@@ -84,10 +90,30 @@ class SensorEstimate:
     """Variance shared by both frames, against the square of that mean."""
 
 
+def black_of_dark(levels: Sequence[Level], stated_dn: float, highest_dn: float) -> float:
+    """Code without light: mean of the darkest pair if it has none, and otherwise NaN.
+
+    ``stated_dn`` is that of the file. It may be some DN off, which would change the read noise; a
+    pair so near to it is taken for dark.
+    """
+    darkest = min(levels, key=lambda level: level.mean_dn, default=None)
+    if darkest is None or darkest.clipped > MOST_CLIPPED:
+        return math.nan
+    near = max(MOST_OFF_BLACK * (highest_dn - stated_dn), MOST_OFF_BLACK_DN)
+    return darkest.mean_dn if abs(darkest.mean_dn - stated_dn) <= near else math.nan
+
+
 def characterise(
-    levels: Sequence[Level], black_dn: float, highest_dn: float, most: float = SATURATED_SHARE
+    levels: Sequence[Level],
+    black_dn: float,
+    highest_dn: float,
+    most: float = SATURATED_SHARE,
+    *,
+    dark: bool = True,
 ) -> SensorEstimate:
     """The sensor of the levels, whose code without light is ``black_dn``.
+
+    If that is only stated (``dark`` false), not measured, there is no read noise: a DN changes it.
 
     Lines are fitted to the levels up to the share ``most`` of the way from black to ``highest_dn``.
     Errors are those of random noise, enlarged where levels scatter more about the line. From twelve
@@ -110,7 +136,7 @@ def characterise(
     gain = Estimate(1 / noise.slope, math.sqrt(noise.covariance[1, 1]) / noise.slope**2)
     return SensorEstimate(
         gain=gain,
-        read_noise=_read_noise(noise),
+        read_noise=_read_noise(noise) if dark else Estimate.unknown(NOT_DARK),
         saturation=_saturation(mean, levels, noise, gain),
         prnu=_prnu(pattern, chosen[0].pixels),
         dsnu=_dsnu(pattern, gain.value, chosen[0].pixels),
@@ -165,7 +191,7 @@ def _pattern_line(mean: Floats, levels: Sequence[Level]) -> Line:
 
 def _settled(x: Floats, y: Floats, error_of: Callable[[Floats], Floats]) -> Line:
     """Weighted fit, whose errors may depend on it."""
-    smallest = 1e-3 * max(float(np.abs(y).max()), 1e-300)
+    smallest = max(0.5 * float(y.min()), 1e-6 * float(np.abs(y).max()), 1e-300)
     line = _fit(x, y, error_of(np.maximum(y, smallest)))
     for _ in range(3):
         line = _fit(x, y, error_of(np.maximum(line.start + line.slope * x, smallest)))

@@ -13,6 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.frame import format_number
 from simulations.engine.photograph import Facts, Mosaic, Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.settings import slider
@@ -21,7 +22,11 @@ from simulations.models.arrays import Floats
 from simulations.models.sensor import photon_transfer_file as files
 from simulations.models.sensor.photon_counting import Sensor
 from simulations.models.sensor.photon_transfer_file import COLOURS, HIGHEST
-from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
+from simulations.models.sensor.photon_transfer_fit import (
+    SensorEstimate,
+    black_of_dark,
+    characterise,
+)
 from simulations.models.sensor.photon_transfer_frames import (
     Cells,
     counted_pair,
@@ -44,6 +49,7 @@ SIMULATED = "simulated"  # name of the only plane of the simulated sensor, which
 
 KEPT_SIDE = 256  # of the square in the middle, in px; a smaller photograph is kept whole
 SMALLEST = 64
+WORTH_SAYING_DN = 0.2  # difference of two black levels
 DARK = 0.01 * HIGHEST
 """Added to the mean of a raw file's light for the test whether that is even: with black taken off,
 a dark picture has nothing but noise."""
@@ -197,10 +203,14 @@ class Measured:
 
     levels: tuple[Level, ...]
     black_dn: float
-    """Code without light: 0 in an sRGB file, in a raw file as stated there, and otherwise the mean
-    of the darkest pair."""
+    """Code without light: 0 in an sRGB file, and otherwise the mean of the darkest pair. In a raw
+    file as stated there, if that pair has light."""
     span_dn: float
     """Codes above black."""
+    dark: bool
+    """Whether the black is measured, or by definition of the file."""
+    note: str = ""
+    """A sentence if the dark pair and the file differ."""
 
     @property
     def mean_dn(self) -> Floats:
@@ -271,18 +281,30 @@ def measure_planes(frames: Frames) -> dict[str, Measured]:
 
 def measure(frames: Frames, plane: str, pairs: tuple[Pair, ...]) -> Measured:
     levels = tuple(measure_pair(pair, frames.highest, frames.response) for pair in pairs)
-    black = frames.black.get(plane, 0.0)
-    if frames.response is None and levels and plane not in frames.black:
+    black, dark, note = 0.0, True, ""
+    if plane in frames.black:
+        stated = frames.black[plane]
+        black = black_of_dark(levels, stated, frames.highest)
+        dark = not math.isnan(black)
+        black = black if dark else stated
+        if abs(black - stated) >= WORTH_SAYING_DN:
+            found, said = (format_number(dn, 1) for dn in (black, stated))
+            note = f"Black is {found} DN by the dark pair, which counts, and {said} by the file."
+    elif frames.response is None and levels:
         black = min(level.mean_dn for level in levels)
     if black >= frames.highest:  # all white
         black = 0.0
-    return Measured(levels, black, frames.highest - black)
+    return Measured(levels, black, frames.highest - black, dark, note)
 
 
 def fit(levels: dict[str, Measured], most: int) -> dict[str, SensorEstimate]:
     return {
         plane: characterise(
-            measured.levels, measured.black_dn, measured.black_dn + measured.span_dn, most / 100
+            measured.levels,
+            measured.black_dn,
+            measured.black_dn + measured.span_dn,
+            most / 100,
+            dark=measured.dark,
         )
         for plane, measured in levels.items()
     }

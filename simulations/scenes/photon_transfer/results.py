@@ -90,9 +90,10 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
 def lines(frames: Frames, outputs: Outputs) -> Iterator[Readout]:
     main, left = frames.main, frames.left_over
     yield Readout("pixels", "Pixels", main)
-    if frames.black:  # as a raw file says
-        black = format_number(frames.black[main], 0)
-        yield Readout("scale", "Black and white", f"{black} and {frames.highest}", "DN")
+    if frames.black:  # of a raw file
+        level: Measured = outputs["levels"][main]
+        ends = f"{format_number(level.black_dn, 1)} and {frames.highest} DN"
+        yield Readout("scale", "Black and white", f"{ends}. {level.note}" if level.note else ends)
     found, given = estimates_of(outputs["sensor"][main]), set[str]()
     for name, label, unit, scale in QUANTITIES:
         estimate = found[name]

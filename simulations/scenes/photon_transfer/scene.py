@@ -158,9 +158,12 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             Panel("pattern", "What both frames share", *SIZE, overlay=shared),
         ),
         readouts(outputs),
-        f"{what}, and {up_to}, give no conversion gain. {sensor.gain.reason}"
-        if sensor.gain.reason
-        else f"{what}: {up_to} gives a conversion gain of {value_of(sensor.gain)} e⁻/DN.",
+        (
+            f"{what}, and {up_to}, give no conversion gain. {sensor.gain.reason}"
+            if sensor.gain.reason
+            else f"{what}: {up_to} gives a conversion gain of {value_of(sensor.gain)} e⁻/DN."
+        )
+        + f" {levels.note}".rstrip(),
     )
 
 
