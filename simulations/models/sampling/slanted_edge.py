@@ -113,7 +113,7 @@ def measure(pixels: EdgePixels) -> EdgeReading:
     """The curve through the pixels of an edge. Raises `UnfitEdgeError` if it would be no MTF's."""
     if pixels.widest_gap > WIDEST_GAP:
         raise UnfitEdgeError(REPEATED)
-    curve = fit_curve(pixels.distance, pixels.value, pixels.reach)
+    curve = fit_curve(pixels.distance, pixels.value, pixels.row, pixels.reach)
     if _has_two_edges(curve):
         raise UnfitEdgeError(TWO_EDGES)
     outer = pixels.reach * np.linspace(0.5, 1.0, 65)

@@ -22,6 +22,8 @@ PER_PIXEL = 4
 """Knots per pixel at the edge."""
 STIFFNESS = 1e-4
 """Weight of the curve's roughness, which settles it where no pixel does."""
+SEGMENT = 8
+"""Rows of a segment of the edge."""
 STEPS = 8
 """Steps per pixel in the Fourier sum."""
 MOST = 4.0
@@ -36,8 +38,9 @@ class EdgeCurve:
     """The curve is defined to this distance on either side."""
     heights: Floats
     """(K,) of the B-splines whose sum is the curve."""
-    covariance: Floats
-    """(K, K) of the heights, from the deviations of the pixels from the curve."""
+    covariances: Floats
+    """(2, K, K) of the heights, from the deviations of the pixels from the curve: as if these were
+    independent, and from the sums over segments of the edge. Errors are by the larger."""
     noise: float
     """Standard deviation of the pixels from the curve."""
 
@@ -61,7 +64,8 @@ class EdgeCurve:
 
     def _error(self, shares: Floats) -> Floats:
         """Standard errors (...) of sums of heights, each with its weights (..., K)."""
-        return np.sqrt(np.maximum(np.sum(shares @ self.covariance * shares, axis=-1), 0.0))
+        squares = [np.sum(shares @ each * shares, axis=-1) for each in self.covariances]
+        return np.sqrt(np.maximum(np.max(squares, axis=0), 0.0))
 
     def transfer(self, frequency: ArrayLike) -> tuple[Floats, Floats]:
         """MTF (F,) at frequencies (F,), and its standard error (F,).
@@ -82,11 +86,13 @@ class EdgeCurve:
         return contrast, self._error(change)
 
 
-def fit_curve(distance: Floats, value: Floats, reach: float) -> EdgeCurve:
-    """Fit pixels (N,) by their values and their distances, below ``reach``, from the edge.
+def fit_curve(distance: Floats, value: Floats, row: Indices, reach: float) -> EdgeCurve:
+    """Fit pixels (N,) by their values, rows, and distances, below ``reach``, from the edge.
 
-    The covariance takes each pixel's own deviation (H. White, 1980), so that light may be noisier
-    than dark. It takes the deviations of neighbours as independent of each other.
+    One covariance takes each pixel's own deviation (H. White, 1980), so that light may be noisier
+    than dark, as independent of its neighbours'. The other, for noise that neighbours share after
+    demosaicing, smoothing or compression, takes only whole segments along the edge as independent
+    (K.-Y. Liang and S. Zeger, 1986).
     """
     first, shares = _shares(distance, reach)
     count = 2 * _half_count(reach) + 4
@@ -102,7 +108,14 @@ def fit_curve(distance: Floats, value: Floats, reach: float) -> EdgeCurve:
     spare = max(len(value) - count, 1)
     scatter = _products(first, shares, np.square(off) * len(value) / spare, count)
     noise = float(np.sqrt(np.sum(np.square(off)) / spare))
-    return EdgeCurve(reach, heights, inverse @ scatter @ inverse, noise)
+    segment = row // SEGMENT
+    segments = int(segment.max()) + 1
+    pulls = sum(
+        np.bincount(segment * count + first + place, shares[place] * off, segments * count)
+        for place in range(len(shares))
+    ).reshape(segments, count)
+    shared = pulls.T @ pulls * (segments / max(segments - 1, 1) * len(value) / spare)
+    return EdgeCurve(reach, heights, inverse @ np.stack([scatter, shared]) @ inverse, noise)
 
 
 @lru_cache(maxsize=16)
