@@ -110,10 +110,11 @@ def fit_curve(distance: Floats, value: Floats, row: Indices, reach: float) -> Ed
     noise = float(np.sqrt(np.sum(np.square(off)) / spare))
     segment = row // SEGMENT
     segments = int(segment.max()) + 1
-    pulls = sum(
-        np.bincount(segment * count + first + place, shares[place] * off, segments * count)
-        for place in range(len(shares))
-    ).reshape(segments, count)
+    pulls = np.zeros(segments * count)
+    for place in range(len(shares)):
+        where = segment * count + first + place
+        pulls += np.bincount(where, shares[place] * off, segments * count)
+    pulls = pulls.reshape(segments, count)
     shared = pulls.T @ pulls * (segments / max(segments - 1, 1) * len(value) / spare)
     return EdgeCurve(reach, heights, inverse @ np.stack([scatter, shared]) @ inverse, noise)
 

@@ -119,10 +119,11 @@ FILES: dict[str, Callable[[Floats], Floats]] = {
 def test_the_stated_error_is_the_scatter(kind: str) -> None:
     """Of 64 edges: scatter of MTF50 by its mean error, and shares within 1 and 2 of its errors.
 
-        ==========  ====================  =====================
-        noise       pixels alone          the larger, as stated
-    TABLE
-        ==========  ====================  =====================
+    noise       pixels alone          the larger, as stated
+    white       0.96     64 %   94 %  0.89     67 %   97 %
+    demosaiced  1.43     61 %   81 %  0.98     72 %   97 %
+    JPEG        0.96     64 %   97 %  0.88     69 %   98 %
+    smoothed    1.43     50 %   83 %  1.04     64 %   92 %
     """
     change = FILES[kind]
     edge = 0.12 + 0.7 * gaussian_edge(96, 96, 5.0, 1.2)
