@@ -366,7 +366,7 @@ def calibrated(boards: Sequence[Codes]) -> dict[str, Any]:
         Reading(index, f"board {index}.png", scene.read(Photograph(index, codes)))
         for index, codes in enumerate(boards)
     )
-    settings = scene.check({"photographs": 20, "lens": "k1k2"})
+    settings = scene.check({"photographs": 20, "lens": "supported"})
     outputs = scene.run(settings, "", StageCache(), None, readings).outputs
     (made,) = (export for export in scene.exports if export.suffix == ".json")
     read: dict[str, Any] = json.loads(made.make(settings, outputs))

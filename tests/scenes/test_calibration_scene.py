@@ -175,6 +175,13 @@ def test_too_few_photographs_are_refused_everywhere(
         SCENE.exports[0].make(Settings(), outputs)
 
 
+def test_the_supported_model_is_the_one_that_is_printed() -> None:
+    outputs = outputs_of(Settings(photographs=8, lens="supported"), readings(8))
+    lines = {line.name: line.text for line in sheet(Settings(), outputs)}
+    assert lines["lens"] == lines["supported"]
+    assert outputs["result"].trial is outputs["result"].supported
+
+
 def test_files_sheet_and_developed_photograph_are_of_the_same_camera() -> None:
     settings, given = Settings(photographs=8, lens="p1p2"), readings(8)
     outputs = outputs_of(settings, given)

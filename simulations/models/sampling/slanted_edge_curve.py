@@ -114,8 +114,8 @@ def fit_curve(distance: Floats, value: Floats, row: Indices, reach: float) -> Ed
     for place in range(len(shares)):
         where = segment * count + first + place
         pulls += np.bincount(where, shares[place] * off, segments * count)
-    pulls = pulls.reshape(segments, count)
-    shared = pulls.T @ pulls * (segments / max(segments - 1, 1) * len(value) / spare)
+    pulled = pulls.reshape(segments, count)
+    shared = pulled.T @ pulled * (segments / max(segments - 1, 1) * len(value) / spare)
     return EdgeCurve(reach, heights, inverse @ np.stack([scatter, shared]) @ inverse, noise)
 
 

@@ -34,7 +34,15 @@ from simulations.models.calibration.undistorted import undistorted
 from simulations.scenes._wipe import wiped
 from simulations.scenes.calibration import drawing
 from simulations.scenes.calibration.boards import LEAST, MOST, Boards, read
-from simulations.scenes.calibration.stages import DRAFT, STAGES, Errors, Result, Shown, Trials
+from simulations.scenes.calibration.stages import (
+    DRAFT,
+    STAGES,
+    SUPPORTED,
+    Errors,
+    Result,
+    Shown,
+    Trials,
+)
 
 LENSES = {
     "none": "No distortion",
@@ -66,7 +74,7 @@ INSIDE = 12.0  # least distance of the handle of the dividing line from the righ
 @dataclass(frozen=True, slots=True)
 class Settings:
     photographs: int = slider("Photographs", 5, LEAST, MOST, 1)
-    lens: str = choice("Model of the lens", LENSES, default="k1")
+    lens: str = choice("Model of the lens", LENSES | {SUPPORTED: "the supported one"}, default="k1")
     shown: int = slider("Photograph shown", 3, 1, MOST, 1)
     arrows: str = choice("Arrows", ERRORS)
     share: float = slider("Dividing line", 1, 0, 1, 0.01)
@@ -96,7 +104,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             Panel("growth", "Focal length by the photographs", *size, overlay=grown),
         ),
         _readouts(result, outputs["errors"]),
-        describe(settings, given, trials, result),
+        describe(given, trials, result),
     )
 
 
@@ -167,7 +175,7 @@ def _readouts(result: Result | None, errors: Errors | None) -> tuple[Readout, ..
     )
 
 
-def describe(settings: Settings, given: Boards, trials: Trials, result: Result | None) -> str:
+def describe(given: Boards, trials: Trials, result: Result | None) -> str:
     """The result, or the reason why there is none."""
     notes = "".join(f" {note}" for note in given.notes)
     if result is None:
@@ -177,7 +185,7 @@ def describe(settings: Settings, given: Boards, trials: Trials, result: Result |
     truth = f" (true: {format_number(given.truth.fx, 0)} px)" if given.truth else ""
     return (
         f"From {len(trials.views)} photographs of a chequerboard, fₓ = {focal} px{truth}; with the "
-        f"model “{LENSES[settings.lens]}”, photographs left out are predicted to "
+        f"model “{LENSES[trial.lens]}”, photographs left out are predicted to "
         f"{format_number(trial.left_out_px, 2)} px, and the model supported is "
         f"“{LENSES[result.supported.lens]}”.{notes}"
     )
@@ -240,7 +248,7 @@ def measured(outputs: Outputs) -> tuple[int, ...]:
     return given.numbers[: len(outputs["trials"].views)]
 
 
-def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
+def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """The camera's parameters with standard errors, and how well they predict corners."""
     given: Boards = outputs["boards"]
     notes = [Readout(f"note{n}", "Note", note) for n, note in enumerate(given.notes, 1)]
@@ -255,7 +263,7 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     return (
         Readout("size", "Size of the photographs", f"{width} × {height}", "px"),
         Readout("photographs", "Photographs used", str(len(trial.fit.poses.t))),
-        Readout("lens", "Model of the lens", LENSES[settings.lens]),
+        Readout("lens", "Model of the lens", LENSES[trial.lens]),
         *_parameters(result),
         *(
             [readout("stated", "Focal length, by the file", given.focal_px, "px", digits=0)]
@@ -289,12 +297,12 @@ def line_at(settings: Settings, outputs: Outputs) -> Point | None:
     return min(settings.share * width, width - INSIDE), drawing.LINE_AT * height
 
 
-def model_at(settings: Settings, outputs: Outputs) -> Point | None:
+def model_at(_settings: Settings, outputs: Outputs) -> Point | None:
     result: Result | None = outputs["result"]
     if result is None:
         return None
     plot = drawing.error_plot(outputs["trials"].found)
-    return plot.clamped(drawing.place_of(settings.lens), result.trial.left_out_px)
+    return plot.clamped(drawing.place_of(result.trial.lens), result.trial.left_out_px)
 
 
 def model_pulled(_settings: Settings, place: Point) -> dict[str, str]:

@@ -25,6 +25,7 @@ DRAFT = "quick"
 """The draft while the count of photographs or the choice of one is dragged: a small photograph,
 no search for corners, and fits of few steps."""
 DRAFT_SCALE = 0.375
+SUPPORTED = "supported"  # the model of the lens that the photographs support
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,9 @@ class Trials:
     """The reason why not, and what to do."""
 
     def of(self, lens: str) -> Trial | None:
-        """The trial of a model, if the photographs determine it."""
+        """The trial of a model, or of the `SUPPORTED` one, if the photographs determine it."""
+        if lens == SUPPORTED and self.found:
+            return supported(self.found)
         return next((trial for trial in self.found if trial.lens == lens), None)
 
 
@@ -101,9 +104,10 @@ def _trials(every: Trials, photographs: int, tier: str) -> Trials:
 
 def _result(given: Boards, every: Trials, trials: Trials, lens: str) -> Result | None:
     """The chosen model; none if the photographs do not determine it."""
-    trial, of_all, grown = trials.of(lens), every.of(lens), None
+    trial, grown = trials.of(lens), None
     if trial is None:
         return None
+    of_all = every.of(trial.lens)
     if of_all is not None:
         sigma = of_all.uncertainty.sigma_px
         grown = growth(every.views, of_all.fit, of_all.free, sigma, "fx", LEAST)
