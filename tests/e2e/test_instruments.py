@@ -308,6 +308,7 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     calibration.give(files)
     expect(calibration.said).to_contain_text("3 of 4")
     expect(calibration.photographs.last).to_contain_text("No chequerboard found")
+    expect(calibration.whole.locator("input[name=photographs]")).to_have_value("3")
     expect(calibration.readout("supported")).not_to_have_text("")
     with page.expect_download() as download:
         make.click()

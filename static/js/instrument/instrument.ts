@@ -4,6 +4,8 @@
  */
 
 import type { SimulationFigure } from "../figure/element.ts";
+import { moveControls, named } from "../figure/controls.ts";
+import { settingsOf } from "../figure/permalink.ts";
 import { nextNumber } from "../figure/photograph.ts";
 import { maybe, one } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
@@ -31,6 +33,8 @@ export class Instrument {
   /** What is said beside the state of the work, until photographs come or go. */
   #remark = "";
   #keeps = false;
+  /** What the control that counts photographs last followed. */
+  #counted = 0;
   readonly scene: string;
   /** Absolute address of the runtime folder. */
   readonly url: string;
@@ -184,8 +188,22 @@ export class Instrument {
     const readings = this.#used.map(({ number, name, data }) => ({ number, name, data }));
     const isRead = "reads" in this.box.dataset;
     this.figure.live?.own.use(this.chosen, isRead ? readings : []);
+    if (isRead) this.#showCount(readings.length);
     if (this.figure.dataset.state === "waiting" && this.photos.length) this.figure.begin();
     this.#showWork();
+  }
+
+  /** A control that counts photographs follows them, unless the reader has chosen fewer. */
+  #showCount(count: number) {
+    const { form, controls } = settingsOf(this.figure);
+    const field = form.querySelector(named("photographs"));
+    if (!(field instanceof HTMLInputElement)) return;
+    const [now, most] = [Number(field.value), Number(field.max)];
+    const all = count ? Math.min(Math.max(count, Number(field.min)), most) : most;
+    if (all !== now && (now > all || now === this.#counted)) {
+      moveControls(form, controls, { photographs: all }, "change");
+    }
+    this.#counted = all;
   }
 
   async #keep(photos: Photo[]) {
