@@ -243,10 +243,13 @@ def test_progress_counts_lists_what_was_missed_and_is_reset_and_carried_over_as_
     assert f"1 of {len(book['quizzes'])} " in page.locator(".progress").inner_text()
 
     plain_reader.open(place["url"], live=False)
+    section.locator(".progress-name").fill(" Zoë: N/A Ünal ")
     with page.expect_download() as download:
         section.locator("[data-progress-export]").click()
+    assert download.value.suggested_filename == "image-formation-progress-Zoë-N-A-Ünal.json"
     file = tmp_path / "progress.json"
     download.value.save_as(file)
+    assert json.loads(file.read_text())["who"] == "Zoë: N/A Ünal"
     assert {*json.loads(file.read_text())["answers"]} == {
         f"quiz:{right['id']}",
         f"quiz:{wrong['id']}",
@@ -315,9 +318,8 @@ def test_files_of_many_readers_become_a_table_by_question_and_nothing_is_sent(
     drawn = next(each for each in listed if len(each["variants"]) > 1)
     options = [option["correct"] for option in choice["options"]]
     right, trap = options.index(True), options.index(False)
-    (tmp_path / "twelfth").mkdir()
     files = [tmp_path / f"=Student {who}.json" for who in range(11)]
-    files.append(tmp_path / "twelfth" / files[0].name)
+    files.append(tmp_path / "of the twelfth.json")
     for who, file in enumerate(files):
         first = right if who < 4 else trap
         editions = (
@@ -331,7 +333,8 @@ def test_files_of_many_readers_become_a_table_by_question_and_nothing_is_sent(
             f"quiz:{number['id']}": wrong[0],
             f"quiz:{drawn['id']}": {**wrong[1], "seed": "class"},
         }
-        file.write_text(f"{HEAD} {json.dumps(answers)}}}")
+        named = ', "who": "=Student 0"' if who == 11 else ""
+        file.write_text(f"{HEAD} {json.dumps(answers)}{named}}}")
     methods: list[str] = []
     page.on("request", lambda request: methods.append(request.method))
     broken = tmp_path / "broken.json"
@@ -352,7 +355,9 @@ def test_files_of_many_readers_become_a_table_by_question_and_nothing_is_sent(
     assert summary(drawn).endswith(told), "its numbers are told with the answer"
     with page.expect_download() as download:
         page.locator(".class-csv").click()
-    rows = Path(download.value.path()).read_text().splitlines()
+    rows = Path(download.value.path()).read_text("utf-8").splitlines()
+    assert rows[0].startswith("\ufeffquestion,who,"), "known to be UTF-8"
     assert len(rows) == 1 + 12 + 10 + 5
     assert sum(row.startswith(f"{number['id']},'=Student ") for row in rows) == 10
+    assert sum(row.startswith(f"{choice['id']},'=Student 0 (2),") for row in rows) == 1
     assert {*methods} <= {"GET"}

@@ -90,18 +90,19 @@ function trapOf(tried: Tried[]): [string, number] | null {
 
 let results: Result[] = [];
 
-/** Show what the files say in the place of what was shown; a student is called as the file is. */
+/** Show what the files say in the place of what was shown; a student without a name is called as
+ * the file is. */
 export async function showClass(
   page: HTMLElement,
   files: Iterable<File>,
-  answersIn: (file: File) => Promise<Answers>,
+  progressIn: (file: File) => Promise<{ who: string; answers: Answers }>,
 ) {
   const read = new Map<string, Answers>();
   const said: string[] = [];
   for (const file of files) {
     try {
-      const answers = await answersIn(file);
-      read.set(unused(file.name.replace(/\.json$/i, ""), read), answers);
+      const { who, answers } = await progressIn(file);
+      read.set(unused(who || file.name.replace(/\.json$/i, ""), read), answers);
     } catch (error) {
       said.push(words("progress.not_read", { file: file.name, reason: message(error) }));
     }
@@ -114,7 +115,7 @@ export async function showClass(
   place.replaceChildren(...results.map((result) => shown(result, place.dataset.root ?? "")));
 }
 
-/** The name, numbered where two files share it, as those from two folders may. */
+/** The name, numbered where two share it. */
 function unused(name: string, taken: ReadonlyMap<string, unknown>) {
   let chosen = name;
   for (let number = 2; taken.has(chosen); number += 1) chosen = `${name} (${number})`;

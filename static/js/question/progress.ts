@@ -83,8 +83,8 @@ export function install() {
     const files = within(event, ".class-files", HTMLInputElement)?.files;
     const page = maybe(document, "article.class", HTMLElement);
     if (!files || !page) return;
-    const { answersIn } = await import("./progress_file.ts");
-    await (await import("./class_page.ts")).showClass(page, files, answersIn);
+    const { progressIn } = await import("./progress_file.ts");
+    await (await import("./class_page.ts")).showClass(page, files, progressIn);
   });
   document.addEventListener("change", (event) => {
     const input = within(event, ".progress-file", HTMLInputElement);
@@ -102,7 +102,7 @@ function reset(section: HTMLElement) {
 
 async function save(section: HTMLElement) {
   const { saveProgress } = await import("./progress_file.ts");
-  const count = saveProgress();
+  const count = saveProgress(one(section, ".progress-name", HTMLInputElement).value.trim());
   say(section, words("progress.saved", { count }));
 }
 

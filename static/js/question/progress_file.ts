@@ -13,29 +13,39 @@ const FORMAT = `${STORAGE.replace(":", "")}-progress`;
 const VERSION = 1;
 const NAMES = /^(quiz|predict):[a-z0-9]+(-[a-z0-9]+)*$/;
 const LARGEST = 1_000_000;
+const LONGEST_NAME = 80;
+/** What some system allows in no name of a file. */
+const NO_FILE = /[\p{C}\s\\/:*?"<>|.]+/gu;
 
-/** Offer the file; how many answers it has. */
-export function saveProgress(): number {
+export interface Progress {
+  /** The reader, as they call themselves; empty where they gave no name. */
+  who: string;
+  answers: Record<string, unknown>;
+}
+
+/** Offer the file, with the reader's name in it and in its name; how many answers it has. */
+export function saveProgress(who: string): number {
   const answers = stored(NAMES);
-  const text = JSON.stringify({ format: FORMAT, version: VERSION, answers }, null, 1);
-  download(`${FORMAT}.json`, text, "application/json");
+  const text = JSON.stringify({ format: FORMAT, version: VERSION, who, answers }, null, 1);
+  const name = [FORMAT, who.replaceAll(NO_FILE, " ").trim()].filter(Boolean).join(" ");
+  download(`${name.replaceAll(" ", "-")}.json`, text, "application/json");
   return Object.keys(answers).length;
 }
 
 /** Keep what the file has; how many answers. Where it is none, an error, and nothing is kept. */
 export async function readProgress(file: File): Promise<number> {
-  const answers = Object.entries(await answersIn(file));
+  const answers = Object.entries((await progressIn(file)).answers);
   for (const [name, entry] of answers) remember(name, entry);
   return answers.length;
 }
 
-function checked(content: any): Record<string, unknown> {
+function checked(content: any): Progress {
   if (content?.format !== FORMAT) throw new Error(words("progress.no_answers_file"));
   if (content.version !== VERSION) {
     const version = legible(String(content.version));
     throw new Error(words("progress.version", { version, legal: VERSION }));
   }
-  const { answers } = content;
+  const { who, answers } = content;
   if (typeof answers !== "object" || answers === null || Array.isArray(answers)) {
     throw new Error(words("progress.no_answers"));
   }
@@ -44,11 +54,12 @@ function checked(content: any): Record<string, unknown> {
       throw new Error(words("progress.broken", { name: JSON.stringify(legible(name)) }));
     }
   }
-  return answers;
+  const name = typeof who === "string" ? legible(who.slice(0, LONGEST_NAME)) : "";
+  return { who: name, answers };
 }
 
-/** The answers of a file, or an error where it is none. */
-export async function answersIn(file: File): Promise<Record<string, unknown>> {
+/** What a file holds, or an error where it holds no answers. */
+export async function progressIn(file: File): Promise<Progress> {
   if (file.size > LARGEST) throw new Error(words("progress.too_large"));
   const text = await file.text();
   let content: any;
