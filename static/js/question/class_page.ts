@@ -135,7 +135,8 @@ export function saveClass() {
       trap?.[0] ?? "",
     ]),
   );
-  download("class.csv", csv([head, ...rows]), "text/csv");
+  const mark = "\ufeff"; // by which programs for tables know that it is UTF-8: names are in it
+  download("class.csv", mark + csv([head, ...rows]), "text/csv");
 }
 
 function shown({ question, tried, trap }: Result, root: string) {
