@@ -4,6 +4,7 @@
 # make epub      pack it for readers of e-books, into build/image-formation.epub
 # make notebooks            each chapter as a Jupyter notebook, in build/notebooks/
 # make questions export them for learning platforms: Moodle XML and QTI 2.1 (ADDRESS=https://…/)
+# make wheel     the engine as a package, in build/wheel/
 # make guide     read the guide for authors: http://localhost:8000
 # make test      all tests; the first run may install a browser
 # make test-quick            those that need no browser
@@ -44,7 +45,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub notebooks questions test test-quick test-deep check lock screenshot bench bench-pages bench-drag links mutants clean
+.PHONY: serve guide site pdf epub notebooks questions wheel test test-quick test-deep check lock screenshot bench bench-pages bench-drag links mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -66,6 +67,9 @@ notebooks: $(VENV)/book.stamp
 
 questions: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder questions $(ADDRESS:%=--address "%")
+
+wheel: | $(BIN)/python
+	@$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --wheel-dir build/wheel .
 
 # One thread in each process, since the processes share the cores already.
 test test-quick test-deep: export OPENBLAS_NUM_THREADS = 1

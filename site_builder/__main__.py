@@ -88,11 +88,11 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             # Readers of pages and printers are needed only here.
             from site_builder.editions.compose import compose
             from site_builder.editions.epub import make_epub
-            from site_builder.editions.pdf import make_pdf
+            from site_builder.editions.pdf import make_pdf, pdf_printer
 
+            printer = pdf_printer() if given.command == "pdf" else None  # before all the work
             composed = compose(Options(ROOT, runtime=False, warn=warn))
-            is_pdf = given.command == "pdf"
-            edition = make_pdf(composed) if is_pdf else make_epub(composed, ROOT)
+            edition = make_pdf(composed, printer) if printer else make_epub(composed, ROOT)
             written(given.out or _edition(composed.book, given.command), edition)
         case "notebooks":
             from site_builder.editions.notebooks.notebook import REQUIREMENTS, make_notebooks

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -258,6 +258,14 @@ def _exponent(value: float) -> int:
 def power_of_ten(exponent: int) -> str:
     """``10⁻⁵``."""
     return "10" + str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def content(frame: Frame) -> tuple[object, ...]:
+    """All that a frame shows and plays, so that two can be compared; not how it was computed."""
+    rasters = [panel.raster for panel in frame.panels if panel.raster is not None]
+    pixels = [(raster.shape, raster.tobytes()) for raster in rasters]
+    samples = frame.sound and frame.sound.samples.tobytes()
+    return to_json(replace(frame, stages=())), pixels, samples
 
 
 def to_json(frame: Frame) -> str:

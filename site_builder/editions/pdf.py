@@ -105,14 +105,18 @@ type Pages = Mapping[str, int]
 type Print = Callable[[bytes], bytes]
 
 
+def pdf_printer() -> Path:
+    """The Chromium of `make_pdf`. Raises `MissingChromiumError`, naming all that it lacks."""
+    return require_chromium("the PDF", "pypdf")
+
+
 class UnsettledError(RuntimeError):
     """The page numbers still change after `TURNS` prints."""
 
 
-def make_pdf(composed: Composed) -> bytes:
-    """Raises `MissingChromiumError` without a browser."""
-    chromium = require_chromium("the PDF")
-    from playwright.sync_api import Route, sync_playwright  # installed, as Chromium was found by it
+def make_pdf(composed: Composed, chromium: Path) -> bytes:
+    """Printed by this Chromium: see `pdf_printer`."""
+    from playwright.sync_api import Route, sync_playwright  # `pdf_printer` found it
 
     files: dict[str, bytes] = {"volume.css": STYLE.read_bytes()}
 

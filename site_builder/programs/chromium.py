@@ -2,7 +2,10 @@
 
 import os
 import shutil
+from importlib.util import find_spec
 from pathlib import Path
+
+from site_builder.files.engine import DISTRIBUTION
 
 SYSTEM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 
@@ -13,17 +16,15 @@ class MissingChromiumError(RuntimeError):
 
 def find_chromium() -> Path | None:
     """Playwright's own browser if it is installed, else the system's, else None."""
-    from playwright.sync_api import sync_playwright  # only this needs it
+    if find_spec("playwright"):
+        from playwright.sync_api import sync_playwright  # only this needs it
 
-    with sync_playwright() as playwright:
-        bundled = Path(playwright.chromium.executable_path)
-    if bundled.exists():
-        return bundled
-    for name in SYSTEM_NAMES:
-        found = shutil.which(name)
-        if found:
-            return Path(found)
-    return None
+        with sync_playwright() as playwright:
+            bundled = Path(playwright.chromium.executable_path)
+        if bundled.exists():
+            return bundled
+    found = (shutil.which(name) for name in SYSTEM_NAMES)
+    return next((Path(path) for path in found if path), None)
 
 
 def launch_arguments() -> list[str]:
@@ -32,16 +33,14 @@ def launch_arguments() -> list[str]:
     return [*arguments, "--no-sandbox"] if os.geteuid() == 0 else arguments
 
 
-def require_chromium(what: str) -> Path:
-    """For ``what``, such as ``the PDF``. Raises `MissingChromiumError`."""
-    try:
-        found = find_chromium()
-    except ModuleNotFoundError as error:
-        message = f"{what} needs the package {error.name!r}; `pip install {error.name}` installs it"
-        raise MissingChromiumError(message) from None
+def require_chromium(what: str, *packages: str) -> Path:
+    """For ``what``, such as ``the PDF``, which needs ``packages`` besides. Raises
+    `MissingChromiumError`, which names all that is missing."""
+    found = find_chromium()
+    missing = [name for name in ("playwright", *packages) if not find_spec(name)]
+    needs = [f"{' and '.join(missing)} (pip install '{DISTRIBUTION}[pdf]')"] if missing else []
     if found is None:
-        raise MissingChromiumError(
-            f"{what} needs Chromium, and none was found; install one (for example "
-            "`apt-get install chromium`), or run `playwright install chromium`"
-        )
+        needs.append("Chromium (apt-get install chromium, or playwright install chromium)")
+    if found is None or needs:
+        raise MissingChromiumError(f"{what} needs {', and '.join(needs)}")
     return found

@@ -5,6 +5,7 @@ import json
 import keyword
 import re
 import shlex
+import subprocess
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -12,6 +13,7 @@ from functools import cache
 from importlib.metadata import distribution
 from itertools import pairwise
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -119,13 +121,10 @@ def make_book(folder: Path) -> list[str]:
     name = read_name("book", folder.resolve().name)
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise ScaffoldError(f"{folder} is not empty; legal: a folder that is empty or not there")
-    given = {
-        "name": name.text,
-        "title": name.title,
-        "engine": _requirement(),
-        "version": __version__,
-    }
+    engine, wheels = _engine()
+    given = {"name": name.text, "title": name.title, "engine": engine, "version": __version__}
     files = {
+        **wheels,
         ".python-version": f"{sys.version_info.major}.{sys.version_info.minor}\n".encode(),
         WORKFLOW: own_or_engine(ENGINE, WORKFLOW).read_bytes(),
     }
@@ -141,18 +140,28 @@ def make_book(folder: Path) -> list[str]:
     return sorted(files)
 
 
-def _requirement() -> str:
-    """The engine that runs, as pip reads it: this repository or, where it is installed, what
-    it came from."""
-    if not PACKED.is_dir():
-        return f"{DISTRIBUTION} @ {ENGINE.as_uri()}"
-    origin = distribution(DISTRIBUTION).read_text("direct_url.json")
-    if origin is None:
-        return f"{DISTRIBUTION}=={__version__}"
-    found = json.loads(origin)
-    vcs = found.get("vcs_info")
-    address = f"{vcs['vcs']}+{found['url']}@{vcs['commit_id']}" if vcs else found["url"]
-    return f"{DISTRIBUTION} @ {address}"
+def _engine() -> tuple[str, dict[str, bytes]]:
+    """The engine that runs, as pip reads it, and its wheel where it came from a file or a folder:
+    a book is then whole on other machines too. Raises `ScaffoldError`."""
+    address = ENGINE.as_uri()
+    if PACKED.is_dir():
+        origin = distribution(DISTRIBUTION).read_text("direct_url.json")
+        if origin is None:
+            return f"{DISTRIBUTION}=={__version__}", {}
+        found = json.loads(origin)
+        vcs, address = found.get("vcs_info"), found["url"]
+        if vcs:
+            address = f"{vcs['vcs']}+{address}@{vcs['commit_id']}"
+    if not address.startswith("file:"):
+        return f"{DISTRIBUTION} @ {address}", {}
+    pip = (sys.executable, "-m", "pip", "wheel", "--quiet", "--disable-pip-version-check")
+    with TemporaryDirectory() as folder:
+        command = (*pip, "--no-deps", "--wheel-dir", folder, address)
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise ScaffoldError(f"the engine's wheel cannot be made: {done.stderr.strip()}")
+        wheels = {f"engine/{file.name}": file.read_bytes() for file in Path(folder).iterdir()}
+    return DISTRIBUTION, wheels
 
 
 def translation(root: Path, text: str) -> tuple[dict[str, str], str]:

@@ -28,6 +28,7 @@ from simulations.engine.controls import Choice, Slider, Toggle
 from simulations.engine.drawing import line
 from simulations.engine.frame import Frame
 from simulations.engine.stages import Outputs
+from site_builder.__main__ import main
 from site_builder.build import check_site, load
 from site_builder.document.blocks import Prose, contents
 from site_builder.editions.compose import compose, shown_values
@@ -39,6 +40,7 @@ from site_builder.editions.pdf import (
     anchor_pages,
     fill,
     make_pdf,
+    pdf_printer,
     settle,
     volume,
 )
@@ -175,7 +177,7 @@ def test_contents_and_links_of_the_pdf_name_the_pages_on_which_things_are(
 ) -> None:
     composed = compose(make_book(BODY))
     with ThreadPoolExecutor() as aside:  # no two Playwrights in one thread
-        pdf = aside.submit(make_pdf, composed).result()
+        pdf = aside.submit(lambda: make_pdf(composed, pdf_printer())).result()
     reader = PdfReader(io.BytesIO(pdf))
     pages = anchor_pages(pdf)
     printed = [" ".join(page.extract_text().split()) for page in reader.pages]
@@ -233,20 +235,18 @@ def test_a_slider_is_prerendered_from_end_to_end_and_where_it_starts() -> None:
     assert prerendered_frames.shown_values(box, True) == (True,)
 
 
-@pytest.mark.parametrize(
-    ("missing", "command"),
-    [(None, "playwright install chromium"), ("playwright", "pip install playwright")],
-)
-def test_a_missing_browser_or_driver_is_reported_with_the_command_that_installs_it(
-    monkeypatch: pytest.MonkeyPatch, missing: str | None, command: str
+@pytest.mark.parametrize("missing", [{"pypdf"}, {"Chromium"}, {"playwright", "pypdf", "Chromium"}])
+def test_all_that_a_pdf_needs_is_asked_for_before_any_work(
+    missing: set[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def find() -> None:
-        if missing:
-            raise ModuleNotFoundError("no module", name=missing)
-
-    monkeypatch.setattr(chromium, "find_chromium", find)
-    with pytest.raises(chromium.MissingChromiumError, match=command):
-        chromium.require_chromium("the PDF")
+    monkeypatch.setattr(chromium, "find_spec", lambda name: name not in missing)
+    browser = None if "Chromium" in missing else Path("chromium")
+    monkeypatch.setattr(chromium, "find_chromium", lambda: browser)
+    assert main(["pdf"]) == 1
+    (said,) = capsys.readouterr().err.splitlines()
+    named = re.sub(r"\(.*?\)", "", said)
+    assert {name for name in ("playwright", "pypdf", "Chromium") if name in named} == missing
+    assert ("textbook-builder[pdf]" in said) == bool(missing - {"Chromium"})
 
 
 SIGNS = r"A \*star\*, a \_line\_, a [bracket], 2 < 3, \$5, \# 1, a \`tick\` and a \\ back slash."

@@ -100,6 +100,7 @@ def test_its_site_has_its_figures_and_sentences_of_skeletons_are_warned_of(
 
 
 def test_its_code_is_formatted_and_free_of_lint_and_its_engine_is_the_wheel_it_came_from(
+    engine: Engine,
     first_book: Path,
 ) -> None:
     ours = "lint.isort.known-first-party = ['simulations', 'site_builder']"
@@ -107,8 +108,44 @@ def test_its_code_is_formatted_and_free_of_lint_and_its_engine_is_the_wheel_it_c
     for command in (["format", "--check"], ["check"]):
         done = run(first_book, sys.executable, "-m", "ruff", *command, *settings)
         assert done.returncode == 0, done.stdout
-    project = (first_book / "pyproject.toml").read_text("utf-8")
-    assert re.search(r'"textbook-builder @ file:///\S+\.whl"', project)
+    assert [file.read_bytes() for file in first_book.glob("engine/*.whl")] == [
+        engine.wheel.read_bytes()
+    ]
+    assert "file:" not in (first_book / "pyproject.toml").read_text("utf-8")
+
+
+LOUD_WHEEL = """
+import numpy as np
+
+from simulations.engine.frame import Frame, Panel, Sound
+from simulations.engine.scene import Scene
+from simulations.engine.settings import slider
+from dataclasses import dataclass
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    angle: int = slider("Angle", 0, 0, 360, 1)
+    loudness: float = slider("Loudness", 0.5, 0.0, 1.0, 0.1)
+    idle: int = slider("Idle", 0, 0, 9, 1)
+
+def draw(settings, _outputs):
+    grey = int(100 + 100 * np.cos(np.radians(settings.angle)))
+    panel = Panel("wheel", "Wheel", 400, 300, raster=np.full((3, 4, 4), grey, np.uint8))
+    tone = Sound(np.full(9, settings.loudness, np.float32))
+    return Frame((panel,), (), "A wheel.", sound=tone)
+
+SCENE = Scene("two-balls", "Two Balls", Settings, draw)
+"""
+
+
+def test_its_tests_compare_pixels_and_samples_and_name_a_control_that_changes_nothing(
+    engine: Engine, first_book: Path, tmp_path: Path
+) -> None:
+    book = shutil.copytree(first_book, tmp_path / "book", ignore=shutil.ignore_patterns("build"))
+    (book / "simulations" / "scenes" / "two_balls.py").write_text(LOUD_WHEEL, encoding="utf-8")
+    done = engine.run(book, "-m", "pytest", "-q", "-k", "two-balls or two_balls")
+    failed = [line for line in done.stdout.splitlines() if line.startswith("FAILED")]
+    assert [line.partition("[")[2].partition("]")[0] for line in failed] == ["idle"], done.stdout
 
 
 def what_an_author_wrote(book: Path) -> dict[Path, bytes]:
@@ -215,7 +252,7 @@ def test_a_machine_with_python_and_make_alone_tests_and_builds_a_book(
 ) -> None:
     """All packages come from the index, as for an author."""
     assert engine.run(tmp_path, "-m", "site_builder", "new", "book", "book").returncode == 0
-    for target in ("test", "site"):
+    for target in ("test", "site", "pdf", "epub", "notebooks", "questions"):
         done = run(tmp_path / "book", "make", target)
         assert done.returncode == 0, done.stdout + done.stderr
     assert (tmp_path / "book" / "build" / "site" / "a-falling-ball" / "index.html").is_file()

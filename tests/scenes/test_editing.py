@@ -10,7 +10,7 @@ import pytest
 from simulations import browser
 from simulations.editing.definitions import definitions, module_source
 from simulations.editing.program import RefusedEditError, edition_of, load_copy, splice
-from simulations.engine.frame import Frame, to_json
+from simulations.engine.frame import content
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
@@ -34,9 +34,8 @@ def copy_with(module: str, edits: dict[str, str]) -> Scene[Any]:
     return scene
 
 
-def drawn(scene: Scene[Any]) -> tuple[str, list[bytes]]:
-    frame: Frame = scene.render(scene.clamp({}), scene.draft_tier, StageCache())
-    return to_json(frame), [p.raster.tobytes() for p in frame.panels if p.raster is not None]
+def drawn(scene: Scene[Any]) -> object:
+    return content(scene.render(scene.clamp({}), scene.draft_tier, StageCache()))
 
 
 @pytest.mark.parametrize(
