@@ -10,7 +10,7 @@ from inspect import unwrap
 from typing import Any
 from zipimport import zipimporter
 
-ROOMS = ("models", "pictures", "ladders", "scenes")
+ROOMS = ("models", "pictures", "world", "ladders", "scenes")
 """Packages of ``simulations`` whose definitions readers can edit."""
 
 

@@ -25,9 +25,9 @@ from simulations.models.lens.depth_of_field import blur_by_depth, blur_layer, co
 from simulations.models.lens.disc_pyramid import double
 from simulations.models.projection import pinhole
 from simulations.models.sampling.magnification import magnify
-from simulations.pictures.still_life import things as still_life
-from simulations.pictures.still_life.light import LitScene, light
-from simulations.pictures.still_life.surfaces import Surface, surfaces
+from simulations.world import things as still_life
+from simulations.world.light import LitScene, light
+from simulations.world.surfaces import Surface, surfaces
 
 SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM = 36.0, 24.0
 COLUMNS, ROWS = 264, 176

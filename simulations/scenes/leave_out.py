@@ -28,9 +28,6 @@ from simulations.models.distortion.lens_model import Distortion, undistort_clamp
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.models.sensor.photon_counting import ShotModel, shot_noise
-from simulations.pictures.still_life import things as still_life
-from simulations.pictures.still_life.light import LitScene, light
-from simulations.pictures.still_life.surfaces import FLOOR_DARK, FLOOR_LIGHT, Surface, surfaces
 from simulations.scenes._still_life_camera import (
     PITCH_MM,
     SENSOR_HEIGHT_MM,
@@ -46,6 +43,9 @@ from simulations.scenes._wipe import over_wipe, wipe_handle, wiped
 from simulations.scenes.camera.lens import Settings as Camera
 from simulations.scenes.camera.lens import after_step, bend_rays, blur_of
 from simulations.scenes.camera.stages import vignette
+from simulations.world import things as still_life
+from simulations.world.light import LitScene, light
+from simulations.world.surfaces import FLOOR_DARK, FLOOR_LIGHT, Surface, surfaces
 
 HALF_A_CODE = 0.5
 MAGNIFY = 32  # of the difference, in which half a code can then be seen

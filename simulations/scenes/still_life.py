@@ -19,9 +19,6 @@ from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.projection import pinhole
-from simulations.pictures.still_life.depth import depth_met
-from simulations.pictures.still_life.light import LitScene
-from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes._still_life_camera import (
     HANDLE_TANGENT,
     Rays,
@@ -32,6 +29,9 @@ from simulations.scenes._still_life_camera import (
     line_on_floor,
     overlay,
 )
+from simulations.world.depth import depth_met
+from simulations.world.light import LitScene
+from simulations.world.things import THINGS, thing_depth
 
 DRAFT = "draft"  # the picture while a control moves
 COLUMNS, DRAFT_COLUMNS = 800, 400  # pixels across; half as many down

@@ -11,10 +11,10 @@ from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     principal_distance_mm,
 )
-from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
 from simulations.scenes.camera.lens import bend_rays
 from simulations.scenes.depth_of_field.stages import sharpness
+from simulations.world.things import THINGS, WALL_DISTANCE, thing_depth
 
 CHAPTER = "08-full-camera-model"
 PIXEL_MM = 36 / 264

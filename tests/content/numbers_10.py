@@ -17,9 +17,9 @@ from simulations.models.distortion.lens_model import (
 from simulations.models.error_measures import psnr_db
 from simulations.models.light.raycasting import Sphere
 from simulations.models.sensor.demosaicing import demosaic, mosaic
-from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.camera import scene as camera
+from simulations.world.things import THINGS, thing_depth
 
 CHAPTER = "10-speed-and-accuracy"
 

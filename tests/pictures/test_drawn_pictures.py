@@ -8,6 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from simulations.models.arrays import Floats
+from simulations.models.projection.pinhole import (
+    intrinsics,
+    look_at,
+    project,
+    world_to_camera,
+)
 from simulations.pictures import spoked_wheel
 from simulations.pictures.balloon import HEIGHT, WIDTH, Window, balloon
 from simulations.pictures.checker_room import HIGH, LOW, TRIM_M, checker_room
@@ -15,10 +21,11 @@ from simulations.pictures.patterns import (
     stripes,
 )
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
-from simulations.pictures.still_life.depth import depth_met
-from simulations.pictures.still_life.surfaces import surfaces
-from simulations.pictures.still_life.things import view
 from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
+from simulations.world import room
+from simulations.world.depth import depth_met
+from simulations.world.surfaces import surfaces
+from simulations.world.things import view
 
 
 @pytest.mark.parametrize(
@@ -138,3 +145,26 @@ def test_the_exposure_is_the_mean_of_its_moments(swept: float) -> None:
     times = (np.arange(2000) + 0.5) / 2000
     mean = np.mean([spoked_wheel.at_moment(row, time) for time in times], axis=0)
     np.testing.assert_allclose(spoked_wheel.throughout(row), mean, atol=2e-5)
+
+
+@pytest.mark.parametrize(
+    ("eye", "target"),
+    [((0, 0, 0.5), (0, 4, 0.3)), ((2.5, -3, 1.7), (-1, 5, 0.8)), ((-3.9, 7, 3), (3, 0, 0))],
+)
+def test_room_is_seen_where_it_projects(
+    eye: tuple[float, float, float], target: tuple[float, float, float]
+) -> None:
+    K, pose = intrinsics(120.0, (79.5, 59.5)), look_at(eye, target, (0, 0, 1))
+    seen = room.look(K, pose, 160, 120)
+    camera = world_to_camera(seen.points, pose)
+    pixels, valid = project(camera, K)
+    assert valid.all()
+    rows, columns = np.mgrid[:120, :160]
+    np.testing.assert_allclose(pixels, np.stack([columns, rows], -1), atol=1e-6)
+    np.testing.assert_allclose(seen.depth, camera[..., 2], rtol=1e-9)
+    assert (np.einsum("...i,...i", seen.normals, seen.to_eye) > -1e-9).all()
+    inside = (seen.points > np.array(room.LOW) - 1e-9) & (seen.points < np.array(room.HIGH) + 1e-9)
+    assert inside.all()
+    light = room.shade(seen)
+    assert np.isfinite(light).all()
+    assert light.min() >= 0

@@ -11,7 +11,6 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
-from simulations.pictures.still_life import things as still_life
 from simulations.scenes import _still_life_camera as camera_rays
 from simulations.scenes._still_life_camera import COLUMNS, PITCH_MM, ROWS, Rays, principal_mm
 from simulations.scenes.camera import lens as camera_lens
@@ -25,6 +24,7 @@ from simulations.scenes.camera.stages import (
     quantise,
     read_noise_e,
 )
+from simulations.world import things as still_life
 
 FOCUS_M = 3.2
 FOLDS = [(24.0, -0.4), (24.0, -0.2), (30.0, -0.3), (33.0, -0.4)]  # the fold is in the picture

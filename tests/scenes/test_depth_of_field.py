@@ -11,7 +11,6 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.models.lens import thin_lens
 from simulations.models.lens.depth_of_field import Layer
-from simulations.pictures.still_life.light import LitScene
 from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.depth_of_field.scene import (
     LARGEST_DRAWN_PX,
@@ -25,6 +24,7 @@ from simulations.scenes.depth_of_field.stages import (
     NEAR_M,
     depth_of,
 )
+from simulations.world.light import LitScene
 
 
 def test_a_focus_inside_the_focal_length_has_no_picture_no_stages_and_no_error() -> None:

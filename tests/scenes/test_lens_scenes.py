@@ -10,7 +10,6 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.pictures.balloon import balloon
 from simulations.pictures.resolution_chart import resolution_chart
-from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes._still_life_camera import floor_depth, floor_tangent
 from simulations.scenes.lens_aberrations.scene import SCENE as ABERRATIONS
 from simulations.scenes.lens_aberrations.scene import passing
@@ -33,6 +32,7 @@ from simulations.scenes.still_life import (
     floor_row,
 )
 from simulations.scenes.still_life import SCENE as STILL_LIFE
+from simulations.world.things import THINGS, thing_depth
 
 
 def light_through(**given: object) -> Floats:

@@ -17,7 +17,6 @@ from simulations.models.distortion.lens_model import (
     undistort_clamped,
 )
 from simulations.models.sampling.cubic_warp import CubicWarp, cubic_warp, warp
-from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes._still_life_camera import (
     COLUMNS,
     PITCH_MM,
@@ -29,6 +28,7 @@ from simulations.scenes._still_life_camera import (
     largest_blur_px,
     principal_mm,
 )
+from simulations.world.things import THINGS, thing_depth
 
 STRONGEST_BARREL = -0.4  # the lowest k₁ of the slider
 SUBJECT_M = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))

@@ -18,8 +18,6 @@ from simulations.models.error_measures import decibels
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture import aperture_grid
 from simulations.models.light.raycasting import Box, Sphere
-from simulations.pictures.still_life.depth import depth_met
-from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, Thing
 from simulations.scenes._still_life_camera import (
     PITCH_MM,
     SCALED,
@@ -38,6 +36,8 @@ from simulations.scenes.camera.stages import (
     rms_codes,
     shutter_s,
 )
+from simulations.world.depth import depth_met
+from simulations.world.things import THINGS, WALL_DISTANCE, Thing
 
 SIZE = WIDTH, HEIGHT = 400.0, 267.0  # of both panels: the 3 : 2 of the sensor
 UNITS_PER_METRE = 27.0

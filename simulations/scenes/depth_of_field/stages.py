@@ -23,8 +23,6 @@ from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture import aperture_grid, fibonacci_disc
 from simulations.models.lens.depth_of_field import blur_by_depth
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
-from simulations.pictures.still_life.light import LitScene
-from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes._still_life_camera import (
     PITCH_MM,
     SCALED,
@@ -45,6 +43,8 @@ from simulations.scenes._still_life_camera import (
     principal_mm,
     through_lens,
 )
+from simulations.world.light import LitScene
+from simulations.world.things import THINGS, WALL_DISTANCE, thing_depth
 
 WIDTH, HEIGHT = 420.0, 280.0  # view box of the picture, and of the lens
 NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.light.raycasting import intersect, intersect_plane
-from simulations.pictures.still_life.surfaces import FLOOR_PLANE, WALL_PLANE
-from simulations.pictures.still_life.things import THINGS, depth_along_axis, thing_depth, view
+from simulations.world.surfaces import FLOOR_PLANE, WALL_PLANE
+from simulations.world.things import THINGS, depth_along_axis, thing_depth, view
 
 
 def depth_met(ray_camera: ArrayLike, back: float = 0.0) -> float:

@@ -1,6 +1,7 @@
 """Light on the still life: one large distant lamp with soft shadows, and ambient light."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,8 +11,8 @@ from simulations.models.lens.depth_of_field import Layer
 from simulations.models.light.raycasting import Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import shadow_bounds, visibility
-from simulations.pictures.still_life.surfaces import Surface, windows_between
-from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE
+from simulations.world.surfaces import Surface, windows_between
+from simulations.world.things import THINGS, WALL_DISTANCE, Thing
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
@@ -70,12 +71,13 @@ def _premultiplied(part: Surface, lamp: Vector, bounced: float) -> Planes:
 
 def radiance(part: Surface, lamp: Vector, bounced: float = 1.0) -> Planes:
     """(3, h, w) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
-    direct = (lambert(part.normals, lamp) * _lamp_seen(part, lamp)).astype(np.float32)
+    others = [thing for thing in THINGS if thing is not part.thing]
+    direct = (lambert(part.normals, lamp) * lamp_seen(part.points, lamp, others)).astype(np.float32)
     from_above = (0.5 + 0.5 * part.normals[..., 2]) * part.openness
-    around = _tinted(ROOM, from_above)
+    around = tinted(ROOM, from_above)
     if bounced:
-        around += _tinted(bounced * BOUNCE, part.openness - from_above)
-    shaded = part.albedo * (_tinted(LAMP, direct) + around)
+        around += tinted(bounced * BOUNCE, part.openness - from_above)
+    shaded = part.albedo * (tinted(LAMP, direct) + around)
     if part.thing is not None and part.thing.gloss > 0:
         highlight = blinn_phong(
             part.normals,
@@ -85,21 +87,21 @@ def radiance(part: Surface, lamp: Vector, bounced: float = 1.0) -> Planes:
             specular=part.thing.gloss,
             shininess=part.thing.shininess,
         )
-        shaded += _tinted(LAMP, highlight)
+        shaded += tinted(LAMP, highlight)
     return shaded
 
 
-def _tinted(colour: Floats, strength: Floats) -> Planes:
+def tinted(colour: Floats, strength: Floats) -> Planes:
     """Light (3, h, w) of one colour, as strong as (h, w)."""
     return colour.astype(np.float32)[:, None, None] * strength.astype(np.float32)
 
 
-def _lamp_seen(part: Surface, lamp: Vector) -> Floats:
-    """Share of the lamp that the other things do not hide."""
-    seen = np.ones(part.coverage.shape)
-    solids = [thing.solid for thing in THINGS if thing is not part.thing]
+def lamp_seen(points: Floats, lamp: Vector, things: Sequence[Thing], stride: int = 1) -> Floats:
+    """Share (H, W) of the lamp that the things do not hide from points (H, W, 3)."""
+    seen = np.ones(points.shape[:2])
+    solids = [thing.solid for thing in things]
     corners = [shadow_bounds(solid, lamp, LAMP_RADIUS_RAD) for solid in solids]
-    for solid, near in zip(solids, windows_between(part.points, corners), strict=True):
+    for solid, near in zip(solids, windows_between(points, corners, stride), strict=True):
         if near is not None:
-            seen[near] *= visibility(solid, part.points[near], lamp, LAMP_RADIUS_RAD)
+            seen[near] *= visibility(solid, points[near], lamp, LAMP_RADIUS_RAD)
     return seen

@@ -4,7 +4,7 @@ Nothing here depends on the light.
 """
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,7 +21,7 @@ from simulations.models.light.raycasting import (
 )
 from simulations.models.light.soft_shadows import bounding_radius, sphere_occlusion
 from simulations.pictures.patterns import band_about, checker, pixel_width, siemens_star, stripes
-from simulations.pictures.still_life.things import (
+from simulations.world.things import (
     THINGS,
     WALL_DISTANCE,
     WALL_HEIGHT,
@@ -97,8 +97,8 @@ def _thing_surface(thing: Thing, seen: WorldRays) -> Surface | None:
         outwards = points - thing.solid.centre
         facing = outwards / np.linalg.norm(outwards, axis=-1, keepdims=True)
     normals = _mean_normals(thing.solid, seen, directions, facing)
-    albedo, depth = _thing_albedo(thing, facing, seen.area), thing_depth(thing) + seen.back
-    openness = _sky_seen(points, facing, besides=thing)
+    albedo, depth = thing_albedo(thing, facing, seen.area), thing_depth(thing) + seen.back
+    openness = sky_seen(points, facing, THINGS)
     (rows, columns), depths = window, np.full(coverage.shape, depth)
     place = thing, rows.start, columns.start, points
     return Surface(*place, normals, -directions, coverage, albedo, openness, depths)
@@ -141,7 +141,7 @@ def window_of(mask: Mask, margin: int = 1) -> Window | None:
     return slice(top, bottom), slice(left, right)
 
 
-def _thing_albedo(thing: Thing, normals: Floats, area: bool) -> Planes:
+def thing_albedo(thing: Thing, normals: Floats, area: bool) -> Planes:
     if thing.second_albedo is None:
         colour = np.array(thing.albedo, np.float32)
         return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
@@ -149,46 +149,57 @@ def _thing_albedo(thing: Thing, normals: Floats, area: bool) -> Planes:
     latitude = np.arcsin(np.clip(normals @ (axis / np.linalg.norm(axis)), -1.0, 1.0))
     place = latitude * (thing.stripe_count / math.pi)  # a stripe is 1 wide
     share = stripes(place, 2.0, 1.0, pixel_width(place, area))
-    return _mix(np.asarray(thing.albedo), np.asarray(thing.second_albedo), share)
+    return mixed(np.asarray(thing.albedo), np.asarray(thing.second_albedo), share)
 
 
-def _mix(first: Floats, second: Floats, share: Floats) -> Planes:
+def mixed(first: Floats, second: Floats, share: Floats) -> Planes:
     """(3, H, W) blend of two colours: ``first`` where ``share`` (H, W) is 0, ``second`` where it is
     1."""
     start, change = first.astype(np.float32), (second - first).astype(np.float32)
     return start[:, None, None] + change[:, None, None] * share.astype(np.float32)
 
 
-def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> Floats:
-    """Share of the surroundings that the things do not hide; boxes count as balls inside them."""
+def sky_seen(
+    points: Floats,
+    normals: Floats,
+    things: Sequence[Thing],
+    reach: float = OCCLUSION_REACH,
+    stride: int = 1,
+) -> Floats:
+    """Share of the surroundings that the things do not hide; boxes count as balls inside them.
+
+    A thing hides nothing from points on its own surface, from which its inside is behind."""
     openness = np.ones(points.shape[:2])
-    solids = [thing.solid for thing in THINGS if thing is not besides]
+    solids = [thing.solid for thing in things]
     balls = [
         (np.array(one.centre), one.radius if isinstance(one, Sphere) else 0.6 * min(one.size))
         for one in solids
     ]
-    reached = (
-        (at - OCCLUSION_REACH * radius, at + OCCLUSION_REACH * radius) for at, radius in balls
-    )
-    for (centre, radius), near in zip(balls, windows_between(points, reached), strict=True):
+    reached = ((at - reach * radius, at + reach * radius) for at, radius in balls)
+    for (centre, radius), near in zip(balls, windows_between(points, reached, stride), strict=True):
         if near is not None:
             hidden = sphere_occlusion(tuple(centre.tolist()), radius, points[near], normals[near])
-            openness[near] *= 1.0 - np.maximum(hidden - OCCLUSION_REACH**-2, 0.0)
+            openness[near] *= 1.0 - np.maximum(hidden - reach**-2, 0.0)
     return openness
 
 
 def windows_between(
-    points: Floats, corners: Iterable[tuple[Floats, Floats]]
+    points: Floats, corners: Iterable[tuple[Floats, Floats]], stride: int = 1
 ) -> Iterator[Window | None]:
     """Rows and columns of the points (H, W, 3) whose x and y are between two corners (low, high),
-    for each pair. A comparison with the bounds of all points comes first, as it is fast."""
-    x, y = points[..., 0], points[..., 1]
+    for each pair. A comparison with the bounds of all points comes first, as it is fast; with a
+    ``stride`` only every so many rows and columns are asked, and the windows are wider by it."""
+    x, y = points[::stride, ::stride, 0].copy(), points[::stride, ::stride, 1].copy()
     left, right, front, back = x.min(), x.max(), y.min(), y.max()
     for low, high in corners:
         if right <= low[0] or back <= low[1] or left >= high[0] or front >= high[1]:
             yield None
         else:
-            yield window_of((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
+            window = window_of((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
+            yield window and (
+                slice(stride * window[0].start, stride * window[0].stop),
+                slice(stride * window[1].start, stride * window[1].stop),
+            )
 
 
 def _wall_and_floor(seen: WorldRays) -> tuple[Surface, Surface]:
@@ -213,29 +224,29 @@ def _backdrop(seen: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> S
     distance = _distance(*plane, seen, directions)
     points = seen.kept(seen.eye + directions * distance[..., None])
     normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
-    openness = _sky_seen(points, normals)
+    openness = sky_seen(points, normals, THINGS)
     if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor in front of it
         away = np.maximum(WALL_DISTANCE - points[..., 1], 0.0)
         openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))
     coverage = share[top:bottom] * seen.valid[top:bottom]
-    albedo = (_floor_albedo if plane is FLOOR_PLANE else _wall_albedo)(points, seen.area)
+    albedo = (floor_albedo if plane is FLOOR_PLANE else wall_albedo)(points, seen.area)
     depth = depth_along_axis(points) + seen.back
     place = None, top, 0, points
     return Surface(*place, normals, -directions, coverage, albedo, openness, depth)
 
 
-def _floor_albedo(points: Floats, area: bool) -> Planes:
+def floor_albedo(points: Floats, area: bool) -> Planes:
     x, y = points[..., 0] - TILE_CENTRE[0], points[..., 1] - TILE_CENTRE[1]
     share = checker(x, y, TILE, pixel_width(x, area), pixel_width(y, area))
-    return _mix(FLOOR_DARK, FLOOR_LIGHT, share)
+    return mixed(FLOOR_DARK, FLOOR_LIGHT, share)
 
 
-def _wall_albedo(points: Floats, area: bool) -> Planes:
+def wall_albedo(points: Floats, area: bool) -> Planes:
     x, z = points[..., 0], points[..., 2]
     across, up = _to_nearest(x, PANEL), _to_nearest(z - 0.15, PANEL)
     grooves = np.maximum(band_about(across, 0.025, area), band_about(up, 0.025, area))
     skirting = band_about(z, 0.15, area)
-    wall = _lay_over(_mix(WALL, GROOVE, grooves), SKIRTING, skirting)
+    wall = laid_over(mixed(WALL, GROOVE, grooves), SKIRTING, skirting)
     return _with_chart(wall, x - CHART[0], z - CHART[1], area)
 
 
@@ -244,7 +255,7 @@ def _to_nearest(coordinate: Floats, spacing: float) -> Floats:
     return coordinate - spacing * np.round(coordinate / spacing)
 
 
-def _lay_over(picture: Planes, colour: Floats, share: Floats) -> Planes:
+def laid_over(picture: Planes, colour: Floats, share: Floats) -> Planes:
     """Blend ``picture`` (3, H, W) with a colour by ``share`` (H, W)."""
     covered, ink = share.astype(np.float32), colour.astype(np.float32)
     return picture * (1 - covered) + ink[:, None, None] * covered
@@ -268,6 +279,6 @@ def _with_chart(wall: Planes, x: Floats, z: Floats, area: bool) -> Planes:
     bars = stripes(z + 0.04, 0.16, 0.08, pixel_width(z, area))
     ink = np.maximum(disc * siemens_star(x, z, 18, area), columns * bars)
     framed, part = wall[:, *window], sheet.astype(np.float32)
-    framed[:] = _lay_over(framed, INK, frame)
-    framed += (_mix(PAPER, INK, ink) - INK.astype(np.float32)[:, None, None]) * part
+    framed[:] = laid_over(framed, INK, frame)
+    framed += (mixed(PAPER, INK, ink) - INK.astype(np.float32)[:, None, None]) * part
     return wall

@@ -1,0 +1,278 @@
+"""The room that most figures look at: still life, furniture, door and window, seen from anywhere.
+
+World axes: x right, y from the entrance to the wall with the chart, z up, metres. A scene moves a
+camera through it::
+
+    seen = look(intrinsics(focal_px, centre), look_at(eye, target, (0, 0, 1)), width, height)
+    light = shade(seen, light_angle=40.0)                          # (3, H, W) linear RGB
+
+One ray goes through the centre of each pixel: 320 × 240 take some 20 ms, 200 × 150 some 8. For
+smooth edges look at twice the size, with `finer`, and take means with `halve`.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import Floats, Planes
+from simulations.models.light.raycasting import Box, Sphere, Vector, intersect
+from simulations.models.light.reflectance import blinn_phong, lambert
+from simulations.models.light.soft_shadows import bounding_radius
+from simulations.models.projection.pinhole import invert_pose, pixel_rays
+from simulations.world import light, surfaces
+from simulations.world.things import THINGS, WALL_DISTANCE, Thing, resting
+
+type Identity = NDArray[np.uint8]
+
+LOW, HIGH = (-4.2, -5.0, 0.0), (4.2, WALL_DISTANCE, 3.4)
+"""Corners of the room, metres."""
+PERSON_M = 1.75
+"""Height of the wooden figure that stands for a person."""
+TABLE_M = 0.72
+
+WOOD, OAK, STEEL = (0.34, 0.19, 0.09), (0.52, 0.34, 0.18), (0.10, 0.11, 0.13)
+PLASTER, LIME = np.array([0.62, 0.58, 0.51]), np.array([0.74, 0.72, 0.68])
+DOOR, FRAME = np.array([0.20, 0.30, 0.24]), np.array([0.66, 0.63, 0.57])
+DOORWAY = (5.2, 6.1, 2.05)
+"""The door in the right wall: from y to y, and its height; metres."""
+WINDOW = (2.2, 4.6, 0.9, 2.5)
+"""The window in the left wall: y from, to, z from, to; metres."""
+SKY = np.array([0.62, 0.80, 1.05])
+"""Light of the window, linear RGB."""
+
+
+def _table(x: float, y: float, wide: float, deep: float) -> tuple[Thing, ...]:
+    top = Box((x, y, TABLE_M - 0.02), (wide, deep, 0.04))
+    ends = [
+        (x + a * (wide / 2 - 0.05), y + b * (deep / 2 - 0.05)) for a in (-1, 1) for b in (-1, 1)
+    ]
+    half = (TABLE_M - 0.04) / 2
+    legs = (Thing("table", Box((u, v, half), (0.05, 0.05, 2 * half)), WOOD) for u, v in ends)
+    return (Thing("table", top, OAK, gloss=0.08), *legs)
+
+
+FURNITURE = (
+    *_table(2.75, 3.5, 0.8, 1.5),
+    Thing("vase", Sphere((2.75, 3.85, TABLE_M + 0.13), 0.13), (0.07, 0.28, 0.30), gloss=0.4),
+    Thing("card", Box((2.62, 3.25, TABLE_M + 0.09), (0.13, 0.004, 0.18), 0.35), (0.8, 0.79, 0.76)),
+    Thing("figure", Box((-2.7, 3.9, 0.42), (0.30, 0.18, 0.84), 0.4), (0.48, 0.30, 0.16)),
+    Thing("figure", Box((-2.7, 3.9, 1.15), (0.44, 0.22, 0.62), 0.4), (0.56, 0.37, 0.20)),
+    Thing("figure", Sphere((-2.7, 3.9, PERSON_M - 0.14), 0.14), (0.62, 0.42, 0.24), gloss=0.1),
+    Thing("football", resting(-3.3, 5.4, 0.11), (0.75, 0.74, 0.70), gloss=0.2),
+)
+ROOM = (*THINGS, *FURNITURE)
+WALLS = ("left wall", "right wall", "front wall", "back wall", "floor", "ceiling")
+NAMES = (*WALLS, *(thing.name for thing in ROOM))
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What each pixel of a camera sees of the room."""
+
+    depth: Floats
+    """(H, W) metres along the optical axis."""
+    points: Floats
+    """(H, W, 3) metres, world frame."""
+    normals: Floats
+    """(H, W, 3) unit, towards the camera's side."""
+    to_eye: Floats
+    """(H, W, 3) unit."""
+    albedo: Planes
+    """(3, H, W) linear RGB."""
+    identity: Identity
+    """(H, W) index into `NAMES`."""
+
+
+def finer(K: ArrayLike, factor: int = 2) -> Floats:
+    """The calibration matrix (3, 3) of the same camera with ``factor`` times as many pixels."""
+    larger = np.asarray(K, float) * np.array([[factor], [factor], [1.0]])
+    larger[:2, 2] += (factor - 1) / 2
+    return larger
+
+
+def halve(planes: Planes) -> Planes:
+    """Means of 2 × 2 pixels of (3, 2H, 2W)."""
+    pairs = planes[:, ::2] + planes[:, 1::2]
+    return 0.25 * (pairs[..., ::2] + pairs[..., 1::2])
+
+
+def look(K: ArrayLike, world_to_camera: ArrayLike, width: int, height: int) -> View:
+    """The room through a pinhole camera at a pose (4, 4) inside the room."""
+    pose, K = np.asarray(world_to_camera, float), np.asarray(K, float)
+    eye = invert_pose(pose)[:3, 3]
+    rays = pixel_rays(K, width, height)
+    length = np.sqrt(np.einsum("...i,...i", rays, rays))
+    directions = (rays / length[..., None]) @ pose[:3, :3]
+    distance, points, normals, identity = _walls(eye, directions)
+    albedo = _wall_colours(points, identity)
+    for index, thing in enumerate(ROOM, len(WALLS)):
+        window = _pixels(thing, pose, K, width, height)
+        if window is None:
+            continue
+        towards = directions[window]
+        hit = intersect(thing.solid, eye, towards)
+        nearer = hit.valid & (hit.distance < distance[window])
+        if nearer.any():
+            distance[window][nearer] = hit.distance[nearer]
+            points[window][nearer], normals[window][nearer] = (
+                hit.points[nearer],
+                hit.normals[nearer],
+            )
+            identity[window][nearer] = index
+            colours = surfaces.thing_albedo(thing, hit.normals, area=min(nearer.shape) > 1)
+            albedo[:, *window][:, nearer] = colours[:, nearer]
+    return View(distance / length, points, normals, -directions, albedo, identity)
+
+
+def _walls(eye: Floats, directions: Floats) -> tuple[Floats, Floats, Floats, Identity]:
+    """Distance, point, normal and index of the wall that each ray meets, from inside the room."""
+    steep = np.where(np.abs(directions) < 1e-9, 1e-9, directions)
+    ahead = steep > 0
+    away = (np.where(ahead, HIGH, LOW) - eye) / steep
+    x, y, z = away[..., 0], away[..., 1], away[..., 2]
+    distance = np.minimum(np.minimum(x, y), z)
+    sides = 2 * np.arange(3, dtype=np.uint8) + ahead
+    identity = np.where(y == distance, sides[..., 1], sides[..., 2])
+    identity = np.where(x == distance, sides[..., 0], identity)
+    inwards = np.repeat(np.eye(3), 2, axis=0) * np.tile((1.0, -1.0), 3)[:, None]
+    return distance, eye + directions * distance[..., None], inwards[identity], identity
+
+
+def _wall_colours(points: Floats, identity: Identity) -> Planes:
+    """(3, H, W) reflectances of the six walls."""
+    albedo = np.empty((3, *identity.shape), np.float32)
+    painters = (
+        _window_wall,
+        _door_wall,
+        _plain,
+        surfaces.wall_albedo,
+        surfaces.floor_albedo,
+        _lime,
+    )
+    for wall, paint in enumerate(painters):
+        where = identity == wall
+        window = surfaces.window_of(where)
+        if window is not None:
+            painted = paint(points[window], True)
+            albedo[:, *window] = np.where(where[window], painted, albedo[:, *window])
+    return albedo
+
+
+def _plain(points: Floats, _area: bool) -> Planes:
+    return surfaces.mixed(PLASTER, PLASTER, np.zeros(points.shape[:2]))
+
+
+def _lime(points: Floats, _area: bool) -> Planes:
+    return surfaces.mixed(LIME, LIME, np.zeros(points.shape[:2]))
+
+
+def _opening(points: Floats, bounds: tuple[float, float, float, float], area: bool) -> Floats:
+    """Share (H, W) of each pixel inside a rectangle of a side wall: y from, to, z from, to."""
+    left, right, bottom, top = bounds
+    across = surfaces.band_about(points[..., 1] - (left + right) / 2, (right - left) / 2, area)
+    up = surfaces.band_about(points[..., 2] - (bottom + top) / 2, (top - bottom) / 2, area)
+    return across * up
+
+
+def _framed(points: Floats, bounds: tuple[float, float, float, float], area: bool) -> Planes:
+    """A plastered wall with skirting and the frame of an opening."""
+    left, right, bottom, top = bounds
+    wide = (left - 0.09, right + 0.09, bottom - 0.09, top + 0.09)
+    wall = surfaces.laid_over(
+        _plain(points, area),
+        surfaces.SKIRTING,
+        surfaces.band_about(points[..., 2], 0.15, area),
+    )
+    return surfaces.laid_over(wall, FRAME, _opening(points, wide, area))
+
+
+def _door_wall(points: Floats, area: bool) -> Planes:
+    left, right, top = DOORWAY
+    bounds = (left, right, 0.0, top)
+    door = surfaces.laid_over(_framed(points, bounds, area), DOOR, _opening(points, bounds, area))
+    for low, high in ((0.2, 0.9), (1.05, 1.85)):
+        panel = (left + 0.14, right - 0.14, low, high)
+        door = surfaces.laid_over(door, 0.7 * DOOR, _opening(points, panel, area))
+    return door
+
+
+def panes(points: Floats, area: bool = True) -> Floats:
+    """Share (H, W) of each pixel of the left wall through which the sky is seen."""
+    left, right, bottom, top = WINDOW
+    bars = surfaces.band_about(points[..., 1] - (left + right) / 2, 0.03, area)
+    sill = surfaces.band_about(points[..., 2] - (0.6 * top + 0.4 * bottom), 0.03, area)
+    return _opening(points, WINDOW, area) * (1 - np.maximum(bars, sill))
+
+
+def _window_wall(points: Floats, area: bool) -> Planes:
+    wall = _framed(points, WINDOW, area)
+    return surfaces.laid_over(wall, np.zeros(3), panes(points, area))
+
+
+def _pixels(
+    thing: Thing, pose: Floats, K: Floats, width: int, height: int
+) -> tuple[slice, slice] | None:
+    """Rows and columns that hold the ball around a thing; None where all of it is out of view."""
+    x, y, z = pose[:3, :3] @ np.asarray(thing.solid.centre) + pose[:3, 3]
+    radius = bounding_radius(thing.solid)
+    if z <= -radius:
+        return None
+    sides = []
+    for across, focal, middle, count in (
+        (y, K[1, 1], K[1, 2], height),
+        (x, K[0, 0], K[0, 2], width),
+    ):
+        away, angle = math.hypot(across, z), math.atan2(across, z)
+        half = math.asin(radius / away) if away > radius else math.pi
+        ends = (max(angle - half, -1.57), min(angle + half, 1.57))
+        low, high = (middle + focal * math.tan(end) for end in ends)
+        start, stop = max(math.floor(low) - 1, 0), min(math.ceil(high) + 2, count)
+        if stop - start < 1:
+            return None
+        sides.append(slice(start, stop))
+    return sides[0], sides[1]
+
+
+def shade(view: View, light_angle: float = 40.0, lamp: float = 1.0, around: float = 1.0) -> Planes:
+    """(3, H, W) linear RGB under the lamp at ``light_angle`` degrees, which is ``lamp`` times as
+    bright as in the still life, and surroundings and window ``around`` times: dusk is 0.1."""
+    towards = light.lamp_direction(light_angle)
+    openness = surfaces.sky_seen(view.points, view.normals, ROOM, reach=3.0, stride=4)
+    above = (0.5 + 0.5 * view.normals[..., 2]) * openness
+    seen = light.lamp_seen(view.points, towards, ROOM, stride=4)
+    direct = lambert(view.normals, towards) * seen
+    picture = light.tinted(lamp * light.LAMP, direct)
+    picture += light.tinted(around * light.ROOM, above)
+    picture += light.tinted(around * light.BOUNCE, openness - above)
+    picture *= view.albedo
+    for window, shining in _shining(view, towards, seen):
+        picture[:, *window] += light.tinted(lamp * light.LAMP, shining)
+    where = view.identity == WALLS.index("left wall")
+    window = surfaces.window_of(where)
+    if window is not None:
+        glass = panes(view.points[window]) * where[window]
+        picture[:, *window] += light.tinted(around * SKY, glass)
+    return picture
+
+
+def _shining(
+    view: View, towards: Vector, seen: Floats
+) -> Iterator[tuple[tuple[slice, slice], Floats]]:
+    """Highlights (h, w) of the glossy things, each in its window."""
+    for index, thing in enumerate(ROOM, len(WALLS)):
+        if thing.gloss:
+            where = view.identity == index
+            window = surfaces.window_of(where)
+            if window is not None:
+                strength = blinn_phong(
+                    view.normals[window],
+                    towards,
+                    view.to_eye[window],
+                    albedo=0.0,
+                    specular=thing.gloss,
+                    shininess=thing.shininess,
+                )
+                yield window, strength * seen[window] * where[window]
