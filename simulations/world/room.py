@@ -22,6 +22,7 @@ from simulations.models.light.raycasting import Box, Sphere, Vector, intersect
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import bounding_radius
 from simulations.models.projection.pinhole import invert_pose, pixel_rays
+from simulations.pictures.patterns import band_about
 from simulations.world import light, surfaces
 from simulations.world.things import THINGS, WALL_DISTANCE, Thing, resting
 
@@ -96,7 +97,7 @@ def finer(K: ArrayLike, factor: int = 2) -> Floats:
 def halve(planes: Planes) -> Planes:
     """Means of 2 × 2 pixels of (3, 2H, 2W)."""
     pairs = planes[:, ::2] + planes[:, 1::2]
-    return 0.25 * (pairs[..., ::2] + pairs[..., 1::2])
+    return np.float32(0.25) * (pairs[..., ::2] + pairs[..., 1::2])
 
 
 def look(K: ArrayLike, world_to_camera: ArrayLike, width: int, height: int) -> View:
@@ -172,8 +173,8 @@ def _lime(points: Floats, _area: bool) -> Planes:
 def _opening(points: Floats, bounds: tuple[float, float, float, float], area: bool) -> Floats:
     """Share (H, W) of each pixel inside a rectangle of a side wall: y from, to, z from, to."""
     left, right, bottom, top = bounds
-    across = surfaces.band_about(points[..., 1] - (left + right) / 2, (right - left) / 2, area)
-    up = surfaces.band_about(points[..., 2] - (bottom + top) / 2, (top - bottom) / 2, area)
+    across = band_about(points[..., 1] - (left + right) / 2, (right - left) / 2, area)
+    up = band_about(points[..., 2] - (bottom + top) / 2, (top - bottom) / 2, area)
     return across * up
 
 
@@ -184,7 +185,7 @@ def _framed(points: Floats, bounds: tuple[float, float, float, float], area: boo
     wall = surfaces.laid_over(
         _plain(points, area),
         surfaces.SKIRTING,
-        surfaces.band_about(points[..., 2], 0.15, area),
+        band_about(points[..., 2], 0.15, area),
     )
     return surfaces.laid_over(wall, FRAME, _opening(points, wide, area))
 
@@ -202,8 +203,8 @@ def _door_wall(points: Floats, area: bool) -> Planes:
 def panes(points: Floats, area: bool = True) -> Floats:
     """Share (H, W) of each pixel of the left wall through which the sky is seen."""
     left, right, bottom, top = WINDOW
-    bars = surfaces.band_about(points[..., 1] - (left + right) / 2, 0.03, area)
-    sill = surfaces.band_about(points[..., 2] - (0.6 * top + 0.4 * bottom), 0.03, area)
+    bars = band_about(points[..., 1] - (left + right) / 2, 0.03, area)
+    sill = band_about(points[..., 2] - (0.6 * top + 0.4 * bottom), 0.03, area)
     return _opening(points, WINDOW, area) * (1 - np.maximum(bars, sill))
 
 
@@ -251,10 +252,8 @@ def shade(view: View, light_angle: float = 40.0, lamp: float = 1.0, around: floa
     for window, shining in _shining(view, towards, seen):
         picture[:, *window] += light.tinted(lamp * light.LAMP, shining)
     where = view.identity == WALLS.index("left wall")
-    window = surfaces.window_of(where)
-    if window is not None:
-        glass = panes(view.points[window]) * where[window]
-        picture[:, *window] += light.tinted(around * SKY, glass)
+    if (part := surfaces.window_of(where)) is not None:
+        picture[:, *part] += light.tinted(around * SKY, panes(view.points[part]) * where[part])
     return picture
 
 
