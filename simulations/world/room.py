@@ -28,14 +28,14 @@ from simulations.world.things import THINGS, WALL_DISTANCE, Thing, resting
 
 type Identity = NDArray[np.uint8]
 
-LOW, HIGH = (-4.2, -5.0, 0.0), (4.2, WALL_DISTANCE, 3.4)
+LOW, HIGH = (-4.5, -5.0, 0.0), (4.5, WALL_DISTANCE, 3.4)
 """Corners of the room, metres."""
 PERSON_M = 1.75
 """Height of the wooden figure that stands for a person."""
 TABLE_M = 0.72
 
 WOOD, OAK, STEEL = (0.34, 0.19, 0.09), (0.52, 0.34, 0.18), (0.10, 0.11, 0.13)
-PLASTER, LIME = np.array([0.62, 0.58, 0.51]), np.array([0.74, 0.72, 0.68])
+PLASTER, LIME = np.array([0.62, 0.58, 0.51]), np.array([0.84, 0.82, 0.78])
 DOOR, FRAME = np.array([0.20, 0.30, 0.24]), np.array([0.66, 0.63, 0.57])
 DOORWAY = (5.2, 6.1, 2.05)
 """The door in the right wall: from y to y, and its height; metres."""

@@ -1,17 +1,22 @@
-"""Perspective projection: one point, one camera, with or without division by depth."""
+"""Perspective projection: one point of the room, one camera, with or without division by depth."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.controls import Value
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
-from simulations.engine.stages import Outputs
+from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.projection.pinhole import project
+from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.geometry.transforms import clip_to_rectangle
+from simulations.models.projection.pinhole import intrinsics, project
 from simulations.scenes.perspective_projection import top_view
 from simulations.scenes.perspective_projection.view import (
     HALF_HEIGHT_PX,
@@ -19,14 +24,18 @@ from simulations.scenes.perspective_projection.view import (
     METRES_PER_PX,
     Camera,
     Projection,
-    house,
     in_picture,
     outline,
     projection_of,
+    room_axes,
 )
+from simulations.world.room import halve, look, shade
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the picture's view box
 IMAGE_SCALE = 2.0  # view box units per pixel
+COLUMNS, DRAFT_COLUMNS = 800, 200  # rays across the picture, at rest and while it moves
+DRAFT = "draft"
+ALMOST_PARALLEL = 1e-4  # perspective of the picture at 0 %: to a hundredth of a pixel the same
 CENTRE = np.array([200.0, 150.0])  # the principal point in the picture's view box
 LETTER_LEAST = 14.0  # side of a rectangle, in view box units, from which it is named
 PIXELS = (-50, 50)  # columns and rows with a mark
@@ -38,8 +47,12 @@ class Settings:
     depth: float = slider("Depth (Z)", 5.0, -2, 20, 0.1, unit="m")
     focal_length: float = slider("Focal length", 80, 20, 200, 1, unit="px")
     point_x: float = slider("Right (X)", 1.0, -3, 3, 0.05, unit="m")
-    point_y: float = slider("Down (Y)", 0.5, -2, 2, 0.05, unit="m")
+    point_y: float = slider("Down (Y)", 0.5, -1, 2, 0.05, unit="m")
     perspective: float = slider("Perspective", 100, 0, 100, 1, unit="%")
+
+
+def parameters(_settings: Settings, tier: str) -> Mapping[str, Value]:
+    return {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS}
 
 
 def view_of(settings: Settings) -> Projection:
@@ -47,21 +60,43 @@ def view_of(settings: Settings) -> Projection:
     return projection_of(settings.point_x, settings.point_y, settings.depth, camera)
 
 
+def picture(
+    depth: float,
+    focal_length: float,
+    point_x: float,
+    point_y: float,
+    perspective: float,
+    columns: int,
+) -> Raster:
+    """The room through the camera."""
+    camera = Camera(focal_length, max(perspective / 100.0, ALMOST_PARALLEL))
+    view = projection_of(point_x, point_y, depth, camera)
+    rows = columns * 3 // 4
+    pose = room_axes(view)
+    pose[2, 3] -= camera.centre_m
+    rays_per_px = columns / (2.0 * HALF_WIDTH_PX)
+    K = intrinsics(
+        rays_per_px * focal_length / camera.perspective, ((columns - 1) / 2, (rows - 1) / 2)
+    )
+    light = shade(look(K, pose, columns, rows))
+    fine = halve(light) if columns == COLUMNS else light
+    return to_rgba8(encode_srgb_table(fine.transpose(1, 2, 0)))
+
+
 def place(x: float, y: float) -> Floats:
     """Pixel to the picture's view box."""
     return CENTRE + IMAGE_SCALE * np.array([x, y])
 
 
-def image_panel(view: Projection) -> Panel:
+def image_panel(view: Projection, raster: Raster) -> Panel:
     overlay = "".join(
         (
-            house(view, CENTRE, IMAGE_SCALE),
             "" if view.full else in_perspective(view),
             axes(),
             image_point(view) if view.visible else no_image(view),
         )
     )
-    return Panel("image", "The picture", WIDTH, HEIGHT, overlay=overlay, lead=True)
+    return Panel("image", "The picture", WIDTH, HEIGHT, raster, overlay, lead=True)
 
 
 def axes() -> str:
@@ -78,15 +113,15 @@ def axes() -> str:
             drawing.arrow((CENTRE[0], 8.0), (CENTRE[0], bottom), "muted thin"),
             drawing.path(ticks, "muted thin"),
             *(
-                drawing.text((x, row), word, "muted small", "middle")
+                drawing.text((x, row), word, "muted small ground", "middle")
                 for x, word in zip(columns, words, strict=True)
             ),
             *(
-                drawing.text((10.0, y + 4.0), word, "muted small")
+                drawing.text((10.0, y + 4.0), word, "muted small ground")
                 for y, word in zip(rows, words, strict=True)
             ),
-            drawing.text((right, row), "x, px", "muted small", "end"),
-            drawing.text((10.0, row), "y, px", "muted small"),
+            drawing.text((right, row), "x, px", "muted small ground", "end"),
+            drawing.text((10.0, row), "y, px", "muted small ground"),
         )
     )
 
@@ -128,8 +163,15 @@ def letters(view: Projection) -> str:
 
 
 def in_perspective(view: Projection) -> str:
-    """The house and the point as full perspective shows them."""
-    parts = [outline(view, Camera(view.camera.focal_px, 1.0), CENTRE, IMAGE_SCALE)]
+    """The room and the point as full perspective shows them."""
+    parts = []
+    if view.Z > 0.0:
+        lines = outline(view, Camera(view.camera.focal_px, 1.0))
+        drawn = [
+            clip_to_rectangle(CENTRE + IMAGE_SCALE * line, (0, 0), (WIDTH, HEIGHT), False)
+            for line in lines
+        ]
+        parts.append(drawing.path([line for line in drawn if len(line) > 1], "error thin dashed"))
     if view.Z > 0.0 and view.off_px >= SAME_PX and in_picture(*view.formula_only):
         parts.append(drawing.dot(place(*view.formula_only), "error", 3.0))
     words = "dashed: in perspective" if view.Z > 0.0 else "in perspective: no image of the point"
@@ -156,14 +198,14 @@ def message(words: str, role: str) -> str:
     return drawing.text((WIDTH / 2.0, 26.0), words, f"{role} strong ground", "middle")
 
 
-def draw(settings: Settings, _outputs: Outputs) -> Frame:
+def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture, and the camera from above."""
     view = view_of(settings)
     missing = "undefined" if view.camera.centre_m == view.Z else "behind"
     coordinates = (("x", "x, right", view.x), ("y", "y, down", view.y))
     off = "Off from perspective"
     return Frame(
-        (image_panel(view), top_view.panel(view)),
+        (image_panel(view, outputs["picture"]), top_view.panel(view)),
         (
             *(
                 readout(name, label, value, "px", digits=1, role="image")
@@ -186,16 +228,17 @@ def describe(view: Projection) -> str:
     depth = f"{format_number(view.Z, 1)} m"
     if view.full:
         return (
-            "A small house whose side walls converge towards the middle of the picture. Its front "
-            f"lower left corner is {depth} in front of the camera and projects to {at}."
+            "A room with balls and boxes, whose side walls converge towards the middle of the "
+            f"picture. The top of the white ball is {depth} in front of the camera and "
+            f"projects to {at}."
         )
     seen = (
-        "A small house of which only the front is seen, at any distance equally large"
+        "A room of which only the far wall is seen, at any distance equally large"
         if view.camera.parallel
-        else f"A small house with {100.0 * view.camera.perspective:.0f}\u00a0% of the convergence "
+        else f"A room with {100.0 * view.camera.perspective:.0f}\u00a0% of the convergence "
         "of perspective"
     )
-    sentence = f"{seen}. Its front lower left corner, at a depth of {depth}, projects to {at}"
+    sentence = f"{seen}. The top of the white ball, at a depth of {depth}, projects to {at}"
     if view.Z <= 0.0:
         return f"{sentence}; in perspective it has no image."
     return f"{sentence}, {format_number(view.off_px, 1)} px from its place in perspective."
@@ -205,11 +248,11 @@ def describe_missing(view: Projection) -> str:
     behind = view.camera.centre_m - view.Z
     if behind == 0.0:
         return (
-            "The corner of the house is in the plane of the camera centre, Z = 0, where f X / Z is "
+            "The top of the ball is in the plane of the camera centre, Z = 0, where f X / Z is "
             "undefined: it has no image."
         )
     return (
-        f"The corner of the house is {format_number(behind, 1)} m behind the camera: light from it "
+        f"The top of the ball is {format_number(behind, 1)} m behind the camera: light from it "
         "never meets the image plane, so it has no image."
     )
 
@@ -243,7 +286,8 @@ SCENE = Scene(
     "Perspective Projection",
     Settings,
     draw,
-    handles=(
+    (Stage("picture", picture),),
+    (
         Handle(
             "point",
             "top",
@@ -266,5 +310,7 @@ SCENE = Scene(
             reversed=("point_y",),
         ),
     ),
+    parameters=parameters,
+    own_drafts={DRAFT: ("depth", "focal_length", "point_x", "point_y", "perspective")},
     formula=project,
 )

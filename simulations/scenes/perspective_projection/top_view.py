@@ -1,19 +1,25 @@
 """The projection figure from above: camera centre, image plane, ray, two similar triangles."""
 
+import math
+
 import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import clip_to_rectangle
+from simulations.models.light.raycasting import Sphere
+from simulations.models.projection.pinhole import world_to_camera
 from simulations.scenes.perspective_projection.view import (
-    DEPTH_M,
     HALF_WIDTH_PX,
     METRES_PER_PX,
     REFERENCE_DEPTH_M,
-    WIDTH_M,
     Projection,
+    room_axes,
 )
+from simulations.world.room import HIGH, LOW
+from simulations.world.surfaces import CHART
+from simulations.world.things import THINGS, Thing
 
 WIDTH, HEIGHT = 400.0, 324.0
 FLOOR = 298.0  # lower edge of the drawing; the equation is below it
@@ -38,7 +44,7 @@ def moved(spot: Floats, right: float, down: float) -> Floats:
 def panel(view: Projection) -> Panel:
     """Camera centre, image plane, ray, and two similar triangles."""
     parts = (
-        house_plan(view),
+        plan(view),
         depth_axis(view),
         "" if view.full else reference_plane(),
         triangles(view) if view.full and view.visible else "",
@@ -94,15 +100,32 @@ def image_plane(view: Projection) -> str:
     return "".join(parts)
 
 
-def house_plan(view: Projection) -> str:
-    """Walls and ridge of the house."""
-    near, far, left, right = view.Z, view.Z + DEPTH_M, view.X, view.X + WIDTH_M
-    corners = ((near, left), (far, left), (far, right), (near, right))
-    walls = np.array([above(*corner) for corner in corners])
-    walls, ridge = in_room(walls), in_room((walls[:2] + walls[3:1:-1]) / 2.0, closed=False)
-    return (drawing.polygon(walls, "world thin fill") * 2 if len(walls) else "") + (
-        drawing.polyline(ridge, "world thin") if len(ridge) else ""
-    )
+def plan(view: Projection) -> str:
+    """The walls of the room and what stands in it."""
+
+    def drawn(places: list[tuple[float, float]], style: str, *, closed: bool) -> str:
+        points = world_to_camera([(x, y, 0.0) for x, y in places], room_axes(view))
+        line = in_room(np.array([above(Z, X) for X, _, Z in points]), closed=closed)
+        shape = drawing.polygon if closed else drawing.polyline
+        return shape(line, style) if len(line) > 1 else ""
+
+    (left, near, _), (right, wall, _) = LOW, HIGH
+    parts = [
+        drawn([(left, near), (left, wall), (right, wall), (right, near)], "world", closed=False)
+    ]
+    parts += [drawn(footprint(thing), "world thin fill", closed=True) for thing in THINGS]
+    ends = [(CHART[0] + side * CHART[2] / 2, wall) for side in (-1, 1)]
+    return "".join(parts) + drawn(ends, "world bold", closed=False)
+
+
+def footprint(thing: Thing) -> list[tuple[float, float]]:
+    """Corners from above, metres: x and y."""
+    x, y, _ = thing.solid.centre
+    if isinstance(thing.solid, Sphere):
+        turns, radius = np.arange(24) * (math.tau / 24), thing.solid.radius
+        return [(x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns]
+    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * np.asarray(thing.solid.size[:2]) / 2
+    return [(x + u, y + v) for u, v in corners @ thing.solid.world_to_box[:2, :2]]
 
 
 def in_room(points: Floats, *, closed: bool = True) -> Floats:

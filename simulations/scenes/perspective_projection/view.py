@@ -4,20 +4,26 @@ Full perspective has its centre at depth 0. From there the centre moves back whi
 grows, so that the plane at `REFERENCE_DEPTH_M` keeps its size in the picture: a dolly zoom. With
 the centre at infinity, the rays are parallel: scaled orthography.
 
-The point is the front lower left corner of a small house that moves with it and shows the division
-by depth.
+The point is the top of the white ball in the room, through which the camera moves.
 """
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine import drawing
 from simulations.models.arrays import Floats, Mask
+from simulations.models.light.soft_shadows import bounding_radius
 from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
-from simulations.models.projection.pinhole import intrinsics, project
+from simulations.models.projection.pinhole import (
+    intrinsics,
+    project,
+    rigid_pose,
+    world_to_camera,
+)
+from simulations.world.room import HIGH, LOW
+from simulations.world.surfaces import CHART
+from simulations.world.things import THINGS
 
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
 """Half the picture, in pixels from the principal point."""
@@ -25,9 +31,12 @@ METRES_PER_PX = 0.03  # size of a pixel of the image plane, as drawn
 REFERENCE_DEPTH_M = 5.0
 """Depth of the plane whose image is the same in perspective and in orthography."""
 
-WIDTH_M, DEPTH_M, EAVES_M, RIDGE_M = 3.0, 4.0, 2.0, 3.2  # of the house
-NEAR_M = 0.2
+NEAR_M = 0.05
 """Parts nearer than this to the plane of the centre are not drawn: their image is too far off."""
+
+BALL = next(thing.solid for thing in THINGS if thing.name == "pearl")
+TOP = np.array([*BALL.centre[:2], BALL.centre[2] + bounding_radius(BALL)])
+"""The point: the top of the white ball, metres in the room's world."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,84 +136,20 @@ def projection_of(X: float, Y: float, Z: float, camera: Camera) -> Projection:
     return Projection(X, Y, Z, camera, float(pixels[0]), float(pixels[1]), bool(valid))
 
 
-def _face(*corners: tuple[float, float, float]) -> Floats:
-    """Corners (n, 3) of a face from the point: X, height above the ground, depth. Y points down."""
-    return np.array(corners) * (1.0, -1.0, 1.0)
+def room_axes(view: Projection) -> Floats:
+    """The pose (4, 4) of full perspective in the room: it looks straight at the wall, and the
+    top of the white ball is at (X, Y, Z)."""
+    R = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+    return rigid_pose(R, np.array([view.X, view.Y, view.Z]) - R @ TOP)
 
 
-def _rectangle(left: float, right: float, low: float, high: float) -> Floats:
-    """A rectangle in the front wall."""
-    return _face((left, low, 0), (left, high, 0), (right, high, 0), (right, low, 0))
-
-
-_GABLE = [(0, 0), (0, EAVES_M), (WIDTH_M / 2, RIDGE_M), (WIDTH_M, EAVES_M), (WIDTH_M, 0)]
-_FRONT, _BACK = ([(x, up, depth) for x, up in _GABLE] for depth in (0.0, DEPTH_M))
-# Corners run clockwise as seen from outside.
-FACES = (
-    (_face(*_FRONT), 1),
-    (_face(*reversed(_BACK)), 4),
-    (_face(_BACK[0], _BACK[1], _FRONT[1], _FRONT[0]), 3),
-    (_face(_FRONT[4], _FRONT[3], _BACK[3], _BACK[4]), 4),
-    (_face(_FRONT[1], _BACK[1], _BACK[2], _FRONT[2]), 4),
-    (_face(_FRONT[2], _BACK[2], _BACK[3], _FRONT[3]), 6),
-)
-"""The walls and the two sides of the roof, each with its layers of colour: more, where darker."""
-OPENINGS = ((_rectangle(0.45, 1.2, 0.0, 1.45), 5), (_rectangle(1.75, 2.5, 0.7, 1.45), 3))
-"""Door and window, in the front wall."""
-
-
-def house(view: Projection, place: Floats, units_per_px: float) -> str:
-    """SVG markup of the house; ``place`` is the principal point in the view box."""
-    corner = np.array([view.X, view.Y, view.Z])
-
-    def seen(face: Floats) -> Floats:
-        return units_per_px * _image(view.camera, face + corner) + place
-
-    parts: list[str] = []
-    outer = [(seen(face), washes) for face, washes in FACES]
-    # Walls seen from inside lie behind those seen from outside.
-    for outside in (False, True):
-        for n, (places, washes) in enumerate(outer):
-            if len(places) > 2 and (_area(places) > 0.0) == outside:
-                parts += _painted(places, washes)
-                if n == 0 and outside:
-                    parts += [
-                        part for face, more in OPENINGS for part in _painted(seen(face), more)
-                    ]
-    return "".join(parts)
-
-
-def outline(view: Projection, camera: Camera, place: Floats, units_per_px: float) -> str:
-    """SVG markup of the walls and the roof that another camera sees from outside."""
-    corner = np.array([view.X, view.Y, view.Z])
-    seen = [_image(camera, face + corner) for face, _ in FACES]
-    return "".join(
-        drawing.polygon(units_per_px * pixels + place, "error thin dashed fill")
-        for pixels in seen
-        if len(pixels) > 2 and _area(pixels) > 0.0
-    )
-
-
-def _painted(places: Floats, washes: int) -> Iterator[str]:
-    """A face in the colour of paper, then in layers of the colour of the world."""
-    if len(places) > 2:
-        yield drawing.polygon(places, "casing solid")
-        yield drawing.polygon(places, "world thin fill") * washes
-
-
-def _area(places: Floats) -> float:
-    """Twice the signed area of a polygon (n, 2); positive for clockwise on the page."""
-    x, y = places.T
-    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
-
-
-def _image(camera: Camera, face: Floats) -> Floats:
-    """The image (n, 2) of the part of a face that is in front of the camera."""
-    nearest = camera.centre_m + NEAR_M
-    kept: list[Floats] = []
-    for before, here in zip(np.roll(face, 1, axis=0), face, strict=True):
-        if (before[2] < nearest) != (here[2] < nearest):
-            kept.append(before + (nearest - before[2]) / (here[2] - before[2]) * (here - before))
-        if here[2] >= nearest:
-            kept.append(here)
-    return camera.project(np.array(kept))[0] if kept else np.empty((0, 2))
+def outline(view: Projection, camera: Camera) -> list[Floats]:
+    """Pixels of the edges of the room and of the chart through another camera: lines (n, 2)."""
+    (left, _, floor), (right, wall, ceiling) = LOW, HIGH
+    near = TOP[1] - (view.Z - camera.centre_m - NEAR_M)
+    corners = [(left, floor), (right, floor), (right, ceiling), (left, ceiling)]
+    x, z, wide, high = CHART
+    sheet = [(x + a * wide / 2, z + b * high / 2) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    lines = [[(u, near, v), (u, wall, v)] for u, v in corners]
+    lines += [[(u, wall, v) for u, v in (*ring, ring[0])] for ring in (corners, sheet)]
+    return [camera.project(world_to_camera(line, room_axes(view)))[0] for line in lines]
