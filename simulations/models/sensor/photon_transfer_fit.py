@@ -2,7 +2,9 @@
 
 EMVA Standard 1288, release 4.0; J. Janesick, *Photon Transfer*, 2007. Against the mean μ above
 black, the variance of noise is the line ``read noise² / g² + μ / g``, and the variance of the
-pattern is ``DSNU² / g² + PRNU² μ²``, with the conversion gain g in electrons per DN.
+pattern is ``DSNU² / g² + PRNU² μ²``, with the conversion gain g in electrons per DN. A response
+μ = (λ / g) (1 − b μ / μ_full) that bends by the share b bends the line to
+``μ / g (1 − 3 b μ / μ_full)``.
 """
 
 import math
@@ -34,10 +36,17 @@ NOT_DARK = (
     "No whole pair is dark, and a file’s own black level may be some codes off: take a pair with "
     "the lens cap on."
 )
+UNSATURATED = "No pair is saturated: take a brighter one."
 LARGEST_PATTERN = 0.05
 """Share of the light. No sensor's cells differ more: it is the surface."""
 MOST_OFF_BLACK, MOST_OFF_BLACK_DN = 5e-4, 4.0
 """Share of the scale, or so many DN, within which a pair next to a file's black has no light."""
+FALLEN = 0.5
+"""Share of the largest variance of noise below which that of a brighter, saturated pair lies."""
+LOSSY = 1.5
+"""Growth of the step between codes, above which a file is lossy."""
+BEND = 0.03
+"""Standard deviation of b among cameras, before any pair is taken."""
 SURE = 2.0
 """Standard errors by which a variance must exceed 0 to be told."""
 
@@ -61,11 +70,18 @@ class Estimate:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """y = start + slope · x, with the covariance (2, 2) of both."""
+    """y = start + slope · x + curvature · x²."""
 
     start: float
     slope: float
     covariance: Floats
+    """(2, 2), or (3, 3) with that of the curvature."""
+    curvature: float = 0.0
+    """Coefficient of x²."""
+
+    def at(self, x: Floats) -> Floats:
+        """Values (...) at places (...)."""
+        return self.start + self.slope * x + self.curvature * x**2
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +104,10 @@ class SensorEstimate:
     """Variance in DN² against the mean above black in DN."""
     pattern: Line | None
     """Variance shared by both frames, against the square of that mean."""
+    row_noise: Estimate
+    """Electrons; that part of the read noise which whole rows share."""
+    bend: Estimate
+    """Share by which the response at saturation falls short of that in dim light."""
 
 
 def black_of_dark(levels: Sequence[Level], stated_dn: float, highest_dn: float) -> float:
@@ -103,6 +123,16 @@ def black_of_dark(levels: Sequence[Level], stated_dn: float, highest_dn: float) 
     return darkest.mean_dn if abs(darkest.mean_dn - stated_dn) <= near else math.nan
 
 
+def saturation_above(levels: Sequence[Level], black_dn: float, highest_dn: float) -> float:
+    """DN above black at which the sensor is full: where the light of a pair grows and its noise has
+    fallen, and otherwise the end of the scale."""
+    noisiest = max(levels, key=lambda level: level.noise_dn2, default=None)
+    brightest = max(levels, key=lambda level: level.mean_dn, default=None)
+    if noisiest and brightest and brightest.noise_dn2 < FALLEN * noisiest.noise_dn2:
+        return max(min(brightest.mean_dn, highest_dn) - black_dn, 1e-9)
+    return highest_dn - black_dn
+
+
 def characterise(
     levels: Sequence[Level],
     black_dn: float,
@@ -110,26 +140,32 @@ def characterise(
     most: float = SATURATED_SHARE,
     *,
     dark: bool = True,
+    bend: float = 0.0,
 ) -> SensorEstimate:
     """The sensor of the levels, whose code without light is ``black_dn``.
 
     If that is only stated (``dark`` false), not measured, there is no read noise: a DN changes it.
+    ``bend`` is the standard deviation of b: 0 for a sensor whose response is known to be straight,
+    and otherwise `BEND`, which makes the gain less certain.
 
-    Lines are fitted to the levels up to the share ``most`` of the way from black to ``highest_dn``.
+    Lines are fitted to the levels up to the share ``most`` of saturation, to the nearest per cent.
     Errors are those of random noise, enlarged where levels scatter more about the line. From twelve
-    even levels of 256 × 256 pixels the gain follows to about 0.2 %.
+    even levels of 256 × 256 pixels of a straight sensor the gain follows to about 0.2 %.
     """
     require("most", most, 0 < most <= 1, "above 0, to 1")
     require("black_dn", black_dn, 0 <= black_dn < highest_dn, f"0 to below {highest_dn:g}")
     mean = np.array([level.mean_dn for level in levels]) - black_dn
     fitted = np.array([_is_whole(level) for level in levels], bool)
-    within = mean <= most * (highest_dn - black_dn)
+    full = saturation_above(levels, black_dn, highest_dn)
+    within = mean <= (most + 0.005) * full
     fitted &= within
     chosen = [level for level, use in zip(levels, fitted, strict=True) if use]
     if len(chosen) < FEWEST_LEVELS or np.ptp(mean[fitted]) == 0:
         return _silent(_too_few(levels, fitted, within), fitted)
-    noise = _noise_line(mean[fitted], chosen)
-    pattern = _pattern_line(mean[fitted], chosen)
+    noise = _noise_line(mean[fitted], chosen, 3 * bend / full)
+    bent = _bend(noise, full)
+    straightened = mean[fitted] * (1 - bent.value * mean[fitted] / full)
+    pattern = _pattern_line(straightened, chosen)
     reason = _why_no_gain(mean[fitted], chosen, noise)
     if reason:
         return _silent(reason, fitted, noise, pattern)
@@ -137,12 +173,14 @@ def characterise(
     return SensorEstimate(
         gain=gain,
         read_noise=_read_noise(noise) if dark else Estimate.unknown(NOT_DARK),
-        saturation=_saturation(mean, levels, noise, gain),
-        prnu=_prnu(pattern, chosen[0].pixels),
+        saturation=_saturation(mean, levels, noise),
+        prnu=_prnu(pattern, chosen[0].pixels, 0.5 * most * bent.error),
         dsnu=_dsnu(pattern, gain.value, chosen[0].pixels),
         fitted=fitted,
         noise=noise,
         pattern=pattern,
+        row_noise=_row_noise(chosen, gain.value),
+        bend=bent,
     )
 
 
@@ -155,7 +193,8 @@ def _silent(
     reason: str, fitted: Mask, noise: Line | None = None, pattern: Line | None = None
 ) -> SensorEstimate:
     unknown = Estimate.unknown(reason)
-    return SensorEstimate(unknown, unknown, unknown, unknown, unknown, fitted, noise, pattern)
+    numbers = unknown, unknown, unknown, unknown, unknown
+    return SensorEstimate(*numbers, fitted, noise, pattern, unknown, unknown)
 
 
 def _too_few(levels: Sequence[Level], fitted: Mask, within: Mask) -> str:
@@ -175,12 +214,12 @@ def _too_few(levels: Sequence[Level], fitted: Mask, within: Mask) -> str:
     return f"{count}: take two pictures at each of more exposures."
 
 
-def _noise_line(mean: Floats, levels: Sequence[Level]) -> Line:
+def _noise_line(mean: Floats, levels: Sequence[Level], bend: float) -> Line:
     noise = np.array([level.noise_dn2 for level in levels])
     relative = np.array([level.noise_error_dn2 / max(level.noise_dn2, 1e-300) for level in levels])
     # Errors in proportion to the line, as those in proportion to the measured variances would give
     # the smaller ones more weight.
-    return _settled(mean, noise, lambda expected: relative * expected)
+    return _settled(mean, noise, lambda expected: relative * expected, bend)
 
 
 def _pattern_line(mean: Floats, levels: Sequence[Level]) -> Line:
@@ -189,25 +228,32 @@ def _pattern_line(mean: Floats, levels: Sequence[Level]) -> Line:
     return _settled(mean**2, pattern, lambda _expected: error)
 
 
-def _settled(x: Floats, y: Floats, error_of: Callable[[Floats], Floats]) -> Line:
+def _settled(x: Floats, y: Floats, error_of: Callable[[Floats], Floats], bend: float = 0.0) -> Line:
     """Weighted fit, whose errors may depend on it."""
     smallest = max(0.5 * float(y.min()), 1e-6 * float(np.abs(y).max()), 1e-300)
     line = _fit(x, y, error_of(np.maximum(y, smallest)))
     for _ in range(3):
-        line = _fit(x, y, error_of(np.maximum(line.start + line.slope * x, smallest)))
+        line = _fit(x, y, error_of(np.maximum(line.at(x), smallest)), bend * abs(line.slope))
     return line
 
 
-def _fit(x: Floats, y: Floats, error: Floats) -> Line:
-    """Covariances are enlarged by the reduced χ² where that is above 1 (Birge's ratio)."""
-    scale = float(x.max()) or 1.0
-    rows = np.stack([np.ones_like(x), x / scale], axis=1) / error[:, None]
-    inverse = np.linalg.inv(rows.T @ rows)
-    start, slope = inverse @ rows.T @ (y / error)
-    scatter = np.sum(((y - start - slope * x / scale) / error) ** 2) / max(len(x) - 2, 1)
-    to_units = np.array([1.0, 1.0 / scale])
+def _fit(x: Floats, y: Floats, error: Floats, curvature: float = 0.0) -> Line:
+    """Covariances are enlarged by the reduced χ² where that is above 1 (Birge's ratio).
+
+    ``curvature`` is the standard deviation of that of the line, which is straight if it is 0.
+    """
+    scale, terms = float(x.max()) or 1.0, 3 if curvature else 2
+    rows = (x[:, None] / scale) ** np.arange(terms) / error[:, None]
+    known = np.zeros((terms, terms))
+    if curvature:
+        known[2, 2] = (curvature * scale**2) ** -2
+    inverse = np.linalg.inv(rows.T @ rows + known)
+    found = inverse @ rows.T @ (y / error)
+    scatter = np.sum((y / error - rows @ found) ** 2) / max(len(x) - terms, 1)
+    to_units = scale ** -np.arange(0.0, terms)
     covariance = inverse * np.outer(to_units, to_units) * max(1.0, float(scatter))
-    return Line(float(start), float(slope) / scale, covariance)
+    start, slope, curve = np.append(found * to_units, 0.0)[:3].tolist()
+    return Line(start, slope, covariance, curve)
 
 
 def _why_no_gain(mean: Floats, levels: Sequence[Level], line: Line) -> str:
@@ -222,7 +268,7 @@ def _why_no_gain(mean: Floats, levels: Sequence[Level], line: Line) -> str:
     if not line.slope > 0:
         return "The noise does not rise with the light: the file was smoothed, or is saturated."
     noise = np.array([level.noise_dn2 for level in levels])
-    expected = line.start + line.slope * mean
+    expected = line.at(mean)
     off = float(np.max(np.abs(noise - expected) / np.maximum(expected, line.slope)))
     if off > MOST_OFF_LINE:
         return (
@@ -246,22 +292,52 @@ def _read_noise(line: Line) -> Estimate:
         return Estimate(most, math.nan, reason, "below")
     root = math.sqrt(start)
     by = np.array([0.5 / (root * slope), -root / slope**2])
-    return Estimate(root / slope, math.sqrt(by @ line.covariance @ by))
+    return Estimate(root / slope, math.sqrt(by @ line.covariance[:2, :2] @ by))
 
 
-def _saturation(mean: Floats, levels: Sequence[Level], line: Line, gain: Estimate) -> Estimate:
+def _row_noise(levels: Sequence[Level], gain: float) -> Estimate:
+    """Root of the weighted mean of the rows' variances."""
+    weight = np.array([1 / max(level.row_error_dn2, 1e-9) ** 2 for level in levels])
+    shared = float(np.average([level.row_dn2 for level in levels], weights=weight))
+    error = 1 / math.sqrt(float(weight.sum()))
+    most = gain * math.sqrt(max(shared, 0.0) + SURE * error)
+    if shared < SURE * error:
+        return Estimate(most, math.nan, "Rows share no more noise than by chance.", "below")
+    root = gain * math.sqrt(shared)
+    return Estimate(root, 0.5 * root * error / shared)
+
+
+def _bend(line: Line, full: float) -> Estimate:
+    """b = −curvature · μ_full / (3 slope)."""
+    if len(line.covariance) < 3:
+        return Estimate(0.0, 0.0)
+    share = full / (3 * abs(line.slope) or 1.0)
+    return Estimate(-share * line.curvature, share * math.sqrt(line.covariance[2, 2]))
+
+
+def _saturation(mean: Floats, levels: Sequence[Level], line: Line) -> Estimate:
     noise = np.array([level.noise_dn2 for level in levels])
     full = noise < line.start + SATURATED_NOISE * line.slope * mean
     full &= mean > 0
     full &= mean == mean.max()
+    most = electrons(line, float(mean.max()))
     if not full.any():
-        brightest = gain.value * float(mean.max())
-        return Estimate(brightest, math.nan, "No pair is saturated: take a brighter one.", "above")
-    return Estimate(gain.value * float(mean.max()), gain.error * float(mean.max()))
+        return replace(most, error=math.nan, reason=UNSATURATED, bound="above")
+    return most
 
 
-def _prnu(line: Line, pixels: int) -> Estimate:
+def electrons(line: Line, mean_dn: float) -> Estimate:
+    """Electrons that give a mean, μ (g + b g μ / μ_full), by the line of the noise."""
+    share = line.curvature * mean_dn / (3 * line.slope)
+    value = mean_dn / line.slope
+    by = value / line.slope * np.array([0.0, 2 * share - 1, -mean_dn / 3])[: len(line.covariance)]
+    return Estimate(value * (1 - share), math.sqrt(by @ line.covariance @ by))
+
+
+def _prnu(line: Line, pixels: int, share: float) -> Estimate:
+    """Its error has a share of it that is due to the bend of the response."""
     found = _root_of(line.slope, math.sqrt(line.covariance[1, 1]), pixels)
+    found = replace(found, error=math.hypot(found.error, share * found.value))
     if found.value > LARGEST_PATTERN and not found.reason:
         return Estimate.unknown(
             f"The frames share a pattern of {100 * found.value:.0f} % of the light: that is the "

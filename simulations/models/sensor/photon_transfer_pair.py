@@ -34,12 +34,18 @@ class Level:
     pattern_error_dn2: float
     """One standard error, for these cells."""
     noise_in_codes: float
-    """Variance in time in codes squared, with that of rounding."""
+    """Variance in time, with that of rounding, in squared steps of the codes that occur."""
     correlation: float
-    """Correlation of the noise of neighbouring pixels: 0 for cells read one by one."""
+    """Correlation of the noise of neighbouring pixels beside that of whole rows and columns: 0 for
+    cells read one by one."""
     clipped: float
     """Share of the pixels at the lowest or the highest code."""
     pixels: int
+    row_dn2: float = 0.0
+    """Part of the variance of noise that all pixels of a row share. Below 0 if there is none."""
+    row_error_dn2: float = 0.0
+    step: float = 1.0
+    """Codes from one that occurs to the next: above 1 where a file leaves out codes."""
 
 
 def measure_pair(
@@ -61,21 +67,44 @@ def measure_pair(
     difference = rest_a - rest_b
     noise = float(np.sum(difference**2)) / (2 * free)
     pattern = float(np.sum(rest_a * rest_b)) / free
-    step = np.gradient(light)
-    rounding = float(np.mean(step[frames] ** 2)) / 12
+    step = _step(frames)
+    rounding = step**2 * float(np.mean(np.gradient(light)[frames] ** 2)) / 12
     apart = first.astype(float) - second
     at_an_end = np.count_nonzero((frames == 0) | (frames == highest))
+    rows, columns = (_shared(difference, 2 * noise, axis) for axis in (1, 0))
+    bands = [max(each, 0.0) / 2 for each in (rows, columns)]
+    few = [band * math.sqrt(2 / side) for band, side in zip(bands, first.shape, strict=True)]
     return Level(
         mean_dn=float(linear.mean()),
         noise_dn2=noise - rounding,
-        noise_error_dn2=noise * math.sqrt(2 / free),
+        noise_error_dn2=math.hypot(noise * math.sqrt(2 / free), *few),
         pattern_dn2=pattern,
-        pattern_error_dn2=math.sqrt(noise * (noise + 2 * max(pattern, 0.0)) / free),
-        noise_in_codes=float(apart.var(ddof=1)) / 2,
-        correlation=_correlation(difference, 2 * noise),
+        pattern_error_dn2=math.hypot(
+            math.sqrt(noise * (noise + 2 * max(pattern, 0.0)) / free), *few
+        ),
+        noise_in_codes=float(apart.var(ddof=1)) / (2 * step**2),
+        correlation=_correlation(difference, 2 * noise, rows, columns),
         clipped=at_an_end / frames.size,
         pixels=first.size,
+        row_dn2=rows / 2,
+        row_error_dn2=(noise / first.shape[1] + bands[0]) * math.sqrt(2 / first.shape[0]),
+        step=step,
     )
+
+
+def _step(frames: NDArray[np.unsignedinteger]) -> float:
+    """Mean step between the codes of the middle two thirds of the pixels."""
+    counts = np.bincount(frames.ravel())
+    places = np.searchsorted(np.cumsum(counts), (frames.size // 6, 5 * frames.size // 6))
+    used = np.flatnonzero(counts[places[0] : places[1] + 1])
+    return float(np.ptp(used)) / (len(used) - 1) if len(used) > 1 else 1.0
+
+
+def _shared(difference: Floats, variance: float, axis: int) -> float:
+    """Variance of the means along an axis, less what single pixels leave in them."""
+    count = difference.shape[1 - axis]
+    means = difference.mean(axis=axis)
+    return float(np.sum(means**2)) / max(count - 3, 1) - variance / difference.shape[axis]
 
 
 def _without_trend(frames: Floats) -> Floats:
@@ -95,13 +124,16 @@ def _terms(height: int, width: int) -> Floats:
     return np.stack([np.ones_like(x), x, y, x * x, x * y, y * y]).reshape(TREND_TERMS, -1)
 
 
-def _correlation(difference: Floats, variance: float) -> float:
+def _correlation(difference: Floats, variance: float, rows: float, columns: float) -> float:
     """Correlation of neighbours along rows and columns; 0 for frames that do not differ."""
     if variance == 0:
         return 0.0
     products = [
-        product.mean()
-        for product in (difference[:, 1:] * difference[:, :-1], difference[1:] * difference[:-1])
+        product.mean() - shared
+        for product, shared in (
+            (difference[:, 1:] * difference[:, :-1], rows),
+            (difference[1:] * difference[:-1], columns),
+        )
         if product.size
     ]
     return float(np.mean(products)) / variance

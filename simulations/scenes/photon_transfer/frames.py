@@ -23,9 +23,12 @@ from simulations.models.sensor import photon_transfer_file as files
 from simulations.models.sensor.photon_counting import Sensor
 from simulations.models.sensor.photon_transfer_file import COLOURS, HIGHEST
 from simulations.models.sensor.photon_transfer_fit import (
+    BEND,
+    LOSSY,
     SensorEstimate,
     black_of_dark,
     characterise,
+    saturation_above,
 )
 from simulations.models.sensor.photon_transfer_frames import (
     Cells,
@@ -68,7 +71,7 @@ UNEVEN = (
 class Settings:
     """Pairs and read noise are those of the simulated sensor."""
 
-    most: int = slider("Fit up to", 70, 5, 100, 1, unit="% of the scale")
+    most: int = slider("Fit up to", 70, 5, 100, 1, unit="% of saturation")
     pairs: int = slider("Pairs of frames", 12, 4, 24, 1)
     read_noise: float = slider("Read noise", 10, 0, 40, 1, unit="e⁻")
 
@@ -183,6 +186,8 @@ class Frames:
     """(highest + 1,) light of each code in DN; ``None`` if they are in proportion."""
     black: Mapping[str, float]
     """Code without light of each plane, where the files give it."""
+    exposures: tuple[float, ...]
+    """Seconds of each pair, NaN where the files do not say; any unit if they are simulated."""
 
     @property
     def is_simulated(self) -> bool:
@@ -210,12 +215,17 @@ class Measured:
     dark: bool
     """Whether the black is measured, or by definition of the file."""
     note: str = ""
-    """A sentence if the dark pair and the file differ."""
+    """A sentence if the dark pair and the file differ, or codes are missing."""
 
     @property
     def mean_dn(self) -> Floats:
         """(N,) above black."""
         return np.array([level.mean_dn for level in self.levels]) - self.black_dn
+
+    @property
+    def saturation_dn(self) -> float:
+        """Above black."""
+        return saturation_above(self.levels, self.black_dn, self.black_dn + self.span_dn)
 
 
 def sensor_of(read_noise: float) -> Sensor:
@@ -252,9 +262,11 @@ def pair_up(codes: tuple[Pair, ...], readings: Readings) -> Frames:
     """Pairs of the readings, or if there are none, the simulated ones."""
     if not readings:
         names = tuple((f"{k}a", f"{k}b") for k in range(len(codes)))
-        return Frames({SIMULATED: codes}, names, (), 0, sensor_of(0.0).highest_dn, None, {})
+        highest, exposures = sensor_of(0.0).highest_dn, tuple(map(float, range(len(codes))))
+        return Frames({SIMULATED: codes}, names, (), 0, highest, None, {}, exposures)
     kept = [kept_of(reading) for reading in readings]
-    pairs = files.pair_up([taken_of(*one) for one in zip(readings, kept, strict=True)])
+    taken = [taken_of(*one) for one in zip(readings, kept, strict=True)]
+    pairs = files.pair_up(taken)
     chosen = [(kept[i], kept[j]) for i, j in pairs]
     first = chosen[0][0] if chosen else kept[0]
     return Frames(
@@ -272,6 +284,7 @@ def pair_up(codes: tuple[Pair, ...], readings: Readings) -> Frames:
             for plane in first.black
             if chosen
         },
+        exposures=tuple(taken[i].exposure_s for i, _ in pairs),
     )
 
 
@@ -289,15 +302,22 @@ def measure(frames: Frames, plane: str, pairs: tuple[Pair, ...]) -> Measured:
         black = black if dark else stated
         if abs(black - stated) >= WORTH_SAYING_DN:
             found, said = (format_number(dn, 1) for dn in (black, stated))
-            note = f"Black is {found} DN by the dark pair, which counts, and {said} by the file."
+            note = f"Black is {found} DN by the dark pair, which counts, and {said} by the file. "
     elif frames.response is None and levels:
         black = min(level.mean_dn for level in levels)
     if black >= frames.highest:  # all white
         black = 0.0
+    steps = [level.step for level in levels]
+    if frames.response is None and max(steps, default=1.0) > LOSSY * min(steps, default=1.0):
+        note += (
+            f"The file is lossy: bright light has one code in {format_number(max(steps), 1)}; the "
+            "rounding is taken off the noise."
+        )
     return Measured(levels, black, frames.highest - black, dark, note)
 
 
-def fit(levels: dict[str, Measured], most: int) -> dict[str, SensorEstimate]:
+def fit(levels: dict[str, Measured], frames: Frames, most: int) -> dict[str, SensorEstimate]:
+    """The simulated sensor's response is known to be straight."""
     return {
         plane: characterise(
             measured.levels,
@@ -305,6 +325,7 @@ def fit(levels: dict[str, Measured], most: int) -> dict[str, SensorEstimate]:
             measured.black_dn + measured.span_dn,
             most / 100,
             dark=measured.dark,
+            bend=0.0 if frames.is_simulated else BEND,
         )
         for plane, measured in levels.items()
     }
@@ -327,6 +348,6 @@ STAGES = (
     Stage("codes", read_out, ("electrons", "cells")),
     Stage("frames", pair_up, ("codes",)),
     Stage("levels", measure_planes, ("frames",)),
-    Stage("sensor", fit, ("levels",)),
+    Stage("sensor", fit, ("levels", "frames")),
     Stage("shown", choose, ("frames", "sensor")),
 )

@@ -10,6 +10,7 @@ from simulations.engine.export import Export
 from simulations.engine.frame import Readout, format_number, readout, value_with_error
 from simulations.engine.stages import Outputs
 from simulations.models.sensor.photon_transfer_fit import Estimate, SensorEstimate
+from simulations.models.sensor.photon_transfer_standard import by_the_standard
 from simulations.scenes.photon_transfer.frames import GAIN_E_PER_DN, Frames, Measured, Settings
 
 UNKNOWN = "cannot be told"
@@ -19,8 +20,15 @@ QUANTITIES = (
     ("saturation", "Saturation", "e⁻", 1.0),
     ("prnu", "PRNU", "%", 100.0),
     ("dsnu", "DSNU", "e⁻", 1.0),
+    ("rows", "Row noise", "e⁻", 1.0),
+    ("bend", "Response falls short at saturation by", "%", 100.0),
 )
 """Name, label, unit and units per unit of the model."""
+STANDARD = (
+    ("full_well", "Full well, EMVA 1288", "e⁻", 1.0),
+    ("dynamic_range", "Dynamic range, EMVA 1288", ": 1", 1.0),
+    ("linearity_error", "Linearity error by exposure times, EMVA 1288", "%", 100.0),
+)
 HEAD = (
     "plane,first,second,mean_dn,noise_dn2,noise_error_dn2,pattern_dn2,pattern_error_dn2,"
     "correlation,clipped_share,fitted"
@@ -35,6 +43,21 @@ def estimates_of(sensor: SensorEstimate) -> Mapping[str, Estimate]:
         "saturation": sensor.saturation,
         "prnu": sensor.prnu,
         "dsnu": sensor.dsnu,
+        "rows": sensor.row_noise,
+        "bend": sensor.bend,
+    }
+
+
+def standard_of(frames: Frames, outputs: Outputs, plane: str) -> Mapping[str, Estimate]:
+    """The numbers of the standard."""
+    levels: Measured = outputs["levels"][plane]
+    found = by_the_standard(
+        levels.levels, levels.black_dn, frames.exposures, outputs["sensor"][plane]
+    )
+    return {
+        "full_well": found.full_well,
+        "dynamic_range": found.dynamic_range,
+        "linearity_error": found.linearity_error,
     }
 
 
@@ -69,7 +92,7 @@ def readouts(outputs: Outputs) -> tuple[Readout, ...]:
         else Readout("gain_true", true, "unknown"),
         *(
             Readout(name, label, value_of(found[name], scale), unit_of(found[name], unit), "image")
-            for name, label, unit, scale in QUANTITIES[1:]
+            for name, label, unit, scale in QUANTITIES[1:5]
         ),
         Readout("used", "Pairs fitted", used),
     )
@@ -94,8 +117,9 @@ def lines(frames: Frames, outputs: Outputs) -> Iterator[Readout]:
         level: Measured = outputs["levels"][main]
         ends = f"{format_number(level.black_dn, 1)} and {frames.highest} DN"
         yield Readout("scale", "Black and white", f"{ends}. {level.note}" if level.note else ends)
-    found, given = estimates_of(outputs["sensor"][main]), set[str]()
-    for name, label, unit, scale in QUANTITIES:
+    given = set[str]()
+    found = {**estimates_of(outputs["sensor"][main]), **standard_of(frames, outputs, main)}
+    for name, label, unit, scale in (*QUANTITIES, *STANDARD):
         estimate = found[name]
         words = value_of(estimate, scale)
         if estimate.reason and not estimate.bound and estimate.reason not in given:
@@ -153,12 +177,18 @@ def json_file(settings: Settings, outputs: Outputs) -> str:
             plane: {
                 "black_dn": outputs["levels"][plane].black_dn,
                 "pairs_fitted": int(np.count_nonzero(sensor.fitted)),
-                **{name: as_json(estimate) for name, estimate in estimates_of(sensor).items()},
+                **{
+                    name: as_json(estimate)
+                    for kind in (estimates_of(sensor), standard_of(frames, outputs, plane))
+                    for name, estimate in kind.items()
+                },
             }
             for plane, sensor in outputs["sensor"].items()
         },
         "units": {"gain": "electrons per DN", "read": "electrons", "saturation": "electrons"}
-        | {"prnu": "share of the light", "dsnu": "electrons"},
+        | {"prnu": "share of the light", "dsnu": "electrons", "rows": "electrons"}
+        | {"bend": "share of the light", "full_well": "electrons"}
+        | {"dynamic_range": "ratio", "linearity_error": "share of the light"},
     }
     return json.dumps(found, ensure_ascii=False, indent=1, allow_nan=False)
 

@@ -52,12 +52,12 @@ def transfer(
     error = BARS * np.array([level.noise_error_dn2 for level in measured.levels])
     room = 2.2 if reason else 1.1
     plot = plot_of(measured, room * (noise + error), HIGHEST_DN2 if simulated else 0.0)
-    end, style = 0.01 * most * measured.span_dn, "error bold" if reason else "ray bold"
+    end, style = 0.01 * most * measured.saturation_dn, "error bold" if reason else "ray bold"
     yield plot.region(x=(end, measured.span_dn))
     yield plot.frame(MEANS, Scale("variance of the noise", "DN²", 4, (), "small", "muted small"))
     if estimate.noise:  # solid as far as it was fitted
         x = np.linspace(0.0, plot.x.high, 101)
-        y = estimate.noise.start + estimate.noise.slope * x
+        y = estimate.noise.at(x)
         yield plot.curve(x[x <= end], y[x <= end], style)
         yield plot.curve(x[x >= end], y[x >= end], f"{style} dashed")
     yield plot.upright(end, "camera dashed")
@@ -148,7 +148,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     right, style = CELL * (COLUMNS + GAP), "image strong ground"
     names = text((8, 22), "one frame", style) + text((right + 8, 22), "difference / √2", style)
     what = f"{len(frames.names)} pairs of evenly lit frames"
-    up_to = f"a line fitted up to {format_number(settings.most, 0)} % of the scale"
+    up_to = f"a line fitted up to {format_number(settings.most, 0)} % of saturation"
     return Frame(
         (
             Panel(
@@ -167,9 +167,12 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
 
 
-def end_at(settings: Settings, _outputs: Outputs) -> Point:
+def end_at(settings: Settings, outputs: Outputs) -> Point:
     """The end of the fit on the axis of the mean."""
-    return LEFT + 0.01 * settings.most * (RIGHT - LEFT), FOOT
+    frames: Frames = outputs["frames"]
+    levels: Measured = outputs["levels"][frames.main]
+    share = 0.01 * settings.most * levels.saturation_dn / levels.span_dn
+    return LEFT + share * (RIGHT - LEFT), FOOT
 
 
 SCENE = Scene(

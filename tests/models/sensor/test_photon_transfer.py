@@ -20,6 +20,7 @@ from simulations.models.sensor.photon_transfer_file import (
 )
 from simulations.models.sensor.photon_transfer_fit import black_of_dark, characterise
 from simulations.models.sensor.photon_transfer_pair import Level, measure_pair
+from simulations.models.sensor.photon_transfer_standard import by_the_standard
 
 
 def rng() -> np.random.Generator:
@@ -308,3 +309,27 @@ def test_without_exif_the_light_makes_the_pairs() -> None:
 def test_the_camera_is_named_by_its_file() -> None:
     assert camera_of({"make": "Acme", "model": "X1", "iso": 400.0}) == "Acme, X1, ISO 400"
     assert camera_of({}) == ""
+
+
+def test_the_standard_has_full_well_range_and_linearity_of_a_sensor() -> None:
+    pairs = pairs_of(96, 5, count=23)
+    levels = [measure_pair(pair, 4095) for pair in pairs]
+    sensor, times = characterise(levels, levels[0].mean_dn, 4095), np.arange(23.0)
+    found = by_the_standard(levels, levels[0].mean_dn, times.tolist(), sensor)
+    assert found.full_well.value == pytest.approx(SENSOR.full_well_e, rel=0.03)
+    floor = math.hypot(10.0, 4.0 / math.sqrt(12)) + 0.5
+    assert found.dynamic_range.value == pytest.approx(found.full_well.value / floor, rel=0.02)
+    assert found.linearity_error.value < 5e-4
+    bent = by_the_standard(levels, levels[0].mean_dn, (times**1.02).tolist(), sensor)
+    assert 0.002 < bent.linearity_error.value < 0.01
+    unknown = by_the_standard(levels[:12], levels[0].mean_dn, [math.nan] * 12, sensor)
+    assert "do not say" in unknown.linearity_error.reason
+    assert unknown.dynamic_range.bound == "above"
+
+
+def test_rows_that_share_noise_are_not_taken_for_a_smoothed_file() -> None:
+    rng = np.random.default_rng(1)
+    pairs = [pair + rng.normal(0, 3, (2, 96, 1)) for pair in pairs_of(96, 5)]
+    found = estimate_of([np.clip(np.rint(pair), 0, 4095).astype(np.uint16) for pair in pairs])
+    assert not found.gain.reason
+    assert found.row_noise.value == pytest.approx(12.0, abs=3 * found.row_noise.error)
