@@ -1,6 +1,7 @@
 """Scenes, ladders, illustrations and hard cases, found by file name and imported on demand.
 
-    scenes/lens_distortion/scene.py      the scene lens-distortion: its ``SCENE``
+    scenes/lens_distortion/scene.py      the scene lens-distortion: its ``SCENE``, which `figure` of
+                                         `simulations.engine.figure` makes of a function
     ladders/precision.py                 the ladder precision: its ``LADDER``
     ladders/sums/ladder.py               the ladder sums, in a package
     illustrations/f_numbers.py           the illustration f-numbers: its ``draw``

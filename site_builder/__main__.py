@@ -83,7 +83,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
         case "new":
             from site_builder.scaffold.pieces import make_new  # needed only here
 
-            print(make_new(ROOT, given.kind, given.name))
+            print(make_new(ROOT, given.kind, given.name, given.like))
         case "pdf" | "epub":
             # Readers of pages and printers are needed only here.
             from site_builder.editions.compose import compose
@@ -207,6 +207,7 @@ def _parser() -> argparse.ArgumentParser:
     new = add("new", "make a book, or a skeleton in this one, with its tests")
     new.add_argument("kind", choices=NEW)
     new.add_argument("name", help="such as falling-ball; of a book, its folder")
+    new.add_argument("--like", default="", help="for a scene: a figure of the guide's gallery")
     for name, purpose in (
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),

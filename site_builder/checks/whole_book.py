@@ -215,7 +215,6 @@ PLACEHOLDERS = (
     "Begin with something that one can see or hear.",
     "Say what happens, then why.",
     "What comes out, if 21 is doubled?",
-    ": what is drawn here, in a sentence.",
     ": which law this is, in a sentence.",
     ": what is computed here in several ways.",
 )

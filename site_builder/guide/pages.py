@@ -3,17 +3,19 @@
 Some of its chapters are made of declarations: what there is stands in them, and nothing else can.
 """
 
+import ast
 import os
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
-from inspect import Parameter, getdoc, signature
+from inspect import Parameter, cleandoc, getdoc, getsource, signature
+from itertools import zip_longest
 from pathlib import Path
-from typing import Any
+from types import FunctionType
+from typing import Any, cast
 
-from simulations.engine.controls import KINDS as CONTROLS
 from simulations.engine.frame import ROLES as COLOUR_ROLES
 from site_builder.files.engine import ENGINE, STATIC, own_or_engine
 from site_builder.markdown.directive import Directive, OptionLine
@@ -21,8 +23,8 @@ from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.questions.kinds import KINDS
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
+from site_builder.scaffold.pieces import GALLERY, SUFFIX, Name, filled, from_gallery
 from site_builder.scaffold.pieces import HERE as SCAFFOLD
-from site_builder.scaffold.pieces import SUFFIX, filled
 from site_builder.settings.model import settings_table
 
 VERSION = re.compile(r"^## (.+)$", re.MULTILINE)
@@ -67,23 +69,70 @@ def read_classes(overlay: Path) -> tuple[Names, dict[str, str], Names]:
     return (*filter(None, COLOUR_ROLES), "muted"), manners, texts
 
 
-MARK = "[controls]\n"
-"""Where the table stands in a page of the guide."""
+ASKED = re.compile(r"^\[(api|gallery) (.+)\]$", re.MULTILINE)
+"""Where a table or a figure stands in a page of the guide: ``[api frame:Panel drawing]``,
+``[gallery pendulum]``."""
 
 
-def controls_table() -> str:
-    """A row for each: how it is written, and its documentation."""
-    rows = []
-    for kind in CONTROLS:
-        stated = getattr(import_module(f"simulations.engine.controls.{kind}.kind"), kind)
-        doc = (getdoc(stated) or "").replace("\n", " ").replace("``", "`")
-        rows.append(f"| `{kind}({_parameters(stated)})` | {doc} |\n")
-    return f"| Control | Is |\n|---|---|\n{''.join(rows)}"
+def api_table(*things: str) -> str:
+    """A row for each function, class, field and method of modules of the engine that has
+    documentation: how it is written, and that. ``things``: ``drafting``, ``drawing:line,dot``."""
+    rows: list[str] = []
+    for thing in things:
+        module, _, wanted = f"simulations.engine.{thing}".partition(":")
+        found = vars(import_module(module))
+        own = (
+            name
+            for name, each in found.items()
+            if isinstance(each, FunctionType | type) and each.__module__ == module
+        )
+        for name in wanted.split(",") if wanted else own:
+            rows += _api_rows(found[name]) if not name.startswith("_") else ()
+    return f"| Written | Is |\n|---|---|\n{''.join(rows)}"
+
+
+def _api_rows(thing: Any) -> Iterator[str]:
+    yield _api_row(f"{thing.__name__}({_parameters(thing)})", thing)
+    if not isinstance(thing, type):
+        return
+    body = cast(ast.ClassDef, ast.parse(getsource(thing)).body[0]).body
+    for entry, doc in zip_longest(body, body[1:]):
+        match entry, doc:
+            case ast.AnnAssign(ast.Name(name)), ast.Expr(ast.Constant(str(words))):
+                yield _api_row(f".{name}", words)
+            case ast.FunctionDef(name), _ if not name.startswith("_"):
+                method = getattr(thing, name)
+                given = f"({_parameters(method)})" if callable(method) else ""
+                yield _api_row(f".{name}{given}", method)
+
+
+def _api_row(written: str, thing: object) -> str:
+    """The first paragraph of its documentation: ``thing`` is that itself, or has it."""
+    doc = cleandoc(thing) if isinstance(thing, str) else getdoc(thing) or ""
+    said = " ".join(doc.partition("\n\n")[0].split()).replace("``", "`")
+    return f"| `{written.replace('|', BAR)}` | {said.replace('|', BAR)} |\n"
 
 
 def _parameters(stated: Callable[..., object]) -> str:
     parameters = signature(stated).parameters.values()
-    return ", ".join(str(each.replace(annotation=Parameter.empty)) for each in parameters)
+    named = (each.replace(annotation=Parameter.empty) for each in parameters)
+    return ", ".join(str(each) for each in named if each.name != "self")
+
+
+def gallery_section(name: str) -> str:
+    """A figure of the gallery, live, with its whole source."""
+    caption = from_gallery(name).split('"""')[1]
+    return (
+        f":::{{simulation}} {name}\n{caption}\n:::\n\n"
+        f":::{{source}} simulations.scenes.{Name(name).module}\n"
+        f"`python -m site_builder new scene my-{name} --like {name}`\n:::\n"
+    )
+
+
+def with_parts(page: str) -> str:
+    """The page with its tables and figures."""
+    makers = {"api": lambda names: api_table(*names.split()), "gallery": gallery_section}
+    return ASKED.sub(lambda asked: makers[asked[1]](asked[2]), page)
 
 
 STEPS = """## In steps
@@ -271,7 +320,6 @@ def _chapter(title: str, summary: str, opening: str, parts: Iterable[str]) -> st
 
 
 OWN = Path(__file__).with_name("book")
-SCENE = "content/06-a-scene.md"
 TAKEN = "simulations/"
 """The folder that the guide takes from the template of a new book."""
 
@@ -283,7 +331,7 @@ def guide_files() -> dict[str, bytes]:
         "content/03-directives.md": directive_page(),
         "content/04-roles.md": role_page(),
         "content/05-drawings.md": drawing_page(roles, manners, texts),
-        SCENE: (OWN / SCENE).read_text(encoding="utf-8").replace(MARK, controls_table()),
+        **{f"simulations/scenes/{Name(name).module}.py": from_gallery(name) for name in GALLERY},
         "content/08-settings.md": settings_page(),
         "content/11-changes.md": changes_page(own_or_engine(ENGINE, "CHANGELOG.md")),
         "simulations/models/classes.py": (
@@ -303,6 +351,8 @@ def guide_files() -> dict[str, bytes]:
         for file in sorted(OWN.rglob("*"))
         if file.is_file()
     }
+    pages = {name: with_parts(text.decode()) for name, text in own.items() if name.endswith(".md")}
+    made |= pages
     return {**new_book, **own, **{path: text.encode() for path, text in made.items()}}
 
 

@@ -19,6 +19,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from site_builder import __version__
 from site_builder.benchmarks.measurements import COMMAND
+from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.book import OUTLINE
 from site_builder.document.places import chapter_id
 from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, SHARED, own_or_engine
@@ -212,11 +213,25 @@ def chapter(root: Path, text: str) -> Made:
     return {f"content/{file}.md": "", OUTLINE: ""}, f"write it; its place is in {OUTLINE}"
 
 
-def scene(root: Path, text: str) -> Made:
+GALLERY = tuple(
+    file.name.partition(".")[0] for file in sorted((HERE / "skeletons" / "gallery").iterdir())
+)
+"""Figures to begin with, which the guide shows."""
+
+
+def from_gallery(like: str) -> str:
+    """The source of a figure of the gallery."""
+    return _fill(f"gallery/{like}.py", Name(like))
+
+
+def scene(root: Path, text: str, like: str = "moving-point") -> Made:
+    """A figure of the gallery under another name."""
     name = read_name("scene", text)
     _refuse_taken(root, "simulations/scenes", name)
+    if like not in GALLERY:
+        raise ScaffoldError(unknown("figure of the gallery", like, GALLERY))
     files = {
-        f"simulations/scenes/{name.module}.py": "scene/scene.py",
+        f"simulations/scenes/{name.module}.py": f"gallery/{like}.py",
         f"tests/scenes/test_{name.module}_scene.py": "scene/test.py",
     }
     made = _write(root, name, files)
@@ -318,10 +333,13 @@ PIECES: dict[str, Callable[[Path, str], Made]] = {
 """What ``new`` can make in a book."""
 
 
-def make_new(root: Path, kind: str, name: str) -> str:
-    """Make it; a text that lists what was made and what comes next. Raises `ScaffoldError`."""
+def make_new(root: Path, kind: str, name: str, like: str = "") -> str:
+    """Make it, a scene like one of the gallery; a text that lists what was made and what comes
+    next. Raises `ScaffoldError`."""
     if kind == "book":
         files = make_book(Path(name))
         return f"{name}: {len(files)} files\nnext: cd {shlex.quote(name)} && make serve"
-    made, after = PIECES[kind](root, name)
+    if like and kind != "scene":
+        raise ScaffoldError(f"a {kind} like {like!r}; legal: a scene")
+    made, after = scene(root, name, like) if like else PIECES[kind](root, name)
     return "\n".join([*made, f"next: {after}"])

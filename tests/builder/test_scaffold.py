@@ -4,15 +4,29 @@ and the book again after the engine was upgraded."""
 import re
 import shutil
 import sys
+from collections.abc import Mapping
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from typing import Any
 
 import pytest
 from filelock import FileLock
 from support.engine import Engine, build_wheel, new_engine, run
 from support.places import ROOT
 
+from simulations.engine.controls import Action, Slider, Value
+from simulations.engine.frame import Frame, content
+from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from site_builder.checks.whole_book import PLACEHOLDERS
-from site_builder.scaffold.pieces import PIECES, ScaffoldError, make_book, make_new, read_name
+from site_builder.scaffold.pieces import (
+    GALLERY,
+    PIECES,
+    ScaffoldError,
+    make_book,
+    make_new,
+    read_name,
+)
 
 PIECES_MADE = (
     ("chapter", "second-fall"),
@@ -28,6 +42,41 @@ from site_builder.__main__ import main
 sys.exit(any([main(["new", *piece.split()]) for piece in sys.argv[1:]]))
 """
 """Program that makes books by the command, which is started once for all."""
+
+
+@pytest.mark.parametrize("like", GALLERY)
+def test_a_figure_of_the_gallery_works_under_another_name(
+    like: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each of its controls changes what is shown, but for a start that already shows an end; each
+    handle comes to where it is pulled."""
+    make_new(tmp_path, "scene", "my-figure", like)
+    name, folder = "simulations.scenes.my_figure", tmp_path / "simulations" / "scenes"
+    spec = spec_from_file_location(name, folder / "my_figure.py")
+    assert spec
+    assert spec.loader
+    monkeypatch.setitem(sys.modules, name, module_from_spec(spec))
+    spec.loader.exec_module(sys.modules[name])
+    scene: Scene[Any] = vars(sys.modules[name])["SCENE"]
+    assert (scene.id, scene.title) == ("my-figure", "My Figure")
+
+    def drawn(values: Mapping[str, Value]) -> Frame:
+        return scene.render(scene.check(values), "", StageCache())
+
+    for control in scene.controls:
+        if not isinstance(control, Action):
+            frames = [content(drawn({control.name: end})) for end in control.extremes()]
+            assert any(frame != content(drawn({})) for frame in frames), control.name
+    for handle in scene.handles:
+        there = {
+            c.name: c.nearest(0.4 * c.minimum + 0.6 * c.maximum)
+            for c in scene.controls
+            if isinstance(c, Slider) and c.name in handle.drives
+        }
+        (place,) = drawn(there).handles
+        assert scene.pull(scene.check({}), handle.name, (place.x, place.y)) == pytest.approx(there)
+
+
 DIRECTIVES = "site_builder/markdown/directives"
 TEST_CACHED = """\
 import sys, pytest

@@ -12,7 +12,8 @@ The result is SVG in view box units, with classes and without colours, as in
 and raise an error elsewhere.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -49,6 +50,26 @@ class Plot:
 
     x: Axis
     y: Axis
+    names: tuple[str, str] = ("", "")
+    """What x and y are, with units, for a plot that is drawn whole."""
+    marks: str = ""
+    """SVG over the axes, likewise."""
+
+    @classmethod
+    def of(cls, x: str, across: Values, y: str, up: Values, *, log: str = "") -> Self:
+        """A plot that fills a view box of 400 × 290: ``Plot.of("time, s", (0, 10), "speed, m/s",
+        (0, 60))``; an axis in ``log``, ``x``, ``y`` or ``xy``, is logarithmic."""
+        horizontal = Axis(*across, 50.0, 388.0, log="x" in log)
+        return cls(horizontal, Axis(*up, 240.0, 30.0, log="y" in log), (x, y))
+
+    def showing(self, *marks: str) -> Self:
+        """The plot with these marks, and with those that it has."""
+        return replace(self, marks="".join((self.marks, *marks)))
+
+    @property
+    def markup(self) -> str:
+        """Axes and marks."""
+        return self.frame(Scale(self.names[0]), Scale(self.names[1])) + self.marks
 
     def at(self, x: float, y: float) -> tuple[float, float]:
         """The place of two values, also outside the plot."""

@@ -250,12 +250,13 @@ def _prediction(id: str, page: ChapterPage) -> tuple[Prediction, str]:
 def source(content: Source, _block: Block, page: ChapterPage) -> Iterator[Part]:
     """The code to read, and a cell that imports it to be tried."""
     address = page.address(f"../source/{content.path.removesuffix('.py')}/#L{content.first_line}")
-    where = (
-        f"{code(content.name)} {page.words('listing.in_file')} {link(code(content.path), address)}"
-    )
+    where, tried = link(code(content.path), address), f"import {content.module}"
+    if content.name:
+        where = f"{code(content.name)} {page.words('listing.in_file')} {where}"
+        tried = f"from {content.module} import {content.name.partition('.')[0]}"
     caption = page.markdown(content.caption)
     yield Text("\n\n".join(filter(None, (where, caption, fenced(content.code, "python")))))
-    yield Code(f"from {content.module} import {content.name.partition('.')[0]}")
+    yield Code(tried)
 
 
 def table(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:

@@ -1,4 +1,5 @@
-"""``{source} package.module:function``: the real code, read from its file, never a copy."""
+"""``{source} package.module:function``: the real code, read from its file, never a copy; without a
+function, all of it."""
 
 import ast
 from pathlib import Path
@@ -29,6 +30,8 @@ def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) ->
     except (SyntaxError, ValueError) as error:
         line = getattr(error, "lineno", None) or 1
         raise CodeError(f"module {module!r} is no Python: {path}:{line}") from None
+    if not name:
+        return Source(module, name, path, 1, source, (0, 0), caption)
     if name not in definitions:
         public = [known for known in definitions if not known.startswith("_")]
         raise CodeError(unknown(f"definition in {module}", name, public))
@@ -75,7 +78,7 @@ def _modules(package: Path) -> list[str]:
 
 SOURCE = Directive(
     name="source",
-    doc="the real code of a function",
+    doc="the real code of a function, or of a whole module",
     argument=Argument("package.module:function", lacks="names no function"),
     body=CAPTION,
     read=read_source,

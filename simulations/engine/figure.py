@@ -1,0 +1,146 @@
+"""A figure from one function: its arguments are the controls, and what it returns is drawn.
+
+PLOT = Plot.of("place, m", (0, 8), "height, cm", (-1.5, 1.5))
+
+@figure("A Travelling Wave")
+def wave(
+    time: float = slider("Time", 0.0, 0.0, 4.0, 0.05, unit="s"),
+    length: float = slider("Wavelength", 2.0, 0.5, 4.0, 0.1, unit="m"),
+) -> Drawn:
+    place = np.linspace(0, 8, 401)
+    return PLOT.showing(PLOT.curve(place, np.sin(2 * np.pi * (place / length - time)), "ray"))
+"""
+
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import Field, make_dataclass, replace
+from functools import wraps
+from inspect import Parameter, signature
+from itertools import takewhile
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.controls import Action
+from simulations.engine.frame import Frame, Panel, Readout, Sound
+from simulations.engine.frame import readout as readout
+from simulations.engine.handles import Handle as Handle
+from simulations.engine.plotting.plot import Plot as Plot
+from simulations.engine.raster import to_rgba8
+from simulations.engine.scene import Scene
+from simulations.engine.settings import action as action
+from simulations.engine.settings import choice as choice
+from simulations.engine.settings import controls_of, values_of
+from simulations.engine.settings import slider as slider
+from simulations.engine.settings import toggle as toggle
+from simulations.engine.stages import Outputs, Stage
+
+type Part = Plot | NDArray[Any] | str | Panel | Readout | Sound
+"""A plot, or a picture, (H, W) or (H, W, 3) from 0 to 1 or as bytes, each in a panel of its own;
+SVG, over the panel before it; a sentence, the frame's description; a panel, readout or sound."""
+type Drawn = Part | tuple[Part, ...]
+
+PANEL = "figure"
+"""Name of the first panel, for handles; those after it are ``figure_2``, ``figure_3``."""
+WIDTH, HEIGHT = 400.0, 290.0
+"""View box of a plot and of SVG; a picture is as wide, and as high as its shape says."""
+COARSE = 100
+"""A picture with fewer columns than this shows its pixels as squares."""
+
+
+def figure[**P](
+    title: str,
+    *,
+    stages: Sequence[Stage | Callable[..., Any]] = (),
+    handles: tuple[Handle[Any], ...] = (),
+    **more: Any,
+) -> Callable[[Callable[P, Drawn]], Callable[P, Drawn]]:
+    """Make a scene of the function below: the ``SCENE`` of its module.
+
+    An argument whose default is a control is a setting; one without gets the output of the stage of
+    its name. A stage may be a plain function, which reads earlier stages, then settings, by name.
+    ``more`` are further fields of `Scene`. The function itself stays as it is.
+    """
+
+    def made(function: Callable[P, Drawn]) -> Callable[P, Drawn]:
+        arguments = signature(function, eval_str=True).parameters.values()
+        module, steps = function.__module__, list[Stage]()
+        entries = [_setting(each) for each in arguments if isinstance(each.default, Field)]
+        settings = make_dataclass("Settings", entries, frozen=True, slots=True, module=module)
+        for step in stages:
+            steps.append(_stage(step, [each.name for each in steps]))
+        taken = [each.name for each in arguments if each.default is Parameter.empty]
+        for name in taken:
+            if name not in [step.name for step in steps]:
+                legal = "slider(…) or another control as its default, or a stage of its name"
+                raise TypeError(f"argument {name!r} of a figure has no value; legal: {legal}")
+
+        @wraps(function)
+        def draw(given: object, outputs: Outputs) -> Frame:
+            read = {name: outputs[name] for name in taken} | values_of(given)
+            return _frame(cast(Any, function)(**read), _told(title, given))
+
+        own = module.removesuffix(".scene").rpartition(".")[2].replace("_", "-")
+        scene = Scene(own, title, settings, draw, tuple(steps), handles, **more)
+        vars(sys.modules[module])["SCENE"] = scene
+        return function
+
+    return made
+
+
+def _setting(argument: Parameter) -> tuple[str, type, Any]:
+    kind, field = argument.annotation, argument.default
+    if kind is Parameter.empty:
+        kind = field.metadata["control"](argument.name).types[0]
+    return argument.name, kind, field
+
+
+def _stage(step: Stage | Callable[..., Any], before: Sequence[str]) -> Stage:
+    if isinstance(step, Stage):
+        return step
+    after = takewhile(before.__contains__, signature(step).parameters)
+    return Stage(step.__name__, step, tuple(after))
+
+
+def _frame(drawn: Drawn, told: str) -> Frame:
+    parts = drawn if isinstance(drawn, tuple) else (drawn,)
+    panels: list[Panel] = []
+    for part in parts:
+        name = f"{PANEL}_{len(panels) + 1}" if panels else PANEL
+        match part:
+            case Panel():
+                panels.append(part)
+            case Plot():
+                panels.append(Panel(name, "", WIDTH, HEIGHT, overlay=part.markup))
+            case np.ndarray():
+                panels.append(_picture(name, part))
+            case str() if part.startswith("<"):
+                under = panels.pop() if panels else Panel(name, "", WIDTH, HEIGHT)
+                panels.append(replace(under, overlay=under.overlay + part))
+            case str() | Readout() | Sound():
+                pass
+            case _:
+                legal = "a Plot, an array, SVG, a sentence, Panel, Readout, Sound, or a tuple"
+                raise TypeError(f"the figure returned {type(part).__name__}; legal: {legal}")
+    readouts = tuple(part for part in parts if isinstance(part, Readout))
+    sound = next((part for part in parts if isinstance(part, Sound)), None)
+    said = [part for part in parts if isinstance(part, str) and not part.startswith("<")]
+    numbers = (f"{each.label}: {each.text} {each.unit}".strip() + "." for each in readouts)
+    return Frame(tuple(panels), readouts, " ".join(said or [told, *numbers]), sound=sound)
+
+
+def _picture(name: str, picture: NDArray[Any]) -> Panel:
+    if picture.ndim not in (2, 3) or not picture.size or picture.shape[2:] not in ((), (3,)):
+        raise ValueError(f"a picture of shape {picture.shape}; legal: (H, W) or (H, W, 3)")
+    raster = to_rgba8(picture / (255.0 if picture.dtype == np.uint8 else 1.0))
+    rows, columns = raster.shape[:2]
+    return Panel(name, "", WIDTH, WIDTH * rows / columns, raster, pixelated=columns < COARSE)
+
+
+def _told(title: str, settings: object) -> str:
+    """``A Travelling Wave: Time 1.00 s, Wavelength 2.0 m.``"""
+    values = values_of(settings)
+    controls = (each for each in controls_of(type(settings)) if not isinstance(each, Action))
+    said = (" ".join((each.label, *each.text(values[each.name]))).strip() for each in controls)
+    return f"{title}: {', '.join(said)}."
