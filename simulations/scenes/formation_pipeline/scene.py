@@ -1,8 +1,8 @@
 """Image Formation Pipeline: one point from the scene to a pixel value.
 
-The first panel has the path of the point, and below it four tiles of computed values: greys are
-those of a file in sRGB, and each dot is `ELECTRONS_PER_DOT` electrons. The second has the ledger of
-its numbers, which do not depend on the place of the marker on the path.
+The first panel has the room with the path of the point, and below it four tiles of computed values:
+greys are those of a file in sRGB, and each dot is `ELECTRONS_PER_DOT` electrons. The second has the
+ledger of its numbers, which do not depend on the place of the marker on the path.
 """
 
 import math
@@ -13,15 +13,25 @@ from itertools import pairwise
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.engine.drafting import swatch
-from simulations.engine.frame import Frame, Panel, readout
+from simulations.engine.drafting import swatch, swatch_polygon
+from simulations.engine.frame import Frame, Panel, Raster, readout
 from simulations.engine.handles import Handle, Point
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.projection.pinhole import (
+    intrinsics,
+    look_at,
+    project,
+    world_to_camera,
+)
 from simulations.scenes.formation_pipeline.stations import (
     CELLS,
+    LAMP_COS,
+    POINT_M,
     WHITE_E,
     Journey,
     Station,
@@ -29,19 +39,27 @@ from simulations.scenes.formation_pipeline.stations import (
     stations,
     travel,
 )
+from simulations.world.light import LAMP_ELEVATION_RAD, lamp_direction
+from simulations.world.room import finer, halve, look, shade
+from simulations.world.things import WALL_DISTANCE
 
 type Legs = tuple[tuple[Point, ...], ...]
 
 LAST_STATION = 7.0
-WIDTH, HEIGHT = 400.0, 310.0
-AXIS_ROW = 100.0
-WALL_COLUMN, UNITS_PER_METRE = 46.0, 24.0  # between the wall, which is fixed, and the lens
-LENS_TO_PLANE = 72.0
-LENS_FOOT = 34.0  # from the axis down to the lens's handle
-POINT_RISE = 42.0  # height of the point above the axis; drawn larger than true, like the camera
+WIDTH, HEIGHT = 400.0, 306.0
+ROOM_ROWS = 196.0  # of the room at the top, in view box units
+ROOM_FOCAL, ROOM_CENTRE = 300.0, (199.5, 97.5)
+ROOM_POSE = look_at((9.0, 1.2, 2.5), (0.0, 3.5, 1.2), (0.0, 0.0, 1.0))
+"""The reader's eye, outside the wall with the door, which is left out of the picture."""
+RAYS = 3  # of the room's picture, per view box unit along a row
+AHEAD, DOWN = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, -1.0])
+ORIGIN = np.array([2.0, WALL_DISTANCE - POINT_M[2], 1.5])
+"""Of the chain's world axes in the room: right, down and ahead to the wall with the speck."""
+SPECK = ORIGIN + np.array([POINT_M[0], POINT_M[2], -POINT_M[1]])
+LENS_TO_PLANE, LENS_RADIUS_M = 0.7, 0.3  # metres; drawn larger than true
 FIRST_LEG = 0.2  # share of the way to the lens at which the point is known in camera coordinates
-CELL, LIGHT, WELL, CODE = ((column, 244.0) for column in (350.0, 250.0, 150.0, 50.0))
-"""Centres of the tiles on the lower row."""
+CELL, LIGHT, WELL, CODE = ((column, 242.0) for column in (50.0, 150.0, 250.0, 350.0))
+"""Centres of the tiles below the room."""
 SIDE = 72.0  # of a tile
 TILES = (
     ("sensor cell", "image"),
@@ -70,22 +88,39 @@ def journey_of(distance: float, albedo: float, again: int) -> Journey:
     return travel(distance, albedo, exposure=again)
 
 
-def lens_column(distance_m: float) -> float:
-    """Column of the lens for a distance of the camera from the wall."""
-    return WALL_COLUMN + UNITS_PER_METRE * distance_m
+def picture() -> Raster:
+    """The room as the reader sees it, lit so that the lamp is 60° from the normal of the wall."""
+    level = math.cos(LAMP_ELEVATION_RAD)
+    K = finer(intrinsics(ROOM_FOCAL, ROOM_CENTRE), RAYS)
+    seen = look(K, ROOM_POSE, round(RAYS * WIDTH), round(RAYS * ROOM_ROWS))
+    lit = halve(shade(seen, math.degrees(math.acos(LAMP_COS / level))))
+    rows = round(RAYS / 2 * HEIGHT)  # the part below the room is empty
+    raster = np.zeros((rows, lit.shape[2], 4), np.uint8)
+    raster[: lit.shape[1]] = to_rgba8(encode_srgb_table(lit.transpose(1, 2, 0)))
+    return raster
+
+
+def seen(*places: Floats) -> list[Point]:
+    """Places (3,) of the room in the view box."""
+    camera = world_to_camera(np.array(places), ROOM_POSE)
+    pixels, _ = project(camera, intrinsics(ROOM_FOCAL, ROOM_CENTRE))
+    return [tuple(pixel) for pixel in (pixels + 0.5).tolist()]
+
+
+def lens_of(distance_m: float) -> Floats:
+    """The centre of the lens (3,) of a camera at this distance from the wall."""
+    return np.array([ORIGIN[0], WALL_DISTANCE - distance_m, ORIGIN[2]])
 
 
 def route(distance_m: float) -> Legs:
     """The legs between stations 0 to 7, each a polyline."""
-    lens = (lens_column(distance_m), AXIS_ROW)
-    start = (WALL_COLUMN, AXIS_ROW - POINT_RISE)
-    slope = POINT_RISE / (lens[0] - start[0])
-    hit = (lens[0] + LENS_TO_PLANE, AXIS_ROW + slope * LENS_TO_PLANE)
-    first = (start[0] + FIRST_LEG * (lens[0] - start[0]), start[1] + FIRST_LEG * POINT_RISE)
+    lens = lens_of(distance_m)
+    image = lens + (lens - SPECK) * LENS_TO_PLANE / distance_m
+    start, first, middle, hit = seen(SPECK, SPECK + FIRST_LEG * (lens - SPECK), lens, image)
     return (
         (start, first),
-        (first, lens),
-        (lens, hit),
+        (first, middle),
+        (middle, hit),
         (hit, (CELL[0], hit[1]), CELL),
         (CELL, LIGHT),
         (LIGHT, WELL),
@@ -106,7 +141,7 @@ def travelled(legs: Legs, station: float) -> list[Point]:
             part = min(remaining / length, 1.0) if length > 0 else 1.0
             path.append((a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])))
             remaining -= part * length
-            if remaining <= 0:
+            if part < 1.0:
                 break
     return path
 
@@ -117,13 +152,13 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
     path = travelled(legs, station)
     return "".join(
         (
+            paint(journey),
             *scenery(),
-            *camera(lens_column(distance_m)),
+            *camera(lens_of(distance_m)),
             drawing.path(legs, "muted thin dashed"),
             *onward(),
             drawing.polyline(path, "ray bold") if len(path) > 1 else "",
             *tiles(journey, int(station)),
-            drawing.dot(legs[0][0], "world", 4.5),
             drawing.dot(legs[2][-1], "image", 3.0),
             drawing.dot(path[-1], "ray", 6.5),
         )
@@ -131,36 +166,54 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
 
 
 def onward() -> Iterator[str]:
-    """Heads of arrows in the gaps between the tiles, which are read from right to left."""
+    """Heads of arrows in the gaps between the tiles."""
     for start, end in pairwise((CELL, LIGHT, WELL, CODE)):
         middle, row = (start[0] + end[0]) / 2, start[1]
-        yield drawing.arrow((middle + 6, row), (middle - 6, row), "muted thin", 9)
+        yield drawing.arrow((middle - 6, row), (middle + 6, row), "muted thin", 9)
+
+
+def axes_at(origin: Floats, length_m: float, role: str) -> Iterator[str]:
+    """Arrows ahead and down."""
+    start, *tips = seen(origin, origin + length_m * AHEAD, origin + length_m * DOWN)
+    for tip in tips:
+        yield drawing.arrow(start, tip, role, 6)
+
+
+def paint(journey: Journey) -> str:
+    """The speck on the wall in its own grey, drawn five times as wide as it is."""
+    turns = np.linspace(0.0, 2 * math.pi, 20, endpoint=False)
+    rim = [SPECK + 0.1 * np.array([math.cos(a), 0.0, math.sin(a)]) for a in turns]
+    light = float(encode_srgb(journey.relative_light))
+    return swatch_polygon(seen(*rim), [light] * 3) + drawing.polygon(seen(*rim), "world thin")
 
 
 def scenery() -> Iterator[str]:
-    """The painted wall with the point, the lamp, and the world's axes: ahead and down."""
-    point = (WALL_COLUMN, AXIS_ROW - POINT_RISE)
-    lamp = (point[0] + 34, 20.0)  # on the side that the camera sees
-    tip = (point[0] + 0.2 * (lamp[0] - point[0]), point[1] + 0.25 * (lamp[1] - point[1]))
-    yield drawing.line((point[0], point[1] - 22), (point[0], AXIS_ROW + 28), "world bold faint")
+    """The lamp's direction, and the world's axes: ahead and down."""
+    level = math.cos(LAMP_ELEVATION_RAD)
+    towards = np.array(lamp_direction(math.degrees(math.acos(LAMP_COS / level))))
+    lamp, tip = seen(SPECK + 1.5 * towards, SPECK + 0.25 * towards)
     yield drawing.arrow(lamp, tip, "light bold")
     yield drawing.circle(lamp, 6, "light solid")
     yield drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small ground", "end")
-    yield drawing.arrow((54, 146), (24, 146), "world", 6)
-    yield drawing.arrow((54, 146), (54, 176), "world", 6)
-    yield drawing.text((46, 164), "world", "world small", "end")
+    yield from axes_at(ORIGIN, 0.6, "world")
+    (place,) = seen(ORIGIN + 0.75 * DOWN)
+    yield drawing.text((place[0], place[1] + 10), "world", "world small ground", "middle")
 
 
-def camera(lens: float) -> Iterator[str]:
-    """Optical axis, lens, the camera's axes, ahead and down, and image plane."""
-    plane = lens + LENS_TO_PLANE
-    yield drawing.line((14, AXIS_ROW), (plane + 10, AXIS_ROW), "camera thin dashed faint")
-    yield drawing.ellipse((lens, AXIS_ROW), (7, 34), "camera fill")
-    yield drawing.text((lens, AXIS_ROW - 42), "lens", "camera", "middle")
-    yield drawing.arrow((lens, AXIS_ROW), (lens - 30, AXIS_ROW), "camera", 6)
-    yield drawing.arrow((lens, AXIS_ROW), (lens, AXIS_ROW + 30), "camera", 6)
-    yield drawing.line((plane, AXIS_ROW - 60), (plane, AXIS_ROW + 76), "image bold")
-    yield drawing.text((plane, AXIS_ROW - 68), "image plane", "image", "middle")
+def camera(lens: Floats) -> Iterator[str]:
+    """Lens, the camera's axes, ahead and down, and image plane."""
+    turns = np.linspace(0.0, 2 * math.pi, 32, endpoint=False)
+    rim = [lens + LENS_RADIUS_M * np.array([math.cos(a), 0.0, math.sin(a)]) for a in turns]
+    corners = [(-0.42, -0.32), (0.42, -0.32), (0.42, 0.32), (-0.42, 0.32)]
+    sheet = [lens + np.array([u, -LENS_TO_PLANE, v]) for u, v in corners]
+    yield drawing.polygon(seen(*sheet), "image fill")
+    yield drawing.polygon(seen(*rim), "camera fill")
+    yield from axes_at(lens, 0.6, "camera")
+    (top, plane) = seen(lens - 0.42 * DOWN, lens - LENS_TO_PLANE * AHEAD - 0.44 * DOWN)
+    yield drawing.text((top[0] + 4, top[1] - 4), "lens", "camera small ground")
+    yield drawing.text(
+        (max(plane[0] - 4, 68.0), plane[1] - 4), "image plane", "image small ground", "end"
+    )
 
 
 def tiles(journey: Journey, station: int) -> Iterator[str]:
@@ -247,9 +300,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     electrons, code, entry = journey.counted_e, journey.code, entries[int(station)]
     return Frame(
         (
-            Panel(
-                "way", "The way of the light (not to scale)", WIDTH, HEIGHT, overlay=way, lead=True
-            ),
+            Panel("way", "The way of the light", WIDTH, HEIGHT, outputs["picture"], way, lead=True),
             Panel("ledger", title, LEDGER_WIDTH, LEDGER_HEIGHT, overlay=ledger),
         ),
         (
@@ -265,7 +316,7 @@ def marker(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def lens_foot(settings: Settings, _outputs: Outputs) -> Point:
-    return lens_column(settings.distance), AXIS_ROW + LENS_FOOT
+    return seen(lens_of(settings.distance) + LENS_RADIUS_M * DOWN)[0]
 
 
 def ledger_line(settings: Settings, _outputs: Outputs) -> Point:
@@ -288,6 +339,6 @@ SCENE = Scene(
     "Image Formation Pipeline",
     Settings,
     draw,
-    (Stage("journey", journey_of),),
+    (Stage("journey", journey_of), Stage("picture", picture)),
     HANDLES,
 )

@@ -12,6 +12,7 @@ from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.light.reflectance import lambert
 from simulations.models.projection import pinhole
 from simulations.models.sensor import photon_counting
+from simulations.world.surfaces import WALL
 
 POINT_M = (0.4, -0.3, 3.0)
 """The point in the world, whose axes are right, down and ahead. It is fixed, like wall and lamp."""
@@ -20,7 +21,7 @@ LENS = Distortion(k1=-0.2)
 LAMP_ANGLE_RAD = math.radians(60.0)  # from the wall's normal
 LAMP_COS = math.cos(LAMP_ANGLE_RAD)
 WHITE_E = 10_000.0  # electrons from a white wall that faces the lamp: a full well
-SPECK_RADIUS_M, WALL_ALBEDO = 0.02, 0.08
+SPECK_RADIUS_M, WALL_ALBEDO = 0.02, float(WALL[1])
 """The disc of paint around the point, and the paint of the wall around it."""
 CELLS = 9  # cells of the sensor along each side of the patch that is shown
 FIRST_EXPOSURE = 16
