@@ -1,7 +1,7 @@
 """Camera Pose: one room in world coordinates and, by p′ = R p + t, in a camera's.
 
-A level camera at the height of the world's origin, dragged and panned in a room with a few things
-in it. World axes are right, down and ahead, in metres.
+A level camera at the height of the world's origin, dragged and panned in the book's room. The
+world's axes are right, down and ahead, in metres.
 """
 
 import math
@@ -11,22 +11,42 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.engine.frame import Frame, Panel, Readout, format_number, matrix_readout
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, matrix_readout
 from simulations.engine.handles import Handle, Point
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.geometry.rotations import from_axis_angle
 from simulations.models.geometry.transforms import clip_to_rectangle
-from simulations.models.projection.pinhole import invert_pose, rigid_pose, world_to_camera
+from simulations.models.projection.pinhole import (
+    intrinsics,
+    invert_pose,
+    project,
+    rigid_pose,
+    world_to_camera,
+)
+from simulations.world import plan
+from simulations.world.room import HIGH, NAMES, ROOM, halve, look, shade
 
 LAMP = np.array([2.0, -1.0, 5.0])  # 1 m above the camera
-WALLS = np.array([(-1.0, 0.0, -3.0), (13.0, 0.0, -3.0), (13.0, 0.0, 7.0), (-1.0, 0.0, 7.0)])
-TABLE = np.array([(5.0, 0.0, 4.0), (8.0, 0.0, 4.0), (8.0, 0.0, 5.5), (5.0, 0.0, 5.5)])
-DOOR = np.array([(5.0, 0.0, 7.0), (6.5, 0.0, 7.0)])  # in the far wall
+ROOM_TO_WORLD = rigid_pose([(0, -1, 0), (0, 0, -1), (1, 0, 0)], (7.5, 1.5, 2.0))
+"""From the axes of the room, right, ahead and up, to this scene's world."""
+DRAFT, DRAFT_COLUMNS, COLUMNS = "draft", 200, 800  # rays across the picture
 FIELD_RAD = math.radians(60.0)  # the camera's field of view
 AXIS_M = 2.5  # drawn length of axes
+
+
+def in_axes(places: Floats) -> Floats:
+    """Places of the room's plan (n, 2) in this scene's world (n, 3), at the camera's height."""
+    return world_to_camera(np.insert(places, 2, ROOM_TO_WORLD[1, 3], axis=1), ROOM_TO_WORLD)
+
+
+WALLS, DOOR = in_axes(plan.WALLS), in_axes(plan.DOOR)
+FOOTPRINTS = {name: [in_axes(plan.footprint(t)) for t in ROOM if t.name == name] for name in NAMES}
+TABLE = FOOTPRINTS["table"][0]
 
 WIDTH, HEIGHT = 400.0, 350.0
 UNITS_PER_M = 20.0  # in both panels, so that equal lengths look equal
@@ -82,7 +102,7 @@ class Standpoint:
         aside = depth * math.tan(FIELD_RAD / 2.0)
         wedge = np.array([(0.0, 0.0, 0.0), (-aside, 0.0, depth), (aside, 0.0, depth)])
         ahead = ((wedge - self.t) @ self.rotation)[:, [0, 2]]
-        plan = clip_to_rectangle(ahead, WALLS[0, [0, 2]], WALLS[2, [0, 2]])
+        plan = clip_to_rectangle(ahead, *np.sort(WALLS[[0, 2]][:, [0, 2]], axis=0))
         return np.insert(plan, 1, 0.0, axis=1)
 
     def seen(self, points: Floats) -> Floats:
@@ -127,6 +147,29 @@ def to_camera(here: Standpoint) -> ToPanel:
     return lambda points: place(here.seen(points))
 
 
+def picture(standpoint: Standpoint, columns: int) -> Raster:
+    """The room as the camera sees it."""
+    rows = columns * 3 // 4
+    K = intrinsics(columns / 2 / math.tan(FIELD_RAD / 2), ((columns - 1) / 2, (rows - 1) / 2))
+    light = shade(look(K, standpoint.pose @ ROOM_TO_WORLD, columns, rows))
+    fine = halve(light) if columns == COLUMNS else light
+    return to_rgba8(encode_srgb_table(fine.transpose(1, 2, 0)))
+
+
+def picture_panel(here: Standpoint, raster: Raster) -> Panel:
+    """What the camera sees, with the lamp if it is in view."""
+    wide, high = 400.0, 300.0
+    K = intrinsics(wide / 2 / math.tan(FIELD_RAD / 2), (wide / 2, high / 2))
+    ends = here.seen(np.stack([LAMP, LAMP * [1, 0, 1] + [0, ROOM_TO_WORLD[1, 3] - HIGH[2], 0]]))
+    pixels, valid = project(ends, K)
+    overlay = ""
+    if valid.all():
+        spot, ceiling = clip_to_rectangle(pixels, (-1e3, -1e3), (1e3, 1e3), False)
+        overlay = drawing.line(ceiling, spot, "light thin") + drawing.dot(spot, "light", 6.0)
+        overlay += drawing.text((spot[0] + BESIDE, spot[1] + 4.0), "lamp", "light small ground")
+    return Panel("picture", "What the camera sees", wide, high, raster, overlay, lead=True)
+
+
 def world_panel(here: Standpoint) -> Panel:
     """The camera's place and its axes."""
     origin, centre = in_world(np.zeros(3)), in_world(here.centre)
@@ -138,7 +181,7 @@ def world_panel(here: Standpoint) -> Panel:
         drawing.polygon(from_camera(here)(CAMERA_OUTLINE), "camera fill"),
         _axes(from_camera(here), "camera", ("x", "z")),
         *_handle_names(from_camera(here)),
-        _lamp(in_world, 1.0),
+        _lamp(in_world, -1.0),
     )
     return Panel("world", "The room in world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
 
@@ -170,7 +213,7 @@ def camera_panel(here: Standpoint) -> Panel:
 def _furniture(place: ToPanel, here: Standpoint) -> str:
     """Floor, the part of it in the camera's field of view, walls, door and table, clipped to the
     panel."""
-    table = _cut(place(TABLE), closed=True)
+    things = [_cut(place(part), closed=True) for parts in FOOTPRINTS.values() for part in parts]
     middle, door = place(np.stack([TABLE.mean(axis=0), DOOR.mean(axis=0) - DOOR_NAME]))
     walls = np.stack([WALLS, np.roll(WALLS, -1, axis=0)], axis=1)
     lines = [*((wall, "world thin") for wall in walls), (DOOR, "world bold")]
@@ -186,7 +229,7 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
                 for points, style in lines
                 if len(ends := _cut(place(points), closed=False)) == 2
             ),
-            drawing.polygon(table, "world thin fill") if len(table) else "",
+            *(drawing.polygon(thing, "world thin fill") for thing in things if len(thing)),
             _name(middle, "table", "world small"),
             _name(door, "door", "world small"),
         )
@@ -256,14 +299,14 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     here: Standpoint = outputs["standpoint"]
     t, lamp = triple(here.t), triple(here.seen(LAMP))
     return Frame(
-        (world_panel(here), camera_panel(here)),
+        (picture_panel(here, outputs["picture"]), world_panel(here), camera_panel(here)),
         (
             matrix_readout("R", "R", here.rotation.tolist(), role="camera"),
             Readout("t", "t", t, "m", "ray"),
             Readout("lamp", "Lamp p′ = R p + t", lamp, "m", "light"),
         ),
-        f"A room from above, in world and in camera coordinates. The camera at "
-        f"{triple(here.centre)} m, panned by {format_number(settings.pan, 0)}°, has "
+        "A room as a camera sees it, and from above, in world and in camera coordinates. The "
+        f"camera at {triple(here.centre)} m, panned by {format_number(settings.pan, 0)}°, has "
         f"the world’s origin at t = {t} m and the lamp, which is at {triple(LAMP)} m "
         f"in the world, at {lamp} m.",
     )
@@ -286,10 +329,12 @@ SCENE = Scene(
     "Camera Pose",
     Settings,
     draw,
-    (Stage("standpoint", standpoint),),
+    (Stage("standpoint", standpoint), Stage("picture", picture, ("standpoint",))),
     handles=(
         Handle("camera", "world", "Camera", MOVES, on_axis(0.0), camera_pulled, role="camera"),
         Handle("tip", "world", "Forward axis", ("pan",), on_axis(AXIS_M), role="camera"),
     ),
+    parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
+    own_drafts={DRAFT: ("pan", *MOVES)},
     formula=world_to_camera,
 )

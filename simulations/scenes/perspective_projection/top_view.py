@@ -1,14 +1,12 @@
 """The projection figure from above: camera centre, image plane, ray, two similar triangles."""
 
-import math
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import clip_to_rectangle
-from simulations.models.light.raycasting import Sphere
 from simulations.models.projection.pinhole import world_to_camera
 from simulations.scenes.perspective_projection.view import (
     HALF_WIDTH_PX,
@@ -17,9 +15,10 @@ from simulations.scenes.perspective_projection.view import (
     Projection,
     room_axes,
 )
+from simulations.world.plan import footprint
 from simulations.world.room import HIGH, LOW
 from simulations.world.surfaces import CHART
-from simulations.world.things import THINGS, Thing
+from simulations.world.things import THINGS
 
 WIDTH, HEIGHT = 400.0, 324.0
 FLOOR = 298.0  # lower edge of the drawing; the equation is below it
@@ -103,8 +102,9 @@ def image_plane(view: Projection) -> str:
 def plan(view: Projection) -> str:
     """The walls of the room and what stands in it."""
 
-    def drawn(places: list[tuple[float, float]], style: str, *, closed: bool) -> str:
-        points = world_to_camera([(x, y, 0.0) for x, y in places], room_axes(view))
+    def drawn(places: ArrayLike, style: str, *, closed: bool) -> str:
+        flat = np.insert(np.asarray(places, float), 2, 0.0, axis=1)
+        points = world_to_camera(flat, room_axes(view))
         line = in_room(np.array([above(Z, X) for X, _, Z in points]), closed=closed)
         shape = drawing.polygon if closed else drawing.polyline
         return shape(line, style) if len(line) > 1 else ""
@@ -116,16 +116,6 @@ def plan(view: Projection) -> str:
     parts += [drawn(footprint(thing), "world thin fill", closed=True) for thing in THINGS]
     ends = [(CHART[0] + side * CHART[2] / 2, wall) for side in (-1, 1)]
     return "".join(parts) + drawn(ends, "world bold", closed=False)
-
-
-def footprint(thing: Thing) -> list[tuple[float, float]]:
-    """Corners from above, metres: x and y."""
-    x, y, _ = thing.solid.centre
-    if isinstance(thing.solid, Sphere):
-        turns, radius = np.arange(24) * (math.tau / 24), thing.solid.radius
-        return [(x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns]
-    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * np.asarray(thing.solid.size[:2]) / 2
-    return [(x + u, y + v) for u, v in corners @ thing.solid.world_to_box[:2, :2]]
 
 
 def in_room(points: Floats, *, closed: bool = True) -> Floats:
