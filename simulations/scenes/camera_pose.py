@@ -162,11 +162,12 @@ def picture_panel(here: Standpoint, raster: Raster) -> Panel:
     K = intrinsics(wide / 2 / math.tan(FIELD_RAD / 2), (wide / 2, high / 2))
     ends = here.seen(np.stack([LAMP, LAMP * [1, 0, 1] + [0, ROOM_TO_WORLD[1, 3] - HIGH[2], 0]]))
     pixels, valid = project(ends, K)
-    overlay = ""
-    if valid.all():
-        spot, ceiling = clip_to_rectangle(pixels, (-1e3, -1e3), (1e3, 1e3), False)
-        overlay = drawing.line(ceiling, spot, "light thin") + drawing.dot(spot, "light", 6.0)
-        overlay += drawing.text((spot[0] + BESIDE, spot[1] + 4.0), "lamp", "light small ground")
+    cord = clip_to_rectangle(pixels, (0.0, 0.0), (wide, high), False) if valid.all() else pixels[:0]
+    overlay = drawing.polyline(cord, "light thin") if len(cord) else ""
+    if len(cord) and np.array_equal(cord[0], pixels[0]):
+        x, y = pixels[0]
+        overlay += drawing.dot((x, y), "light", 6.0)
+        overlay += drawing.text((x - BESIDE, y + 4.0), "lamp", "light small ground", "end")
     return Panel("picture", "What the camera sees", wide, high, raster, overlay, lead=True)
 
 
