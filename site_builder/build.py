@@ -30,7 +30,7 @@ from site_builder.assets.pages import (
 )
 from site_builder.benchmarks.measurements import read_measurements
 from site_builder.cache.results import cached_result
-from site_builder.checks.frames import check_frames
+from site_builder.checks.frames import check_data, check_frames
 from site_builder.checks.pictures import check_pictures
 from site_builder.checks.whole_book import (
     check_book,
@@ -170,6 +170,7 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     problems = sources.problems
     check_book(book, problems)
     check_skeletons(sources, book)
+    check_data(sources)
     for translation in translations:
         check_translation(translation, problems)
     check_pictures(sources, trusted=book.settings.trust.raw_html)

@@ -88,7 +88,7 @@ def load_copy(module: str, sources: Mapping[str, str]) -> Any:
 
     Raises what the modules raise. The book's own program stays unchanged.
     """
-    with _own_modules(), _instead(sources):
+    with _instead(sources), _own_modules():
         return import_module(module)
 
 
@@ -125,13 +125,14 @@ def check_text(definition: str, text: str) -> None:
 class _EditedLoader:
     """Loads one module from a given source."""
 
-    def __init__(self, source: str) -> None:
-        self._source = source
+    def __init__(self, source: str, file: str | None) -> None:
+        self._source, self._file = source, file
 
     def create_module(self, _spec: ModuleSpec) -> None:
         """Return None, so that the default module is used."""
 
     def exec_module(self, module: ModuleType) -> None:
+        vars(module)["__file__"] = self._file  # beside which its data lie
         exec(compile(self._source, module.__name__, "exec", dont_inherit=True), vars(module))
 
 
@@ -140,10 +141,12 @@ class _EditedFinder:
 
     def __init__(self, sources: Mapping[str, str]) -> None:
         self._sources = sources
+        modules = {name: sys.modules.get(name) for name in sources}
+        self._files = {name: getattr(module, "__file__", None) for name, module in modules.items()}
 
     def find_spec(self, name: str, _path: object, _target: object = None) -> ModuleSpec | None:
         source = self._sources.get(name)
-        loader: Any = None if source is None else _EditedLoader(source)
+        loader: Any = None if source is None else _EditedLoader(source, self._files[name])
         return loader and ModuleSpec(name, loader)
 
 

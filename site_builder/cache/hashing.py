@@ -22,7 +22,7 @@ from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from site_builder import STARTED_NS
 from site_builder.files.engine import DISTRIBUTION, ENGINE
-from site_builder.files.folders import SIZE
+from site_builder.files.folders import SIZE, data_of
 
 OWN = DISTRIBUTION.replace("-", "_") + "-"
 """With which the engine's own entry among the installed packages begins."""
@@ -144,8 +144,8 @@ def source_hash(module: str) -> bytes:
 
 @functools.cache
 def _source(module: str) -> tuple[bytes, tuple[str, ...]] | None:
-    """The hash of a module's source, and names that may be modules which it imports; None for a
-    module of another package."""
+    """The hash of a module's source and data, and names that may be modules which it imports; None
+    for a module of another package."""
     package = module.partition(".")[0]
     if package not in ("simulations", "site_builder"):
         return None
@@ -162,7 +162,8 @@ def _source(module: str) -> tuple[bytes, tuple[str, ...]] | None:
     for origin, members, plain in IMPORT.findall(text):
         names |= {origin, *re.findall(r"[\w.]+", plain)}
         names |= {f"{origin}.{member}" for member in re.findall(r"\w+", members)}
-    return hash_of(text), tuple(sorted(names))
+    data = [each.read_bytes() for each in data_of(file).values()]
+    return hash_of(text, *data), tuple(sorted(names))
 
 
 _written_ns: list[int] = []

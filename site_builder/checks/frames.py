@@ -14,6 +14,7 @@ from site_builder.document.book import Book
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import own_or_engine, static_files
+from site_builder.files.folders import data_of, folder_files
 from site_builder.files.text import Sources, Toml
 from site_builder.markdown.directives.media import DrawnIllustration
 from site_builder.markdown.roles import ROLES
@@ -23,6 +24,8 @@ MOST_PIXELS, MOST_LETTERS = 4_000_000, 1_000_000
 """Limit for a panel, which a slider draws anew at every step."""
 LETTER = 16.0
 """The height of a letter, in units of the view box."""
+MOST_DATA = 2_000_000
+"""Bytes of a file beside a module."""
 CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
 NO_NUMBER = re.compile(r"[\s,\"'](-?(?:nan|inf))[\s,\"']")
 
@@ -59,6 +62,16 @@ def check_frames(
                 line = block.target.line if block.target else 1
                 for panel in block.content.illustration.panels:
                     _check("illustration", panel, 0, known, (chapter.path, line), problems)
+
+
+def check_data(sources: Sources) -> None:
+    """Warn of files beside modules that readers must wait for."""
+    for name, module in folder_files(sources.root / "simulations").items():
+        for data in data_of(module).values() if name.endswith(".py") else ():
+            if (size := data.stat().st_size) > MOST_DATA:
+                path = data.relative_to(sources.root).as_posix()
+                said = f"{size / 1e6:.1f} MB travel to each reader with simulations/{name}"
+                sources.problems.warn(path, 1, f"{said}; better: at most {MOST_DATA / 1e6:g} MB")
 
 
 def known_classes(static: Mapping[str, Path]) -> frozenset[str]:

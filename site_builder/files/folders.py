@@ -5,6 +5,7 @@ import functools
 import hashlib
 import io
 import os
+import re
 import tempfile
 import zipfile
 from collections.abc import Collection, Mapping
@@ -85,6 +86,17 @@ def folder_files(folder: Path) -> dict[str, Path]:
         paths = (f"{place}/{name}" for name in files if not is_side_file(name))
         names += [path[start:] for path in paths if os.path.isfile(path)]  # noqa: PTH113  (fast)
     return {name: folder / name for name in sorted(names)}
+
+
+NAMED = re.compile(r"""["']((?:[\w-]+/)*[\w-][\w.-]*\.\w+)["']""")
+
+
+def data_of(module: Path) -> dict[str, Path]:
+    """What travels with a module to readers: files beside it, or in folders there, which a text in
+    it names; by that path."""
+    names = NAMED.findall(module.read_text(encoding="utf-8", errors="replace"))
+    files = {name: module.parent / name for name in names if not name.endswith(".py")}
+    return {name: file for name, file in sorted(files.items()) if is_file(file)}
 
 
 def is_file(path: Path) -> bool:

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.cache.results import cached_result
 from site_builder.files.engine import ENGINE, is_engine
-from site_builder.files.folders import archive_of, file_hash, integrity
+from site_builder.files.folders import archive_of, data_of, file_hash, integrity
 from site_builder.programs.node import Package
 from site_builder.runtime import store as stores
 from site_builder.runtime.downloads import fetch_packages, fetch_runtime
@@ -192,15 +192,23 @@ def chunk_archive(
     modules: Collection[str],
     byte_code: Mapping[str, bytes] = MappingProxyType({}),
 ) -> bytes:
-    """The archive of those ``modules`` that have one of the ``files``; without ``byte_code``, their
-    sources."""
+    """The archive of those ``modules`` that have one of the ``files``, with their data; without
+    ``byte_code``, their sources."""
+    sources = sources_of(files, modules)
+    data = {path: file for one in sources.items() for path, file in data_beside(*one).items()}
     return archive_of(
         {
             path + "c" if path + "c" in byte_code else path: byte_code.get(path + "c")
             or file.read_bytes()
-            for path, file in sources_of(files, modules).items()
+            for path, file in (sources | data).items()
         }
     )
+
+
+def data_beside(path: str, module: Path) -> dict[str, Path]:
+    """The data of a module by their paths in its archive, given its own there."""
+    folder = path.rpartition("/")[0]
+    return {f"{folder}/{name}": file for name, file in data_of(module).items()}
 
 
 def runtime_table(

@@ -13,8 +13,10 @@ from pathlib import Path
 
 import simulations
 from site_builder.files.engine import HERE
+from site_builder.files.folders import data_of
 
-EXPECTED = "legal: what the model computes; data as modules in simulations/"
+EXPECTED = "legal: what the model computes"
+DATA = "legal: a file beside the module that reads it, named there, as in with_name('data.csv')"
 REFUSED = {
     "socket.connect": "connects to an address",
     "socket.bind": "opens a port",
@@ -76,7 +78,8 @@ def _is_compiled(path: object) -> bool:
 def _check_file(
     given: tuple[object, ...], libraries: tuple[str, ...], books: tuple[str, ...]
 ) -> None:
-    """Only modules of the book's may be read, as pages have nothing else of it."""
+    """Only modules of the book's may be read, and the data beside them that they name, as pages
+    have nothing else of it."""
     path, _mode, flags = given
     if isinstance(path, int) or _is_compiled(path):
         return
@@ -84,5 +87,19 @@ def _check_file(
     if isinstance(flags, int) and flags & WRITING and not file.startswith("/dev/"):
         raise PermissionError(f"writes {file!r}; {EXPECTED}")
     legal = (*libraries, *books) if file.endswith(MODULES) else libraries
-    if not any(Path(file).is_relative_to(folder) for folder in legal):
-        raise PermissionError(f"reads {file!r}; {EXPECTED}")
+    if not any(Path(file).is_relative_to(folder) for folder in legal) and not _travels(file):
+        raise PermissionError(f"reads {file!r}; {DATA}")
+
+
+def _travels(file: str) -> bool:
+    """Whether a module of simulations takes it along."""
+    for folder in simulations.__path__:
+        places = [
+            each for each in Path(file).parents if each.is_relative_to(os.path.realpath(folder))
+        ]
+        modules = [module for place in places for module in place.glob("*.py")]
+        if any(
+            file == os.path.realpath(data) for each in modules for data in data_of(each).values()
+        ):
+            return True
+    return False

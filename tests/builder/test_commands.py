@@ -6,10 +6,12 @@ import re
 import shlex
 import subprocess
 import sys
+import zipfile
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from importlib import import_module
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +23,7 @@ from support.small_package import PACKAGE, small_package
 
 from site_builder.__main__ import find
 from site_builder.build import Options, render_site
-from site_builder.diagnostics.blame import at_settings
+from site_builder.diagnostics.blame import at_settings, place_of
 from site_builder.diagnostics.diagnostic import (
     BuildError,
     Diagnostic,
@@ -31,7 +33,9 @@ from site_builder.diagnostics.diagnostic import (
     suggestion_of,
 )
 from site_builder.runtime import freeze, pack
-from site_builder.sandbox.data import Code, called
+from site_builder.runtime.imports import module_files
+from site_builder.runtime.pack import chunk_archive
+from site_builder.sandbox.data import Code, called, real
 from site_builder.sandbox.pool import LimitError, Limits, limited, run_limited
 
 TWO = ":::{nott}\n:::\n\nA price of 5$ each.\n"
@@ -274,3 +278,21 @@ def test_functions_that_a_text_calls_run_within_limits(tmp_path: Path, make_book
         found = {one.line: one.message for one in diagnostics(options)}
     assert "takes more than 0.3 s" in found[9]
     assert "reads '/etc/hostname'" in found[11]
+
+
+def test_data_that_a_module_names_travel_with_it_and_no_other_is_read(tmp_path: Path) -> None:
+    beside = "from pathlib import Path\nHERE = Path(__file__)\n"
+    sources = {
+        "named": f"{beside}TEXT = HERE.with_name('heights.csv').read_text()\n",
+        "composed": f"{beside}TEXT = HERE.with_name('speeds' + '.csv').read_text()\n",
+    }
+    with small_package(tmp_path, sources), limited(Limits()):
+        for name in ("heights", "speeds"):
+            (tmp_path / "simulations" / "small" / f"{name}.csv").write_text("1,2")
+        assert run_limited(partial(real, Code(f"{PACKAGE}.named", "TEXT"))) == "1,2"
+        with pytest.raises(PermissionError, match=r"speeds\.csv'; legal: a file beside") as raised:
+            run_limited(partial(real, Code(f"{PACKAGE}.composed", "TEXT")))
+        assert place_of(raised.value) == "simulations/small/composed.py:3"
+    files = module_files(tmp_path / "simulations")
+    with zipfile.ZipFile(BytesIO(chunk_archive(files, [f"{PACKAGE}.named"]))) as archive:
+        assert archive.namelist() == ["simulations/small/named.py", "simulations/small/heights.csv"]

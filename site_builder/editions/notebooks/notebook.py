@@ -16,7 +16,7 @@ from site_builder.output.writer import Content
 from site_builder.publishing.vector import Fonts, whole_fonts
 from site_builder.render.markdown import escaped, link
 from site_builder.runtime.imports import archive_path
-from site_builder.runtime.pack import book_modules
+from site_builder.runtime.pack import book_modules, data_beside
 
 SETUP = "from simulations.notebook.live import figure"
 
@@ -93,11 +93,12 @@ def make_notebooks(checked: CheckedBook, root: Path) -> dict[str, Content]:
     pages = [
         ChapterPage(checked, chapter, content, style, fonts) for chapter in checked.book.chapters
     ]
-    modules = book_modules(root / "simulations")
+    modules = {archive_path(*each): each[1] for each in book_modules(root / "simulations").items()}
     handed_out = {name for chapter in checked.book.chapters for name in chapter.files}
     return {
         **{f"{page.chapter.id}.ipynb": make_notebook(page) for page in pages},
-        **{archive_path(name, file): file for name, file in modules.items()},
+        **modules,
+        **{path: file for each in modules.items() for path, file in data_beside(*each).items()},
         **{f"content/{name}": content / name for name in sorted(handed_out)},
         STYLE: style.encode(),
         REQUIREMENTS: (NEEDED + asked_for).encode(),
