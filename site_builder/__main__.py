@@ -17,6 +17,7 @@ from site_builder.cache.results import Cache, using
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, as_json, counted
 from site_builder.document.book import Book
 from site_builder.output.writer import advice, write_site
+from site_builder.photographs import prepare_photographs
 from site_builder.sandbox.loading import read_figures
 from site_builder.sandbox.pool import Limits, limited
 from site_builder.settings.declared import site_address, source_address
@@ -44,6 +45,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(warning, file=sys.stderr)
 
     try:
+        prepare_photographs(ROOT)
         with using(Cache()), limited(Limits()):
             return _run(given, warn, warnings)
     except BuildError as error:

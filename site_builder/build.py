@@ -49,6 +49,7 @@ from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.page import Site
 from site_builder.pages.render import render_pages, render_translation
 from site_builder.pages.views.question import catalogue
+from site_builder.photographs import credits_of
 from site_builder.publishing.hosting import (
     MANIFEST,
     compressed_copies,
@@ -276,5 +277,7 @@ def _licences(root: Path, parts: BrowserParts, book: Book) -> tuple[Licence, ...
         return gather_licences(root, *given, book.settings, book.words)
 
     return cached_result(
-        "licences", (*given, book.settings, book.words, file_hash(root / "LICENSE")), gather
+        "licences",
+        (*given, book.settings, book.words, file_hash(root / "LICENSE"), credits_of(root)),
+        gather,
     )

@@ -20,6 +20,7 @@ from support.places import ROOT
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
 
+from site_builder.photographs import prepare_photographs
 from site_builder.runtime.imports import Table, imports_of, module_files
 
 # The same examples in every run: a change is judged by its own failures. `make test-deep` looks
@@ -29,6 +30,8 @@ settings.register_profile(
     "deep", max_examples=1000, deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("repeatable")
+
+prepare_photographs(ROOT)  # scenes import them
 
 
 @pytest.hookimpl(optionalhook=True)

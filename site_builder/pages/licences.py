@@ -10,6 +10,7 @@ from site_builder import __version__
 from site_builder.document.book import UNSET
 from site_builder.files.engine import DISTRIBUTION, PACKED
 from site_builder.languages.words import ENGLISH, Words
+from site_builder.photographs import credits_of
 from site_builder.programs.node import Package
 from site_builder.runtime.store import Versions
 from site_builder.settings.model import Settings
@@ -71,6 +72,9 @@ def gather_licences(
     for each in search:
         name, use, home = SEARCH[each.name]
         licences.append(_of(each, name, words(use), code + home))
+    for shown in credits_of(root).values():
+        use = words("licences.photograph", author=shown.author)
+        licences.append(Licence(shown.title, "", shown.licence, use, shown.address, ""))
     for each in decoder:
         use = words("licences.decoder", name=f"{each.name} {each.version}")
         home = f"{code}LibRaw/LibRaw"

@@ -23,7 +23,7 @@ type Source = Callable[[Sequence[RuntimeFile]], Iterator[tuple[RuntimeFile, byte
 RELEASE_URL = f"https://cdn.jsdelivr.net/pyodide/v{PYODIDE_VERSION}/full/"
 CARRIER = "open-webui==0.12.4"
 """A wheel that carries the same files, for machines that reach a package index only."""
-CARRIER_FOLDER = "open_webui/frontend/pyodide/"
+CARRIED = {file: f"open_webui/frontend/pyodide/{file.name}" for file in RUNTIME_FILES}
 TIMEOUT_SECONDS = 30
 
 
@@ -36,16 +36,20 @@ def official_release(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFil
             yield file, reply.read()
 
 
-def package_index(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
+def members(package: str, paths: Mapping[RuntimeFile, str]) -> Source:
     """Members of a wheel in the index that pip is set up for, read by range requests.
 
     The wheel is never installed, so its own ``requires-python`` does not matter.
     """
-    from remotezip import RemoteZip  # here and below: slow to import, and needed once
 
-    with RemoteZip(_carrier_url(), timeout=TIMEOUT_SECONDS) as archive:
-        for file in wanted:
-            yield file, archive.read(CARRIER_FOLDER + file.name)
+    def read(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
+        from remotezip import RemoteZip  # here and below: slow to import, and needed once
+
+        with RemoteZip(_wheel_url(package), timeout=TIMEOUT_SECONDS) as archive:
+            for file in wanted:
+                yield file, archive.read(paths[file])
+
+    return read
 
 
 def npm_registry(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
@@ -56,7 +60,7 @@ def npm_registry(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, b
             yield file, (folder / file.name).read_bytes()
 
 
-def _carrier_url() -> str:
+def _wheel_url(package: str) -> str:
     from unearth import PackageFinder
 
     settings = _pip_settings()
@@ -65,10 +69,10 @@ def _carrier_url() -> str:
     )
     for url in settings.get("extra-index-url", "").split():
         finder.add_index_url(url)
-    for match in finder.find_matches(CARRIER, allow_yanked=True):
+    for match in finder.find_matches(package, allow_yanked=True):
         if match.link.is_wheel and not match.link.is_file:
             return match.link.url_without_fragment
-    raise LookupError(f"{CARRIER} is not in the package index")
+    raise LookupError(f"{package} is not in the package index")
 
 
 def _pip_settings() -> dict[str, str]:
@@ -84,7 +88,7 @@ def _pip_settings() -> dict[str, str]:
 
 SOURCES: tuple[tuple[str, Source], ...] = (
     ("Pyodide's release", official_release),
-    ("the package index", package_index),
+    ("the package index", members(CARRIER, CARRIED)),
     ("npm", npm_registry),
 )
 
@@ -98,7 +102,16 @@ def fetch_runtime(
     sources: Sequence[tuple[str, Source]] = SOURCES,
     files: Sequence[RuntimeFile] = RUNTIME_FILES,
 ) -> Mapping[str, Path]:
-    """All runtime files by name, each verified against its SHA-256.
+    """All runtime files by name. Raises `RuntimeFetchError`: see `fetch_files`."""
+    return fetch_files(files, sources, store)
+
+
+def fetch_files(
+    files: Sequence[RuntimeFile],
+    sources: Sequence[tuple[str, Source]],
+    store: Path | None = None,
+) -> Mapping[str, Path]:
+    """Files by name, each verified against its SHA-256.
 
     Nothing is requested for files whose cached copy is intact; a damaged copy is fetched again.
     Sources are tried in order, the next one only for what is still missing.
@@ -112,7 +125,7 @@ def fetch_runtime(
     missing = [file for file in files if not stores.is_intact(folder, file)]
     problems: list[str] = []
     if missing:
-        announce("fetching Pyodide and numpy")
+        announce(f"fetching {', '.join(file.name for file in missing)}")
     for label, source in sources:
         if not missing:
             break
@@ -143,8 +156,7 @@ def _take(source: Source, label: str, missing: Sequence[RuntimeFile], folder: Pa
 
 def _explain(missing: Sequence[RuntimeFile], problems: Sequence[str], folder: Path) -> str:
     lines = [
-        "cannot get the Python runtime for the browser; missing: "
-        + ", ".join(file.name for file in missing),
+        f"cannot get {', '.join(file.name for file in missing)}",
         *(f"  tried {problem}" for problem in problems),
         "Connect to the internet once: the files are cached and never requested again.",
         "Or put each file where it is looked for:",
