@@ -127,7 +127,9 @@ def ground(position: Point, content: str, style: str = "", anchor: str = "start"
     words = width_em(content, strong="strong" in classes)
     left, width = -BEFORE[anchor] * words - GROUND_PAD_EM, words + 2 * GROUND_PAD_EM
     x, y = coordinate(position[0]), coordinate(position[1])
-    sizes = " ".join(("ground", *(size for size in ("small", "italic") if size in classes)))
+    sizes = " ".join(
+        ("ground", *(size for size in ("small", "large", "italic") if size in classes))
+    )
     return (
         f'<rect class="{sizes}" transform="translate({x} {y})" x="{left:.2f}em" y="-0.98em"'
         f' width="{width:.2f}em" height="1.32em" rx="0.3em"/>'

@@ -13,7 +13,7 @@ import numpy as np
 from simulations.engine.drawing import line, polygon, rectangle, text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
-from simulations.engine.photograph import Photograph
+from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
@@ -25,7 +25,8 @@ from simulations.models.sensor import demosaicing
 from simulations.models.sensor.bayer import mosaic, through_filters
 from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures import balloon
-from simulations.pictures.mosaic_subjects import SUBJECTS
+from simulations.pictures.mosaic_subjects import SUBJECTS, Subject
+from simulations.pictures.photographs import cat
 from simulations.scenes._wipe import over_wipe, wipe_handle, wiped
 
 PATTERN = "RGGB"
@@ -37,6 +38,8 @@ METHOD_LABELS = {
     "menon": "Menon 2007",
     "menon-encoded": "Menon, unrefined, on encoded values",
 }
+CAT = Subject("Cat, a photograph", "a cat's face", lambda _whole: decoded(cat.codes()))
+PICTURES = {"cat": CAT, **SUBJECTS}
 CROP = 8  # border in pixels, left out of the error measures
 AMPLIFY = 4  # of the error picture: a quarter of the range is shown as full
 
@@ -51,10 +54,10 @@ QUAD_COLUMN, QUAD_ROW = 16, 6  # place of the quad that is framed, in pixels und
 class Settings:
     demosaic: int = action("Demosaic", drives="split", effect="play", seconds=4.0)
     method: str = choice("Method", METHOD_LABELS, "menon-unrefined")
-    picture: str = choice("Picture", {name: each.label for name, each in SUBJECTS.items()})
+    picture: str = choice("Picture", {name: each.label for name, each in PICTURES.items()})
     split: float = slider("Demosaiced part", 0.5, 0, 1, 0.01, unit="of the picture")
-    column: int = slider("Loupe, column", 104, 0, balloon.WIDTH - COLUMNS, QUAD, unit="px")
-    row: int = slider("Loupe, row", 56, 0, balloon.HEIGHT - ROWS, QUAD, unit="px")
+    column: int = slider("Loupe, column", 110, 0, balloon.WIDTH - COLUMNS, QUAD, unit="px")
+    row: int = slider("Loupe, row", 24, 0, balloon.HEIGHT - ROWS, QUAD, unit="px")
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,9 +78,12 @@ class Errors:
 
 def light(picture: str, photograph: Photograph | None) -> Floats:
     """The picture in linear light, float32."""
-    if photograph:
-        return decode_srgb(np.float32(1 / 255) * photograph.codes)
-    return SUBJECTS[picture].draw(balloon.WHOLE)
+    return decoded(photograph.codes) if photograph else PICTURES[picture].draw(balloon.WHOLE)
+
+
+def decoded(codes: Codes) -> Floats:
+    """(H, W, 3) sRGB as linear light, float32."""
+    return decode_srgb(np.float32(1 / 255) * codes)
 
 
 def through_mosaic(picture: Floats) -> Floats:
@@ -194,7 +200,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     over = over_wipe(settings.split, WIDTH, HEIGHT, ("reconstruction", "mosaic"))
     over += loupe(settings.row, settings.column)
     title, of_error = f"Error of the reconstruction, × {AMPLIFY}", outputs["bytes of the error"]
-    words = "your own picture" if outputs["photograph"] else SUBJECTS[settings.picture].words
+    words = "your own picture" if outputs["photograph"] else PICTURES[settings.picture].words
     where = ", most where detail is sharp or fine" if worst > 1 else ""
     correlation = " / ".join(format_number(each, 2) for each in outputs["shared detail"])
     return Frame(

@@ -42,6 +42,7 @@ from simulations.models.error_measures import psnr_db
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
 from simulations.pictures.balloon import balloon
+from simulations.pictures.photographs import cat
 from simulations.scenes._wipe import over_wipe, wipe_handle, wiped
 
 type Codes = NDArray[np.integer]
@@ -81,19 +82,20 @@ class Settings:
     quality: int = slider("Quality", 30, 1, 100, 1)
     subsampling: str = choice("Chroma subsampling", SUBSAMPLING_LABELS)
     upsampling: str = choice("Chroma upsampling", UPSAMPLING_LABELS, "triangle")
-    column: int = slider("Block, column", 25, 1, COLUMNS_PX // BLOCK, 1)
-    row: int = slider("Block, row", 8, 1, ROWS_PX // BLOCK, 1)
+    picture: str = choice("Picture", {"cat": "Cat, a photograph", "balloon": "Balloon, drawn"})
+    column: int = slider("Block, column", 20, 1, COLUMNS_PX // BLOCK, 1)
+    row: int = slider("Block, row", 11, 1, ROWS_PX // BLOCK, 1)
     original: float = slider("Original shown", 0.5, 0, 1, 0.01, unit="of the picture")
     first: int = slider("Coefficients used", ALL, 1, ALL, 1, unit="of each block")
 
 
-def whole_codes(photograph: Photograph | None) -> Floats:
-    """(H, W, 3) sRGB of the balloon, or of the reader's own picture, in whole codes of 255.
+def whole_codes(picture: str, photograph: Photograph | None) -> Floats:
+    """(H, W, 3) sRGB of a picture, the book's or the reader's own, in whole codes of 255.
 
     Encoded in float64: powers of float32 differ between machines by enough to move a code.
     """
-    if photograph:
-        return photograph.codes / 255
+    if photograph or picture == "cat":
+        return (photograph.codes if photograph else cat.codes()) / 255
     return np.asarray(np.rint(255 * encode_srgb(balloon().astype(np.float64))) / 255)
 
 
@@ -202,6 +204,10 @@ def knob(first: int) -> Point:
     return (column + 0.5) * CELL_WIDTH, min(lower, HEIGHT - KNOB_INSIDE)
 
 
+def kilobytes(bits: float) -> str:
+    return format_number(bits / 8000, 1)
+
+
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The decoded picture, a block of it, and the numbers stored for it."""
     row, column, first = settings.row - 1, settings.column - 1, settings.first
@@ -211,11 +217,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     close, place = close_up(shown, row, column)
     over = over_wipe(settings.original, WIDTH, HEIGHT, ("original", "JPEG"))
     over += framed((column * SIDE, row * SIDE), SIDE)
+    over += text((12, 36), f"{kilobytes(stored.bits)} kB", "large strong ground")
     patterns, numbers = pattern_table(codes, first), "".join(code_table(codes, first))
     kept_percent = 100 * stored.nonzero / (3 * PIXELS)
     rate, psnr = stored.bits / PIXELS, outputs["psnr"]
-    # An ideal coder needs no bits for one flat tone.
-    ratio = f"{format_number(24 * PIXELS / stored.bits, 1)} : 1" if stored.bits else "∞"
     in_block = "Coefficients kept in the block"
     return Frame(
         (
@@ -227,14 +232,14 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             readout("psnr", "Fidelity (PSNR)", psnr, "dB", digits=1, role="error"),
             readout("kept", "Coefficients kept", kept_percent, "%", digits=1),
             readout("rate", "Size", rate, "bits a pixel", role="image"),
-            Readout("ratio", "Compression ratio", ratio),
+            Readout("kilobytes", f"Of {kilobytes(24 * PIXELS)} kB", kilobytes(stored.bits), "kB"),
             readout("block_kept", in_block, block_kept, "of 64", digits=0, role="image"),
         ),
-        describe(settings, psnr, rate, block_kept, bool(outputs["photograph"])),
+        describe(settings, psnr, stored, block_kept, bool(outputs["photograph"])),
     )
 
 
-def describe(settings: Settings, psnr: float, rate: float, block_kept: int, own: bool) -> str:
+def describe(settings: Settings, psnr: float, stored: Size, block_kept: int, own: bool) -> str:
     """The book's or the reader's picture in one sentence."""
     rows, columns = subsampling_factor(settings.subsampling)
     each = rows * columns
@@ -251,10 +256,11 @@ def describe(settings: Settings, psnr: float, rate: float, block_kept: int, own:
         else f", of each block only the first {settings.first} coefficients in the order of "
         "fineness"
     )
-    what, seen = ("Your own picture", "") if own else ("A striped balloon over tulips", visible)
+    book = "A cat's face" if settings.picture == "cat" else "A striped balloon over tulips"
+    what, seen = ("Your own picture", "") if own else (book, visible)
     return (
-        f"{what} at JPEG quality {settings.quality} with {colour}{limit}: {format_number(rate)} "
-        f"bits a pixel, {format_number(psnr, 1)} dB{', and ' if seen else ''}{seen}; {block_kept} "
+        f"{what} at JPEG quality {settings.quality} with {colour}{limit}: {kilobytes(stored.bits)} "
+        f"kB, {format_number(psnr, 1)} dB{', and ' if seen else ''}{seen}; {block_kept} "
         "of the 64 luma coefficients of the framed block are kept. The left "
         f"{format_number(100 * settings.original, 0)} % of the picture are the original."
     )

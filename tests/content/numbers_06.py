@@ -114,6 +114,6 @@ def files_of_the_picture() -> Says:
             bits = 8 * len(data[start:-2].replace(b"\xff\x00", b"\xff"))
             found.append(bits / outputs["size"].bits - 1)
     assert all(0.01 < share < 0.025 for share in excess[True])
-    assert all(0.04 < share < 0.06 for share in excess[False])
+    assert all(0.025 < share < 0.095 for share in excess[False])
     yield "one or two per cent larger when their codes are fitted to the picture"
-    yield "about five when they are the ready-made ones"
+    yield "three to nine when they are the ready-made ones"
