@@ -98,10 +98,14 @@ async function turnTo(url: URL, turned: () => void, commit: () => void) {
     const page = parsed(url, await fetchPage(url, signal));
     if (signal.aborted) return;
     commit();
+    const rest = hashTarget() || history.state?.scroll ? null : takeRest(page);
     putInPlace(page);
     shownPath = location.pathname;
-    turned();
     document.getElementById("main")?.focus({ preventScroll: true });
+    if (rest) await firstFrame();
+    if (signal.aborted) return;
+    rest?.();
+    turned();
     restoreScroll();
   } catch (error) {
     if (signal.aborted) return;
@@ -114,12 +118,18 @@ async function turnTo(url: URL, turned: () => void, commit: () => void) {
 }
 
 /** The page, if it belongs to the same build of the book. */
-function parsed(url: URL, { text, type, redirected }: Page): Document {
+function parsed(url: URL, loaded: Page): Document {
+  const { type, redirected } = loaded;
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
-  const page = new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
+  const page = loaded.early ?? parse(loaded);
+  delete loaded.early; // its parts go into this page
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
   if (!isOfRelease(page, url.href)) throw new Error("the book has been built anew");
   return page;
+}
+
+function parse({ text }: Page) {
+  return new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
 }
 
 /** Called when the address is already the new page's, so that relative links resolve. */
@@ -134,6 +144,44 @@ function putInPlace(page: Document) {
   Object.assign(document.body.dataset, page.body.dataset);
   document.body.className = page.body.className;
   document.body.replaceChildren(...page.body.childNodes);
+}
+
+/** Blocks of a chapter that fill the window, and some more. */
+const FIRST_BLOCKS = 16;
+
+/**
+ * Take what is far below the beginning out of a page: it would keep the first figure waiting.
+ *
+ * @returns Puts it back; null where there is none.
+ */
+function takeRest(page: Document) {
+  const blocks = [...(page.querySelector("article.chapter")?.children ?? [])].slice(FIRST_BLOCKS);
+  const place = page.createComment("");
+  if (blocks.length === 0) return null;
+  blocks[0].before(place);
+  for (const block of blocks) block.remove();
+  return () => place.replaceWith(...blocks);
+}
+
+/** Longest wait for a first frame, in milliseconds. */
+const SOON = 300;
+
+/** Until the first figure is live, the reader goes on, or `SOON` has passed. */
+function firstFrame(): Promise<void> {
+  return new Promise((resolve) => {
+    const seen = new MutationObserver(() => isLive() && done());
+    const isLive = () => document.querySelector("simulation-figure[data-state=live]") !== null;
+    const kinds = ["wheel", "keydown", "pointerdown", "touchstart", "scroll"];
+    const done = () => {
+      seen.disconnect();
+      for (const kind of kinds) removeEventListener(kind, done);
+      requestAnimationFrame(() => setTimeout(resolve));
+    };
+    seen.observe(document, { subtree: true, attributeFilter: ["data-state"] });
+    for (const kind of kinds) addEventListener(kind, done, { once: true, passive: true });
+    setTimeout(done, SOON);
+    if (!document.querySelector("simulation-figure")) done();
+  });
 }
 
 /** Begin reading: at the link's target, where one left off, or at the top. */
@@ -162,7 +210,7 @@ const HINTS = ["pointerover", "focusin", "touchstart"];
 /** Milliseconds after which a page is fetched again, as the book may have been built anew. */
 const VALID = 60_000;
 
-type Page = { text: string; type: string; redirected: boolean };
+type Page = { text: string; type: string; redirected: boolean; early?: Document };
 
 const prefetched: Map<string, { time: number; page: Promise<Page | null> }> = new Map();
 
@@ -172,7 +220,11 @@ class HostError extends Error {}
 function hint(event: Event) {
   const link = within(event, "a[href]", HTMLAnchorElement);
   const url = link && linkedPage(link);
-  if (url && navigator.onLine && !isMetered()) prefetch(url);
+  if (url && navigator.onLine && !isMetered()) {
+    prefetch(url).then((page) => {
+      if (page) page.early ??= parse(page);
+    });
+  }
 }
 
 /** @returns Null where the page does not arrive. */

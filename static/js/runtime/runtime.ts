@@ -89,6 +89,9 @@ interface Call {
   reject: (reason: RuntimeFailure) => void;
 }
 
+/** Urgency of what no reader waits for. */
+const LAST = -2;
+
 let interpreters = 0;
 
 export class Runtime {
@@ -152,7 +155,7 @@ export class Runtime {
     for (const call of leaving) call.reject(new RuntimeFailure("lost", words("runtime.gone")));
     // In a task of its own, after what the next page's figures ask.
     setTimeout(() => {
-      if (this.#worker) this.call("forget", { figure }).catch(() => {});
+      if (this.#worker) this.call("forget", { figure }, () => LAST).catch(() => {});
     });
   }
 
