@@ -7,11 +7,19 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.drafting import swatch_polygon
-from simulations.engine.frame import Frame, Panel, Readout, format_number, matrix_readout, readout
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Raster,
+    Readout,
+    format_number,
+    matrix_readout,
+    readout,
+)
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.scene import Scene
-from simulations.engine.settings import slider, toggle
+from simulations.engine.settings import action, slider, toggle
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
@@ -22,62 +30,77 @@ from simulations.models.projection.two_views import (
     essential_matrix,
 )
 from simulations.scenes.two_views.view import (
-    BLOCKS,
+    COLUMNS,
+    DRAFT_COLUMNS,
+    EYE,
+    FROM_ROOM,
     HALF_WIDTH_PX,
     LampView,
     Pair,
+    by_turns_panel,
     in_picture,
     lamp_view,
-    left_panel,
-    left_picture,
+    photograph,
     pixel_at,
     place,
     right_panel,
-    right_picture,
 )
+from simulations.world import plan
+from simulations.world.room import ROOM
 
-COARSE = "coarse"
-"""The draft while the focal length moves, on which both pictures depend."""
-SAMPLES, COARSE_SAMPLES = 1.6, 1.1  # drawn pixels per pixel of the pictures, each way
+DRAFT = "draft"  # the photographs while a camera moves
 NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the view from above
-CENTRE = np.array([30.0, 144.0])
+CENTRE = np.array([28.0, 133.0])
 """The left camera, seen from above: depth to the right, X downwards."""
-DEPTH_SCALE, SIDE_SCALE = 17.5, 28.5  # view box units per metre
+UNITS_PER_M = 28.0
 AXIS_ROW = HEIGHT - 24.0  # of the axis of depths, whose ticks are named below it
-LIMIT_ROW = AXIS_ROW - 12.0  # lower border of the drawing
+LIMIT_ROW = AXIS_ROW - 8.0  # lower border of the drawing
 FAR_M = 60.0  # length of drawn rays, beyond the panel
 INSIDE = Rectangle(4.0, 4.0, WIDTH - 4.0, AXIS_ROW - 4.0)  # room for labels
-AXIS_M = 4.0  # distance of the handle on the right camera's axis
+AXIS_M = 3.0  # distance of the handle on the right camera's axis
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    depth: float = slider("Depth (Z)", 8.0, 1.5, 20.0, 0.1, unit="m")
+    depth: float = slider("Depth (Z)", 8.0, 1.5, 9.0, 0.1, unit="m")
     baseline: float = slider("Baseline", 0.5, 0.1, 1.0, 0.05, unit="m")
+    wiggle: int = action("Wiggle", "Stop", drives="look", effect="play", seconds=5.0, arrival=True)
     toe_in: float = slider("Toe-in (right)", 0.0, 0.0, 30.0, 1.0, unit="°")
     matching_error: float = slider("Error of the match", 1.0, 0.0, 4.0, 0.1, unit="px")
-    focal_length: float = slider("Focal length", 160.0, 80.0, 320.0, 5.0, unit="px")
-    left_x: float = slider("Left picture, right", 30.0, -95.0, 95.0, 1.0, unit="px")
-    left_up: float = slider("Left picture, up", 40.0, 0.0, 70.0, 1.0, unit="px")
+    focal_length: float = slider("Focal length", 160.0, 100.0, 320.0, 5.0, unit="px")
+    left_x: float = slider("Left picture, right", 30.0, -75.0, 75.0, 1.0, unit="px")
+    left_up: float = slider("Left picture, up", 20.0, 0.0, 40.0, 1.0, unit="px")
+    look: float = slider("Look (odd: left, even: right)", 1, 0, 13, 1)
     line: bool = toggle("Epipolar line", default=True)
 
 
+def pair_of(settings: Settings) -> Pair:
+    return Pair(settings.focal_length, settings.baseline, math.radians(settings.toe_in))
+
+
+def left_photograph(focal_length: float, columns: int) -> Raster:
+    return photograph(Pair(focal_length, 1.0, 0.0), columns, right=False)
+
+
+def right_photograph(focal_length: float, baseline: float, toe_in: float, columns: int) -> Raster:
+    return photograph(Pair(focal_length, baseline, math.radians(toe_in)), columns, right=True)
+
+
 def view_of(settings: Settings) -> LampView:
-    pair = Pair(settings.focal_length, settings.baseline, math.radians(settings.toe_in))
     left = np.array([settings.left_x, -settings.left_up])
-    return lamp_view(pair, settings.depth, left, settings.matching_error)
+    return lamp_view(pair_of(settings), settings.depth, left, settings.matching_error)
 
 
 def above(Z: float, X: float) -> Floats:
     """Metres to the view box from above."""
-    return CENTRE + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
+    return CENTRE + UNITS_PER_M * np.array([Z, X])
 
 
 def metres_at(spot: Point) -> Floats:
     """Z and X at a place of the view from above."""
-    return (np.asarray(spot, float) - CENTRE) / [DEPTH_SCALE, SIDE_SCALE]
+    return (np.asarray(spot, float) - CENTRE) / UNITS_PER_M
 
 
 def axis_end(baseline: float, toe_in_rad: float) -> Floats:
@@ -100,34 +123,37 @@ def plan_panel(view: LampView) -> Panel:
     of the depth."""
     origin, right, far = above(0.0, 0.0), above(0.0, view.pair.baseline), view.at(FAR_M)
     parts = (
-        blocks(),
+        room(),
         depth_axis(),
         cameras(view),
         doubt(view),
         segment(origin, above(far[2], far[0]), "ray"),
         segment(right, above(view.point[2], view.point[0]), "ray"),
-        lamp(view),
+        drawing.dot(above(view.depth, float(view.point[0])), "world", 5.0),
         names(view),
     )
-    title, overlay = "From above, widths stretched", "".join(parts)
-    return Panel("plan", title, WIDTH, HEIGHT, overlay=overlay, lead=True)
+    return Panel("plan", "From above", WIDTH, HEIGHT, overlay="".join(parts))
 
 
-def blocks() -> str:
-    """The blocks on the square, in their colours."""
-    shapes = []
-    for block in BLOCKS:
-        (x0, x1), (y0, y1), _ = block.spans
-        corners = within(
-            np.array([above(y, x) for y, x in ((y0, x0), (y1, x0), (y1, x1), (y0, x1))])
-        )
+def room() -> str:
+    """The walls, and the things in their colours."""
+    drawn = []
+    for thing in ROOM:
+        corners = within(from_above(plan.footprint(thing)))
         if len(corners) > 2:
-            shapes.append(swatch_polygon(corners.tolist(), encode_srgb(block.paint).tolist()))
-    return "".join(shapes)
+            drawn.append(swatch_polygon(corners.tolist(), encode_srgb(thing.albedo).tolist()))
+    walls = within(from_above(np.roll(plan.WALLS, -1, axis=0)[[3, 2, 1, 0]]), closed=False)
+    return drawing.polyline(walls, "muted thin") + "".join(drawn)
+
+
+def from_above(corners: Floats) -> Floats:
+    """Places (n, 2) of the room's plan in the view box."""
+    X, _, Z = ((np.insert(corners, 2, EYE[2], axis=1) - EYE) @ FROM_ROOM.T).T
+    return CENTRE + UNITS_PER_M * np.stack([Z, X], axis=-1)
 
 
 def depth_axis() -> str:
-    columns = [(Z, above(Z, 0.0)[0]) for Z in (5, 10, 15, 20)]
+    columns = [(Z, above(Z, 0.0)[0]) for Z in (2, 4, 6, 8, 10, 12)]
     ticks = "".join(
         drawing.line((x, AXIS_ROW - 3), (x, AXIS_ROW + 3), "muted")
         + drawing.text((x, AXIS_ROW + 18.0), f"{Z}", "muted small", "middle")
@@ -180,24 +206,16 @@ def doubt(view: LampView) -> str:
     return "".join(parts)
 
 
-def lamp(view: LampView) -> str:
-    """The lamp, with its name on the side away from its rays."""
-    spot = above(view.depth, float(view.point[0]))
-    if not (0.0 <= spot[0] <= WIDTH and 0.0 <= spot[1] <= HEIGHT):
-        return ""
-    up = view.point[0] >= 0.0
-    at = (min(max(spot[0] + 10.0, 16.0), WIDTH - 20.0), spot[1] + (-14.0 if up else 24.0))
-    name = drawing.text(at, "lamp", "world small ground", "middle")
-    return drawing.dot(spot, "world", 5.0) + name
-
-
 def names(view: LampView) -> str:
-    """The names of the handle on the right camera's axis and of the range of depths, clear of the
-    rays and the lamp."""
+    """The names of the lamp, of the handle on the right camera's axis and of the range of depths,
+    clear of the rays."""
     right = above(0.0, view.pair.baseline)
     axis = axis_end(view.pair.baseline, view.pair.toe_in_rad)
     spot = above(view.depth, float(view.point[0]))
-    labels = [Label(axis, "turn", "camera small ground", "below", 14.0)]
+    labels = [
+        Label(spot, "lamp", "world small ground", "above", 14.0),
+        Label(axis, "turn", "camera small ground", "below", 14.0),
+    ]
     if view.nearest < view.farthest:
         depths = (view.nearest, view.farthest)
         near, far = (min(float(above(depth, 0.0)[0]), WIDTH) for depth in depths)
@@ -219,9 +237,11 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     E = essential_matrix(pair.R, pair.t).tolist()
     return Frame(
         (
-            plan_panel(view),
+            by_turns_panel(
+                view, outputs["right" if looks_right(settings) else "left"], looks_right(settings)
+            ),
             right_panel(view, outputs["right"], settings.line),
-            left_panel(view, outputs["left"]),
+            plan_panel(view),
         ),
         (
             readout("d", "d, disparity", view.disparity, "px", digits=1, role="image"),
@@ -261,7 +281,7 @@ def describe(settings: Settings, view: LampView, off: float) -> str:
         f"{format_number(view.farthest)} m"
     )
     return (
-        f"Two cameras {position}, before coloured blocks on a tiled square. A lamp "
+        f"Two cameras {position}, in a room with balls and boxes. A lamp "
         f"{format_number(view.depth, 1)} m away has a disparity of "
         f"{format_number(view.disparity, 1)} px and is {row}{seen}"
         + (f"; a match good to {format_number(error, 1)} px {doubt}." if error else ".")
@@ -282,6 +302,17 @@ def lamp_pulled(settings: Settings, spot: Point) -> dict[str, float]:
 
 def axis_at(settings: Settings, _outputs: Outputs) -> Point:
     return tuple(axis_end(settings.baseline, math.radians(settings.toe_in)).tolist())
+
+
+def looks_right(settings: Settings) -> bool:
+    return settings.look % 2 == 0.0
+
+
+def left_at(settings: Settings, _outputs: Outputs) -> Point | None:
+    """The lamp's left image; none while the right photograph is in its place."""
+    if looks_right(settings):
+        return None
+    return tuple(place((settings.left_x, -settings.left_up)).tolist())
 
 
 def left_pulled(_settings: Settings, spot: Point) -> dict[str, float]:
@@ -306,7 +337,7 @@ SCENE = Scene(
     "Two Views",
     Settings,
     draw,
-    (Stage("left", left_picture), Stage("right", right_picture)),
+    (Stage("left", left_photograph), Stage("right", right_photograph)),
     handles=(
         Handle(
             "lamp",
@@ -330,10 +361,10 @@ SCENE = Scene(
         Handle("axis", "plan", "Axis of the right camera", ("toe_in",), axis_at, role="camera"),
         Handle(
             "left",
-            "left",
+            "turns",
             "Left image of the lamp",
             ("left_x", "left_up"),
-            lambda settings, _: tuple(place((settings.left_x, -settings.left_up)).tolist()),
+            left_at,
             left_pulled,
             role="image",
         ),
@@ -347,7 +378,7 @@ SCENE = Scene(
             role="image",
         ),
     ),
-    parameters=lambda _, tier: {"samples": COARSE_SAMPLES if tier == COARSE else SAMPLES},
-    own_drafts={COARSE: ("focal_length",)},
+    parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
+    own_drafts={DRAFT: ("focal_length", "baseline", "toe_in")},
     formula=depth_from_disparity,
 )

@@ -1,4 +1,8 @@
-"""A lamp and two cameras: its two images, the uncertainty of its depth, and the two pictures."""
+"""A lamp in the room and two cameras: its images, the error of its depth, and the photographs.
+
+Places in the left camera's frame are metres: X right, Y down, Z along its axis, which points
+straight at the wall with the chart.
+"""
 
 import math
 from dataclasses import dataclass
@@ -13,38 +17,26 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.transforms import clip_to_rectangle
-from simulations.models.projection.level_ground import pose_above_ground
-from simulations.models.projection.pinhole import intrinsics, project
+from simulations.models.projection.pinhole import intrinsics, project, rigid_pose
 from simulations.models.projection.two_views import (
     depth_of_match,
     epipolar_lines,
     fundamental_matrix,
 )
-from simulations.pictures.tiled_floor import Box, tiled_floor, with_box
+from simulations.world.room import HIGH, View, halve, look, shade
 
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
-"""Half of each picture, in pixels from the principal point."""
-EYE_M = 1.5  # height of both cameras above the floor
-
-RED, TEAL, OCHRE, BLUE = (
-    (0.42, 0.10, 0.055),
-    (0.075, 0.20, 0.21),
-    (0.52, 0.31, 0.12),
-    (0.10, 0.16, 0.34),
-)
-BLOCKS = (
-    Box(3.2, 18.0, 2.0, 4.6, OCHRE),
-    Box(-2.6, 14.0, 1.5, 3.4, BLUE),
-    Box(5.0, 10.0, 1.5, 3.2, RED),
-    Box(-4.2, 8.0, 1.2, 2.6, OCHRE),
-    Box(2.6, 5.5, 0.8, 1.9, TEAL),
-    Box(-1.7, 4.0, 0.7, 1.1, RED),
-)
-"""The blocks on the square, farthest first: the nearer, the more they move between the pictures."""
+"""Half of each photograph, in pixels from the principal point."""
+EYE = np.array([-0.25, -1.2, 1.2])
+"""The left camera in the room, metres."""
+FROM_ROOM = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+"""Rotation (3, 3) from the room's axes to the left camera's."""
+CEILING_Y = float(EYE[2] - HIGH[2])
+COLUMNS, DRAFT_COLUMNS = 800, 180  # rays across a photograph, at rest four to a drawn pixel
 
 WIDTH, HEIGHT = 400.0, 300.0
 MIDDLE, UNITS_PER_PX = np.array([200.0, 150.0]), 2.0
-MARKED_DEPTHS = (2.0, 4.0, 8.0, 16.0, math.inf)  # on the epipolar line, metres
+MARKED_DEPTHS = (2.0, 4.0, 8.0, math.inf)  # on the epipolar line, metres
 BORDERS = (-HALF_WIDTH_PX, -HALF_HEIGHT_PX), (HALF_WIDTH_PX, HALF_HEIGHT_PX)
 LABEL_WIDTH = 34.0  # of a depth's label, in units
 SHIFT_BELOW = 26.0  # from the images down to the disparity's arrow, in units
@@ -152,53 +144,52 @@ def pixel_at(spot: drawing.Point) -> Floats:
     return (np.asarray(spot, float) - MIDDLE) / UNITS_PER_PX
 
 
-def left_picture(focal_length: float, samples: float) -> Raster:
-    return square(focal_length, 0.0, 0.0, samples)
+def seen(pair: Pair, columns: int, right: bool) -> View:
+    """The room through one of the cameras."""
+    pose = rigid_pose(FROM_ROOM, -FROM_ROOM @ EYE)
+    if right:
+        pose = rigid_pose(pair.R, pair.t) @ pose
+    rows = columns * 3 // 4
+    focal_px = pair.focal_px * columns / (2 * HALF_WIDTH_PX)
+    K = intrinsics(focal_px, ((columns - 1) / 2, (rows - 1) / 2))
+    return look(K, pose, columns, rows)
 
 
-def right_picture(focal_length: float, baseline: float, toe_in: float, samples: float) -> Raster:
-    return square(focal_length, baseline, math.radians(toe_in), samples)
+def photograph(pair: Pair, columns: int, right: bool) -> Raster:
+    light = shade(seen(pair, columns, right))
+    smooth = halve(light) if columns == COLUMNS else light
+    return to_rgba8(encode_srgb_table(smooth.transpose(1, 2, 0)))
 
 
-def square(focal_px: float, right_m: float, turned_in_rad: float, samples: float) -> Raster:
-    """The square with its blocks, as a camera sees it."""
-    pose = pose_above_ground(EYE_M, -turned_in_rad, 0.0)
-    pose[:3, 3] -= pose[:3, :3] @ [right_m, 0.0, 0.0]
-    columns, rows = round(2 * samples * HALF_WIDTH_PX), round(2 * samples * HALF_HEIGHT_PX)
-    K = intrinsics(samples * focal_px, (0.5 * (columns - 1), 0.5 * (rows - 1)))
-    picture = tiled_floor(pose, K, columns, rows)
-    for block in BLOCKS:
-        picture = with_box(picture, pose, K, block)
-    return to_rgba8(np.asarray(encode_srgb_table(picture)))
+def by_turns_panel(view: LampView, photo: Raster, right: bool) -> Panel:
+    """One photograph in the place of the other."""
+    pixel = view.right if right else view.left
+    title = f"What the {'right' if right else 'left'} camera sees"
+    return Panel("turns", title, WIDTH, HEIGHT, photo, _lamp(view, pixel, right), lead=True)
 
 
-def left_panel(view: LampView, floor: Raster) -> Panel:
-    foot = project(_foot(view), view.pair.K)[0]
-    overlay = _drawn([view.left, foot], "world bold") + _image(view.left)
-    return Panel("left", "What the left camera sees", WIDTH, HEIGHT, floor, overlay)
-
-
-def right_panel(view: LampView, floor: Raster, line: bool) -> Panel:
+def right_panel(view: LampView, photo: Raster, line: bool) -> Panel:
     """The lamp, and the epipolar line: whole, and bold from 1 m to infinity; its row is that of the
     match for parallel cameras."""
-    parts = [_drawn([view.right, view.pair.right(_foot(view))], "world bold")]
+    parts = []
     if line:
         row = float(view.left[1])
-        seen = [view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)]
+        ends = [view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)]
         parts += [
             _drawn([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)], "muted thin dashed"),
             _drawn(line_in_rectangle(view.line, *BORDERS), "ray thin faint"),
-            _drawn(seen, "ray"),
+            _drawn(ends, "ray"),
             _depths(view),
         ]
-    parts += [_disparity(view), _image(view.right)]
-    return Panel("right", "What the right camera sees", WIDTH, HEIGHT, floor, "".join(parts))
+    parts += [_disparity(view), _lamp(view, view.right, right=True)]
+    return Panel("right", "Where the right camera sees it", WIDTH, HEIGHT, photo, "".join(parts))
 
 
-def _foot(view: LampView) -> Floats:
-    """Foot of the lamp's post, on the floor, below the cameras."""
-    X, _, Z = view.point
-    return np.array([X, EYE_M, Z])
+def _lamp(view: LampView, pixel: Floats, right: bool) -> str:
+    """The lamp on its cord, or its direction if it is outside the picture."""
+    hook = view.point * (1.0, 0.0, 1.0) + (0.0, min(CEILING_Y, view.point[1]), 0.0)
+    above = view.pair.right(hook) if right else project(hook, view.pair.K)[0]
+    return _drawn([above, pixel], "world thin") + _image(pixel)
 
 
 def _drawn(ends: ArrayLike, style: str) -> str:
