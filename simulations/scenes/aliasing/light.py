@@ -18,6 +18,8 @@ from simulations.models.sampling.prefilters import Prefilter, filtered_wave
 
 NYQUIST = 0.5  # cycles per sample
 GUARD = 0.1  # parts of the zone plate this close to Nyquist are left out of the error
+SIZE_PX = (160, 120)  # of the book's patterns
+FRAMED_AT = 82  # first pixel of the stripes that the second panel shows
 SHOWN = 20  # pixels of the row that is drawn as curves
 PHOTOGRAPH_PX = (320, 240)
 FINE = 5  # points of the reader's picture per pixel of the figure, along each axis
@@ -37,7 +39,7 @@ class Pattern:
     """Samples in a row."""
     height: int
     first: float
-    """x of the first sample: 0 for stripes; the zone plate has 0 in the middle."""
+    """x of the first sample: stripes have 0 at the frame, the zone plate in the middle."""
     start: int
     """Index of the first sample that the second panel shows."""
     rate: float
@@ -82,16 +84,16 @@ class Pattern:
 
 
 def pattern_of(kind: str, frequency: float, phase_deg: float, rate: float = 1.0) -> Pattern:
-    """Stripes on 64 × 48 pixels, or a zone plate on 160 × 120, at ``rate`` samples a pixel.
+    """Stripes or a zone plate on 160 × 120 pixels, at ``rate`` samples a pixel.
 
     ``frequency`` is in cycles per pixel.
     """
     # Rounded, so that frequencies exactly on a fold are on the same side of it at every rate.
     per_sample, phase_rad = round(frequency / rate, 9), math.radians(phase_deg)
-    width, height = (64, 48) if kind == "stripes" else (160, 120)
-    columns, rows = round(width * rate), round(height * rate)
+    columns, rows = (round(length * rate) for length in SIZE_PX)
     if kind == "stripes":
-        return Pattern(kind, per_sample, phase_rad, columns, rows, 0.0, 0, rate)
+        start = round(FRAMED_AT * rate)
+        return Pattern(kind, per_sample, phase_rad, columns, rows, -start, start, rate)
     middle, start = 0.5 * (columns - 1), columns - samples_shown(rate)
     return Pattern(kind, per_sample, phase_rad, columns, rows, -middle, start, rate)
 

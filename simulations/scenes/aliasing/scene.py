@@ -1,7 +1,7 @@
-"""Sampling and Aliasing: a pattern on a grid of pixels, one row of it, and its spectrum.
+"""Sampling and Aliasing: a shirt or a pattern on a grid of pixels, one row of it, and its spectrum.
 
 Light is 0.5 + 0.5 sin(phase), so that at exactly Nyquist the samples have |sin φ| of the amplitude.
-Stripes have one frequency everywhere; the rings of the zone plate reach the frequency set at the
+Stripes have one frequency on the chest of the shirt, which the numbers are of; the rings of the zone plate reach the frequency set at the
 left and right edges of the picture. The filter is the choice of method, and all are fast: no tiers.
 """
 
@@ -32,8 +32,9 @@ from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.scenes.aliasing import drawing, light
 from simulations.scenes.aliasing.light import NYQUIST, Own, Pattern, pattern_of
+from simulations.scenes.aliasing.shirt import worn
 
-PATTERNS = {"stripes": "Stripes", "zone_plate": "Zone plate"}
+PATTERNS = {"stripes": "Striped shirt", "zone_plate": "Zone plate"}
 FILTERS = {
     "none": "None: a point of each pixel",
     "box": "Box: the pixel's whole area",
@@ -41,7 +42,7 @@ FILTERS = {
     "sinc": "Windowed sinc, 8 px wide",
 }
 SIZE = drawing.WIDTH, drawing.HEIGHT
-UNITS_PER_PIXEL = drawing.WIDTH / 64  # of the stripes, at every rate
+UNITS_PER_PIXEL = drawing.WIDTH / light.SIZE_PX[0]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +67,8 @@ def picture(
     """The sampled picture."""
     if own:
         return own.raster
-    shown = pattern_of(pattern, frequency, phase, rate).picture(prefilters.prefilter(prefilter))
+    sampled, kernel = pattern_of(pattern, frequency, phase, rate), prefilters.prefilter(prefilter)
+    shown = worn(sampled, kernel) if pattern == "stripes" else sampled.picture(kernel)
     return to_rgba8(encode_srgb(np.clip(shown, 0.0, 1.0)))
 
 
@@ -122,7 +124,7 @@ def describe(settings: Settings, pattern: Pattern, passed: float, remaining: flo
     """The true and the apparent wave, and its amplitude."""
     frequency, stripes = settings.frequency, settings.pattern == "stripes"
     alias = pattern.alias * pattern.rate
-    what = "Stripes" if stripes else "Rings that at the left and right edges reach"
+    what = "A shirt's stripes" if stripes else "Rings that at the left and right edges reach"
     true = f"{what} {'of ' if stripes else ''}{format_number(frequency)} cycles per pixel"
     if settings.rate != 1:
         true += f" at {rate_in_words(settings)}"
@@ -196,11 +198,12 @@ def stripes_at(settings: Settings, outputs: Outputs) -> Point | None:
     """A zero crossing of the wave, which moves left as the phase grows."""
     if outputs["photograph"] or settings.pattern != "stripes" or settings.frequency == 0:
         return None
-    return (-settings.phase / 360 / settings.frequency * UNITS_PER_PIXEL, 0.0)
+    pixels = light.FRAMED_AT - settings.phase / 360 / settings.frequency
+    return (pixels * UNITS_PER_PIXEL, 0.0)
 
 
 def stripes_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    phase = -360 * settings.frequency * place[0] / UNITS_PER_PIXEL
+    phase = 360 * settings.frequency * (light.FRAMED_AT - place[0] / UNITS_PER_PIXEL)
     return {"phase": phase if -1e-6 <= phase <= 360 + 1e-6 else phase % 360}
 
 
