@@ -1,8 +1,9 @@
 """Sampling and Aliasing: a shirt or a pattern on a grid of pixels, one row of it, and its spectrum.
 
 Light is 0.5 + 0.5 sin(phase), so that at exactly Nyquist the samples have |sin φ| of the amplitude.
-Stripes have one frequency on the chest of the shirt, which the numbers are of; the rings of the zone plate reach the frequency set at the
-left and right edges of the picture. The filter is the choice of method, and all are fast: no tiers.
+The shirt's stripes have one frequency on its chest, of which the numbers are; the rings of the zone
+plate reach the frequency set at the left and right edges of the picture. The filter is the choice
+of method, and all are fast: no tiers.
 """
 
 import math
