@@ -7,6 +7,7 @@ import re
 
 import numpy as np
 import pytest
+from scipy.ndimage import shift as shifted
 from support.edges import gaussian_edge, gaussian_half, grain
 from support.frames import frame_of, outputs_of, pixels_of, texts_at, texts_of
 
@@ -75,6 +76,39 @@ def test_a_photograph_is_measured_in_other_pixels(
     assert float(texts["per_px"]) == pytest.approx(HALF, rel=0.02)
     assert (texts["true"], texts["place"]) == ("unknown", "0")
     assert max(pixels_of(seen).shape) <= 1200
+
+
+def fringed() -> Photograph:
+    """A dark square, a lens with lateral colour behind it: red 0.3 px to the right of green."""
+    lights = []
+    for shift in (0.3, 0.0, 0.0):
+        edges = [gaussian_edge(400, 600, 5.0), gaussian_edge(600, 400, 5.0).T]
+        near = [np.roll(edges[0], -120, 1), np.roll(edges[1], -90, 0)]
+        far = [1 - np.roll(edges[0], 60, 1), 1 - np.roll(edges[1], 70, 0)]
+        inside = np.prod([*near, *far], axis=0)
+        lights.append(0.6 - 0.4 * np.asarray(shifted(inside, (0.0, shift), order=3)))
+    light = np.stack(lights, axis=2) + grain((400, 600, 3), 0.003, 1)
+    codes = np.rint(255 * encode_srgb(np.clip(light, 0, 1))).astype(np.uint8)
+    return Photograph(3, codes, "square.jpg", {"full_width": 600.0, "full_height": 400.0})
+
+
+def test_an_edge_is_found_near_a_press_and_has_the_lateral_colour_of_the_lens() -> None:
+    picture = fringed()
+    settings = SCENE.clamp({"x": 68, "y": 36})
+    found = SCENE.clamp({**SCENE.pull(settings, "find", (0, 0), "", picture)})
+    pressed = SCENE.pull(settings, "rectangle", (272.0, 144.0), "", picture)
+    assert pressed["x"] == pytest.approx(found.x, abs=2)
+    run = SCENE.run(found, "", StageCache(), picture)
+    half, tone = run.outputs["sharpness"].half, run.outputs["sharpness"].tone
+    assert half.frequency == pytest.approx(gaussian_half(1.0), rel=0.02)
+    assert 0.01 < tone / half.frequency < 0.1
+    lines = {line.name: line.text for line in sheet(found, run.outputs)}
+    red, _, error = lines["lateral_1"].partition(";")[0].split()
+    assert abs(float(red.replace("−", "-"))) == pytest.approx(0.3, abs=4 * float(error))
+    raw = Photograph(4, picture.codes, "square.dng", {**picture.facts, "raw": 1})
+    assert not SCENE.run(found, "", StageCache(), raw).outputs["sharpness"].tone
+    plain = Photograph(5, np.full((400, 600, 3), 90, np.uint8))
+    assert SCENE.pull(settings, "find", (0, 0), "", plain) == {}
 
 
 def test_a_reduced_photograph_gives_no_number() -> None:

@@ -27,8 +27,13 @@ SECOND_PEAK, VALLEY = 0.4, 0.25
 of its own ..."""
 CERTAIN = 5.0
 """... if it is so many standard errors."""
-HALO = 0.05
-"""How much an edge may overshoot, of its step, and how far an MTF may exceed 1, unsharpened."""
+FALL, ABOVE = 0.006, 0.02
+"""How far the light beside an edge may fall again, of its step, and how far an MTF may exceed 1 or
+the limit of diffraction, in a picture that is not sharpened ..."""
+SURE = 3.0
+"""... and by how many standard errors more."""
+HALOS = (4.0, 8.0, 16.0)
+"""Widths of halos that are looked for."""
 FREQUENCIES = np.linspace(0.0, 1.0, 51)
 """Cycles per pixel at which MTF50 is looked for, up to twice the Nyquist frequency."""
 
@@ -86,22 +91,23 @@ class EdgeReading:
 
     @property
     def overshoot(self) -> float:
-        """How far the curve leaves the range from dark to light, as a share of it."""
-        return float(np.max(self._beyond()[0], initial=0.0))
+        """How far the curve leaves the range from dark to light near the edge, as a share of it."""
+        spread = self.curve.spread(self.pixels.reach * np.linspace(-0.5, 0.5, 257))
+        return float(np.max(np.maximum(spread - 1.0, -spread), initial=0.0))
 
-    @property
-    def sharpened(self) -> bool:
-        """Whether software has sharpened the picture: a lens makes no halos and no MTF above 1."""
-        beyond, beyond_error = self._beyond()
+    def is_sharpened(self, limit: Floats | float = 1.0) -> bool:
+        """Whether software has sharpened the picture.
+
+        Behind a lens, the light rises all the way across the edge, and no contrast exceeds 1 or
+        ``limit`` (F,), that of diffraction, at `FREQUENCIES`.
+        """
+        for width in HALOS:
+            end = min(self.pixels.reach - 0.5 * width, 3.0 * width)
+            rise, error = self.curve.rise(np.arange(-end, end + 0.1, 0.25), width)
+            if np.any(rise < -FALL - SURE * error):
+                return True
         contrast, error = self.transfer(FREQUENCIES)
-        halo = np.any(beyond > HALO + 2.0 * beyond_error)
-        return bool(halo or np.any(contrast > 1.0 + HALO + 2.0 * error))
-
-    def _beyond(self) -> tuple[Floats, Floats]:
-        """How far the curve is below dark or above light, near the edge, and the standard error."""
-        place = self.pixels.reach * np.linspace(-0.5, 0.5, 257)
-        spread = self.curve.spread(place)
-        return np.maximum(spread - 1.0, -spread), self.curve.spread_error(place)
+        return bool(np.any((contrast > limit + ABOVE + SURE * error)[FREQUENCIES <= 0.5]))
 
 
 def read_edge(picture: ArrayLike) -> EdgeReading:

@@ -26,6 +26,8 @@ SEGMENT = 8
 """Rows of a segment of the edge."""
 STEPS = 8
 """Steps per pixel in the Fourier sum."""
+BESIDE = 12.0
+"""Pixels on either side of an edge whose light says where it is."""
 MOST = 4.0
 """Frequencies are below this."""
 
@@ -51,6 +53,15 @@ class EdgeCurve:
     def spread_error(self, distance: ArrayLike) -> Floats:
         """Standard error (...) of the ESF at distances (...)."""
         return self._error(weights(distance, self.reach))
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """Where a sharp edge would let the same light through, and its standard error."""
+        beside = min(BESIDE, self.reach)
+        steps = round(STEPS * beside)
+        places = (np.arange(2 * steps) - steps + 0.5) / STEPS
+        shares = weights(places, self.reach).sum(axis=0) / STEPS
+        return beside - float(shares @ self.heights), float(self._error(shares))
 
     def slope(self, distance: ArrayLike) -> Floats:
         """LSF (...), per pixel, at distances (...)."""

@@ -6,7 +6,7 @@ P. D. Burns and D. Williams, *Refined slanted-edge measurement for practical cam
 testing*, 2002; ISO 12233.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,6 +64,11 @@ class EdgeLine:
     def angle_rad(self) -> float:
         """Slant against the columns, or the rows if ``turned``: 0 or more."""
         return float(np.arctan(abs(self.coefficients[1])))
+
+    def on(self, picture: Floats) -> "EdgeLine":
+        """The same line over another picture (H, W) of the same place, as in another colour."""
+        values = picture.T if self.turned else picture
+        return replace(self, picture=values[:, ::-1] if self.mirrored else values)
 
     def column(self, y: Floats) -> Floats:
         """Places (...) of the edge at heights (...)."""

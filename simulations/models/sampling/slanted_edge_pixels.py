@@ -36,6 +36,8 @@ class EdgePixels:
     """(N,) value of each pixel; 0 and 1 are the mean dark and light, away from the edge."""
     row: Indices
     """(N,) which of the `EdgeLine.rows` it is in."""
+    levels: tuple[float, float]
+    """Mean light of the dark and of the light side."""
 
     @property
     def widest_gap(self) -> float:
@@ -52,8 +54,12 @@ def locate_edge(picture: ArrayLike) -> EdgePixels:
     values = np.asarray(picture, float)
     require("picture", values.shape, values.ndim == 2, "(H, W)")
     require("picture", values, bool(np.isfinite(values).all()), "finite")
-    largest = float(np.abs(values).max(initial=0.0))
-    line = find_line(values / largest if largest > 0 else values)
+    largest = float(np.abs(values).max(initial=0.0)) or 1.0
+    return pixels_beside(find_line(values / largest), largest)
+
+
+def pixels_beside(line: EdgeLine, unit: float = 1.0) -> EdgePixels:
+    """The pixels of a line's picture by their distances from it; ``unit`` is the light of a 1."""
     height, width = line.picture.shape
     y = centred(height)[line.rows]
     edge = line.column(y) + 0.5 * (width - 1)
@@ -67,7 +73,8 @@ def locate_edge(picture: ArrayLike) -> EdgePixels:
     near = np.abs(distance) < reach
     dark, bright = (_row_means(light, near & (side * distance > 0.5 * reach)) for side in (-1, 1))
     share = as_shares(light, dark, bright, y)
-    return EdgePixels(line, reach, distance[near], share[near], np.nonzero(near)[0])
+    levels = unit * float(dark.mean()), unit * float(bright.mean())
+    return EdgePixels(line, reach, distance[near], share[near], np.nonzero(near)[0], levels)
 
 
 def _row_means(values: Floats, chosen: Mask) -> Floats:

@@ -13,10 +13,10 @@ from simulations.engine.controls import PointLists
 from simulations.engine.handles import Point
 from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.raster import to_rgba8
-from simulations.engine.settings import choice, points, slider
+from simulations.engine.settings import action, choice, points, slider
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, HalfContrast, measure
@@ -24,13 +24,18 @@ from simulations.models.sampling.slanted_edge_file import light_of_codes
 from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
 from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge
+from simulations.models.sampling.slanted_edge_search import edge_near
+from simulations.models.sampling.slanted_edge_tone import tone_error
+from simulations.models.sensor.resolution import pixel_pitch_um
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the panel
 ROWS, COLUMNS = 120, 160  # of the simulated picture
 DARK, STEP = 0.12, 0.7  # light of its dark side, and of the step: room for halos at both ends
 HALO_PX = 1.0  # σ of the blur whose difference from the picture sharpens it
 WAVELENGTH_UM = 0.55
+SHORT_UM, NARROW = 0.5, 0.7  # waves and, in pixels, their width in the limit that no edge exceeds
 MOST_SHOWN = 1200  # largest side in px at which a photograph is shown; it is measured in full
+SEARCHED = 400  # largest side in px of the picture in which an edge is looked for
 MOST_KEPT = 8  # places
 SCALED = (
     "This picture was scaled down, which changes its sharpness: save the part around the edge as a "
@@ -56,6 +61,7 @@ class Settings:
     y: float = slider("Rectangle, from the top", 37.5, 0, 75, 0.5, unit="%")
     width: float = slider("Rectangle, width", 40, 1, 60, 0.5, unit="%")
     height: float = slider("Rectangle, height", 30, 1, 60, 0.5, unit="%")
+    find: int = action("Find the edge near it", effect="set")
     kept: str = points(
         "Places kept", 1, 2 * MOST_KEPT, buttons={"keep": "Keep this place", "forget": "Forget all"}
     )
@@ -130,6 +136,9 @@ class Sharpness:
     """(51,) its standard error."""
     refusal: str = ""
     """The fault of the rectangle; empty if there is none."""
+    tone: float = 0.0
+    """Part of the error of MTF50 that is due to an unknown tone curve, in cycles per pixel."""
+    sharpened: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,6 +202,22 @@ def reduced(codes: Codes, apart: int) -> Codes:
     return (total // (apart * apart)).astype(np.uint8)
 
 
+def found_rectangle(codes: Codes, place: Point) -> dict[str, float]:
+    """The settings of a rectangle over the edge near a place of the panel; none if there is no
+    edge."""
+    apart = math.ceil(max(codes.shape[:2]) / SEARCHED)
+    small = reduced(codes, apart)
+    whole = box_in((small.shape[1], small.shape[0]), (0.0, 0.0), (0.0, 0.0))
+    (left, top), unit = whole.corner, whole.per_unit
+    grey = decode_srgb(small.mean(axis=2) / 255)
+    near = edge_near(grey, unit * (place[0] - left), unit * (place[1] - top))
+    if near is None:
+        return {}
+    x, y, width, height = (side / unit for side in near)
+    found = {"x": x + left, "y": y + top, "width": width, "height": height}
+    return {name: 100.0 * side / WIDTH for name, side in found.items()}
+
+
 def chosen_box(codes: Codes, x: float, y: float, width: float, height: float) -> Box:
     return box_in((codes.shape[1], codes.shape[0]), (x, y), (width, height))
 
@@ -210,7 +235,37 @@ def edge_pixels(
         return str(problem)
 
 
-def sharpness(pixels: EdgePixels | str) -> Sharpness:
+def has_tone_curve(photograph: Photograph | None, response: str) -> bool:
+    """Whether a camera may have changed the contrast: not in raw files, developed by the page."""
+    return photograph is not None and response == "srgb" and "raw" not in photograph.facts
+
+
+def most_contrast(aperture: float, pitch: float, photograph: Photograph | None) -> Floats | float:
+    """(51,) what diffraction lets through, generously; 1 if the file says no aperture or pitch."""
+    if photograph is not None:
+        aperture = float(photograph.facts.get("f_number", 0.0))
+        pitch = pitch_um(photograph) or 0.0
+    if not (aperture > 0.0 and pitch > 0.0):
+        return 1.0
+    through = lens_transfer(1000.0 / pitch * FREQUENCIES, SHORT_UM, aperture)
+    return np.asarray(through * np.sinc(NARROW * FREQUENCIES))
+
+
+def pitch_um(photograph: Photograph | None) -> float | None:
+    """The pixel pitch, if the file gives the focal length and its full-frame equivalent."""
+    names = ("focal_mm", "focal_35mm_mm", "full_width", "full_height")
+    facts = {} if photograph is None else photograph.facts
+    given = [float(facts[name]) for name in names if name in facts]
+    return pixel_pitch_um(*given) if len(given) == len(names) and min(given) > 0 else None
+
+
+def sharpness(
+    pixels: EdgePixels | str,
+    response: str,
+    aperture: float,
+    pitch: float,
+    photograph: Photograph | None,
+) -> Sharpness:
     unknown = np.full(FREQUENCIES.shape, np.nan)
     nothing = Sharpness(None, HalfContrast(np.nan, np.nan), unknown, unknown)
     if isinstance(pixels, str):
@@ -219,11 +274,24 @@ def sharpness(pixels: EdgePixels | str) -> Sharpness:
         reading = measure(pixels)
     except UnfitEdgeError as problem:
         return replace(nothing, refusal=str(problem))
-    return Sharpness(reading, reading.half_contrast(), *reading.transfer(FREQUENCIES))
+    half = reading.half_contrast()
+    tone = tone_error(reading) if has_tone_curve(photograph, response) else 0.0
+    return Sharpness(
+        reading,
+        replace(half, error=math.hypot(half.error, tone)),
+        *reading.transfer(FREQUENCIES),
+        tone=tone,
+        sharpened=reading.is_sharpened(most_contrast(aperture, pitch, photograph)),
+    )
 
 
 def kept_edges(
-    codes: Codes, kept: str, response: str, photograph: Photograph | None
+    codes: Codes,
+    kept: str,
+    response: str,
+    aperture: float,
+    pitch: float,
+    photograph: Photograph | None,
 ) -> tuple[KeptEdge, ...]:
     """The rectangles that were kept: pairs of opposite corners, as shares of the panel."""
     corners = PointLists.from_text(kept).lists[0] if kept else ()
@@ -231,7 +299,8 @@ def kept_edges(
     for (left, top), (right, bottom) in zip(corners[::2], corners[1::2], strict=False):
         centre = 50.0 * (left + right), 0.5 * tall * (top + bottom)
         box = chosen_box(codes, *centre, 100.0 * (right - left), tall * (bottom - top))
-        found.append(KeptEdge(box, sharpness(edge_pixels(codes, box, response, photograph))))
+        pixels = edge_pixels(codes, box, response, photograph)
+        found.append(KeptEdge(box, sharpness(pixels, response, aperture, pitch, photograph)))
     return tuple(found)
 
 

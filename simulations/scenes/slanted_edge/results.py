@@ -13,10 +13,13 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.reading import UnfitError
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
+from simulations.models.color.srgb import decode_srgb
 from simulations.models.sampling.first_fall import first_fall
-from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading
-from simulations.models.sensor.resolution import pixel_pitch_um
-from simulations.scenes.slanted_edge.edge import Box, KeptEdge, Settings, Sharpness
+from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, measure
+from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
+from simulations.models.sampling.slanted_edge_pixels import pixels_beside
+from simulations.models.sensor.photon_transfer_file import is_grey
+from simulations.scenes.slanted_edge.edge import Box, KeptEdge, Settings, Sharpness, pitch_um
 
 PER_MM, PER_PX = "cycles/mm", "cycles/px"
 NOT_MEASURABLE = "not measurable"
@@ -52,7 +55,7 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     )
     away = off_middle(outputs["box"], outputs)
     middle = readout("place", "From the middle to the corner", away, "%", digits=0)
-    return (*numbers, halos(reading), angle, middle)
+    return (*numbers, halos(measured), angle, middle)
 
 
 def contrast_of(reading: EdgeReading, frequency: float) -> float:
@@ -60,11 +63,11 @@ def contrast_of(reading: EdgeReading, frequency: float) -> float:
     return float(reading.transfer([frequency])[0][0])
 
 
-def halos(reading: EdgeReading | None) -> Readout:
-    if reading is None:
+def halos(measured: Sharpness) -> Readout:
+    if measured.reading is None:
         return Readout("overshoot", "Overshoot", NOT_MEASURABLE)
-    size = format_number(100.0 * reading.overshoot, 1)
-    if reading.sharpened:
+    size = format_number(100.0 * measured.reading.overshoot, 1)
+    if measured.sharpened:
         return Readout("overshoot", "Overshoot", f"{size} %, sharpened", "", "error")
     return Readout("overshoot", "Overshoot", size, "%")
 
@@ -107,17 +110,47 @@ def lines_of(
     label = f"The same with pixels of {format_number(settings.pitch, 1)} µm"
     value = value_with_error(scale * half.frequency, scale * half.error)
     yield Readout(f"mtf50_mm_{number}", label, value, PER_MM)
-    if reading.sharpened:
-        yield replace(halos(reading), name=f"overshoot_{number}")
+    if place.sharpness.tone:
+        dark, light = reading.pixels.levels
+        apart = format_number(light / max(dark, 1e-3), 1)
+        words = format_number(100.0 * place.sharpness.tone / half.frequency, 1)
+        label = f"Of its error, the unknown tone curve of the file, with an edge of {apart} : 1"
+        yield Readout(f"tone_{number}", label, words, "%")
+    if place.sharpness.sharpened:
+        yield replace(halos(place.sharpness), name=f"overshoot_{number}")
+    yield from colours(number, place, settings, outputs)
+
+
+def colours(
+    number: int, place: KeptEdge, settings: Settings, outputs: Outputs
+) -> Iterator[Readout]:
+    """MTF50 of each channel, and how far red and blue are off green; none for a grey file."""
+    box, reading = place.box, place.sharpness.reading
+    cut = outputs["codes"][box.top : box.bottom, box.left : box.right]
+    if reading is None or outputs["photograph"] is None or is_grey(cut):
+        return
+    line, codes = reading.pixels.line, np.linspace(0.0, 1.0, 256)
+    light: Floats = decode_srgb(codes) if settings.response == "srgb" else codes
+    try:
+        each = [measure(pixels_beside(line.on(light[cut[..., k]]))) for k in range(3)]
+    except UnfitEdgeError:
+        return
+    halves = [one.half_contrast() for one in each]
+    words = "; ".join(value_with_error(half.frequency, half.error) for half in halves)
+    yield Readout(f"channels_{number}", "MTF50 of red; green; blue, ± noise", words, PER_PX)
+    (red, by_red), (green, by_green), (blue, by_blue) = (one.curve.middle for one in each)
+    words = "; ".join(
+        value_with_error(off - green, math.hypot(error, by_green))
+        for off, error in ((red, by_red), (blue, by_blue))
+    )
+    label = "Lateral colour: red; blue off green, towards the light side"
+    yield Readout(f"lateral_{number}", label, words, "px")
 
 
 def pitch_by_file(photograph: Photograph | None) -> Iterable[Readout]:
-    """The pixel pitch, if the file gives the focal length and its full-frame equivalent."""
-    names = ("focal_mm", "focal_35mm_mm", "full_width", "full_height")
-    facts = {} if photograph is None else photograph.facts
-    given = [float(facts[name]) for name in names if name in facts]
-    if len(given) == len(names) and min(given) > 0:
-        yield readout("pitch", "Pixel pitch by the file", pixel_pitch_um(*given), "µm")
+    pitch = pitch_um(photograph)
+    if pitch is not None:
+        yield readout("pitch", "Pixel pitch by the file", pitch, "µm")
 
 
 def csv(head: str, *columns: Floats) -> str:
@@ -134,7 +167,7 @@ def reading_of(outputs: Outputs) -> EdgeReading:
 
 def mtf_file(settings: Settings, outputs: Outputs) -> str:
     reading, scale = reading_of(outputs), per_mm(settings)
-    head = "cycles_per_px,cycles_per_mm,contrast,standard_error"
+    head = "cycles_per_px,cycles_per_mm,contrast,standard_error_by_noise"
     return csv(head, FREQUENCIES, scale * FREQUENCIES, *reading.transfer(FREQUENCIES))
 
 
@@ -173,7 +206,8 @@ def facts_of(place: KeptEdge, outputs: Outputs) -> dict[str, object]:
         "mtf50_cycles_per_px": half.frequency,
         "mtf50_standard_error": half.error,
         "overshoot": reading.overshoot,
-        "sharpened": reading.sharpened,
+        "of_which_tone_curve": place.sharpness.tone,
+        "sharpened": place.sharpness.sharpened,
         "noise_of_step": reading.curve.noise,
     }
 

@@ -8,7 +8,7 @@ from simulations.engine.controls import PointLists, Value
 from simulations.engine.drawing import dot, line, rectangle, text
 from simulations.engine.frame import Frame, Panel, format_number, value_with_error
 from simulations.engine.handles import Handle, Point
-from simulations.engine.photograph import MOST_MEGAPIXELS, Whole
+from simulations.engine.photograph import MOST_MEGAPIXELS, Photograph, Whole
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import centred
@@ -24,6 +24,7 @@ from simulations.scenes.slanted_edge.edge import (
     KeptEdge,
     Settings,
     Sharpness,
+    found_rectangle,
 )
 from simulations.scenes.slanted_edge.plots import (
     FREQUENCY,
@@ -188,8 +189,18 @@ def middle_at(settings: Settings, _outputs: Outputs) -> Point:
     return settings.centre
 
 
-def middle_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"x": 100.0 * place[0] / WIDTH, "y": 100.0 * place[1] / WIDTH}
+def middle_pulled(
+    _settings: Settings, place: Point, photograph: Photograph | None = None
+) -> Mapping[str, Value]:
+    """On a photograph, the middle of the edge near the place."""
+    found = found_rectangle(photograph.codes, place) if photograph else {}
+    here = {"x": 100.0 * place[0] / WIDTH, "y": 100.0 * place[1] / WIDTH}
+    return {name: found.get(name, value) for name, value in here.items()}
+
+
+def found(settings: Settings, outputs: Outputs) -> Mapping[str, Value]:
+    """A rectangle over the edge near the middle of the present one."""
+    return found_rectangle(outputs["codes"], settings.centre)
 
 
 def nowhere(_settings: Settings, _outputs: Outputs) -> None:
@@ -229,5 +240,6 @@ SCENE = Scene(
     Whole(MOST_MEGAPIXELS),
     exports=EXPORTS,
     sheet=sheet,
+    sets={"find": found},
     formula=measure,
 )

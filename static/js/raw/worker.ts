@@ -122,6 +122,7 @@ function factsOf(about: Metadata) {
     iso: about.iso_speed,
     focal_mm: about.focal_len,
     focal_35mm_mm: about.lens.FocalLengthIn35mmFormat,
+    raw: 1,
   };
   const texts = { make: about.camera_make, model: about.camera_model, lens: about.lens.Lens };
   const known = Object.entries({ ...numbers, ...texts }).filter(([, value]) =>
