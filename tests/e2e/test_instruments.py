@@ -181,7 +181,7 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     page was left is read then."""
     reader, figure, box = instrument.reader, instrument.figure, instrument.box
     photographs, said = instrument.photographs, instrument.said
-    before = instrument.readout("measured").inner_text()
+    before = instrument.readout("per_px").inner_text()
     files = edge_files(tmp_path)
     instrument.add(files)
     assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
@@ -196,13 +196,13 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     assert part["photographs"] == ["soft.png"]
     assert part["settings"]["kept"]
     assert part["lines"] == measured("soft.png", part["settings"])
-    soft = instrument.readout("measured").inner_text()
+    soft = instrument.readout("per_px").inner_text()
     instrument.click(photographs.nth(1).locator(".intake-look"))
-    assert float(instrument.readout("measured").inner_text()) > float(soft)
+    assert float(instrument.readout("per_px").inner_text()) > float(soft)
     instrument.click(photographs.nth(1).locator(".intake-remove"))
-    expect(instrument.readout("measured")).to_have_text(soft)
+    expect(instrument.readout("per_px")).to_have_text(soft)
     instrument.click(box.locator(".intake-clear"))
-    expect(instrument.readout("measured")).to_have_text(before)
+    expect(instrument.readout("per_px")).to_have_text(before)
     expect(photographs).to_have_count(0)
     damaged = tmp_path / "damaged.jpg"
     beyond = b"Exif\0\0II*\0\xff\xff\xff\xff"  # where its directory would begin
@@ -232,7 +232,7 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     reader.open(PAGE)
     expect(photographs).to_have_count(6)
     assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
-    expect(instrument.readout("measured")).to_have_text(soft)
+    expect(instrument.readout("per_px")).to_have_text(soft)
     keep.uncheck()
     wait_stored(reader, 0)
     reader.open(PAGE)

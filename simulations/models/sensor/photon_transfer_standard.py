@@ -77,7 +77,7 @@ def _linearity(mean: Floats, exposures: Floats, full_dn: float) -> Estimate:
     """Deviations of the levels in between from the line whose relative deviations are least."""
     used = (mean >= LOWEST * full_dn) & (mean <= HIGHEST * full_dn) & (exposures > 0)
     x, y = exposures[used], mean[used]
-    if len(np.unique(x)) < FEWEST:
+    if len(set(x.tolist())) < FEWEST:
         few = f"Linearity needs {FEWEST} exposures between 5 and 95 % of saturation."
         return Estimate.unknown(few if used.any() else NO_TIMES)
     line = np.polyval(np.polyfit(x, y, 1, w=1 / y), x)

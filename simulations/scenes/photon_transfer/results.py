@@ -25,9 +25,9 @@ QUANTITIES = (
 )
 """Name, label, unit and units per unit of the model."""
 STANDARD = (
-    ("full_well", "Full well, EMVA 1288", "e⁻", 1.0),
-    ("dynamic_range", "Dynamic range, EMVA 1288", ": 1", 1.0),
-    ("linearity_error", "Linearity error by exposure times, EMVA 1288", "%", 100.0),
+    ("full_well", "Full well (EMVA 1288)", "e⁻", 1.0),
+    ("dynamic_range", "Dynamic range (EMVA 1288)", ": 1", 1.0),
+    ("linearity_error", "Linearity error by exposure times (EMVA 1288)", "%", 100.0),
 )
 HEAD = (
     "plane,first,second,mean_dn,noise_dn2,noise_error_dn2,pattern_dn2,pattern_error_dn2,"
