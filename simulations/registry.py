@@ -91,6 +91,11 @@ def _module(kind: str, wanted: str, room: str, inside: str, listed: Mapping[str,
     """The module by its name alone, for the browser, where modules cannot be listed."""
     name = f"simulations.{room}.{wanted.replace('-', '_')}"
     spec = _spec(name) if not {"_", "."} & {*wanted} and not wanted.startswith("-") else None
+    if spec is None and wanted in listed:
+        file = f"{listed[wanted].replace('.', '/')}.py"
+        raise UnknownIdError(
+            f"{kind} {wanted!r} in {file!r}; legal: '_' in the file's name for '-'"
+        )
     if spec is None:
         legal = f"; legal: {', '.join(listed)}" if listed else ""
         hint = suggestion(wanted, listed) or legal

@@ -40,7 +40,12 @@ from site_builder.checks.whole_book import (
 )
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Book
-from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
+from site_builder.figures.initial_frames import (
+    InitialFrames,
+    describing,
+    render_initial_frames,
+    texts_of,
+)
 from site_builder.files.engine import static_files
 from site_builder.files.folders import file_hash
 from site_builder.files.text import Sources
@@ -66,6 +71,7 @@ from site_builder.sandbox.pool import printed
 from site_builder.search.index import SearchLibrary, make_indices
 from site_builder.sources.book import read_book
 from site_builder.sources.translated_book import read_translations
+from site_builder.sources.translations.files import check_labels
 
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
@@ -179,6 +185,8 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
         book, problems, prerendered=options.runtime and not options.reload
     )
     check_frames(book, initial_frames, static_files(options.root), problems)
+    for translation in translations:
+        check_labels(sources, translation.words, texts_of(initial_frames))
     if not problems:  # a figure that fails has no description to count
         check_first_passes(book, describing(initial_frames), problems)
     for path, line, text in printed():

@@ -2,18 +2,21 @@
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 from simulations.engine.controls import KINDS as CONTROLS
+from site_builder.cache.results import cached_result
 from site_builder.document.blocks import Question, contents
 from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import ENGINE, static_files
-from site_builder.files.folders import folder_files, integrity
+from site_builder.files.folders import file_hash, folder_files, integrity
 from site_builder.files.text import Sources
 from site_builder.languages.words import load_words
-from site_builder.markdown.content_files import PICTURES
+from site_builder.markdown.content_files import PICTURES, picture_size
+from site_builder.markdown.directives.media import Media
 from site_builder.markdown.questions.kind import HERE as QUESTION_FOLDER
 from site_builder.markdown.questions.kinds import KINDS as QUESTIONS
 from site_builder.markdown.questions.kinds import kind_of
@@ -97,7 +100,7 @@ def gather_assets(
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder: ``folder``, or one that is named by what is in it. Raises
     `BuildError`."""
-    content = folder_files(root / "content")
+    content, widths = folder_files(root / "content"), shown_widths(book)
     static = {**static_files(root), **kind_files(book)}
     scripts = _scripts(book, static)
     files: Files = {
@@ -111,7 +114,7 @@ def gather_assets(
         **{f"fonts/{name}": data for name, data in subset_fonts().items()},
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{
-            f"content/{name}": file
+            f"content/{name}": as_shown(file, widths.get(name, COLUMN_PX))
             for name, file in content.items()
             if name.lower().endswith(PICTURES.suffixes)
         },
@@ -122,6 +125,42 @@ def gather_assets(
     else:
         folder, files = hashed_folder("assets", files)
     return Assets(folder, files, scripts.at_once)
+
+
+COLUMN_PX = 700.0
+"""Width of the column of text in CSS pixels, on the widest screen."""
+
+
+def shown_widths(book: Book) -> dict[str, float]:
+    """How wide the author's pictures are shown, in CSS pixels."""
+    widths: dict[str, float] = {}
+    for chapter in book.chapters:
+        for shown in contents(chapter.body, Media):
+            number = float(shown.width.rstrip("%px") or 100)
+            width = number if shown.width.endswith("px") else COLUMN_PX * number / 100
+            for name in filter(None, (shown.file, shown.dark, shown.poster)):
+                widths[name] = max(width, widths.get(name, 0))
+    return widths
+
+
+def as_shown(file: Path, width: float) -> Content:
+    """A picture with two pixels for each that it is shown on, at most, for fine screens."""
+    most = round(2 * width)
+
+    def scaled() -> bytes:
+        from PIL import Image
+
+        buffer = BytesIO()
+        with Image.open(file) as picture:
+            whole = picture.convert("RGBA") if picture.mode in ("1", "P") else picture
+            small = whole.resize((most, round(picture.height * most / picture.width)))
+            small.save(buffer, picture.format, quality=90, exif=picture.getexif())
+        return buffer.getvalue()
+
+    size = picture_size(file) if file.suffix.lower() != ".svg" else None
+    if size is None or size[0] <= most:
+        return file
+    return cached_result("picture as shown", (file_hash(file), most), scaled)
 
 
 def _scripts(book: Book, static: Files) -> Bundle:

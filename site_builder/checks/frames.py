@@ -7,6 +7,7 @@ from pathlib import Path
 
 from simulations.engine.frame import ROLES as COLOUR_ROLES
 from simulations.engine.frame import Panel
+from site_builder.cache.hashing import module_of
 from site_builder.checks.pictures import Label, read_overlay
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import walk
@@ -51,11 +52,12 @@ def check_frames(
         for name, role in shown + [(handle.name, handle.role) for handle in scene.handles]:
             if role not in roles:
                 said = unknown("colour role", role, roles[1:])
-                problems.add(path, line, f"{scene.id}: {name!r} has an {said}")
+                own = module_of(scene) or ""
+                problems.add_of(own, path, line, f"{scene.id}: {name!r} has an {said}")
         for panel in still.frame.panels:
             picture = still.pictures.get(panel.name)
             pixels = picture.width * picture.height if picture else 0
-            _check(still.figure.scene.id, panel, pixels, known, (path, line), problems)
+            _check(scene.id, panel, pixels, known, (path, line), problems, module_of(scene) or "")
     for chapter in book.chapters:
         for block in walk(chapter.body):
             if isinstance(block.content, DrawnIllustration):
@@ -89,9 +91,10 @@ def _check(
     known: frozenset[str],
     place: tuple[str, int],
     problems: Diagnostics,
+    module: str = "",
 ) -> None:
     for message in _faults(panel, pixels, known):
-        problems.add(*place, f"{who}: panel {panel.name!r}: {message}")
+        problems.add_of(module, *place, f"{who}: panel {panel.name!r}: {message}")
     if len(panel.overlay) <= MOST_LETTERS:
         for label in read_overlay(panel.overlay).labels:
             if _is_outside(label, panel):

@@ -182,7 +182,7 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
         for tex, formula in _first_uses(chapter):
             covering = [item for name, item in expected if covers(name, tex)]
             used |= {item.symbol.line for item in covering}
-            if not covering:
+            if not covering and tex not in UNDECLARED:
                 names = [name for name, _ in expected]
                 message = unknown(f"symbol in {chapter.id}", tex, names)
                 problems.add(chapter.path, formula.line, f"{message} (in {FILE})")
@@ -196,6 +196,10 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
                 problems.add(FILE, symbol.line, f"{symbol.tex!r}; legal: one symbol, such as 'k_1'")
             elif symbol.line not in used:
                 problems.warn(FILE, symbol.line, f"'{symbol.tex}' is in no formula of {name}")
+
+
+UNDECLARED = ("\\pi",)
+"""What every reader knows."""
 
 
 def _first_uses(chapter: Chapter) -> Iterator[tuple[str, Formula]]:

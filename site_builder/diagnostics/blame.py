@@ -1,5 +1,6 @@
 """The message of an exception of an author's code, and the line of that code that raised it."""
 
+import re
 import sysconfig
 import traceback
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,6 +14,11 @@ HERE = Path(__file__).resolve().parents[1]
 REMEMBERED = "place_and_words"
 SETTINGS = "at_settings"
 """Names of what an error carries."""
+OURS = ("simulations", "site_builder")
+PACKAGES = (
+    "legal: Python's library, numpy, and what 'packages' of [runtime] in content/book.toml names "
+    "and is installed here"
+)
 LIBRARIES = (
     *(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib")),
     Path(engine.__file__ or "").resolve().parent,
@@ -40,6 +46,8 @@ def words_of(error: BaseException) -> str:
     """What Python prints of it behind its name, with the names that may have been meant."""
     if remembered := getattr(error, REMEMBERED, None):
         return str(remembered[1])
+    if isinstance(error, ModuleNotFoundError) and not (error.name or "").startswith(OURS):
+        return f"{error}; {PACKAGES}"
     if type(error).__module__ != "builtins":  # by what survives a `__str__` that raises
         return str(traceback.TracebackException(type(error), error, None))
     *_, last = traceback.TracebackException.from_exception(error).format_exception_only()
@@ -55,6 +63,45 @@ def place_of(error: BaseException) -> str:
         file = Path(error.filename)
         return f"{_relative(file) if file.is_absolute() else file}:{error.lineno or 1}"
     return _innermost(traceback.extract_tb(error.__traceback__))
+
+
+@contextmanager
+def in_module(module: str) -> Iterator[None]:
+    """What is raised within, but at no line of an author's, is of this module: see `place_in`."""
+    try:
+        yield
+    except Exception as error:
+        if not place_of(error):
+            remember(error, place_in(module, words_of(error)), words_of(error))
+        raise
+
+
+QUOTED = re.compile(r"'([^'\n]+)'")
+
+
+def place_in(module: str, message: str) -> str:
+    """The line of an author's module that a message is about: the first with the last word that the
+    message quotes before it says what is legal, in a text or else elsewhere; or that of what makes
+    the scene. Nothing of other modules."""
+    path = module.replace(".", "/").removeprefix("simulations/")
+    places = (
+        folder / name for folder in _folders() for name in (f"{path}.py", f"{path}/__init__.py")
+    )
+    file = next((each for each in places if each.is_file() and _is_authors(each)), None)
+    if file is None:
+        return ""
+    lines = file.read_text(encoding="utf-8", errors="replace").split("\n")
+    words = [re.escape(word) for word in QUOTED.findall(message.partition("; ")[0])]
+    forms = [
+        form
+        for word in reversed(words)
+        for form in (rf"""["'](.*\s)?{word}(\s.*)?["']""", rf"\b{word}\b")
+    ]
+    for form in (*forms, r"SCENE\b|@figure\b"):
+        for number, line in enumerate(lines, start=1):
+            if re.search(form, line):
+                return f"{_relative(file)}:{number}"
+    return f"{_relative(file)}:1"
 
 
 def place_here() -> str:

@@ -7,12 +7,12 @@ import difflib
 import json
 import re
 import sys
-from collections.abc import Iterable, Sequence, Sized
+from collections.abc import Iterable, Iterator, Sequence, Sized
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from simulations.engine.message import legible
-from site_builder.diagnostics.blame import place_of, settings_of, words_of
+from site_builder.diagnostics.blame import place_in, place_of, settings_of, words_of
 
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
@@ -32,6 +32,8 @@ class Diagnostic:
     """Whether the book cannot be built with it; else it is a warning."""
     met: str = field(default="", compare=False)
     """Where an exception of an author's code was met first; it is reported once."""
+    spoils: tuple[str, ...] = field(default=(), compare=False)
+    """What follows from it: other mistakes with one of these in their path or message."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "message", legible(self.message))
@@ -51,11 +53,25 @@ class Diagnostics:
     doubts: list[Diagnostic] = field(default_factory=list)
     """Warnings."""
 
-    def add(self, path: str, line: int, message: str, error: BaseException | None = None) -> None:
+    def add(
+        self,
+        path: str,
+        line: int,
+        message: str,
+        error: BaseException | None = None,
+        spoils: tuple[str, ...] = (),
+    ) -> None:
         """``error``: what an author's code raised. It is reported at the line that did, if that is
         known, and once, however often it is met."""
-        found = Diagnostic(path, line, message)
+        found = Diagnostic(path, line, message, spoils=spoils)
         self.found.append(_at_its_source(found, error) if error else found)
+
+    def add_of(self, module: str, path: str, line: int, message: str) -> None:
+        """A mistake of an author's module, at the line that has what the message quotes, once."""
+        place, _, own = place_in(module, message).rpartition(":")
+        found = Diagnostic(path, line, message)
+        met = f"{path}:{line}"
+        self.found.append(Diagnostic(place, int(own), message, met=met) if place else found)
 
     def warn(self, path: str, line: int, message: str) -> None:
         self.doubts.append(Diagnostic(path, line, message, fails=False))
@@ -66,11 +82,32 @@ class Diagnostics:
 
 
 class BuildError(Exception):
-    """The book cannot be built; carries every diagnostic, in the order of files and lines."""
+    """The book cannot be built; carries every diagnostic that follows from no other, in the order
+    of files and lines."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
-        self.diagnostics = tuple(sorted(set(diagnostics)))
+        self.diagnostics = tuple(without_following(sorted(set(diagnostics))))
         super().__init__("\n".join(map(str, self.diagnostics)))
+
+
+TRANSLATED = re.compile(r"content/[a-z]{2,3}(?:-\w+)*/(.+)")
+
+
+def without_following(found: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
+    """Those that would stay if the others were mended: not what a mistake spoils, and of a
+    translation neither the mistakes of its original nor those that compare it with a wrong one."""
+    spoilt = {phrase: one for one in found for phrase in one.spoils}
+    messages = {(one.path, one.message) for one in found}
+    paths = {one.path for one in found}
+    for one in found:
+        translated = TRANSLATED.fullmatch(one.path)
+        original = f"content/{translated[1]}" if translated else ""
+        if (original, one.message) in messages or (original in paths and original in one.message):
+            continue
+        if not any(
+            s in (one.path, one.message) or s in one.message for s in spoilt if spoilt[s] is not one
+        ):
+            yield one
 
 
 def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic:

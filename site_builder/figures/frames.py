@@ -13,8 +13,9 @@ from simulations.engine.frame import Frame, Raster, StageReport
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
+from site_builder.cache.hashing import module_of
 from site_builder.cache.results import cached
-from site_builder.diagnostics.blame import at_settings
+from site_builder.diagnostics.blame import at_settings, in_module
 from site_builder.sandbox.pool import run_limited
 
 type Values = Mapping[str, object]
@@ -90,14 +91,16 @@ def _rendered(scene: Scene[Any], values: Values, tier: str, cache: StageCache) -
     """Whatever it raises carries the settings that are not those at the start."""
     start, settings = values_of(scene.check({})), scene.check(values)
     now = values_of(settings)
-    with at_settings({name: value for name, value in now.items() if value != start[name]}):
+    moved = {name: value for name, value in now.items() if value != start[name]}
+    with at_settings(moved), in_module(module_of(scene) or ""):
         return scene.render(settings, tier, cache)
 
 
 def _static_frame(scene: Scene[Any], values: Values, tier: str) -> StaticFrame:
     frame, settings = _rendered(scene, values, tier, StageCache()), scene.check(values)
-    for place in frame.handles:  # a pull that raises shall do so now
-        scene.pull(settings, place.name, (place.x, place.y), tier)
+    with in_module(module_of(scene) or ""):
+        for place in frame.handles:  # a pull that raises shall do so now
+            scene.pull(settings, place.name, (place.x, place.y), tier)
     pictures = {
         panel.name: Picture(panel.raster.shape[1], panel.raster.shape[0], webp(panel.raster))
         for panel in frame.panels

@@ -16,8 +16,11 @@ HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
 CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 """Characters that no page can show and that break an e-book."""
+MERGE = re.compile("^(?:<{7}|>{7}) .*$", re.MULTILINE)
 MOST_BYTES = 1_000_000
 """Most bytes of a file of text: twice a book."""
+HOLDS = {"content/glossary.toml": ("unknown term",)}
+"""What mistakes elsewhere begin with where a file cannot be read."""
 QUOTES = re.compile(r"\"\"\"|'''")
 
 type Keys = tuple[str | int, ...]
@@ -78,6 +81,10 @@ class Sources:
             self.problems.add(path, line, message)
             text = data.decode("utf-8-sig", errors="replace")
         text = text.replace("\r\n", "\n")
+        if found := MERGE.search(text):
+            line = text.count("\n", 0, found.start()) + 1
+            expected = "one of the two versions, without the marks of the merge"
+            self.problems.add(path, line, f"{found[0]!r}; legal: {expected}", spoils=(path,))
         if len(data) > MOST_BYTES:
             expected = f"at most {MOST_BYTES / 1e6:g} MB"
             self.problems.add(path, 1, f"{len(data) / 1e6:.1f} MB of text; legal: {expected}")
@@ -97,7 +104,9 @@ class Sources:
         except (ValueError, RecursionError) as error:  # also of long numbers and deep lists
             place = re.search(r"line (\d+)", str(error))
             end = text.rstrip("\n").count("\n") + 1
-            self.problems.add(path, int(place[1]) if place else end, f"malformed TOML: {error}")
+            spoils = (f"in {path}", *HOLDS.get(path, ()))
+            place_or_end = int(place[1]) if place else end
+            self.problems.add(path, place_or_end, f"malformed TOML: {error}", spoils=spoils)
             return None
         for keys, value in _texts(toml.table):
             if found := CONTROL.search(value):  # written as an escape

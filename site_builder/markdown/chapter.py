@@ -57,7 +57,11 @@ class FrontMatter:
 def read_front_matter(tokens: Sequence[Token], context: ParseContext) -> FrontMatter:
     """What stands in the first of ``tokens``."""
     if not tokens or tokens[0].type != "front_matter":
-        context.problem(1, f"no front matter; {LEGAL_MATTER}")
+        is_open = bool(tokens) and tokens[0].type == "hr" and tokens[0].map == [0, 1]
+        what = "front matter without an end" if is_open else "no front matter"
+        own = ("unknown target", "is cited nowhere", f"unknown anchor in {context.path}")
+        spoils = () if tokens else own
+        context.problems.add(context.path, 1, f"{what}; {LEGAL_MATTER}", spoils=spoils)
         return FrontMatter()
     try:
         root = yaml.compose(tokens[0].content, Loader=yaml.SafeLoader)

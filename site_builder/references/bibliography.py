@@ -140,7 +140,8 @@ def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Works:
         works = [_work(key, entry, lines.get(key, 1), words) for key, entry in entries.items()]
     except (PybtexError, RecursionError) as error:
         line = getattr(error, "lineno", None) or _line_of(str(error), text)
-        problems.add(FILE, line, f"malformed BibTeX: {error}{_advice(str(error))}")
+        message = f"malformed BibTeX: {error}{_advice(str(error))}"
+        problems.add(FILE, line, message, spoils=("unknown work",))
         return NO_WORKS
     for work in works:
         _check(work, problems)

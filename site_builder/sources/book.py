@@ -17,7 +17,7 @@ from site_builder.document.blocks import Simulation
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.document.places import Passage, Position, Target, Targets, chapter_id
 from site_builder.files.engine import ENGINE
-from site_builder.files.folders import file_hash, folder_files, folder_hash
+from site_builder.files.folders import file_hash, folder_files, folder_hash, is_side_file
 from site_builder.files.text import Sources
 from site_builder.languages.words import languages
 from site_builder.markdown.chapter import (
@@ -234,6 +234,10 @@ def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
     return state_of
 
 
+OF_TRANSLATIONS = ("book.toml", "glossary.toml", "labels.toml")
+"""Files beside a translation's chapters."""
+
+
 def _check_unlisted(sources: Sources, outline: Outline) -> None:
     content = sources.root / "content"
     tags = [tag for tag in languages() if tag != outline.settings.language]
@@ -250,6 +254,14 @@ def _check_unlisted(sources: Sources, outline: Outline) -> None:
             folder = file.parent.relative_to(content).as_posix()
             message = unknown("language of a translation", folder, tags)
         sources.problems.add(path, 1, message)
+    for beside in sorted(content.glob("*/*.toml")):
+        folder, name = beside.parent.name, beside.relative_to(sources.root).as_posix()
+        begun = beside.name in OF_TRANSLATIONS and not is_side_file(folder)
+        if begun and not any((beside.parent / f"{chapter}.md").is_file() for chapter in names):
+            said = f"a translation of no chapter; better: one, such as '{folder}/{names[0]}.md'"
+            if folder not in tags:
+                said = unknown("language of a translation", folder, tags)
+            sources.problems.warn(name, 1, said)
 
 
 def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:

@@ -263,6 +263,34 @@ def test_an_exception_of_a_scene_is_reported_once_at_its_line_with_where_it_is_m
     )
 
 
+@pytest.mark.parametrize(
+    ("message", "line"),
+    [
+        ("handle 'ball': panel 'sped'; legal: 'speed'", 5),
+        ("stage 'fall' reads 'termnal'; legal: terminal", 1),
+        ("panel 'speed': unknown class 'rayy'", 3),
+        ("no description", 6),
+    ],
+)
+def test_a_mistake_of_a_scene_is_at_the_line_that_has_what_it_quotes(
+    message: str, line: int, tmp_path: Path
+) -> None:
+    source = """def fall(termnal):
+    pass
+STYLE = "rayy bold"
+ball = 3
+BALL = Handle("ball", "sped")
+SCENE = Scene()
+"""
+    with small_package(tmp_path, {"ball": source}):
+        found = Diagnostics()
+        for met in (7, 9):
+            found.add_of(f"{PACKAGE}.ball", "content/a.md", met, message)
+        (only,) = BuildError(found.found).diagnostics
+        assert (only.path, only.line) == ("simulations/small/ball.py", line)
+        assert only.met == "content/a.md:7"
+
+
 ODD = """
 def loop():
     while True: pass

@@ -6,17 +6,20 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping
+from io import BytesIO
 from pathlib import Path
 
 import pytest
+from PIL import Image
 from support.little_book import MakeBook
 from support.places import ROOT
 
+from site_builder.assets.pages import as_shown
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.output.scripts import bundle_scripts
 from site_builder.output.style_sheets import join_style_sheets
-from site_builder.output.writer import advice, hashed_folder, write_site
+from site_builder.output.writer import advice, content_bytes, hashed_folder, write_site
 
 NOBODY = 65534
 """The user without rights."""
@@ -188,3 +191,20 @@ SOURCES: Mapping[str, bytes] = {
 def test_a_mistake_in_a_script_is_reported_with_file_and_line(module: bytes, message: str) -> None:
     with pytest.raises(BuildError, match=message):
         bundle_scripts({**SOURCES, "js/page/shown.ts": module}, "js/main.ts")
+
+
+@pytest.mark.parametrize(
+    ("name", "size", "width", "shipped"),
+    [
+        ("photo.jpg", (4000, 3000), 420.0, (840, 630)),
+        ("few colours.png", (4000, 300), 700.0, (1400, 105)),
+        ("small.webp", (800, 600), 700.0, (800, 600)),
+    ],
+)
+def test_a_picture_ships_with_two_pixels_for_each_that_it_is_shown_on(
+    name: str, size: tuple[int, int], width: float, shipped: tuple[int, int], tmp_path: Path
+) -> None:
+    picture = Image.new("P" if name.endswith("png") else "RGB", size)
+    picture.save(tmp_path / name)
+    with Image.open(BytesIO(content_bytes(as_shown(tmp_path / name, width)))) as made:
+        assert made.size == shipped

@@ -105,7 +105,9 @@ def _media(
         read=read_media,
         template=name,
         numbered=Numbered(
-            "Figure", lambda call: f"figure-{PurePosixPath(call.argument).stem}", again=True
+            "Figure",
+            lambda call: f"figure-{'-'.join(PurePosixPath(call.argument).stem.split())}",
+            again=True,
         ),
         plain=lambda shown: Plain((shown.alt, shown.caption), "figure"),
     )
@@ -113,7 +115,7 @@ def _media(
 
 FIGURE = _media(
     "figure",
-    "a picture of yours",
+    "a picture of yours, scaled down to what screens can show of it",
     Argument("images/file.svg", lacks="names no picture", file=PICTURES),
     OptionLine("alt", doc="what the picture shows", required=True),
     OptionLine("width", doc="how wide it is shown, `60%` or `320px`", form=WIDTH),

@@ -1,8 +1,9 @@
 """The files of a translation beside its chapters: settings, glossary, and the labels of figures."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
+from difflib import get_close_matches
 from pathlib import Path
 
 from site_builder.diagnostics.diagnostic import unknown
@@ -59,6 +60,18 @@ def read_labels(sources: Sources, language: str) -> Mapping[str, str]:
             continue
         sources.problems.add(path, toml.line(text) if toml else 1, f"{text!r}; legal: {expected}")
     return labels
+
+
+def check_labels(sources: Sources, words: Words, said: Iterable[str]) -> None:
+    """Warn of a label that no figure has as it starts, where one has nearly the same."""
+    path, known = file_of(words.language, "labels.toml"), {NUMBER.sub("#", s.strip()) for s in said}
+    strange = [text for text in words.figures if text not in known]
+    toml = sources.aside().toml(path) if strange else None
+    for text in strange:
+        near = get_close_matches(text, sorted(known - {*words.figures}), n=1, cutoff=0.8)
+        if near and toml:
+            message = f"{text!r} is in no figure as it starts; better: {near[0]!r}"
+            sources.problems.warn(path, toml.line(text), message)
 
 
 def figure_text(text: str, words: Words) -> str:
