@@ -9,6 +9,7 @@ from simulations.engine.drawing import path, polygon
 from simulations.engine.illustration import Illustration, Panel
 from simulations.models.arrays import Floats
 from simulations.models.geometry import transforms
+from simulations.pictures import playing_card
 
 WIDTH, HEIGHT, UNITS = 190.0, 218.0, 82.0
 FAMILIES = (
@@ -21,9 +22,6 @@ FAMILIES = (
 """Name, degrees of freedom, a member of the family."""
 LINES = np.linspace(0, 1, 5)
 CARD = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)
-LETTER = np.array([(1, 0.8), (1, 3.2), (3, 3.2), (3, 2.7), (1.6, 2.7), (1.6, 2.2), (2.6, 2.2),
-                   (2.6, 1.7), (1.6, 1.7), (1.6, 0.8)]) / 4  # fmt: skip
-"""An F, which has no symmetry."""
 
 
 def mapped(H: Floats, points: Floats) -> Floats:
@@ -46,11 +44,14 @@ def draw() -> Illustration:
             polygon(mapped(np.eye(3), CARD), "muted thin dashed"),
             path(grid(H), "image thin"),
             polygon(mapped(H, CARD), "image"),
-            polygon(mapped(H, LETTER), "image solid"),
+            playing_card.drawn(
+                mapped(H, 0.5 + playing_card.OUTLINE / 80),
+                [mapped(H, 0.5 + shape / 80) for shape in playing_card.MARKS],
+            ),
             label((WIDTH / 2, HEIGHT - 8), f"{freedoms} degrees of freedom", "muted", "middle"),
         ]
         panels.append(Panel(name.lower(), name, WIDTH, HEIGHT, overlay="".join(marks)))
-    words = "A square card with an F, before and after a member of each family: " + ", ".join(
+    words = "A playing card on a square, before and after a member of each family: " + ", ".join(
         f"{name.lower()} ({freedoms} degrees of freedom)" for name, freedoms, _ in FAMILIES
     )
     return Illustration(

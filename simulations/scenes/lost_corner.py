@@ -5,21 +5,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.drafting import label
+from simulations.engine import drawing
 from simulations.engine.frame import Frame, Panel, format_number, readout
 from simulations.engine.handles import Handle, Point
-from simulations.engine.plotting.axis import Axis
-from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
-from simulations.models.geometry.transforms import apply_homography
+from simulations.models.geometry.transforms import (
+    apply_homography,
+    clip_half_plane,
+    translation,
+)
 from simulations.scenes._mapped_square import family, plane
 
-PLOT = Plot(Axis(0.0, 100.0, 46.0, 386.0), Axis(-1.0, 2.0, 290.0, 36.0))
-SCALES = (Scale("amount", ticks=(0.0, 50.0, 100.0)), Scale("w", ticks=(0.0, 1.0)))
+SHIFT = np.array([60.0, 81.25])
+"""Of the plane before the map in its own panel, so that the line comes into view early."""
+CORNERS = np.array([(0, 0), (plane.WIDTH, 0), (plane.WIDTH, plane.HEIGHT), (0, plane.HEIGHT)])
+HANDLE_X = 75.0  # of the handle on the line w = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,19 +46,26 @@ def w_at(settings: Settings) -> float:
     return float(matrix(settings)[2] @ [*point_of(settings), 1.0])
 
 
-def divisor(settings: Settings) -> str:
-    """w at P, by which the homography divides, against the amount."""
-    along = family.way("projective")[:, 2] @ [*point_of(settings), 1.0]
-    place = (PLOT.x.start + 10.0, PLOT.y.start - 10.0)
+def levels(settings: Settings) -> str:
+    """The plane before the map, with the lines of equal w and the side that is past infinity."""
+    H, point = matrix(settings), point_of(settings)
+    moved = translation(*SHIFT)
+    w = H[2] @ translation(*-SHIFT)
+    past = clip_half_plane(plane.from_view(CORNERS), -w)
+    spot = plane.to_view(point + SHIFT)
+    near = spot[0] < plane.WIDTH - 90.0
+    beside = spot + np.array([plane.CLEAR if near else -plane.CLEAR, 4.0])
+    words = f"P: w = {format_number(w_at(settings), 2)}"
     return "".join(
         (
-            PLOT.region(y=(PLOT.y.low, 0.0), style="error fill faint"),
-            PLOT.frame(*SCALES),
-            PLOT.level(0.0, "error dashed"),
-            PLOT.drop(settings.amount, w_at(settings), "muted thin dashed"),
-            label(place, "past infinity", "error small ground"),
-            PLOT.curve(np.arange(101.0), along, "image bold"),
-            PLOT.mark(settings.amount, w_at(settings), "image"),
+            plane.figure(moved, "world"),
+            drawing.polygon(plane.to_view(past), "error fill faint") if len(past) > 2 else "",
+            *(
+                plane.labelled_line(w - (0.0, 0.0, level), f"w = {level:g}", role, "start")
+                for level, role in ((1.0, "muted"), (0.5, "muted"), (0.0, "error"))
+            ),
+            drawing.dot(spot, "world", 4.5),
+            drawing.text(beside, words, "world small ground", "start" if near else "end"),
         )
     )
 
@@ -76,11 +86,11 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         else f"has {format_number(area, 2)} times its area"
     )
     size_of = plane.WIDTH, plane.HEIGHT
-    drawn, title = "".join(square), "What the coordinates of P′ are divided by"
+    drawn, title = "".join(square), "Before: what each place is divided by"
     return Frame(
         (
-            Panel("plane", "A square and its image", *size_of, overlay=drawn, lead=True),
-            Panel("divisor", title, 400.0, 340.0, overlay=divisor(settings)),
+            Panel("plane", "The card and its image", *size_of, overlay=drawn, lead=True),
+            Panel("divisor", title, *size_of, overlay=levels(settings)),
         ),
         (
             readout("w", "w at P", w, digits=3),
@@ -89,6 +99,14 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         f"The image of a square under a homography {size}. "
         f"{plane.describe_point(H, point)} There w is {format_number(w, 2)}.",
     )
+
+
+def line_at(settings: Settings, _outputs: Outputs) -> Point | None:
+    """The place of the line w = 0 at `HANDLE_X`, or the border before it comes into view."""
+    a, b, c = matrix(settings)[2]
+    y = -(a * HANDLE_X + c) / b if b else -math.inf
+    x, row = plane.to_view(np.array([HANDLE_X, max(y, -1e3)]) + SHIFT).tolist()
+    return x, min(row, plane.HEIGHT - 8.0)
 
 
 def image_at(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -114,16 +132,7 @@ SCENE = Scene(
             ),
             role="world",
         ),
-        Handle(
-            "amount",
-            "divisor",
-            "Mark on the curve",
-            ("amount",),
-            lambda settings, _: PLOT.clamped(settings.amount, w_at(settings)),
-            lambda _, place: {"amount": PLOT.x.value(place[0])},
-            "press",
-            "image",
-        ),
+        Handle("amount", "divisor", "Line w = 0", ("amount",), line_at, role="error"),
     ),
     formula=apply_homography,
 )

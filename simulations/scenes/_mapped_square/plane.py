@@ -1,7 +1,7 @@
 """The plane of the square: the square and its image, lines at infinity, P and its image P′."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +17,7 @@ from simulations.models.geometry.transforms import (
     clip_to_visible,
     sign_of_w,
 )
+from simulations.pictures import playing_card
 from simulations.scenes._mapped_square import family
 from simulations.scenes._mapped_square.family import HALF, SQUARE
 
@@ -37,11 +38,6 @@ GRID = np.array(
 """The square's sides and inner grid lines."""
 SEGMENTS = np.concatenate([GRID, [SQUARE[[0, 2]], SQUARE[[1, 3]]]])
 """The sides, the grid lines and the diagonals, (12, 2, 2)."""
-LETTER = [
-    np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
-    for left, bottom, right, top in ((-24, -28, -12, 28), (-12, 17, 24, 28), (-12, -6, 14, 5))
-]
-"""The bars of an F, a letter that differs from its rotated mirror image."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,17 +90,25 @@ def axes() -> str:
     )
 
 
+def shown(H: Floats, shapes: Sequence[Floats]) -> list[Floats]:
+    """Images of a polygon and of others inside it, in the view box and clipped to it."""
+    whole = image_of(H, shapes[0])
+    places = to_view(whole.points)
+    if not whole.cut and np.all(places >= FRAME[0]) and np.all(places <= FRAME[1]):
+        ends = np.cumsum([len(shape) for shape in shapes[:-1]])
+        return np.split(to_view(apply_homography(H, np.concatenate(shapes))[0]), ends)
+    return [in_frame(image_of(H, shape).points) for shape in shapes]
+
+
 def figure(H: Floats, role: str) -> str:
-    """The square with its grid and letter, moved by H."""
-    outline = in_frame(image_of(H, SQUARE).points)
-    bars = [in_frame(image_of(H, bar).points) for bar in LETTER]
+    """The square with its grid and the card that lies on it, moved by H."""
+    outline, card, *marks = shown(H, (SQUARE, playing_card.OUTLINE, *playing_card.MARKS))
     grid = [in_frame(image_of(H, rule, closed=False).points, closed=False) for rule in GRID]
     return (
         (drawing.polygon(outline, f"{role} fill") if len(outline) else "")
         + drawing.path([rule for rule in grid if len(rule) > 1], f"{role} thin faint")
-        + drawing.group(
-            [drawing.polygon(bar, f"{role} solid") for bar in bars if len(bar)], "faint"
-        )
+        + drawing.group([playing_card.drawn(card, marks)], "" if role == "image" else "faint")
+        + (drawing.polygon(card, f"{role} thin") if len(card) else "")
     )
 
 
