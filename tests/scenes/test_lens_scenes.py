@@ -82,9 +82,12 @@ def test_aberration_grows_with_the_square_of_the_height_and_with_the_wrong_way_r
     assert 3.5 < other / one < 4.5
 
 
+CHART: dict[str, object] = {"picture": "chart", "aperture": 16}
+
+
 def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_difference_in_size() -> None:
     """An edge of the chart's border, 150 px right of the centre: where its area puts it."""
-    planes = outputs_of(ABERRATIONS, "gauss-1", glass="flint", stop=15, aperture=16)["channels"]
+    planes = outputs_of(ABERRATIONS, "gauss-1", **CHART, glass="flint", stop=15)["channels"]
     edges = []
     for channel in (0, 2):
         row = planes[channel, 116:124, 302:316].mean(axis=0)
@@ -95,8 +98,8 @@ def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_difference_in_size()
 
 
 def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself() -> None:
-    given = {"glass": "ideal", "aperture": 16, "rim": 0, "natural": "false"}
-    planes = outputs_of(ABERRATIONS, "gauss-1", **given)
+    given = {"glass": "ideal", "rim": 0, "natural": "false"}
+    planes = outputs_of(ABERRATIONS, "gauss-1", **CHART, **given)
     chart = resolution_chart(336, 256, FOCAL_PX).transpose(2, 0, 1)[:, 8:-8, 8:-8]
     np.testing.assert_array_equal(planes["channels"], chart)
     assert (planes["vignetting"] == 1).all()
@@ -113,7 +116,7 @@ def test_the_edge_of_a_band_is_smeared_by_the_spread_of_its_sizes() -> None:
     """The vertical edge 150 px from the centre: the variance of its place is that of the scales."""
 
     def spread(**given: object) -> tuple[float, float]:
-        channels: Floats = outputs_of(ABERRATIONS, "even-31", aperture=16, **given)["channels"]
+        channels: Floats = outputs_of(ABERRATIONS, "even-31", **CHART, **given)["channels"]
         steps = -np.diff(channels[2, 116:124, 302:314].mean(axis=0).astype(float))
         steps /= steps.sum()
         at = np.arange(steps.size) + 302.5 - 159.5

@@ -1,4 +1,4 @@
-"""A simple lens in front of a test chart: colours of different size and sharpness, dark corners.
+"""Twigs against the sky through a simple lens: colours of other sizes and sharpness, dark corners.
 
 A single element of 24 mm focal length, focused at infinity for the d line. Corners are 45° from the
 axis, 200 px from the centre. In the drawing of the lens from the side, all lengths are to one
@@ -15,6 +15,7 @@ import numpy as np
 from simulations.engine.drawing import dot, ellipse, line, path, polygon, rectangle, text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
+from simulations.engine.photograph import Photograph
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
@@ -29,11 +30,13 @@ LENS_X, AXIS_Y = 200.0, 138.0
 LENS_MM, SENSOR_MM = 25.0, 26.0  # half heights as drawn
 BLADE_MM, TUBE_MM = 17.5, 14.0  # outer ends of the stop and of the rim, with their marks
 BESIDE_LENS = 28.0  # least distance of the name of the stop from the lens, in view box units
+SUBJECTS = {"twigs": "Twigs against the sky", "chart": "A test chart"}
 SPREAD = 5.0  # exaggeration of the dispersion, which would be too small to see
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
+    picture: str = choice("Picture", SUBJECTS)
     glass: str = choice(
         "Glass",
         {"ideal": "Without dispersion", "crown": "Crown, V = 64.2", "flint": "Flint, V = 36.4"},
@@ -203,11 +206,13 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             readout("rim_stops", "Cut by the rim", stops(cut), "stops", role="camera"),
             readout("corner_stops", "Corner in all", stops(natural * cut), "stops"),
         ),
-        describe(settings, shifts[2] - shifts[0], discs, natural * cut),
+        describe(settings, shifts[2] - shifts[0], discs, natural * cut, outputs["photograph"]),
     )
 
 
-def describe(settings: Settings, shift: float, discs: Floats, share: float) -> str:
+def describe(
+    settings: Settings, shift: float, discs: Floats, share: float, own: Photograph | None
+) -> str:
     if abs(shift) < 0.005:
         fringe = "no coloured fringes in the corners"
     else:
@@ -217,8 +222,9 @@ def describe(settings: Settings, shift: float, discs: Floats, share: float) -> s
     soft = f"discs of up to {widest:.1f} pixels" if widest > 1 else "all colours sharp"
     side = "before" if settings.stop > 0 else "behind"
     where = f"{abs(settings.stop):.0f} mm {side} it" if settings.stop else "in it"
+    subject = "Your own picture" if own else SUBJECTS[settings.picture]
     return (
-        f"A test chart through a simple lens at f/{settings.aperture:.1f}, with the aperture stop "
+        f"{subject} through a simple lens at f/{settings.aperture:.1f}, with the aperture stop "
         f"{where}: {fringe}, {soft}, and {100 * share:.0f}\u00a0% of the centre’s light in the "
         f"corners."
     )
@@ -227,7 +233,7 @@ def describe(settings: Settings, shift: float, discs: Floats, share: float) -> s
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     lens = settings.glass, settings.stop, settings.aperture
     vignetting = settings.rim, settings.natural
-    return stages.corner_errors(outputs["encoded"], outputs["chart"], *lens, *vignetting)
+    return stages.corner_errors(outputs["encoded"], outputs["subject"], *lens, *vignetting)
 
 
 RIM, STOP = ("rim",), ("stop",)
@@ -243,6 +249,7 @@ SCENE = Scene(
     draw,
     stages.STAGES,
     HANDLES,
+    stages.PADDED_PX,
     tiers=tuple(stages.BANDS),
     default_tier="even-16",
     draft_tier="gauss-1",

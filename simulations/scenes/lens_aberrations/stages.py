@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.frame import Raster, Readout, format_magnitude
+from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, Planes, centred
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.color.srgb import decode_srgb, encode_srgb_table
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.chromatic_aberration import (
     LINE_C_UM,
@@ -32,6 +33,7 @@ from simulations.models.lens.vignetting import mechanical_vignetting, vignetting
 from simulations.models.require import require_one_of
 from simulations.models.sampling.magnification import magnify
 from simulations.pictures.resolution_chart import resolution_chart
+from simulations.pictures.twigs import twigs
 
 WIDTH_PX, HEIGHT_PX = 320, 240
 CLOSE_TOP, CLOSE_LEFT = HEIGHT_PX - 48, WIDTH_PX - 64  # the close-up: the last 64 × 48 px
@@ -43,7 +45,8 @@ GLASSES = {
     "crown": Glass(),
     "flint": Glass(index_d=1.62, abbe_number=36.4),
 }
-MARGIN = 8  # of the chart on all sides, in pixels: no colour is reduced by more
+MARGIN = 8  # of the subject on all sides, in pixels: no colour is reduced by more
+PADDED_PX = (WIDTH_PX + 2 * MARGIN, HEIGHT_PX + 2 * MARGIN)
 SMALLEST_SHARE = 1e-4
 """Least share of a wavelength in a channel; those left out are at most a fortieth of one code."""
 
@@ -118,13 +121,19 @@ def field_tangents() -> Floats:
     return np.hypot(x, y[:, None])
 
 
-def padded_chart() -> Planes:
-    """(3, H, W), wider than the picture by the margin."""
-    chart = resolution_chart(WIDTH_PX + 2 * MARGIN, HEIGHT_PX + 2 * MARGIN, FOCAL_PX)
-    return np.ascontiguousarray(chart.transpose(2, 0, 1))
+def padded(picture: str, photograph: Photograph | None) -> Planes:
+    """(3, H, W) linear light, wider than the picture by the margin."""
+    width, height = PADDED_PX
+    if photograph:
+        light = decode_srgb(np.float32(1 / 255) * photograph.codes)
+    elif picture == "twigs":
+        light = twigs(width, height)
+    else:
+        light = resolution_chart(width, height, FOCAL_PX)
+    return np.ascontiguousarray(light.transpose(2, 0, 1))
 
 
-def lateral(chart: Planes, glass: str, stop: float, tier: str) -> tuple[Ghost, ...]:
+def lateral(subject: Planes, glass: str, stop: float, tier: str) -> tuple[Ghost, ...]:
     """Magnify each wavelength's picture by its own factor."""
     ghosts = []
     for channel, band in enumerate(bands(tier, glass)):
@@ -133,7 +142,7 @@ def lateral(chart: Planes, glass: str, stop: float, tier: str) -> tuple[Ghost, .
             band.wavelengths_um.tolist(), band.shares.tolist(), sizes, strict=True
         ):
             if share >= SMALLEST_SHARE:
-                plane = magnify(chart[channel], scale)[MARGIN:-MARGIN, MARGIN:-MARGIN]
+                plane = magnify(subject[channel], scale)[MARGIN:-MARGIN, MARGIN:-MARGIN]
                 ghosts.append(Ghost(channel, wavelength, share, plane))
     return tuple(ghosts)
 
@@ -183,8 +192,8 @@ def encode(planes: Planes, factor: Floats) -> Raster:
 
 
 STAGES = (
-    Stage("chart", padded_chart),
-    Stage("lateral", lateral, ("chart",)),
+    Stage("subject", padded),
+    Stage("lateral", lateral, ("subject",)),
     Stage("axial", axial, ("lateral",), all_sharp),
     Stage("channels", channels, ("axial",)),
     Stage("vignetting", vignetting),
@@ -194,7 +203,7 @@ STAGES = (
 
 def corner_errors(
     picture: Raster,
-    chart: Planes,
+    subject: Planes,
     glass: str,
     stop: float,
     aperture: float,
@@ -210,7 +219,7 @@ def corner_errors(
     wavelengths = reference_wavelengths()
     for count, wavelength in enumerate(wavelengths, start=1):
         seen = np.exp(-0.5 * ((wavelength - np.array(LINES_UM)) / WIDTH_UM) ** 2)[:, None, None]
-        total += seen * corner_in(chart, glass, stop, aperture, wavelength)
+        total += seen * corner_in(subject, glass, stop, aperture, wavelength)
         weights += seen
         truth = encode(np.asarray(total / weights, np.float32), factor)
         off = shown - truth[..., :3]
@@ -229,12 +238,12 @@ def reference_wavelengths() -> list[float]:
 
 
 def corner_in(
-    chart: Planes, glass: str, stop: float, aperture: float, wavelength_um: float
+    subject: Planes, glass: str, stop: float, aperture: float, wavelength_um: float
 ) -> Planes:
     """(3, 48, 64) the close-up in light of one wavelength."""
     wavelength = np.array([wavelength_um])
     (scale,) = scales(glass, stop, wavelength).tolist()
     (disc,) = discs_px(glass, aperture, wavelength).tolist()
     window = (slice(CLOSE_TOP, -MARGIN), slice(CLOSE_LEFT, -MARGIN))  # with a margin for the discs
-    planes = np.stack([magnify(plane, scale)[window] for plane in chart])
+    planes = np.stack([magnify(plane, scale)[window] for plane in subject])
     return disc_blur(planes, disc / 2)[:, MARGIN:, MARGIN:]
