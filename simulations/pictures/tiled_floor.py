@@ -1,7 +1,7 @@
-"""A tiled floor to the horizon under a pale sky, and a box on it.
+"""A tiled terrace by the sea, islands on the horizon, and a box on the tiles.
 
 World frame as in `simulations.models.light.raycasting`: x right, y away, z up, in metres; the floor
-is z = 0 and the box is aligned with its tiles. Linear RGB, 1 = paper white.
+is z = 0, as is the sea, and the box is aligned with its tiles. Linear RGB, 1 = paper white.
 """
 
 from dataclasses import dataclass
@@ -12,16 +12,22 @@ from numpy.typing import ArrayLike, NDArray
 from simulations.models.arrays import Floats, Mask
 from simulations.models.projection.level_ground import ground_to_image
 from simulations.models.projection.pinhole import world_to_camera
-from simulations.pictures.patterns import checker
+from simulations.pictures.patterns import checker, stripes
 
 TILE_M = 0.5
 SLATE, CREAM = (0.085, 0.115, 0.135), (0.66, 0.61, 0.52)
-SKY_TOP, SKY_LOW = (0.30, 0.52, 0.88), (0.90, 0.90, 0.86)
+SKY_TOP, SKY_LOW, CLOUD = (0.16, 0.38, 0.78), (0.74, 0.84, 0.92), (1.0, 0.98, 0.95)
+SEA, GLINT = (0.025, 0.13, 0.19), (0.11, 0.28, 0.36)
 FLOOR_COLOURS = np.array([SLATE, CREAM, SKY_LOW], np.float32)
-SKY_COLOURS = np.array([SKY_LOW, SKY_TOP], np.float32)
+SEA_COLOURS = np.array([SEA, GLINT, SKY_LOW], np.float32)
+SKY_COLOURS = np.array([SKY_LOW, SKY_TOP, CLOUD], np.float32)
+LAND_COLOURS = np.array([(0.30, 0.42, 0.52), (0.10, 0.17, 0.15), CLOUD], np.float32)
+"""The far coast, an island, and a sail."""
 SKY_RISE = 0.7  # tangent of the angle above the horizon at which the sky is bluest
-FARTHEST = 1e-4  # inverse of the depth in metres at which the floor ends, in haze
-HAZE_M = 45.0  # distance at which the floor's colour has fallen to e⁻¹
+FARTHEST = 1e-4  # inverse of the depth in metres at which the sea ends, in haze
+HAZE_M, SEA_HAZE_M = 60.0, 700.0  # distances at which a colour has fallen to e⁻¹
+TERRACE = (-24.0, 27.0, 30.0)  # left and right edge, and the edge ahead: metres
+KERB_M = 0.6
 BOX_PAINT = (0.52, 0.13, 0.055)
 LIGHT = {"x0": 0.95, "x1": 0.34, "y0": 0.50, "y1": 0.60, "top": 1.25}
 """Brightness of each side of the box, lit by a lamp to the left."""
@@ -40,8 +46,6 @@ class Box:
     y: float
     width: float
     height: float
-    paint: tuple[float, float, float] = BOX_PAINT
-    """Linear RGB."""
 
     @property
     def spans(self) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
@@ -79,7 +83,7 @@ class Box:
 
 
 def tiled_floor(pose: ArrayLike, K: ArrayLike, width: int, height: int) -> NDArray[np.float32]:
-    """The floor and the sky, (height, width, 3).
+    """The terrace, the sea and the sky, (height, width, 3).
 
     ``pose`` (4, 4) is that of a camera above the floor, not looking straight up or down.
     """
@@ -92,10 +96,14 @@ def tiled_floor(pose: ArrayLike, K: ArrayLike, width: int, height: int) -> NDArr
     )
     distance = 1.0 / np.maximum(nearness[with_floor], FARTHEST)
     x, y = across[with_floor] * distance, away[with_floor] * distance
-    picture[with_floor] = _floor(x, y, distance, to_floor)
-    above = -nearness[with_sky] / float(np.hypot(*to_floor[2, :2]) * np.asarray(K)[1, 1])
+    picture[with_floor] = _ground(x, y, distance, to_floor)
+    level = np.hypot(across[with_sky], away[with_sky])
+    _, _, upright, place = np.asarray(pose, float)[:3].T
+    tangent = nearness[with_sky] * np.float32(upright @ place) / level  # by minus the height
+    azimuth = np.arctan2(across[with_sky], away[with_sky])
     in_sky = (nearness[with_sky] <= FARTHEST)[..., None]
-    np.copyto(picture[with_sky], _sky(above), where=in_sky)
+    pixel = 1.0 / float(np.asarray(K)[1, 1])
+    np.copyto(picture[with_sky], _sky(azimuth, tangent, pixel), where=in_sky)
     return picture
 
 
@@ -105,21 +113,53 @@ def _rows(these: Mask) -> slice:
     return slice(int(found[0]), int(found[-1]) + 1) if found.size else slice(0, 0)
 
 
-def _floor(x: Floats, y: Floats, distance: Floats, to_floor: Floats) -> Floats:
-    """Colours (..., 3) at places of the floor, over the footprints of their pixels."""
+def _ground(x: Floats, y: Floats, distance: Floats, to_floor: Floats) -> Floats:
+    """Colours (..., 3) of terrace and sea, over the footprints of their pixels."""
     size_x, size_y = (
         (np.abs(row[0] - at * to_floor[2, 0]) + np.abs(row[1] - at * to_floor[2, 1])) * distance
         for row, at in ((to_floor[0], x), (to_floor[1], y))
     )
-    clear = np.exp(distance * (-1.0 / HAZE_M))
-    cream = clear * checker(x, y, TILE_M, size_x, size_y)
-    return np.stack([clear - cream, cream, 1.0 - clear], axis=-1) @ FLOOR_COLOURS
+    left, right, ahead = TERRACE
+    across, middle = np.abs(x - (left + right) / 2), (right - left) / 2
+    inside = np.minimum((middle - across) / size_x, (ahead - y) / size_y)
+    kerb = np.minimum((middle - KERB_M - across) / size_x, (ahead - KERB_M - y) / size_y)
+    light = checker(x, y, TILE_M, size_x, size_y)
+    light += (1.0 - light) * (1.0 - np.clip(0.5 + kerb, 0.0, 1.0))
+    land = _mixed(light, np.exp(distance * (-1.0 / HAZE_M)), FLOOR_COLOURS)
+    swell = x + 2.0 * np.sin(0.21 * y) + np.sin(0.37 * x + 0.11 * y)
+    glint = stripes(swell + 0.6 * y, 5.0, 2.2, size_x + size_y) * stripes(
+        y + 0.8 * np.sin(0.5 * x), 2.4, 0.9, size_y + 0.4 * size_x
+    )
+    water = _mixed(2.0 * glint, np.exp(distance * (-1.0 / SEA_HAZE_M)), SEA_COLOURS)
+    return water + (land - water) * np.clip(0.5 + inside, 0.0, 1.0)[..., None]
 
 
-def _sky(tangent: Floats) -> Floats:
-    """Colours (..., 3) by the tangent of the angle above the horizon, about."""
-    blue = np.sqrt(np.clip(tangent * (1.0 / SKY_RISE), 0.0, 1.0))
-    return np.stack([1.0 - blue, blue], axis=-1) @ SKY_COLOURS
+def _mixed(second: Floats, clear: Floats, colours: Floats) -> Floats:
+    """Colours (..., 3) between the first and the second by ``second``, and in haze the third."""
+    return np.stack([clear - clear * second, clear * second, 1.0 - clear], axis=-1) @ colours
+
+
+def _sky(azimuth: Floats, tangent: Floats, pixel: float) -> Floats:
+    """Colours (..., 3) by the azimuth and the tangent of the angle above the horizon."""
+    a, up = azimuth, np.maximum(tangent, 0.0)
+    billow = np.sin(3.1 * a + 2.0 * np.sin(9.0 * up)) + 0.6 * np.sin(9.7 * a + 21.0 * up)
+    billow += 0.35 * np.sin(23.0 * a - 31.0 * up) + 0.2 * np.sin(51.0 * a + 67.0 * up)
+    cloud = np.clip(0.8 * billow - 0.55, 0.0, 0.8) * np.clip(6.0 * up - 0.45, 0.0, 1.0)
+    blue = (1.0 - cloud) * np.sqrt(np.minimum(up * (1.0 / SKY_RISE), 1.0))
+    sky = np.stack([1.0 - cloud - blue, blue, cloud], axis=-1) @ SKY_COLOURS
+    heights = (
+        0.05 * (np.sin(2.6 * a - 2.9) + _jagged(a) - 0.1),
+        0.07 * (np.sin(3.3 * a + 0.2) + _jagged(a + 2.0) - 0.55),
+        0.045 - 3.4 * np.abs(a - 0.74),
+    )
+    for height, colour in zip(heights, LAND_COLOURS, strict=True):
+        share = np.clip(0.5 + (height - up) / pixel, 0.0, 1.0) * (height > 0.0)
+        sky += (colour - sky) * share[..., None]
+    return sky
+
+
+def _jagged(a: Floats) -> Floats:
+    return 0.3 * np.sin(11.0 * a) + 0.14 * np.sin(27.0 * a + 1.0) + 0.07 * np.sin(63.0 * a)
 
 
 def with_box(
@@ -147,7 +187,7 @@ def with_box(
         light += np.float32(LIGHT[name]) * share
     light /= np.maximum(covered, 1.0)
     part *= (1.0 - np.minimum(covered, 1.0))[..., None]
-    part += light[..., None] * np.asarray(box.paint, np.float32)
+    part += light[..., None] * np.array(BOX_PAINT, np.float32)
     return picture
 
 

@@ -182,8 +182,8 @@ def describe(settings: Settings, view: Camera) -> str:
         for pixel, near in zip(pixels[:2], finite[:2], strict=True)
     )
     return (
-        f"A camera {format_number(settings.height, 1)} m above a tiled floor looks {tilt}{turn}. "
-        f"The horizon is {horizon}, the rows of tiles vanish {first}, those across them {second}. "
+        f"A camera {format_number(settings.height, 1)} m above a tiled floor by the sea looks "
+        f"{tilt}{turn}. The horizon is {horizon}, the rows of tiles vanish {first}, those across them {second}. "
         f"{box_words(settings, view)}"
     )
 
