@@ -107,10 +107,12 @@ def _holding(size: tuple[int, int], low: Floats, high: Floats) -> Field:
 
 
 def over_picture(settings: Settings, lines: Lines, found: Found, lengths: Lengths) -> str:
-    """The lines, those of the chosen list bold; the horizon; what was measured."""
+    """The lines of the chosen list, bold, and what was measured; the horizon. The other lines
+    only if they are asked for."""
     field, chosen = whole(lines.size), list(LISTS).index(settings.direction)
     parts = [_horizon(field, found.view, settings.plane, "camera dashed")]
-    for number in sorted(range(len(STYLES)), key=lambda number: number == chosen):
+    shown = range(len(STYLES)) if settings.all_lines else {FLOOR, HEIGHTS, chosen}
+    for number in sorted(shown, key=lambda number: number == chosen):
         manner = " bold" if number == chosen else ""
         for ends, counts in zip(lines.ends[number], lines.placed[number], strict=True):
             start, end = field.place(ends[0]), field.place(ends[1])
@@ -154,11 +156,12 @@ def _common(one: Box, other: Box) -> float:
 
 
 def over_field(settings: Settings, lines: Lines, found: Found, field: Field) -> str:
-    """The picture's border, the lines as far as they meet, their points, and the horizon."""
+    """The picture's border, the lines shown as far as they meet, all their points, the horizon."""
     width, height = (side * field.scale for side in lines.size)
     parts = [drawing.rectangle(field.place((-0.5, -0.5)), width, height, "muted")]
     view = found.view
-    for axis in range(3):
+    chosen = {list(LISTS).index(settings.direction)}
+    for axis in {0, 1, 2} if settings.all_lines else {0, 1, 2} & chosen:
         parts += _prolonged(field, lines.counted(axis), finite_point(view, axis), STYLES[axis])
     parts.append(_horizon(field, view, settings.plane, "camera bold", "horizon"))
     if view is not None:

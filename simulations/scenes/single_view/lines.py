@@ -45,6 +45,7 @@ class Settings:
     lines: str = points(
         "Lines", len(LISTS), 2 * MOST, buttons={"add": "Add a line", "clear": "Clear"}
     )
+    all_lines: bool = toggle("Lines of all directions")
     sigma: float = slider("Error of an end point", 1.0, 0.5, 10.0, 0.5, unit="px")
     known: float = slider("Known length", 2.0, 0.05, 20.0, 0.01, unit="m")
     plane: str = choice("Plane of the lengths", PLANES)

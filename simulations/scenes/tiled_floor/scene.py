@@ -183,8 +183,8 @@ def describe(settings: Settings, view: Camera) -> str:
     )
     return (
         f"A camera {format_number(settings.height, 1)} m above a tiled floor by the sea looks "
-        f"{tilt}{turn}. The horizon is {horizon}, the rows of tiles vanish {first}, those across them {second}. "
-        f"{box_words(settings, view)}"
+        f"{tilt}{turn}. The horizon is {horizon}, the rows of tiles vanish {first}, those across "
+        f"them {second}. {box_words(settings, view)}"
     )
 
 
