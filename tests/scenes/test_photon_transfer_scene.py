@@ -172,9 +172,9 @@ def test_unlike_photographs_make_a_pair(photographs: list[Photograph], left_over
 
 def test_the_pair_of_another_photograph_is_ringed() -> None:
     photographs = levels_of(as_srgb)[:6]
-    looked_at = photograph(3, np.zeros((8, 8, 3), np.uint8))
-    assert measured(photographs, looked_at)["shown"] == 1
-    assert measured(photographs)["shown"] == 2
+    for number in (3, 5):
+        looked_at = photograph(number, np.zeros((8, 8, 3), np.uint8))
+        assert measured(photographs, looked_at)["shown"] == number // 2
 
 
 EDGE = as_srgb(light_of(100.0, 1))
@@ -210,4 +210,4 @@ def test_the_files_differ_from_the_figure() -> None:
     assert (len(rows), sum(int(row["fitted"]) for row in rows)) == (12, 8)
     sensor = json.loads(files["sensor"])["planes"]["simulated"]
     assert f"{sensor['gain']['value']:.3f}" == texts_at(SCENE)["gain"]
-    assert "saturated" in frame_of(SCENE, most=100).panels[0].overlay
+    assert "saturated" in frame_of(SCENE, most=100).panels[1].overlay

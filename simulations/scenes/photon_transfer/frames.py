@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from simulations.engine.frame import format_number
 from simulations.engine.photograph import Facts, Mosaic, Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
-from simulations.engine.settings import slider
+from simulations.engine.settings import action, slider
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.sensor import photon_transfer_file as files
@@ -46,7 +46,8 @@ type Pair = Codes
 SIDE, DRAFT_SIDE = 100, 60
 DRAFT = "small"  # the draft while the count of pairs is dragged
 FULL_WELL_E, GAIN_E_PER_DN = 15_000.0, 4.0
-BRIGHTEST_E = 1.1 * FULL_WELL_E
+BRIGHTEST_PERCENT = 110
+BRIGHTEST_E = BRIGHTEST_PERCENT / 100 * FULL_WELL_E
 PRNU, DSNU_E = 0.01, 4.0
 SIMULATED = "simulated"  # name of the only plane of the simulated sensor, which sees no colour
 
@@ -71,6 +72,8 @@ UNEVEN = (
 class Settings:
     """Pairs and read noise are those of the simulated sensor."""
 
+    brighten: int = action("Grow brighter", "Pause", drives="light", effect="play", seconds=7.0)
+    light: int = slider("Light of the pair shown", 70, 0, BRIGHTEST_PERCENT, 1, unit="% of full")
     most: int = slider("Fit up to", 70, 5, 100, 1, unit="% of saturation")
     pairs: int = slider("Pairs of frames", 12, 4, 24, 1)
     read_noise: float = slider("Read noise", 10, 0, 40, 1, unit="e⁻")
@@ -331,15 +334,14 @@ def fit(levels: dict[str, Measured], frames: Frames, most: int) -> dict[str, Sen
     }
 
 
-def choose(frames: Frames, sensor: dict[str, SensorEstimate], photograph: Photograph | None) -> int:
-    """Index of the pair that is shown: that of the photograph looked at, or else the brightest that
-    was fitted, or the middle one; −1 if there is none."""
+def choose(frames: Frames, photograph: Photograph | None, light: int) -> int:
+    """Index of the pair that is shown: that of the photograph looked at, or else the one at that
+    part of the way from dark to bright; −1 if there is none."""
     if photograph is not None:
         for pair, numbers in enumerate(frames.numbers):
             if photograph.number in numbers:
                 return pair
-    fitted = np.flatnonzero(sensor[frames.main].fitted)
-    return int(fitted[-1]) if fitted.size else math.ceil(len(frames.names) / 2) - 1
+    return round(light / BRIGHTEST_PERCENT * (len(frames.names) - 1))
 
 
 STAGES = (
@@ -349,5 +351,5 @@ STAGES = (
     Stage("frames", pair_up, ("codes",)),
     Stage("levels", measure_planes, ("frames",)),
     Stage("sensor", fit, ("levels", "frames")),
-    Stage("shown", choose, ("frames", "sensor")),
+    Stage("shown", choose, ("frames",)),
 )

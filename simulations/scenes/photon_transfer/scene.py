@@ -18,7 +18,9 @@ from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats, Mask
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
+from simulations.models.sensor.photon_transfer_pair import Level
 from simulations.scenes.photon_transfer.frames import (
     DRAFT,
     STAGES,
@@ -61,7 +63,8 @@ def transfer(
         yield plot.curve(x[x <= end], y[x <= end], style)
         yield plot.curve(x[x >= end], y[x >= end], f"{style} dashed")
     yield plot.upright(end, "camera dashed")
-    yield from points(plot, mean, noise, (noise - error, noise + error), estimate.fitted, "image")
+    bars = (noise - error, noise + error)
+    yield from points(plot, mean, noise, bars, estimate.fitted, "image", shown if simulated else -1)
     if shown >= 0:  # a ring around the pair of the second panel
         place = plot.clamped(float(mean[shown]), float(noise[shown]))
         yield circle(place, 8.0, "casing") + circle(place, 8.0, "image bold")
@@ -104,57 +107,74 @@ def plot_of(measured: Measured, values: Floats, highest: float) -> Plot:
 
 
 def points(
-    plot: Plot, x: Floats, y: Floats, bars: tuple[Floats, Floats], fitted: Mask, role: str
+    plot: Plot,
+    x: Floats,
+    y: Floats,
+    bars: tuple[Floats, Floats],
+    fitted: Mask,
+    role: str,
+    shown: int = -1,
 ) -> Iterator[str]:
-    """Points with error bars; open where they were left out of the fit."""
+    """Points with error bars; open where they were left out of the fit, and larger up to the pair
+    that is ``shown``."""
     ends = zip(x.tolist(), *(end.tolist() for end in bars), strict=True)
     strokes = [[plot.clamped(u, low), plot.clamped(u, high)] for u, low, high in ends]
     if strokes:
         yield path(strokes, role)
-    for u, v, use in zip(x.tolist(), y.tolist(), fitted.tolist(), strict=True):
-        yield plot.mark(u, v, role, 3.0) if use else circle(plot.clamped(u, v), 3.5, role)
+    for k, (u, v, use) in enumerate(zip(x.tolist(), y.tolist(), fitted.tolist(), strict=True)):
+        radius = 4.5 if k <= shown else 3.0
+        yield plot.mark(u, v, role, radius) if use else circle(plot.clamped(u, v), radius, role)
 
 
-def pair_pixels(pair: Pair | None) -> Raster:
-    """(100, 134, 4) the middle of the first frame, and of the difference, at the same contrast.
+def pair_pixels(frames: Frames, measured: Measured, shown: int) -> Raster:
+    """(100, 134, 4) the middle of the first frame, as bright as it is, and of the difference.
 
-    The difference is divided by √2, so that noise looks alike in both.
+    The difference is divided by √2, so that its noise is that of one frame, and has the same
+    contrast for all pairs.
     """
-    shown = np.zeros((ROWS, 2 * COLUMNS + GAP, 4), np.uint8)
-    if pair is None:
-        return shown
+    pixels = np.zeros((ROWS, 2 * COLUMNS + GAP, 4), np.uint8)
+    pairs = frames.planes[frames.main]
+    if shown < 0:
+        return pixels
+    pair = pairs[shown]
     top, left = (max(pair.shape[1] - ROWS, 0) // 2, max(pair.shape[2] - COLUMNS, 0) // 2)
     first, second = pair[:, top : top + ROWS, left : left + COLUMNS].astype(float)
-    frame = first - first.mean()
+    light = np.clip((first - measured.black_dn) / measured.span_dn, 0.0, 1.0)
     apart = (first - second - (first.mean() - second.mean())) / math.sqrt(2)
-    unit = 2 * SPREAD * max(float(frame.std()), float(apart.std()), 0.1)
-    height, width = frame.shape
-    for start, part in ((0, frame), (COLUMNS + GAP, apart)):
-        grey = np.repeat(np.clip(0.5 + part / unit, 0.0, 1.0)[..., None], 3, axis=2)
-        shown[:height, start : start + width] = to_rgba8(grey)
-    return shown
+    unit = 2 * SPREAD * max(*(spread(each) for each in pairs), 0.1)
+    height, width = light.shape
+    bright = light if frames.response is not None else encode_srgb(light)
+    for start, part in ((0, bright), (COLUMNS + GAP, np.clip(0.5 + apart / unit, 0.0, 1.0))):
+        grey = np.repeat(part[..., None], 3, axis=2)
+        pixels[:height, start : start + width] = to_rgba8(grey)
+    return pixels
+
+
+def spread(pair: Pair) -> float:
+    """Standard deviation of the noise of one frame, by every fourth row, codes."""
+    first, second = pair[:, ::4].astype(float)
+    return float((first - second).std()) / math.sqrt(2)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """Variance against mean, a pair of frames, and the pattern that both share."""
     frames: Frames = outputs["frames"]
     sensor: SensorEstimate = outputs["sensor"][frames.main]
-    levels, pairs = outputs["levels"][frames.main], frames.planes[frames.main]
+    levels: Measured = outputs["levels"][frames.main]
     simulated, shown = frames.is_simulated, outputs["shown"]
     noise = "".join(transfer(levels, sensor, settings.most, shown, simulated))
     shared = "".join(pattern(levels, sensor, simulated))
-    pixels = pair_pixels(pairs[shown] if shown >= 0 else None)
+    pixels = pair_pixels(frames, levels, shown)
     size = CELL * pixels.shape[1], CELL * pixels.shape[0]
-    right, style = CELL * (COLUMNS + GAP), "image strong ground"
-    names = text((8, 22), "one frame", style) + text((right + 8, 22), "difference / √2", style)
+    names = "".join(named(levels.levels[shown], levels.black_dn)) if shown >= 0 else ""
     what = f"{len(frames.names)} pairs of evenly lit frames"
     up_to = f"a line fitted up to {format_number(settings.most, 0)} % of saturation"
     return Frame(
         (
             Panel(
-                "transfer", "Noise of each pair, against its light", *SIZE, None, noise, lead=True
+                "pair", "A pair of frames of an even wall", *size, pixels, names, True, lead=True
             ),
-            Panel("pair", "The ringed pair", *size, pixels, names if shown >= 0 else "", True),
+            Panel("transfer", "Noise of each pair, against its light", *SIZE, overlay=noise),
             Panel("pattern", "What both frames share", *SIZE, overlay=shared),
         ),
         readouts(outputs),
@@ -165,6 +185,18 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         )
         + f" {levels.note}".rstrip(),
     )
+
+
+def named(level: Level, black_dn: float) -> Iterator[str]:
+    """The two halves of the pair, each with its number."""
+    noise = math.sqrt(max(level.noise_dn2, 0.0))
+    for left, what, number in (
+        (8.0, "one frame: its light", level.mean_dn - black_dn),
+        (CELL * (COLUMNS + GAP) + 8.0, "difference of two: its noise", noise),
+    ):
+        words = f"{format_number(number, 0)} DN"
+        yield text((left, 22), what, "image small ground")
+        yield text((left, HEIGHT - 14), words, "image large strong ground")
 
 
 def end_at(settings: Settings, outputs: Outputs) -> Point:
