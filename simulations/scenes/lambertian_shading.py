@@ -43,7 +43,7 @@ DEGREES = np.arange(0.0, 181.0, 2.0)
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    light_angle: float = slider("Light angle", 30, -180, 180, 1, unit="°")
+    light_angle: float = slider("Light angle", 30, -180, 180, 1, unit="°", arrival=-150)
     albedo: float = slider("Albedo ρ", 0.8, 0, 1, 0.01)
     probe: float = slider("Probed point", 0, -90, 90, 1, unit="°")
     normals: bool = toggle("Show normals")

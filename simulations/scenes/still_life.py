@@ -42,7 +42,7 @@ UNITS_PER_TANGENT = WIDTH * FOCAL_MM / FILM_WIDTH_MM  # view box units; of the a
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    focus: float = slider("Focus", 3.2, 1.8, 8.0, 0.1, unit="m")
+    focus: float = slider("Focus", 3.2, 1.8, 8.0, 0.1, unit="m", arrival=7.0)
     aperture: float = slider("Aperture", 2.0, 1.4, 22.0, 0.1, prefix="f/")
     light_angle: float = slider("Light angle", 40.0, -80.0, 80.0, 1.0, unit="°")
 

@@ -43,7 +43,7 @@ UNLIT = np.full((round(ROWS / stages.FINE), round(COLUMNS / stages.FINE)), 0.35)
 class Settings:
     focal_length: float = slider("Focal length", 50, 24, 135, 1, unit="mm")
     aperture: float = slider("Aperture", 1.4, 1.4, 22, 0.1, prefix="f/")
-    focus: float = slider("Focus distance", 3.2, 0.05, 10, 0.05, unit="m")
+    focus: float = slider("Focus distance", 3.2, 0.05, 10, 0.05, unit="m", arrival=1.8)
     rack: int = action("Sweep the focus", "Pause", drives="focus", effect="play", seconds=10.0)
 
     @property

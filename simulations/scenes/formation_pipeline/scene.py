@@ -77,7 +77,7 @@ LEDGER_TOP, ROW_HEIGHT, BULLET_COLUMN = 4.0, 47.0, 18.0
 @dataclass(frozen=True, slots=True)
 class Settings:
     station: float = slider("Step", 0.0, 0.0, LAST_STATION, 0.02)
-    play: int = action("Play", "Pause", drives="station", effect="play", seconds=14.0)
+    play: int = action("Play", "Pause", drives="station", effect="play", seconds=14.0, arrival=True)
     step: int = action("Next step", drives="station", effect="step")
     distance: float = slider("Camera distance", 4.0, 2.0, 8.0, 0.1, unit="m")
     albedo: float = slider("Albedo ρ", 0.6, 0.0, 1.0, 0.01)

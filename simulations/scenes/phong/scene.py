@@ -57,7 +57,7 @@ MODELS: Mapping[str, Model] = {
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    light_angle: float = slider("Light angle", 60, -180, 180, 1, unit="°")
+    light_angle: float = slider("Light angle", 60, -180, 180, 1, unit="°", arrival=-60)
     probe: float = slider("Probed point", 20, -90, 90, 1, unit="°")
     shininess: float = slider("Shininess α", 20, 1, 500, 1)
     specular: float = slider("Specular strength kₛ", 0.6, 0, 1, 0.05)

@@ -22,7 +22,7 @@ import {
   writeValue,
 } from "./controls.ts";
 import { Handles, type Pull } from "./handles.ts";
-import { Motion, playInView } from "./motion.ts";
+import { Motion, moveInView } from "./motion.ts";
 import { OwnPicture } from "./own_picture.ts";
 import { Painter, takeStills } from "./painter.ts";
 import { Prerendered } from "./prerendered.ts";
@@ -84,7 +84,7 @@ export class LiveFigure {
     this.#listen(signal);
     const pull = (pull: Pull) => this.#pull(pull);
     this.handles = new Handles(figure, this.form, this.schema, pull, signal);
-    playInView(figure, this.schema, this.motion, signal);
+    moveInView(figure, this.motion, signal);
     this.observer = this.#startInView();
   }
 

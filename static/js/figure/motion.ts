@@ -1,6 +1,7 @@
 /**
- * Buttons that move a slider: play sweeps it to its end, step goes to the next whole number,
- * reset returns it to where the page put it.
+ * Sliders that move by themselves. Of the buttons that move one, play sweeps it to its end, step goes
+ * to the next whole number, reset returns it to where the page put it. Others move as they come into
+ * view.
  */
 
 import { one } from "../page/dom.ts";
@@ -16,9 +17,12 @@ const CALM_PICTURES = 4;
 /** A way of more whole numbers than these has fewer pictures. */
 const MOST_WHOLE = 48;
 const CALM_MOST = 24;
+/** Milliseconds of a slider's way to its `arrival` and back. */
+const THERE_AND_BACK = 4000;
 
 export class Motion {
-  #playing: { action: Action; stop: () => void } | null = null;
+  /** Without an action it has begun by itself, and any touch ends it. */
+  #playing: { action: Action | null; stop: () => void } | null = null;
 
   /** @param moved Called after each move of a slider, with its name where the move goes on. */
   constructor(
@@ -47,8 +51,33 @@ export class Motion {
     const { action, stop } = this.#playing;
     this.#playing = null;
     stop();
-    writeValue(this.form, action, 0);
+    if (action) writeValue(this.form, action, 0);
     this.moved("", performance.now());
+  }
+
+  /** Begin what a figure shows by itself, if a control says so and stands where the page put it. */
+  arrive() {
+    const { controls, values } = this.schema;
+    const action = controls.filter(isAction).find(({ arrival }) => arrival);
+    const slider = controls.filter(isSlider).find(({ arrival }) => arrival !== undefined);
+    if (action) this.press(action, performance.now());
+    else if (slider && this.#value(slider) === values[slider.name]) this.#goAndReturn(slider);
+  }
+
+  /** A hand is on the figure. */
+  touched() {
+    if (this.#playing && !this.#playing.action) this.stop();
+  }
+
+  #goAndReturn(slider: Slider) {
+    const start = this.#value(slider);
+    const way = (slider.arrival ?? start) - start;
+    const stop = everyFrame(THERE_AND_BACK, (share, now) => {
+      writeValue(this.form, slider, start + (way * (1 - Math.cos(2 * Math.PI * share))) / 2);
+      if (share < 1) this.moved(slider.name, now);
+      else this.stop();
+    });
+    this.#playing = { action: null, stop };
   }
 
   /** The place after the slider's value, of those a stride apart; past the end it starts over. */
@@ -103,30 +132,25 @@ export class Motion {
 }
 
 /** Share of the panels that must be in view. */
-const IN_VIEW = 0.6;
+const IN_VIEW = 0.5;
 
 /**
- * Have a figure play when it comes into view, once, until a hand is on it; not where the reader asked
- * for less motion. Whatever plays stops where nobody sees it.
+ * Have a figure move when it comes into view, once, if no hand was on it; not where the reader asked
+ * for less motion. Whatever moves stops where nobody sees it.
  *
  * @param signal Ends all watching.
  */
-export function playInView(
-  figure: HTMLElement,
-  schema: Schema,
-  motion: Motion,
-  signal: AbortSignal,
-) {
-  const action = schema.controls.filter(isAction).find(({ arrival }) => arrival);
-  let waits = !!action;
+export function moveInView(figure: HTMLElement, motion: Motion, signal: AbortSignal) {
+  let waits = true;
   let inView = false;
   const begin = () => {
-    if (!waits || !action || !inView || figure.dataset.state !== "live" || isCalm()) return;
+    if (!waits || !inView || figure.dataset.state !== "live" || isCalm()) return;
     waits = false;
-    motion.press(action, performance.now());
+    motion.arrive();
   };
   const touched = () => {
     waits = false;
+    motion.touched();
   };
   const observer = new IntersectionObserver(
     (entries) => {

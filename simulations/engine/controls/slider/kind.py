@@ -25,6 +25,8 @@ class Slider:
     """Printed after the value: ``mm``, ``°``, ``px``."""
     prefix: str = ""
     """Printed before the value, as in ``f/2.8``."""
+    arrival: float | None = None
+    """Where it moves and comes back from, once, when its figure is first seen."""
 
     kind = "slider"
     types = (float, int)
@@ -101,6 +103,7 @@ class Slider:
             "unit": self.unit,
             "prefix": self.prefix,
             "decimals": self.decimals,
+            **({} if self.arrival is None else {"arrival": self.arrival}),
         }
 
     def text(self, value: Value, numeral: Callable[[str], str] = str) -> tuple[str, str]:
@@ -117,9 +120,18 @@ class Slider:
 
 
 def slider[N: (int, float)](
-    label: str, default: N, minimum: N, maximum: N, step: N, *, unit: str = "", prefix: str = ""
+    label: str,
+    default: N,
+    minimum: N,
+    maximum: N,
+    step: N,
+    *,
+    unit: str = "",
+    prefix: str = "",
+    arrival: float | None = None,
 ) -> N:
-    """A number in a closed range; an ``int`` if the field is annotated as one."""
+    """A number in a closed range; an ``int`` if the field is annotated as one. Where `arrival` is
+    given, it moves there and back when its figure is first seen."""
     return cast(
         N,
         setting(
@@ -133,6 +145,7 @@ def slider[N: (int, float)](
                 step=step,
                 unit=unit,
                 prefix=prefix,
+                arrival=arrival,
             ),
         ),
     )

@@ -12,6 +12,8 @@ export interface Slider extends Control {
   unit: string;
   prefix: string;
   decimals: number;
+  /** Where it moves and comes back from, once, when its figure is first seen. */
+  arrival?: number;
 }
 
 export const kind: Kind<Slider, HTMLInputElement> = {
