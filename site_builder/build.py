@@ -30,7 +30,7 @@ from site_builder.assets.pages import (
 )
 from site_builder.benchmarks.measurements import read_measurements
 from site_builder.cache.results import cached_result
-from site_builder.checks.frames import check_data, check_frames
+from site_builder.checks.frames import check_data, check_frames, texts_of
 from site_builder.checks.pictures import check_pictures
 from site_builder.checks.whole_book import (
     check_book,
@@ -44,7 +44,6 @@ from site_builder.figures.initial_frames import (
     InitialFrames,
     describing,
     render_initial_frames,
-    texts_of,
 )
 from site_builder.files.engine import static_files
 from site_builder.files.folders import file_hash
@@ -186,7 +185,7 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     )
     check_frames(book, initial_frames, static_files(options.root), problems)
     for translation in translations:
-        check_labels(sources, translation.words, texts_of(initial_frames))
+        check_labels(sources, translation.words, texts_of(book, initial_frames))
     if not problems:  # a figure that fails has no description to count
         check_first_passes(book, describing(initial_frames), problems)
     for path, line, text in printed():

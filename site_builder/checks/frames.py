@@ -3,6 +3,7 @@ it is no larger than a page can carry; and the colours that a book names for its
 
 import re
 from collections.abc import Iterator, Mapping
+from html import unescape
 from pathlib import Path
 
 from simulations.engine.frame import ROLES as COLOUR_ROLES
@@ -10,7 +11,7 @@ from simulations.engine.frame import Panel
 from site_builder.cache.hashing import module_of
 from site_builder.checks.pictures import Label, read_overlay
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.document.blocks import walk
+from site_builder.document.blocks import contents, walk
 from site_builder.document.book import Book
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
@@ -64,6 +65,26 @@ def check_frames(
                 line = block.target.line if block.target else 1
                 for panel in block.content.illustration.panels:
                     _check("illustration", panel, 0, known, (chapter.path, line), problems)
+
+
+TEXT = re.compile(r"(?<=>)[^<>]+(?=<)")
+"""What an element of a drawing says."""
+
+
+def texts_of(book: Book, initial_frames: InitialFrames) -> set[str]:
+    """What the figures say as they start, and the illustrations."""
+    said: set[str] = set()
+    drawn = [
+        item for chapter in book.chapters for item in contents(chapter.body, DrawnIllustration)
+    ]
+    panels = [panel for item in drawn for panel in item.illustration.panels]
+    for still in initial_frames.values():
+        scene, frame = still.figure.scene, still.frame
+        said |= {each.label for each in (*scene.controls, *scene.handles, *frame.readouts)}
+        panels += frame.panels
+    for panel in panels:
+        said |= {panel.title, *map(unescape, TEXT.findall(panel.overlay))}
+    return said
 
 
 def check_data(sources: Sources) -> None:

@@ -2,11 +2,9 @@
 computed at build time by the code that runs in the page."""
 
 import json
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from html import unescape
 
 import numpy as np
 
@@ -117,21 +115,6 @@ type InitialFrames = dict[tuple[str, int], InitialFrame]
 def describing(initial_frames: InitialFrames) -> Callable[[Simulation], str]:
     """Describes the initial frame of a figure in a sentence."""
     return lambda figure: initial_frames[figure.path, figure.line].frame.description
-
-
-TEXT = re.compile(r"(?<=>)[^<>]+(?=<)")
-"""What an element of a drawing says."""
-
-
-def texts_of(initial_frames: InitialFrames) -> set[str]:
-    """What the figures say as they start."""
-    said: set[str] = set()
-    for still in initial_frames.values():
-        scene, frame = still.figure.scene, still.frame
-        said |= {each.label for each in (*scene.controls, *scene.handles, *frame.readouts)}
-        for panel in frame.panels:
-            said |= {panel.title, *map(unescape, TEXT.findall(panel.overlay))}
-    return said
 
 
 def render_initial_frames(

@@ -11,13 +11,13 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.footnote import footnote_plugin
 from mdit_py_plugins.front_matter import front_matter_plugin
 
-from site_builder.diagnostics.diagnostic import unknown
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directive import Directive, DirectiveCall, OptionValue
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.numbering import heading_ids_rule
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
+from site_builder.markdown.text.dialects import dialects_rule, unknown_directive
 from site_builder.markdown.text.stray_marks import stray_marks_rule
 from site_builder.markdown.text.tokens import typography_rule
 
@@ -44,14 +44,16 @@ def directive_rule(
     opening = OPENING.fullmatch(text)
     if not opening:
         _complain(state, start, _stray(text))
-        state.line = start + 1
+        attributes = re.match(r"(:{3,})\s*\{\.", text)  # of another tool, whose end is no mistake
+        last = _find_end(state, start, end, len(attributes[1])) if attributes else start
+        state.line = min(last + 1, end)
         return True
     fence, name, argument = opening.groups()
     last = _find_end(state, start, end, len(fence))
     if last == end:
         _complain(state, start, f"directive {{{name}}} is never closed; close it with {fence!r}")
     if name not in directives:
-        _complain(state, start, unknown("directive", name, directives))
+        _complain(state, start, unknown_directive(name, directives))
     options, body = _read_options(state, start + 1, last)
     call = DirectiveCall(name, argument.strip(), options, start + 1)
     _push(state, directives.get(name), call, body, last)
@@ -62,6 +64,8 @@ def directive_rule(
 def _stray(text: str) -> str:
     if CLOSING.fullmatch(text):
         return f"{text!r} closes no directive; legal: after an opening like ':::{{note}}'"
+    if callout := re.search(r"\{\.callout-(\w+)", text):
+        return unknown_directive(f"callout-{callout[1]}", ("note", "tip", "warning"))
     return f"{text!r} is no directive; legal: ':::{{name}} argument'"
 
 
@@ -90,6 +94,7 @@ def _read_options(state: StateBlock, start: int, end: int) -> tuple[dict[str, Op
         if not match:
             return options, line
         name, value = match.groups()
+        name = "label" if name == "name" else name  # as MyST calls it
         if name in options:
             _complain(state, line, f"option {name!r} is given twice; legal: once")
         options[name] = OptionValue(value.strip(), line + 1)
@@ -132,6 +137,9 @@ def make_parser(words: Words = ENGLISH) -> MarkdownIt:
     parser.block.ruler.before("math_block", "directive", directives, {"alt": ENDED_BY_DIRECTIVES})
     parser.inline.ruler.before("backticks", "role", roles)
     parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
+    parser.core.ruler.after(
+        "normalize", "dialects", partial(dialects_rule, {item.name for item in DIRECTIVES})
+    )
     parser.core.ruler.before("smartquotes", "typography", typography_rule)
     parser.core.ruler.before("typography", "heading_ids", heading_ids_rule)
     # Before escaped characters, which are meant, are joined with the text around them.

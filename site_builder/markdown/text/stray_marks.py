@@ -27,8 +27,13 @@ SLIPS = tuple(
             r"|(?:[Ff]igure|[Tt]able|[Ee]quation|[Ee]xample|[Qq]uestion) \(?[A-Z\d]+\.\d+\)?)",
             "is a number that may change; legal: '{ref}`TARGET`', or a citation",
         ),
+        (r"(\[-?@[^\]\n]+\])", "means nothing here; legal: '{cite}`key`'"),
         (
-            r"(\[-?@[^\]\n]+\]|\{\{[^}\n]*\}\}|(?<!\\)\{(?:#|\.[\w:-])[^}\n]*\}?"
+            r"((?<![\w@.])@(?:fig|tbl|sec|eq|lst)-[\w-]+)",
+            "means nothing here; legal: '{ref}`TARGET`'",
+        ),
+        (
+            r"(\{\{[^}\n]*\}\}|(?<!\\)\{(?:#|\.[\w:-])[^}\n]*\}?"
             r"|~~[^~\s][^~\n]*~~|==[^=\s](?:[^=\n]*[^=\s])?==|\[\[[^\]\n]+\]\]|\[!\w+\]"
             r"|&[A-Za-z][A-Za-z0-9]+;)",
             "means nothing here; legal: CommonMark, directives and roles",
@@ -47,6 +52,10 @@ LINE_SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
         (r"(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
+        (
+            r"(\([\w:.-]+\)=)",
+            "labels nothing; legal: above a heading, a formula or a figure",
+        ),
         (r"(#{2,6}\w[^\n]*|#[A-Za-z][^\n]*)", "is no heading; legal: a space behind the '#'"),
         (
             r"(:[a-z_][\w-]*:?)(?:$|[\s=])",

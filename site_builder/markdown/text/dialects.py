@@ -1,0 +1,204 @@
+"""What other tools' users type, where its meaning is ours: MyST's labels, fences of backticks and
+roles, equations as LaTeX and Quarto write them. It is read as if written in our form, line by line,
+so that places stay right. What has another name here is said to have it (`CALLED`)."""
+
+import re
+from collections.abc import Collection, Iterable, Iterator
+
+from markdown_it.rules_core import StateCore
+
+from site_builder.diagnostics.diagnostic import unknown
+
+CALLED = {
+    **dict.fromkeys(("admonition", "seealso"), "'note', 'tip', 'warning' or 'key-idea'"),
+    **dict.fromkeys(("caution", "danger", "attention", "error"), "'warning'"),
+    "important": "'key-idea'",
+    "hint": "'tip'",
+    "image": "'figure'",
+    **dict.fromkeys(("code-block", "code"), "code between '```python' and '```'"),
+    **dict.fromkeys(
+        ("code-cell", "python", "jupyter-execute", "plot"),
+        "a figure, ':::{simulation}', or a block '```calc'; '```python' for code to be read",
+    ),
+    **dict.fromkeys(("tab-set", "tab-item", "dropdown", "grid", "card"), "headings, '{.deeper}'"),
+    **dict.fromkeys(("toctree", "tableofcontents"), "'chapters' in content/book.toml"),
+    "bibliography": "'{cite}`key`'; the list is made of them",
+    **{f"callout-{name}": f"':::{{{name}}}'" for name in ("note", "tip", "warning")},
+    **dict.fromkeys(("callout-important", "callout-caution"), "':::{key-idea}' or ':::{warning}'"),
+    **dict.fromkeys(("proof", "theorem", "definition"), "'note' or 'key-idea'"),
+    "list-table": "'table'",
+}
+"""Directives of others, and what is here in their place."""
+ROLES = {
+    "eq": "ref",
+    "numref": "ref",
+    "doc": "ref",
+    "ref": "ref",
+    "cite:p": "cite",
+    "cite:t": "citet",
+}
+ROLE = re.compile(rf"(?<!`)\{{({'|'.join(ROLES)}|math)\}}`([^`\n]+)`")
+FENCE = re.compile(r"(`{3,}|~{3,})\{([\w-]+)\}(.*)")
+CODE = re.compile(r"\s*(`{3,}|~{3,})")
+LABEL = re.compile(r"\(([\w:.-]+)\)=\s*")
+TEX_LABEL = re.compile(r"\\label\{([^}]*)\}")
+BEGIN = re.compile(r"\\begin\{(equation|align|gather|multline|eqnarray)(\*?)\}(.*)|\\\[()()(.*)")
+INSIDE = {"equation": "", "gather": "gathered", "multline": "gathered"}
+COMMANDS = (
+    ("cite", "'{cite}`key`'"),
+    ("ref", "'{ref}`TARGET`'"),
+    ("eqref", "'{ref}`TARGET`'"),
+    ("", "between '$$', or Markdown"),
+)
+COMMAND = re.compile(r"\\(cite\w*|(?:eq)?ref|begin|end|label|textbf|emph|footnote)\{[^}\n]*\}")
+APART = re.compile(r"`+[^`]+`+|\$\$.*?\$\$|\$[^$]+\$")
+"""Code and formulae within a line."""
+AFTER = re.compile(r"\$\$\s*\{#([\w:.-]+)\}\s*$")
+
+
+def unknown_directive(name: str, ours: Iterable[str]) -> str:
+    """That there is none of this name, and what there is."""
+    wanted = CALLED.get(name)
+    return (
+        f"unknown directive {name!r}; legal: {wanted}"
+        if wanted
+        else unknown("directive", name, ours)
+    )
+
+
+def dialects_rule(ours: Collection[str], state: StateCore) -> None:
+    """Before all others. ``ours``: names of directives."""
+    lines = state.src.split("\n")
+    problems = state.env.setdefault("problems", [])
+    code = [*_code(lines, ours, problems)]
+    for place, line in enumerate(lines):
+        if not code[place]:
+            lines[place] = AFTER.sub(lambda found: f"$$ ({_ours(found[1])})", ROLE.sub(_role, line))
+            if LABEL.fullmatch(line):
+                _label(lines, place)
+    _equations(lines, code, problems)
+    _fences(lines, code, ours)
+    state.src = "\n".join(lines)
+
+
+def _code(
+    lines: list[str], ours: Collection[str], problems: list[tuple[int, str]]
+) -> Iterator[bool]:
+    """Whether each line is code to be read, its fences included. Others' cells become plain code,
+    which is reported."""
+    marker, outer = "", list[str]()
+    for place, line in enumerate(lines):
+        fence, text = CODE.match(line), line.strip()
+        opens = ""
+        if not marker and outer and text == outer[-1]:
+            outer.pop()
+        elif not marker and fence and _directive(text, ours):
+            outer.append(fence[1])
+        elif not marker and fence:
+            opens = fence[1]
+            if cell := FENCE.fullmatch(text):
+                problems.append((place + 1, unknown_directive(cell[2], ours)))
+                lines[place] = line.replace(f"{{{cell[2]}}}{cell[3]}", "text")
+        yield bool(marker or opens)
+        if marker and text.startswith(marker) and not text.strip(marker[0]):
+            marker = ""
+        marker = marker or opens
+
+
+def _directive(text: str, ours: Collection[str]) -> bool:
+    """Whether it opens or closes a directive that is fenced as code is."""
+    fence = FENCE.fullmatch(text)
+    return bool(fence and (fence[2] in ours or fence[2] == "math"))
+
+
+def _ours(label: str) -> str:
+    return "-".join(re.findall("[a-z0-9]+", label.lower()))
+
+
+def _role(found: re.Match[str]) -> str:
+    name, text = found.groups()
+    if name == "math":
+        return f"${text}$"
+    words, _, target = text.rpartition("<")
+    if name.startswith("cite") or (name == "ref" and not re.search("[:_]", target)):
+        return f"{{{ROLES[name]}}}`{text}`"
+    own = "#".join(map(_ours, target.rstrip("> ").split("#")))
+    is_plain = name in ("eq", "numref") or not words
+    return f"{{ref}}`{own}`" if is_plain else f"{{ref}}`{words}<{own}>`"
+
+
+def _label(lines: list[str], place: int) -> None:
+    """Give it to the heading, formula or directive below."""
+    found = LABEL.fullmatch(lines[place])
+    below = next((n for n in (place + 1, place + 2) if lines[n : n + 1] and lines[n].strip()), 0)
+    name, text = _ours(found[1]) if found else "", lines[below].strip()
+    if text.startswith("#") and not text.endswith("}"):
+        lines[place], lines[below] = "", f"{text} {{#{name}}}"
+    elif text.startswith("$$"):
+        ends = [n for n in range(below, len(lines)) if lines[n].strip().endswith("$$")]
+        end = next((n for n in ends if n > below or text.count("$$") == 2), below)
+        lines[place], lines[end] = "", f"{lines[end].rstrip()} ({name})"
+    elif BEGIN.match(text):
+        lines[place], lines[below] = "", f"{text}\\label{{{name}}}"
+    elif text.startswith((":::{", "```{", "~~~{")):
+        lines[place : below + 1] = [text, f":label: {name}", *[""] * (below - place - 1)]
+
+
+def _equations(lines: list[str], code: list[bool], problems: list[tuple[int, str]]) -> None:
+    """Environments outside of dollars; other commands there are reported."""
+    end = -1
+    for place, line in enumerate(lines):
+        text = line.strip()
+        if code[place] or place <= end:
+            continue
+        if text.startswith("$$") and text.count("$$") == 1:
+            closed = (n for n in range(place + 1, len(lines)) if "$$" in lines[n])
+            end = next(closed, len(lines))
+        elif begin := BEGIN.fullmatch(text):
+            name, star, rest = (begin[n] or begin[n + 3] or "" for n in (1, 2, 3))
+            closing = f"\\end{{{name}{star}}}" if name else "\\]"
+            end = next(
+                (n for n in range(place, len(lines)) if lines[n].rstrip().endswith(closing)), -1
+            )
+            if end > place:
+                inside = INSIDE.get(name, "aligned") if name else ""
+                labels = TEX_LABEL.findall("\n".join(lines[place : end + 1]))
+                lines[place] = f"$${inside and f'\\begin{{{inside}}}'}{rest}"
+                last = lines[end].rstrip().removesuffix(closing)
+                label = f" ({_ours(labels[0])})" if labels else ""
+                lines[end] = f"{last}{inside and f'\\end{{{inside}}}'}$${label}"
+                for n in range(place, end + 1):
+                    lines[n] = TEX_LABEL.sub("", lines[n])
+        else:
+            for found in COMMAND.finditer(APART.sub("", line)):
+                said = next(text for name, text in COMMANDS if found[1].startswith(name))
+                problems.append((place + 1, f"{found[0]!r} outside of a formula; legal: {said}"))
+
+
+def _fences(lines: list[str], code: list[bool], ours: Collection[str]) -> None:
+    closing: list[tuple[str, str]] = []
+    for place, line in enumerate(lines):
+        text = line.strip()
+        if code[place]:
+            continue
+        if closing and text == closing[-1][0]:
+            lines[place] = closing.pop()[1]
+        elif (fence := FENCE.fullmatch(text)) and _directive(text, ours):
+            marker, name, rest = fence.groups()
+            if name == "math":
+                label = re.fullmatch(r":label:\s*(\S+)", lines[place + 1].strip())
+                lines[place : place + 2] = ["$$", "" if label else lines[place + 1]]
+                closing.append((marker, f"$$ ({_ours(label[1])})" if label else "$$"))
+            else:
+                lines[place] = f"{':' * len(marker)}{{{name}}}{rest}"
+                closing.append((marker, ":" * len(marker)))
+                _options(lines, place + 1)
+
+
+def _options(lines: list[str], first: int) -> None:
+    """Options between ``---``, as lines of our form."""
+    if lines[first : first + 1] == ["---"] and "---" in lines[first + 1 :]:
+        end = lines.index("---", first + 1)
+        pairs = (line.partition(":") for line in lines[first + 1 : end])
+        options = [f":{name.strip()}: {value.strip()}" for name, _, value in pairs]
+        lines[first : end + 1] = [*options, "", ""]
