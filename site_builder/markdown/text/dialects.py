@@ -51,7 +51,7 @@ COMMANDS = (
     ("", "between '$$', or Markdown"),
 )
 COMMAND = re.compile(r"\\(cite\w*|(?:eq)?ref|begin|end|label|textbf|emph|footnote)\{[^}\n]*\}")
-APART = re.compile(r"`+[^`]+`+|\$\$.*?\$\$|\$[^$]+\$")
+APART = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)|\$\$.*?\$\$|\$[^$]+\$")
 """Code and formulae within a line."""
 AFTER = re.compile(r"\$\$\s*\{#([\w:.-]+)\}\s*$")
 
