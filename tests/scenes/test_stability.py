@@ -11,6 +11,7 @@ from simulations.models.distortion.lens_model import Distortion, undistort
 from simulations.models.lens.thin_lens import circle_of_confusion_mm
 from simulations.scenes.stability import errors as exact
 from simulations.scenes.stability.errors import DISTANCES, errors_of, unit_of
+from simulations.scenes.stability.pictures import DRAFT_COLUMNS, painted, pictures, room
 from simulations.scenes.stability.scene import FORMATS, FORMULAS, SCENE
 
 
@@ -77,3 +78,15 @@ def test_the_line_near_the_fold_has_another_slope() -> None:
     slope = np.polyfit(np.log(DISTANCES[near]), np.log(errors.bound[near]), 1)[0]
     assert slope == pytest.approx(-0.5, abs=0.01)
     assert (errors.written[near] > 1e5 * errors.rearranged[near]).all()
+
+
+@pytest.mark.parametrize("formula", FORMULAS)
+def test_a_picture_survives_the_computation_that_keeps_its_digits(formula: str) -> None:
+    truth = painted(room(DRAFT_COLUMNS)).astype(int)
+    worst = [
+        [np.abs(one.astype(int) - truth).max() for one in pictures(formula, digits, power, 100)]
+        for digits, power in (("float64", -2.0), ("float64", -4.0), ("float32", -6.0))
+    ]
+    assert max(worst[0]) <= 1
+    assert worst[1][1] <= 1
+    assert worst[2][0] > 20

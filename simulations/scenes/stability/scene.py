@@ -1,6 +1,6 @@
 """Near Trouble: rounding errors of a formula, as written and rearranged.
 
-The curves take some milliseconds, once per formula and format: no tiers.
+A picture of the room goes through both, and shows what the errors do.
 """
 
 import math
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.drafting import label
-from simulations.engine.drawing import dot, line, path, rectangle, text
+from simulations.engine.drawing import dot
 from simulations.engine.frame import Frame, Panel, Readout, format_number, power_of_ten
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.axis import Axis
@@ -22,6 +22,7 @@ from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.scenes.stability.errors import DISTANCES, LOWEST, STEP, Errors, errors_of, unit_of
+from simulations.scenes.stability.pictures import COLUMNS, DRAFT_COLUMNS, pictures
 
 FORMULAS = {
     "angle": "Angle between two orientations",
@@ -42,7 +43,7 @@ CURVE_NAMES: Mapping[str, tuple[str, str]] = {
     "fold": ("5 Newton steps", "60 steps"),
 }
 FORMATS = {"float64": "float64: 16 digits", "float32": "float32: 7 digits"}
-CELLS = {"float64": 16, "float32": 8}  # digits that each format can hold, rounded up
+DRAFT = "draft"  # the pictures while the distance moves
 UNITS_OF_ROUNDING = 8  # errors of at most so many u are drawn as one, as they differ by machine
 PER_DECADE = 10  # heights that a curve can have
 
@@ -53,8 +54,6 @@ X_TICKS, Y_TICKS = (
 )
 LEGEND_LEFT = 14.0
 WIDTH = 400.0
-LEFT, RIGHT, BAR = 16.0, 384.0, 46.0
-TOPS = (66.0, 178.0)  # of the two bars
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,51 +113,28 @@ def error_plot(settings: Settings, errors: Errors) -> str:
     )
 
 
-def digit_bars(settings: Settings, both: tuple[float, float], bound: float) -> str:
-    """The digits of both computations that are right at the mark, as bars of one cell per digit; a
-    dashed line marks what the rounded inputs allow, κ u."""
-    cells, parts = CELLS[settings.digits], []
-    names = CURVE_NAMES[settings.formula]
-    for top, name, role, error in zip(TOPS, names, ("error", "image"), both, strict=True):
-        filled = 0.0 if math.isnan(error) else column(-math.log10(error), cells) - LEFT
-        edges = [LEFT + (RIGHT - LEFT) * index / cells for index in range(1, cells)]
-        parts += [
-            text((LEFT, top - 12.0), name, f"{role} strong"),
-            text((RIGHT, top - 12.0), right_digits(error), f"{role} strong", "end"),
-            rectangle((LEFT, top), RIGHT - LEFT, BAR, "muted thin"),
-            rectangle((LEFT, top), filled, BAR, f"{role} solid faint") if filled > 0 else "",
-            path([[(x, top), (x, top + BAR)] for x in edges], "muted thin faint"),
-        ]
-    if not math.isnan(bound):
-        x, foot = column(-math.log10(bound), cells), TOPS[1] + BAR + 10.0
-        side = "end" if x > WIDTH / 2 else "start"
-        parts.append(line((x, TOPS[0] - 6.0), (x, foot), "muted dashed"))
-        parts.append(text((x, foot + 16.0), "what rounded inputs allow", "muted small", side))
-    return "".join(parts)
-
-
-def column(digits: float, cells: int) -> float:
-    return LEFT + (RIGHT - LEFT) * min(max(digits / cells, 0.0), 1.0)
-
-
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """Both errors and the bound, and the count of right digits at the mark."""
+    """The picture through both computations, their errors and the bound."""
     errors: Errors = outputs["errors"]
-    written, rearranged = (
+    both = [
         float(shown(curve, settings.digits)[settings.index])
         for curve in (errors.written, errors.rearranged)
-    )
+    ]
     plot = error_plot(settings, errors)
-    bars = digit_bars(settings, (written, rearranged), float(errors.bound[settings.index]))
+    titles = (
+        f"{name}: {right_digits(error)} right digits"
+        for name, error in zip(CURVE_NAMES[settings.formula], both, strict=True)
+    )
+    first, second = (
+        Panel(name, title, WIDTH, 300.0, raster, pixelated=True, lead=name == "written")
+        for name, title, raster in zip(
+            ("written", "rearranged"), titles, outputs["pictures"], strict=True
+        )
+    )
     return Frame(
-        (
-            Panel(
-                "plot", "Relative error of two computations", WIDTH, 316.0, None, plot, lead=True
-            ),
-            Panel("digits", "Right digits at the mark", WIDTH, 290.0, overlay=bars),
-        ),
-        (Readout("digits", "Right digits, as written", right_digits(written), "", "error"),),
-        describe(settings, written, rearranged),
+        (first, second, Panel("plot", "Relative error", WIDTH, 316.0, None, plot)),
+        (Readout("digits", "Right digits, as written", right_digits(both[0]), "", "error"),),
+        describe(settings, *both),
     )
 
 
@@ -181,6 +157,8 @@ SCENE = Scene(
     "Near Trouble",
     Settings,
     draw,
-    (Stage("errors", errors_of),),
+    (Stage("errors", errors_of), Stage("pictures", pictures)),
     (Handle("place", "plot", "Mark on the curve", ("power",), mark_at, None, "press", "world"),),
+    parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
+    own_drafts={DRAFT: ("power",)},
 )
