@@ -41,11 +41,13 @@ type Pair = tuple[Floats, Floats]
 
 @lru_cache(maxsize=2)
 def room(columns: int) -> Floats:
-    """sRGB (rows, columns, 3), 0 to 1."""
+    """sRGB (3, rows, columns), 0 to 1; of the draft, means of the values at rest."""
+    if columns < COLUMNS:
+        return np.asarray(halve(room(2 * columns)), float)
     wide, high = 2 * columns, columns * 3 // 2
     K = intrinsics(1.5 * wide, ((wide - 1) / 2, (high - 1) / 2))
     light = shade(look(K, look_at((0.0, -1.2, 1.0), (0.1, 4.0, 0.5), (0, 0, 1)), wide, high))
-    return encode_srgb(halve(light).transpose(1, 2, 0))
+    return encode_srgb(np.asarray(halve(light), float))
 
 
 @lru_cache(maxsize=2)
@@ -111,5 +113,7 @@ def pictures(formula: str, digits: str, power: float, columns: int) -> tuple[Ras
 
 
 def painted(values: Floats) -> Raster:
-    undefined = np.isnan(values).any(axis=-1, keepdims=True)
-    return to_rgba8(np.where(undefined, UNDEFINED, np.clip(values, 0.0, 1.0)))
+    """A raster of values (3, rows, columns)."""
+    pixels = np.clip(values.transpose(1, 2, 0), 0.0, 1.0)
+    undefined = np.isnan(pixels).any(axis=-1, keepdims=True)
+    return to_rgba8(np.where(undefined, UNDEFINED, pixels))
