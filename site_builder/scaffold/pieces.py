@@ -1,4 +1,4 @@
-"""A new book, in a folder of its own; a new chapter, scene, model, ladder or directive, with tests;
+"""A new book, in a folder of its own; a new chapter, scene, model, or ladder, with tests;
 or a chapter to translate."""
 
 import json
@@ -265,26 +265,6 @@ def ladder(root: Path, text: str) -> Made:
     return made, f"{measure}; then show it: :::{{ladder}} {name.text}"
 
 
-def directive(root: Path, text: str) -> Made:
-    """In the engine's repository alone."""
-    name = read_name("directive", text)
-    folder = "site_builder/markdown/directives"
-    index = root / folder / "__init__.py"
-    if not index.is_file():
-        raise ScaffoldError(f"{root} has no builder of its own; legal: in the engine's repository")
-    listed = _listed(index.read_text(encoding="utf-8"), name)
-    files = {
-        f"{folder}/{name.module}.py": "directive/directive.py",
-        f"site_builder/templates/blocks/{name.text}.html": "directive/block.html",
-        f"site_builder/guide/examples/{name.text}.md": "directive/example.md",
-        f"tests/builder/test_{name.module}_directive.py": "directive/test.py",
-    }
-    made = _write(root, name, files)
-    index.write_text(listed, encoding="utf-8")
-    next_step = f"give it its looks: static/css/{name.text}.css, imported in static/css/book.css"
-    return {**made, f"{folder}/__init__.py": ""}, next_step
-
-
 def _write(root: Path, name: Name, templates: Mapping[str, str], **more: str) -> dict[str, str]:
     """Write the files, with packages around the first, each from its template."""
     home = next(iter(templates))
@@ -292,19 +272,6 @@ def _write(root: Path, name: Name, templates: Mapping[str, str], **more: str) ->
     files = {**(packages(root, home) if home.startswith("simulations/") else {}), **filled_in}
     write_new(root, files)
     return files
-
-
-def _listed(text: str, name: Name) -> str:
-    """The list of directives with one more, imports in their order."""
-    line = f"from site_builder.markdown.directives.{name.module} import {name.constant}"
-    form = r"^from site_builder\.markdown\.directives\.\w+ import (?:\([^)]*\)|.*)$"
-    imports = re.findall(form, text, re.MULTILINE)
-    whole = "\n".join(imports)
-    if whole not in text or "\n)\n" not in text:
-        raise ScaffoldError("the list of directives is not as it was; legal: imports, then a tuple")
-    ordered = "\n".join(sorted([*imports, line], key=lambda item: item.split(" import ")[0]))
-    imported, _, rest = text.replace(whole, ordered).rpartition("\n)\n")
-    return f"{imported}\n    {name.constant},\n)\n{rest}"
 
 
 def _refuse_taken(root: Path, folder: str, name: Name) -> None:
@@ -327,7 +294,6 @@ PIECES: dict[str, Callable[[Path, str], Made]] = {
     "scene": scene,
     "model": model,
     "ladder": ladder,
-    "directive": directive,
     "translation": translation,
 }
 """What ``new`` can make in a book."""

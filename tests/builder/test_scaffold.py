@@ -77,13 +77,6 @@ def test_a_figure_of_the_gallery_works_under_another_name(
         assert scene.pull(scene.check({}), handle.name, (place.x, place.y)) == pytest.approx(there)
 
 
-DIRECTIVES = "site_builder/markdown/directives"
-TEST_CACHED = """\
-import sys, pytest
-from site_builder.cache.results import Cache, using
-with using(Cache()): sys.exit(pytest.main(sys.argv[1:]))
-"""
-"""Fonts that another test has cut need not be cut again."""
 PARTS = (
     ".github",
     "CHANGELOG.md",
@@ -238,7 +231,6 @@ def test_a_name_that_makes_no_file_or_id_is_refused(text: str) -> None:
         ("model", "lambda", "'lambda' is a word of Python's own"),
         ("ladder", "sums", "simulations/ladders/sums is there already"),
         ("translation", "en/a-fall", "legal: de, a slash"),
-        ("directive", "aside", "has no builder of its own"),
     ],
 )
 def test_a_piece_that_the_book_cannot_have_is_refused(
@@ -252,46 +244,21 @@ def test_a_piece_that_the_book_cannot_have_is_refused(
         make_new(tmp_path, kind, name)
 
 
-@pytest.fixture(scope="module")
-def changed_engine(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the engine's repository, with another version and a new directive."""
-    folder = tmp_path_factory.mktemp("changed") / "engine"
+@pytest.mark.deep
+def test_a_changed_engine_reaches_a_book_by_an_upgrade(engine: Engine, tmp_path: Path) -> None:
+    folder, own = tmp_path / "engine", new_engine(tmp_path / "environment")
+    folder.mkdir()
     for part in PARTS:
         copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy2
-        folder.mkdir(exist_ok=True)
         copy(ROOT / part, folder / part)
-    (folder / "content").mkdir()
     version = folder / "site_builder" / "__init__.py"
     changed = re.sub(r'__version__ = ".*"', '__version__ = "99.0"', version.read_text("utf-8"))
     version.write_text(changed, encoding="utf-8")
-    done = run(folder, sys.executable, "-m", "site_builder", "new", "directive", "aside")
-    assert done.returncode == 0, done.stderr
-    return folder
-
-
-def test_a_new_directive_has_tests_that_pass(changed_engine: Path) -> None:
-    done = run(changed_engine, sys.executable, "-c", TEST_CACHED, "-q", "-c", "/dev/null", "tests")
-    assert done.returncode == 0, done.stdout + done.stderr
-    for command in (["format", "--check"], ["check"]):
-        done = run(changed_engine, sys.executable, "-m", "ruff", *command, DIRECTIVES, "tests")
-        assert done.returncode == 0, done.stdout
-
-
-@pytest.mark.deep
-def test_a_changed_engine_reaches_a_book_by_an_upgrade(
-    engine: Engine, changed_engine: Path, tmp_path: Path
-) -> None:
-    own = new_engine(tmp_path / "environment")
     assert own.install(engine.wheel).returncode == 0
     assert engine.run(tmp_path, "-m", "site_builder", "new", "book", "book").returncode == 0
-    chapter = tmp_path / "book" / "content" / "01-a-falling-ball.md"
-    with chapter.open("a", encoding="utf-8") as text:
-        text.write("\n:::{aside} Of no weight\nA feather falls as fast, in a vacuum.\n:::\n")
-    check = ("-m", "site_builder", "check")
-    assert "unknown directive 'aside'" in engine.run(tmp_path / "book", *check).stderr
-    assert own.install(build_wheel(changed_engine, tmp_path / "wheels")).returncode == 0
+    assert own.install(build_wheel(folder, tmp_path / "wheels")).returncode == 0
     assert own.run(tmp_path, "-m", "site_builder", "--version").stdout == "site_builder 99.0\n"
-    done = own.run(tmp_path / "book", *check)
+    done = own.run(tmp_path / "book", "-m", "site_builder", "check")
     assert done.returncode == 0, done.stderr
 
 

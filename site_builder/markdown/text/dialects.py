@@ -9,31 +9,24 @@ from markdown_it.rules_core import StateCore
 
 from site_builder.diagnostics.diagnostic import unknown
 
-CALLED = {
-    **dict.fromkeys(("admonition", "seealso"), "'note', 'tip', 'warning' or 'key-idea'"),
-    **dict.fromkeys(("caution", "danger", "attention", "error"), "'warning'"),
-    "important": "'key-idea'",
-    "hint": "'tip'",
+KINDS = {
+    "admonition seealso proof theorem definition": "'note', 'tip', 'warning' or 'key-idea'",
+    "caution danger attention callout-caution callout-warning": "'warning'",
+    "important callout-important": "'key-idea'",
+    "hint callout-tip": "'tip'",
+    "callout-note": "'note'",
     "image": "'figure'",
-    **dict.fromkeys(("code-block", "code"), "code between '```python' and '```'"),
-    **dict.fromkeys(
-        ("code-cell", "python", "jupyter-execute", "plot"),
-        "a figure, ':::{simulation}', or a block '```calc'; '```python' for code to be read",
-    ),
-    **dict.fromkeys(("tab-set", "tab-item", "dropdown", "grid", "card"), "headings, '{.deeper}'"),
-    **dict.fromkeys(("toctree", "tableofcontents"), "'chapters' in content/book.toml"),
-    "bibliography": "'{cite}`key`'; the list is made of them",
-    **{f"callout-{name}": f"':::{{{name}}}'" for name in ("note", "tip", "warning")},
-    **dict.fromkeys(("callout-important", "callout-caution"), "':::{key-idea}' or ':::{warning}'"),
-    **dict.fromkeys(("proof", "theorem", "definition"), "'note' or 'key-idea'"),
     "list-table": "'table'",
+    "code code-block": "code between '```python' and '```'",
+    "code-cell python plot": "a figure, ':::{simulation}', or a block '```calc'",
+    "tab-set tab-item dropdown grid card": "headings, '{.deeper}'",
+    "toctree tableofcontents": "'chapters' in content/book.toml",
+    "bibliography": "'{cite}`key`', of which the list is made",
 }
+CALLED = {name: here for names, here in KINDS.items() for name in names.split()}
 """Directives of others, and what is here in their place."""
 ROLES = {
-    "eq": "ref",
-    "numref": "ref",
-    "doc": "ref",
-    "ref": "ref",
+    **dict.fromkeys(("eq", "numref", "doc", "ref"), "ref"),
     "cite:p": "cite",
     "cite:t": "citet",
 }
@@ -44,12 +37,6 @@ LABEL = re.compile(r"\(([\w:.-]+)\)=\s*")
 TEX_LABEL = re.compile(r"\\label\{([^}]*)\}")
 BEGIN = re.compile(r"\\begin\{(equation|align|gather|multline|eqnarray)(\*?)\}(.*)|\\\[()()(.*)")
 INSIDE = {"equation": "", "gather": "gathered", "multline": "gathered"}
-COMMANDS = (
-    ("cite", "'{cite}`key`'"),
-    ("ref", "'{ref}`TARGET`'"),
-    ("eqref", "'{ref}`TARGET`'"),
-    ("", "between '$$', or Markdown"),
-)
 COMMAND = re.compile(r"\\(cite\w*|(?:eq)?ref|begin|end|label|textbf|emph|footnote)\{[^}\n]*\}")
 APART = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)|\$\$.*?\$\$|\$[^$]+\$")
 """Code and formulae within a line."""
@@ -58,12 +45,9 @@ AFTER = re.compile(r"\$\$\s*\{#([\w:.-]+)\}\s*$")
 
 def unknown_directive(name: str, ours: Iterable[str]) -> str:
     """That there is none of this name, and what there is."""
-    wanted = CALLED.get(name)
-    return (
-        f"unknown directive {name!r}; legal: {wanted}"
-        if wanted
-        else unknown("directive", name, ours)
-    )
+    here = CALLED.get(name)
+    found = unknown("directive", name, ours)
+    return f"unknown directive {name!r}; legal: {here}" if here else found
 
 
 def dialects_rule(ours: Collection[str], state: StateCore) -> None:
@@ -141,7 +125,7 @@ def _label(lines: list[str], place: int) -> None:
     elif BEGIN.match(text):
         lines[place], lines[below] = "", f"{text}\\label{{{name}}}"
     elif text.startswith((":::{", "```{", "~~~{")):
-        lines[place : below + 1] = [text, f":label: {name}", *[""] * (below - place - 1)]
+        lines[place : below + 1] = [*[""] * (below - place - 1), text, f":label: {name}"]
 
 
 def _equations(lines: list[str], code: list[bool], problems: list[tuple[int, str]]) -> None:
@@ -157,9 +141,8 @@ def _equations(lines: list[str], code: list[bool], problems: list[tuple[int, str
         elif begin := BEGIN.fullmatch(text):
             name, star, rest = (begin[n] or begin[n + 3] or "" for n in (1, 2, 3))
             closing = f"\\end{{{name}{star}}}" if name else "\\]"
-            end = next(
-                (n for n in range(place, len(lines)) if lines[n].rstrip().endswith(closing)), -1
-            )
+            ends = (n for n in range(place, len(lines)) if lines[n].rstrip().endswith(closing))
+            end = next(ends, -1)
             if end > place:
                 inside = INSIDE.get(name, "aligned") if name else ""
                 labels = TEX_LABEL.findall("\n".join(lines[place : end + 1]))
@@ -171,7 +154,7 @@ def _equations(lines: list[str], code: list[bool], problems: list[tuple[int, str
                     lines[n] = TEX_LABEL.sub("", lines[n])
         else:
             for found in COMMAND.finditer(APART.sub("", line)):
-                said = next(text for name, text in COMMANDS if found[1].startswith(name))
+                said = "'{cite}`key`', '{ref}`TARGET`', Markdown, or between '$$'"
                 problems.append((place + 1, f"{found[0]!r} outside of a formula; legal: {said}"))
 
 
