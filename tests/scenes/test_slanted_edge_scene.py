@@ -17,6 +17,7 @@ from simulations.engine.reading import UnfitError
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.resolution import pixel_pitch_um
+from simulations.scenes.slanted_edge.plots import OF_LINE
 from simulations.scenes.slanted_edge.results import sheet
 from simulations.scenes.slanted_edge.scene import SCENE
 
@@ -37,7 +38,7 @@ def test_the_product_drawn_has_another_area_than_printed(wave: float) -> None:
     (points,) = re.findall(r'class="image fill thin" points="([^"]*)"', drawn)
     x, y = np.array([point.split(",") for point in points.split()], float).T
     area = 0.5 * abs(x @ np.roll(y, 1) - y @ np.roll(x, 1))
-    units = (388 - 34) / 8 * (222 - 12) / 2.2
+    units = (388 - 34) / 8 * (OF_LINE.place(0.0) - OF_LINE.place(1.0))
     assert area / units == pytest.approx(float(texts_at(SCENE, wave=wave)["contrast"]), abs=0.02)
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from simulations.engine.controls import PointLists
+from simulations.engine.frame import Raster
 from simulations.engine.handles import Point
 from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.raster import to_rgba8
@@ -27,6 +28,8 @@ from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_e
 from simulations.models.sampling.slanted_edge_search import edge_near
 from simulations.models.sampling.slanted_edge_tone import tone_error
 from simulations.models.sensor.resolution import pixel_pitch_um
+from simulations.pictures.photographs import cat
+from simulations.scenes._wipe import wiped
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the panel
 ROWS, COLUMNS = 120, 160  # of the simulated picture
@@ -37,6 +40,7 @@ SHORT_UM, NARROW = 0.5, 0.7  # waves and, in pixels, their width in the limit th
 MOST_SHOWN = 1200  # largest side in px at which a photograph is shown; it is measured in full
 SEARCHED = 400  # largest side in px of the picture in which an edge is looked for
 MOST_KEPT = 8  # places
+CROP, MARGIN_PX = (slice(41, 101), slice(31, 111)), 12  # an eye of the cat; room for the blur
 SCALED = (
     "This picture was scaled down, which changes its sharpness: save the part around the edge as a "
     "smaller file, without scaling."
@@ -304,6 +308,24 @@ def kept_edges(
     return tuple(found)
 
 
+def through(sharpness: Sharpness) -> Raster:
+    """(60, 80, 4) an eye of a cat, its right half with the contrast that the edge has kept.
+
+    The photograph is taken to be sharp. Waves of all directions are weakened alike.
+    """
+    light = decode_srgb(np.float32(1 / 255) * cat.codes()[CROP])
+    if sharpness.refusal:
+        return to_rgba8(encode_srgb(light))
+    sides = [(0, 0), *[(MARGIN_PX, MARGIN_PX)] * 2]
+    padded = np.pad(light.transpose(2, 0, 1), sides, "reflect")
+    up, across = (np.fft.fftfreq(side) for side in padded.shape[1:])
+    frequency = np.hypot(up[:, None], across[: across.size // 2 + 1])
+    kept = np.interp(frequency, FREQUENCIES, sharpness.contrast)
+    seen = np.fft.irfft2(np.fft.rfft2(padded) * kept, padded.shape[1:])
+    after = seen[:, MARGIN_PX:-MARGIN_PX, MARGIN_PX:-MARGIN_PX].transpose(1, 2, 0)
+    return wiped(to_rgba8(encode_srgb(light)), to_rgba8(encode_srgb(np.clip(after, 0, 1))), 0.5)
+
+
 def true_transfer(
     angle: float, aperture: float, pitch: float, photograph: Photograph | None
 ) -> Floats:
@@ -323,5 +345,6 @@ STAGES = (
     Stage("pixels", edge_pixels, ("codes", "box")),
     Stage("sharpness", sharpness, ("pixels",)),
     Stage("places", kept_edges, ("codes",)),
+    Stage("crop", through, ("sharpness",)),
     Stage("true", true_transfer),
 )

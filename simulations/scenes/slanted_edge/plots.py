@@ -5,7 +5,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.drafting import swatch
 from simulations.engine.drawing import path, text
 from simulations.engine.frame import format_number
 from simulations.engine.plotting.axis import Axis
@@ -13,17 +12,16 @@ from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading
 from simulations.models.sampling.slanted_edge_pixels import EdgePixels
-from simulations.scenes.slanted_edge.edge import DARK, STEP, WAVELENGTH_UM, Settings, Sharpness
+from simulations.scenes.slanted_edge.edge import WAVELENGTH_UM, Settings, Sharpness
 from simulations.scenes.slanted_edge.results import contrast_of
 
 # Pixels either side of the edge that the second panel may show, at least so many times the width
 # over which the light rises from a tenth to nine tenths.
 REACHES, RISES = (4.0, 8.0, 16.0, 32.0, 64.0), 2.0
 SPOT_UM, MOST_APERTURE = 1.22 * WAVELENGTH_UM, 22.0  # radius of Airy's disc at f/1; smallest hole
-OF_LINE = Axis(-1.0, 1.2, 222.0, 12.0)
+OF_EDGE, OF_LINE = Axis(-0.15, 1.15, 92.0, 8.0), Axis(-1.0, 1.2, 222.0, 104.0)
 FREQUENCY = Axis(0.0, 1.0, 34.0, 388.0)
 NYQUIST = 0.5
 SPECK, MOST_SPECKS = 1.4, 800  # length of the stroke for a pixel, and how many are drawn
@@ -39,10 +37,9 @@ def axis_across(settings: Settings, reading: EdgeReading | None, simulated: bool
 
 
 def light_across(pixels: EdgePixels | str, reading: EdgeReading | None, x: Axis) -> Iterator[str]:
-    """A sharp edge, a row of its picture, and each pixel by its distance from the edge."""
-    plot = Plot(x, Axis(-0.15, 1.15, 222.0, 92.0))
-    across = Scale("distance from the edge", "px", (x.low, 0, x.high), style="small")
-    yield plot.frame(across, Scale(ticks=(0, 1), grid=(0, 1), tick_style="muted small"))
+    """Each pixel by its distance from the edge; those of one row set off."""
+    plot = Plot(x, OF_EDGE)
+    yield plot.frame(Scale(ticks=()), Scale(ticks=(0, 1), grid=(0, 1), tick_style="muted small"))
     if reading is not None:
         place = places_shown(x, reading)
         yield plot.curve(place, reading.curve.spread(place), "image thin")
@@ -51,22 +48,10 @@ def light_across(pixels: EdgePixels | str, reading: EdgeReading | None, x: Axis)
         yield specks(plot, pixels.distance[inside], pixels.value[inside])
         row = inside & (pixels.row == len(pixels.line.rows) // 2)
         distance, value = pixels.distance[row], pixels.value[row]
-        yield text((plot.x.start, 14), "before the lens", "muted small")
-        yield from strip(plot, 20.0, 0.5 * np.array((x.low, x.high)), np.array((0.0, 1.0)), x.high)
-        yield text((plot.x.start, 54), "one row of pixels", "camera small")
-        yield from strip(plot, 60.0, distance, value, math.cos(pixels.line.angle_rad))
         for place, light in zip(distance.tolist(), value.tolist(), strict=True):
             yield plot.mark(place, light, "camera", 3.5)
-    entries = Entry("all pixels", "image", "dot"), Entry("one row", "camera", "dot")
-    yield legend((plot.x.start, 288), entries, "small")
-
-
-def strip(plot: Plot, top: float, middle: Floats, value: Floats, width: float) -> Iterator[str]:
-    """Greys (N,) between dark and light, around places (N,) of the plot."""
-    greys = encode_srgb(np.clip(DARK + STEP * value, 0.0, 1.0)).tolist()
-    for x, grey in zip(middle.tolist(), greys, strict=True):
-        left, right = plot.x.clamped(x - 0.5 * width), plot.x.clamped(x + 0.5 * width)
-        yield swatch((left, top), right - left, 20.0, (grey,) * 3)
+    yield text((plot.x.start + 6, plot.y.end + 24), "pixels of the edge", "image small ground")
+    yield text((plot.x.start + 6, plot.y.end + 44), "of one row", "camera small ground")
 
 
 def places_shown(x: Axis, reading: EdgeReading) -> Floats:
@@ -89,7 +74,7 @@ def line_and_wave(sharpness: Sharpness, frequency: float, x: Axis) -> Iterator[s
         yield plot.between(place, slope * wave, np.zeros_like(place), "image fill thin")
         yield plot.curve(place, slope, "light bold")
         area = f"area {format_number(contrast_of(reading, frequency), 2)}"
-        yield text((plot.x.end, 22), area, "image small ground", "end")
+        yield text((plot.x.end, plot.y.start - 8), area, "image small ground", "end")
     entries = (
         Entry("slope, per px", "light bold"),
         Entry("wave", "world thin"),

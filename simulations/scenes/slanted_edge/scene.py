@@ -15,6 +15,7 @@ from simulations.models.arrays import centred
 from simulations.models.sampling.slanted_edge import measure
 from simulations.models.sampling.slanted_edge_line import EdgeLine
 from simulations.models.sampling.slanted_edge_pixels import EdgePixels
+from simulations.scenes._wipe import over_wipe
 from simulations.scenes.slanted_edge.edge import (
     HEIGHT,
     MOST_KEPT,
@@ -113,6 +114,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     kept, refusal = kept_places(outputs["places"]), sharpness.refusal
     frame = over_picture(settings, outputs["box"], pixels, simulated, refusal)
     picture, over = outputs["shown"], "".join((*kept, *frame))
+    over_crop = over_wipe(0.5, WIDTH, HEIGHT, ("before", "after" if not refusal else "unknown"))
     x = axis_across(settings, sharpness.reading, simulated)
     across = "".join(light_across(pixels, sharpness.reading, x))
     product = "".join(line_and_wave(sharpness, settings.wave, x))
@@ -120,8 +122,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel("picture", "The picture of an edge", *SIZE, picture, over, True, True),
-            Panel("across", "Light across the edge: ESF", *SIZE, overlay=across),
-            Panel("line", "Its slope, the image of a line: LSF", *SIZE, overlay=product),
+            Panel("crop", "A cat’s eye, before and after", *SIZE, outputs["crop"], over_crop, True),
+            Panel("line", "Light across the edge, and its slope", *SIZE, overlay=across + product),
             Panel("waves", title, *SIZE, overlay="".join(waves)),
         ),
         readouts(settings, outputs),
@@ -234,7 +236,7 @@ SCENE = Scene(
         ),
         Handle("spot", "line", "Lens’s spot", ("aperture",), spot_at, spot_pulled, role="light"),
         Handle("wave", "waves", "Wave", ("wave",), wave_at, wave_pulled, role="image"),
-        Handle("keep", "across", "This place", ("kept",), nowhere, keep, "aim"),
+        Handle("keep", "line", "This place", ("kept",), nowhere, keep, "aim"),
         Handle("forget", "waves", "All places", ("kept",), nowhere, forget, "aim"),
     ),
     Whole(MOST_MEGAPIXELS),
