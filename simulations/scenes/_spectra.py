@@ -58,6 +58,7 @@ WAVELENGTHS = Scale("wavelength", "nm", ticks=(400, 550, 700), gap=STRIP)
 SHARES = Scale(ticks=(0, 1), grid=(1,))
 COLUMNS = slice(FINE * round(PLOT.x.start), FINE * round(PLOT.x.end))  # pixels along the axis
 GREY = 0.15  # added to the colours of the strip, which are all outside the display's gamut
+FAINT = 0.3  # share of the most visible wavelength from which colours fade to the ground
 SOFTLY = np.array([1, 2, 3, 4, 3, 2, 1]) / 16
 """Weights of wavelengths 5 nm apart: where a channel is clipped, the strip would show an edge that
 the spectrum does not have."""
@@ -159,13 +160,15 @@ def colours_under(heights: Floats) -> Raster:
 
 @cache
 def rainbow() -> Raster:
-    """(1, columns, 4)."""
+    """(1, columns, 4), transparent where the eye sees next to nothing."""
     linear = np.clip(xyz_to_linear_rgb(OBSERVER) / 2.2 + GREY * OBSERVER.sum(1)[:, None] / 3, 0, 1)
     ends = np.pad(encode_srgb(linear), ((len(SOFTLY) // 2,) * 2, (0, 0)), mode="edge")
     places = np.linspace(0.0, len(linear) - 1.0, COLUMNS.stop - COLUMNS.start)
     channels = (np.convolve(channel, SOFTLY, "valid") for channel in ends.T)
     strip = [np.interp(places, np.arange(len(linear)), channel) for channel in channels]
-    return to_rgba8(np.stack(strip, axis=-1)[None])
+    seen = OBSERVER.sum(axis=1) / OBSERVER.sum(axis=1).max() / FAINT
+    opacity = np.interp(places, np.arange(len(seen)), np.minimum(seen, 1.0))
+    return to_rgba8(np.stack(strip, axis=-1)[None], opacity[None])
 
 
 @dataclass(frozen=True, slots=True)

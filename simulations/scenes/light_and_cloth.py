@@ -13,6 +13,7 @@ from simulations.engine.drawing import circle, dot, polygon, polyline, text
 from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
 from simulations.engine.handles import Handle
 from simulations.engine.plotting import Axis, Plot, Scale
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
@@ -22,6 +23,7 @@ from simulations.models.color.chromaticity import lab_distance, xyz_to_xyy
 from simulations.models.color.illuminants import DAYLIGHT_K
 from simulations.models.color.observer import matching_functions, tristimulus
 from simulations.models.color.spectra import WAVELENGTHS_NM
+from simulations.models.color.srgb import encode_srgb
 from simulations.models.color.surfaces import LEAST, MOST
 from simulations.scenes import _spectra
 from simulations.scenes._spectra import DAYLIGHT, HEIGHT, NAMES, WIDTH, Chart, LitSurface
@@ -36,7 +38,7 @@ LEGEND = 24.0  # row of the names of the curves
 DIAGRAM = Plot(Axis(0.0, 0.82, 44.0, 298.2), Axis(0.0, 0.88, 284.0, 11.2))
 """310 units of the view box per unit of x and of y."""
 TICKS = Scale(ticks=(0.4, 0.8), grid=(0.2, 0.4, 0.6, 0.8))
-PURE_NM = np.arange(420.0, 641.0, 4.0)
+PURE_NM = np.arange(444.0, 641.0, 4.0)
 """Wavelengths of the edge of all colours: beyond these it hardly moves, and the fits are
 inaccurate."""
 MARKED_NM = (490, 600)
@@ -128,9 +130,10 @@ def diagram(light: str, seen: Seen, chosen: int, *, twin: bool) -> str:
     here = DIAGRAM.at(*pairs[0, chosen])
     parts = [
         diagram_ground(),
-        polyline([DIAGRAM.at(*xy) for xy in line[::4]], "light"),
-        *(dot(DIAGRAM.at(*xy), "world", 2.5) for xy in pairs[0]),
-        circle(DIAGRAM.at(*cie.D65_XY), 4, "muted"),
+        *(polyline([DIAGRAM.at(*xy) for xy in line[::4]], style) for style in ("casing", "light")),
+        *(circle(DIAGRAM.at(*xy), 3, "casing") for xy in pairs[0]),
+        *(dot(DIAGRAM.at(*xy), "world", 3) for xy in pairs[0]),
+        *(circle(DIAGRAM.at(*cie.D65_XY), 4, style) for style in ("casing", "")),
         dot(DIAGRAM.at(*seen.white_xy), "light", 5),
     ]
     if twin:
@@ -150,14 +153,32 @@ def diagram_ground() -> str:
         text((DIAGRAM.x.end + 8, corner[1] + 19), "x", "italic"),
         text((corner[0] - 8, DIAGRAM.y.end + 2), "y", "italic", "end"),
         polygon([DIAGRAM.at(*xy) for xy in edge], "world thin"),
-        polygon([DIAGRAM.at(*xy) for xy in cie.SRGB_PRIMARIES_XY], "image fill thin"),
-        text(DIAGRAM.at(0.33, 0.235), "sRGB", "image small", "middle"),
+        polygon([DIAGRAM.at(*xy) for xy in cie.SRGB_PRIMARIES_XY], "casing"),
+        polygon([DIAGRAM.at(*xy) for xy in cie.SRGB_PRIMARIES_XY], "image"),
+        text(DIAGRAM.at(0.24, 0.14), "sRGB", "image small ground", "middle"),
     ]
     for nm, xy in zip(MARKED_NM, marked, strict=True):
         x, y = DIAGRAM.at(*xy)
         parts.append(dot((x, y), "world", 2))
-        parts.append(text((x + 9, y - 4), f"{nm} nm", "world small"))
+        parts.append(text((x + 9, y - 4), f"{nm} nm", "world small ground"))
     return "".join(parts)
+
+
+@cache
+def horseshoe() -> Raster:
+    """(H, W, 4) each chromaticity as a display shows it, or the nearest that it can."""
+    across, down = np.arange(WIDTH) + 0.5, np.arange(HEIGHT) + 0.5
+    x, y = np.meshgrid(DIAGRAM.x.value(across), DIAGRAM.y.value(down))
+    edge = xyz_to_xyy(matching_functions(PURE_NM))[:, :2]
+    ahead = np.roll(edge, -1, axis=0) - edge
+    inside = np.full(x.shape, np.inf)
+    for (x_0, y_0), (dx, dy) in zip(edge.tolist(), ahead.tolist(), strict=True):
+        off = (dy * (x - x_0) - dx * (y - y_0)) / math.hypot(dx, dy)
+        inside = np.minimum(inside, off)
+    xyz = np.stack([x, y, 1.0 - x - y], axis=-1)
+    linear = np.maximum(cie.xyz_to_linear_rgb(xyz), 0.0)
+    bright = linear / np.maximum(linear.max(axis=-1, keepdims=True), 1e-9)
+    return to_rgba8(encode_srgb(bright), np.clip(0.5 + 310.0 * inside, 0.0, 1.0))
 
 
 def draw(settings: LitSurface, outputs: Outputs) -> Frame:
@@ -174,7 +195,7 @@ def draw(settings: LitSurface, outputs: Outputs) -> Frame:
         (
             Panel("light", "Light × cloth", *size, sent_back, curves, lead=True),
             Panel("patches", "What the eye sees", *size, *patches, pixelated=True),
-            Panel("diagram", "Colours without brightness", *size, overlay=colours),
+            Panel("diagram", "Colours without brightness", *size, horseshoe(), colours),
         ),
         (
             readout("x", "Chromaticity x", x, digits=3, role="world"),
