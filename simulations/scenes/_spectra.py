@@ -128,20 +128,20 @@ def lit_surface(settings: LitSurface) -> str:
     return f"{patch} in the light of {light}"
 
 
-def curve(heights: Floats, style: str, plot: Plot = PLOT) -> str:
+def curve(heights: Floats, style: str) -> str:
     """A spectrum (81,) of heights from 0 to 1."""
-    return plot.curve(WAVELENGTHS_NM, heights, style)
+    return PLOT.curve(WAVELENGTHS_NM, heights, style)
 
 
 @cache
-def axes(plot: Plot = PLOT) -> str:
-    return plot.frame(WAVELENGTHS, SHARES)
+def axes() -> str:
+    return PLOT.frame(WAVELENGTHS, SHARES)
 
 
 @cache
-def colours_below(plot: Plot = PLOT) -> Raster:
+def colours_below() -> Raster:
     """(H, W, 4) the colours of the wavelengths as near as a display can show, under the floor."""
-    floor = FINE * round(plot.y.start)
+    floor = FINE * round(PLOT.y.start)
     picture = np.zeros((floor + FINE * BELOW, FINE * WIDTH, 4), np.uint8)
     picture[floor + FINE : floor + FINE * STRIP, COLUMNS] = rainbow()
     return picture

@@ -35,8 +35,8 @@ HALF_HEIGHT = math.sqrt(2.0 * math.log(2.0))
 """Standard deviations from the peak of a bell to half its height."""
 LEGEND = 24.0  # row of the names of the curves
 
+UNITS = 310.0  # of the view box per unit of x and of y
 DIAGRAM = Plot(Axis(0.0, 0.82, 44.0, 298.2), Axis(0.0, 0.88, 284.0, 11.2))
-"""310 units of the view box per unit of x and of y."""
 TICKS = Scale(ticks=(0.4, 0.8), grid=(0.2, 0.4, 0.6, 0.8))
 PURE_NM = np.arange(444.0, 641.0, 4.0)
 """Wavelengths of the edge of all colours: beyond these it hardly moves, and the fits are
@@ -168,7 +168,8 @@ def diagram_ground() -> str:
 def horseshoe() -> Raster:
     """(H, W, 4) each chromaticity as a display shows it, or the nearest that it can."""
     across, down = np.arange(WIDTH) + 0.5, np.arange(HEIGHT) + 0.5
-    x, y = np.meshgrid(DIAGRAM.x.value(across), DIAGRAM.y.value(down))
+    right, up = across - DIAGRAM.x.start, DIAGRAM.y.start - down
+    x, y = np.meshgrid(right / UNITS, up / UNITS)
     edge = xyz_to_xyy(matching_functions(PURE_NM))[:, :2]
     ahead = np.roll(edge, -1, axis=0) - edge
     inside = np.full(x.shape, np.inf)
@@ -178,7 +179,7 @@ def horseshoe() -> Raster:
     xyz = np.stack([x, y, 1.0 - x - y], axis=-1)
     linear = np.maximum(cie.xyz_to_linear_rgb(xyz), 0.0)
     bright = linear / np.maximum(linear.max(axis=-1, keepdims=True), 1e-9)
-    return to_rgba8(encode_srgb(bright), np.clip(0.5 + 310.0 * inside, 0.0, 1.0))
+    return to_rgba8(encode_srgb(bright), np.clip(0.5 + UNITS * inside, 0.0, 1.0))
 
 
 def draw(settings: LitSurface, outputs: Outputs) -> Frame:

@@ -5,13 +5,15 @@ daylight, which is the intended one. A few sums over 81 wavelengths: no tiers.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine.drafting import tinted
 from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
+from simulations.engine.photograph import Photograph
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice
 from simulations.engine.stages import Outputs, Stage
@@ -20,9 +22,10 @@ from simulations.models.color.chromaticity import lab_distance
 from simulations.models.color.cie import xyz_to_lab, xyz_to_linear_rgb
 from simulations.models.color.observer import OBSERVER, tristimulus
 from simulations.models.color.spectra import WAVELENGTHS_NM
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import decode_srgb, encode_srgb, encode_srgb_table
 from simulations.models.color.white_balance import white_balance
 from simulations.models.sensor.camera_colour import camera_curves, exposed, fit_colour_matrix
+from simulations.pictures.photographs import coffee
 from simulations.scenes import _spectra
 from simulations.scenes._spectra import DAYLIGHT, MEASURED, NAMES, WIDTH, Chart, LitSurface
 
@@ -32,8 +35,9 @@ CURVES = {"camera": camera_curves(WAVELENGTHS_NM), "eye": OBSERVER}  # (81, 3)
 ROWS = (("raw", "image"), ("balanced", "image"), ("sRGB", "image"), ("eye, by day", "world"))
 CHART = Chart(ROWS, 56)
 
-HEIGHT = 500  # the sensor's panel is taller than the other, beside which it is narrower
-PLOT = replace(_spectra.PLOT, y=replace(_spectra.PLOT.y, start=float(HEIGHT - _spectra.BELOW)))
+PHOTOGRAPH_PX = (200, 160)
+PAINTS = np.linalg.svd(MEASURED, full_matrices=False)[2][:3]
+"""(3, 81) mixed, they come nearest to the reflectances of the chart."""
 CHANNELS = ((0.82, 0.22, 0.18), (0.20, 0.57, 0.20), (0.22, 0.42, 0.88))
 """Colours of the three curves, visible on light and on dark."""
 LETTERS = {"camera": ("R", "G", "B"), "eye": ("x̄", "ȳ", "z̄")}
@@ -93,6 +97,37 @@ def picture(colours: Colours, twin: bool) -> Raster:
     return CHART.paint(steps, twin=twin)
 
 
+def pictures(
+    light: Floats,
+    curves: Floats,
+    fitted: Floats,
+    colours: Colours,
+    photograph: Photograph | None,
+) -> Raster:
+    """(320, 400, 4) a photograph in the four steps of `ROWS`.
+
+    Each of its pixels is taken for the mixture of `PAINTS` that looks so by day. The three numbers
+    of any other sensor, in any light, are then a matrix times those of the pixel.
+    """
+    codes = photograph.codes if photograph else coffee.codes()
+    by_day = decode_srgb(np.float32(1 / 255) * codes)
+    mixture = np.linalg.inv(xyz_to_linear_rgb(tristimulus(PAINTS * DAYLIGHT, DAYLIGHT)))
+    raw = by_day @ (mixture @ exposed(PAINTS * light, curves, light)).astype(np.float32)
+    balanced = raw * colours.gains.astype(np.float32)
+    srgb = balanced @ xyz_to_linear_rgb(fitted.T).astype(np.float32)
+    rows = (np.hstack((raw, balanced)), np.hstack((srgb, by_day)))
+    return to_rgba8(encode_srgb_table(np.clip(np.vstack(rows), 0.0, 1.0)))
+
+
+def step_names() -> str:
+    """The names of the four pictures."""
+    places = ((8, 24), (WIDTH // 2 + 8, 24), (8, 184), (WIDTH // 2 + 8, 184))
+    return "".join(
+        text(place, name, f"{role} small ground")
+        for place, (name, role) in zip(places, ROWS, strict=True)
+    )
+
+
 STAGES = (
     Stage("light", _spectra.light_of),
     Stage("surfaces", _spectra.surfaces_of),
@@ -101,6 +136,7 @@ STAGES = (
     Stage("matrix", fitted, ("curves", "light")),
     Stage("colours", colours_of, ("light", "pairs", "curves", "matrix")),
     Stage("picture", picture, ("colours",)),
+    Stage("photographs", pictures, ("light", "curves", "matrix", "colours")),
 )
 
 
@@ -108,10 +144,10 @@ def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw:
     """The sensor's curves (81, 3), and their products with the light from a surface."""
     back = light / light.max() * reflectance
     scale, letters = curves.max(), LETTERS[sensor]
-    parts = [_spectra.axes(PLOT)]
+    parts = [_spectra.axes()]
     for each, colour in zip(curves.T / scale, CHANNELS, strict=True):
-        area = PLOT.area(WAVELENGTHS_NM, back * each, "fill thin")
-        parts.append(tinted((area, _spectra.curve(each, "", PLOT)), colour))
+        area = _spectra.PLOT.area(WAVELENGTHS_NM, back * each, "fill thin")
+        parts.append(tinted((area, _spectra.curve(each, "")), colour))
     sums = ", ".join(f"{letter} {value:.2f}" for letter, value in zip(letters, raw, strict=True))
     return "".join(
         (
@@ -126,7 +162,7 @@ def curve_letters(curves: Floats, letters: tuple[str, ...]) -> Iterator[str]:
     """The name of each curve above its peak."""
     for each, letter, colour in zip(curves.T, letters, CHANNELS, strict=True):
         peak = int(each.argmax())
-        x, y = PLOT.at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
+        x, y = _spectra.PLOT.at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
         yield tinted([text((x, y - 6), letter, "strong ground", "middle")], colour)
 
 
@@ -141,27 +177,27 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     areas = sensed(
         outputs["light"], back, outputs["curves"], settings.sensor, colours.raw[0, chosen]
     )
+    size, ground = (WIDTH, _spectra.HEIGHT), _spectra.colours_below()
     beyond = _spectra.outside_gamut(colours.meant[0, chosen])
     return Frame(
         (
             Panel(
-                "patches",
-                "Twelve surfaces, step by step",
-                WIDTH,
-                _spectra.HEIGHT,
-                outputs["picture"],
-                CHART.overlay(settings.surface),
-                pixelated=True,
+                "photographs",
+                "A photograph, step by step",
+                *size,
+                outputs["photographs"],
+                step_names(),
                 lead=True,
             ),
             Panel(
-                "sensor",
-                "What the sensor takes of the light",
-                WIDTH,
-                HEIGHT,
-                _spectra.colours_below(PLOT),
-                areas,
+                "patches",
+                "Twelve surfaces, step by step",
+                *size,
+                outputs["picture"],
+                CHART.overlay(settings.surface),
+                pixelated=True,
             ),
+            Panel("sensor", "What the sensor takes of the light", *size, ground, areas),
         ),
         (
             readout("gain_red", "Factor for red", colours.gains[0], role="light"),
@@ -187,5 +223,6 @@ SCENE = Scene(
     draw,
     STAGES,
     (_spectra.SURFACE,),
+    PHOTOGRAPH_PX,
     formula=exposed,
 )

@@ -75,7 +75,7 @@ def test_the_eye_s_own_curves_make_no_error_in_daylight_and_a_camera_s_do() -> N
 
 
 def test_the_patches_show_each_step_of_a_surface_and_its_twin_below() -> None:
-    raster = pixels_of(frame_of(SENSOR, light="fluorescent", twin=True))
+    raster = pixels_of(frame_of(SENSOR, light="fluorescent", twin=True), 1)
     found = outputs_of(SENSOR, light="fluorescent")["colours"]
     for row, step in enumerate((found.raw, found.balanced, found.srgb, found.meant)):
         for half, column in ((0, 1), (1, 1), (0, 8), (1, 8)):
@@ -83,6 +83,12 @@ def test_the_patches_show_each_step_of_a_surface_and_its_twin_below() -> None:
             x = (LEFT + (column + 0.5) * CELL) / UNIT
             expected = 255 * np.clip(encode_srgb(step[half, column]), 0, 1)
             np.testing.assert_allclose(raster[int(y), int(x), :3], expected, atol=0.51)
+
+
+def test_the_photograph_as_seen_by_the_eye_s_own_curves_in_daylight_is_another() -> None:
+    pixels = pixels_of(frame_of(SENSOR, light="daylight", temperature=6500, sensor="eye"))
+    made, meant = pixels[160:, :200, :3].astype(int), pixels[160:, 200:, :3]
+    assert np.abs(made - meant).max() <= 3
 
 
 CACHE = StageCache(depth=8)
