@@ -108,7 +108,8 @@ def _value[T: (Scene[Any], Ladder)](wanted: str, module: str, name: str, kind: t
     found = getattr(import_module(module), name, None)
     if not isinstance(found, kind):
         given = "no" if found is None else f"{type(found).__name__} as"
-        raise UnknownIdError(f"{module} has {given} {name}; legal: a {kind.__name__}")
+        legal = f"a {kind.__name__}" + ", or a function below @figure" * (name == "SCENE")
+        raise UnknownIdError(f"{module} has {given} {name}; legal: {legal}")
     if found.id != wanted:
         raise UnknownIdError(f"{module} has the id {found.id!r}; legal: {wanted!r}")
     return found

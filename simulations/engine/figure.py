@@ -53,7 +53,7 @@ def figure[**P](
     title: str,
     *,
     stages: Sequence[Stage | Callable[..., Any]] = (),
-    handles: tuple[Handle[Any], ...] = (),
+    handles: Sequence[Handle[Any]] = (),
     **more: Any,
 ) -> Callable[[Callable[P, Drawn]], Callable[P, Drawn]]:
     """Make a scene of the function below: the ``SCENE`` of its module.
@@ -63,18 +63,24 @@ def figure[**P](
     ``more`` are further fields of `Scene`. The function itself stays as it is.
     """
 
+    if not isinstance(title, str):
+        raise TypeError("@figure without a title; legal: @figure('A Title')")
+
     def made(function: Callable[P, Drawn]) -> Callable[P, Drawn]:
         arguments = signature(function, eval_str=True).parameters.values()
-        module, steps = function.__module__, list[Stage]()
+        module, own_name, steps = function.__module__, function.__name__, list[Stage]()
         entries = [_setting(each) for each in arguments if isinstance(each.default, Field)]
         settings = make_dataclass("Settings", entries, frozen=True, slots=True, module=module)
         for step in stages:
             steps.append(_stage(step, [each.name for each in steps]))
-        taken = [each.name for each in arguments if each.default is Parameter.empty]
+        taken = [each.name for each in arguments if not isinstance(each.default, Field)]
         for name in taken:
             if name not in [step.name for step in steps]:
                 legal = "slider(…) or another control as its default, or a stage of its name"
-                raise TypeError(f"argument {name!r} of a figure has no value; legal: {legal}")
+                raise TypeError(f"argument {name!r} of a figure is no setting; legal: {legal}")
+        known = vars(sys.modules[module]).get("SCENE")
+        if getattr(known and known.draw, "__name__", own_name) != own_name:
+            raise TypeError(f"{own_name!r} is a second figure; legal: one in a file")
 
         @wraps(function)
         def draw(given: object, outputs: Outputs) -> Frame:
@@ -82,7 +88,7 @@ def figure[**P](
             return _frame(cast(Any, function)(**read), _told(title, given))
 
         own = module.removesuffix(".scene").rpartition(".")[2].replace("_", "-")
-        scene = Scene(own, title, settings, draw, tuple(steps), handles, **more)
+        scene = Scene(own, title, settings, draw, tuple(steps), tuple(handles), **more)
         vars(sys.modules[module])["SCENE"] = scene
         return function
 

@@ -77,6 +77,9 @@ def in_module(module: str) -> Iterator[None]:
 
 
 QUOTED = re.compile(r"'([^'\n]+)'")
+FORMS = (r"""["']{}["']""", r"""["'](?:.*\s)?{}(?:\s.*)?["']""", r"^(?!from|import).*\b{}\b")
+"""How a word may stand in a line: as a text, within one, elsewhere."""
+SCENE = r"SCENE\b|@figure\b"
 
 
 def place_in(module: str, message: str) -> str:
@@ -91,13 +94,8 @@ def place_in(module: str, message: str) -> str:
     if file is None:
         return ""
     lines = file.read_text(encoding="utf-8", errors="replace").split("\n")
-    words = [re.escape(word) for word in QUOTED.findall(message.partition("; ")[0])]
-    forms = [
-        form
-        for word in reversed(words)
-        for form in (rf"""["'](.*\s)?{word}(\s.*)?["']""", rf"\b{word}\b")
-    ]
-    for form in (*forms, r"SCENE\b|@figure\b"):
+    words = reversed(QUOTED.findall(message.partition("; ")[0]))
+    for form in (*(form.format(re.escape(word)) for word in words for form in FORMS), SCENE):
         for number, line in enumerate(lines, start=1):
             if re.search(form, line):
                 return f"{_relative(file)}:{number}"
