@@ -31,8 +31,8 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.pictures.checker_room import checker_room
 from simulations.registry import load_scene
 from simulations.scenes.calibration.boards import rendered
+from simulations.scenes.single_view.files import as_json
 from simulations.scenes.single_view.lines import FOCAL_PX, ROOMS, SIZE
-from simulations.scenes.single_view.measuring import as_json
 
 pytestmark = pytest.mark.browser
 
@@ -83,7 +83,9 @@ def sheet_of_even_light() -> list[list[str]]:
 def sheet_of_raw() -> list[list[str]]:
     picture = np.zeros((8, 8, 3), np.uint8)
     mosaics = [Mosaic(codes, "RGGB", BLACK, 4095) for codes in RAW]
-    return transfer_sheet([Photograph(k, picture, mosaic=each) for k, each in enumerate(mosaics)])
+    seconds = [{"exposure_s": 0.01 * (k // 2 + 1)} for k in range(len(RAW))]
+    numbered = enumerate(zip(seconds, mosaics, strict=True))
+    return transfer_sheet([Photograph(k, picture, "", *each) for k, each in numbered])
 
 
 def png(codes: Codes) -> bytes:

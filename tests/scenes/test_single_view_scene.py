@@ -6,14 +6,22 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.ndimage import map_coordinates
 from support.frames import frame_of, texts_of
 
 from simulations.engine.controls import PointLists
 from simulations.engine.photograph import Photograph
+from simulations.engine.raster import to_rgba8
+from simulations.engine.reading import Reading
 from simulations.engine.stages import StageCache
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.distortion.lens_model import Distortion
 from simulations.models.projection.level_ground import pose_above_ground
+from simulations.models.projection.picture_lens import PictureLens
+from simulations.pictures.checker_room import checker_room
+from simulations.scenes.single_view.files import as_fspy, as_json
 from simulations.scenes.single_view.lines import AXES, EYE_M, FOCAL_PX, LISTS, ROOMS, SIZE, start_of
-from simulations.scenes.single_view.measuring import as_json, sheet
+from simulations.scenes.single_view.measuring import sheet
 from simulations.scenes.single_view.scene import SCENE
 
 EMPTY = ";" * len(LISTS)
@@ -148,3 +156,43 @@ def test_the_file_and_the_sheet_are_empty_without_lines() -> None:
     assert sheet(settings, found) == ()
     (by_file,) = sheet(settings, outputs(own(focal_35mm_mm=26.0)))
     assert (by_file.name, by_file.text) == ("focal_by_file", "433")
+
+
+def barrel() -> tuple[Photograph, str, float]:
+    """The book's room through a lens that bends, with lines drawn to a pixel; and its k₁."""
+    lens, size = Distortion(k1=-0.05), np.array(SIZE)
+    middle = (size - 1) / 2
+    bent = PictureLens((middle[0], middle[1]), (FOCAL_PX, FOCAL_PX), lens)
+    rows, columns = np.indices(SIZE[::-1])
+    seen = bent.straight(np.stack([columns, rows], axis=-1).astype(float))
+    room = checker_room(*SIZE, FOCAL_PX, ROOMS["corner"].turn)
+    light = np.stack([map_coordinates(room[..., k], seen[..., ::-1].transpose(2, 0, 1), order=1,
+                                      mode="nearest") for k in range(3)], axis=-1)  # fmt: skip
+    codes = to_rgba8(encode_srgb(np.clip(light, 0, 1)))[..., :3]
+    rng, lists = np.random.default_rng(3), []
+    for ends in ROOMS["corner"].drawn:
+        shares = (bent.bent(ends) + rng.normal(0, 1, ends.shape) + 0.5).reshape(-1, 2) / size
+        lists.append(tuple(map(tuple, shares.tolist())))
+    return Photograph(9, codes, "barrel.png"), text_of("own", *lists), lens.k1
+
+
+def test_a_lens_that_bends_is_found_by_edges_or_taken_from_its_calibration() -> None:
+    photograph, lines, k1 = barrel()
+    settings = SCENE.check({"lines": lines})
+    done = SCENE.run(settings, "", StageCache(), photograph).outputs
+    view = done["view"].view
+    error = view.focal_px * done["view"].focal_error
+    assert view.focal_px == pytest.approx(FOCAL_PX, abs=3 * error)
+    shown = texts_of(SCENE.render(settings, "", StageCache(), photograph))["lens"]
+    found, off = (float(shown.split()[k].strip(",").replace("−", "-")) for k in (2, 4))
+    assert found == pytest.approx(k1, abs=3 * off)
+    camera = {"fx": FOCAL_PX, "fy": FOCAL_PX, "cx": 399.5, "cy": 299.5, "k1": k1}
+    data = {"width": SIZE[0], "height": SIZE[1], "camera": camera}
+    done = SCENE.run(settings, "", StageCache(), photograph, (Reading(1, "lens", data),)).outputs
+    assert done["lens"][1] == "calibrated on this page"
+    assert done["view"].view.focal_px == pytest.approx(FOCAL_PX, rel=0.03)
+    fspy = json.loads(as_fspy(settings, done))
+    to_world = np.array(fspy["cameraTransform"]["rows"])
+    np.testing.assert_allclose(to_world[:3, :3] @ to_world[:3, :3].T, np.eye(3), atol=1e-9)
+    ray = to_world[:3, :3] @ (0.0, 0.0, -1.0)
+    assert math.degrees(math.asin(-ray[2])) == pytest.approx(21.0, abs=1.0)  # it looks down

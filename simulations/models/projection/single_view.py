@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats, as_array, as_matrices
 from simulations.models.geometry.rotations import exponential, nearest_rotation
 from simulations.models.least_squares import levenberg_marquardt
+from simulations.models.projection.picture_lens import IDEAL, PictureLens
 from simulations.models.projection.pinhole import intrinsics
 from simulations.models.projection.vanishing_lines import (
     check_segments,
@@ -42,6 +43,8 @@ FOREKNOWN = 1.0
 """Standard deviation of ln f before any line is drawn, about the diagonal: most cameras lie within
 a factor of seven of it. Where the lines tell f to 1 %, this changes it by less than 0.01 %; where
 they leave it open, it stays at a length that there is, with a large error."""
+BEND = 1e-6
+"""Step of k₁ over which derivatives are taken."""
 UNKNOWN = 1e-6
 """Information on other unknowns that counts as none."""
 
@@ -58,11 +61,13 @@ class SingleView:
     diagonal: float
     """Diagonal of the picture, in pixels."""
     covariance: Floats
-    """(6, 6) of a step, see `moved`; zero for a principal point that is fixed."""
+    """(7, 7) of a step, see `moved`; zero for a principal point that is fixed, or a known lens."""
     misfit: float = 0.0
     """Sum of the squared residuals in units of σ²: about `spare` if the lines fit."""
     spare: int = 0
     """Lines less unknowns."""
+    lens: PictureLens = IDEAL
+    """Its distortion; all else is about the picture that an ideal lens would make."""
 
     @property
     def K(self) -> Floats:  # noqa: N802, as in the formulae
@@ -92,8 +97,8 @@ class SingleView:
         return math.atan2(-x, -y)
 
     def moved(self, step: Floats) -> "SingleView":
-        """The camera after a step (6,) of ln f, of a turn in radians, and of the principal point in
-        diagonals."""
+        """The camera after a step (7,) of ln f, of a turn in radians, of the principal point in
+        diagonals, and of the lens's k₁."""
         growth = float(np.clip(step[0], -0.5, 0.5))
         low, high = (share * self.diagonal for share in (SHORTEST, LONGEST))
         return replace(
@@ -104,11 +109,12 @@ class SingleView:
                 self.centre[0] + float(step[4]) * self.diagonal,
                 self.centre[1] + float(step[5]) * self.diagonal,
             ),
+            lens=self.lens.moved(float(step[6])) if step[6] else self.lens,
         )
 
     def spread(self, quantity: Callable[["SingleView"], Floats | float]) -> Floats:
         """Standard errors (...) of numbers that the camera determines, to first order."""
-        J = by_small_steps(lambda step: np.asarray(quantity(self.moved(step))), 6, self.covariance)
+        J = by_small_steps(lambda step: np.asarray(quantity(self.moved(step))), 7, self.covariance)
         return np.sqrt(np.einsum("...i,ij,...j->...", J, self.covariance, J))
 
 
@@ -119,6 +125,7 @@ def fit_view(
     sigma_px: float = 1.0,
     *,
     find_centre: bool = False,
+    lens: PictureLens = IDEAL,
 ) -> SingleView:
     """The likeliest camera for lines along the axes.
 
@@ -129,6 +136,7 @@ def fit_view(
     size : width and height of the picture, in pixels.
     sigma_px : standard deviation of an end in x and in y.
     find_centre : whether to find the principal point as well; else it is the picture's middle.
+    lens : what is known of its distortion. If k₁ has an error, it is found too.
 
     Returns
     -------
@@ -150,31 +158,53 @@ def fit_view(
     diagonal = math.hypot(*size)
     middle = ((size[0] - 1.0) / 2.0, (size[1] - 1.0) / 2.0)
     points = {
-        int(axis): fit_vanishing_point(ends[along == axis])[0]
+        int(axis): fit_vanishing_point(lens.straight(ends[along == axis]))[0]
         for axis in np.flatnonzero(counts >= 2)
     }
-    free = 6 if find_centre else 4
+    free = [*range(6 if find_centre else 4), *([6] if lens.error else [])]
+
+    along_each = ends[:, 1] - ends[:, 0]
+    across = np.stack([-along_each[:, 1], along_each[:, 0]], axis=1)
+    across = (across / np.hypot(*along_each.T)[:, None])[:, None, :]
+
+    def misses(lens: PictureLens, points: Floats) -> tuple[Floats, Floats]:
+        """In pixels of the picture."""
+        r, by_point = line_residuals(lens.straight(ends), points)
+        if not lens.error:
+            return r, by_point
+        growth = lens.growth(ends, across).mean(axis=1)
+        return r / growth, by_point / growth[:, None]
 
     def residuals(view: SingleView) -> tuple[Floats, Floats]:
-        r, by_point = line_residuals(ends, view.vanishing[along])
-        J = _by_step(view, along, by_point)[:, :free] / sigma_px
-        foreknown = math.log(view.focal_px / diagonal) / FOREKNOWN
-        return np.append(r / sigma_px, foreknown), np.vstack([J, np.eye(1, free) / FOREKNOWN])
+        r, by_point = misses(view.lens, view.vanishing[along])
+        J = _by_step(view, along, by_point)
+        known = [math.log(view.focal_px / diagonal) / FOREKNOWN]
+        by_known = [np.eye(1, 7)[0] / FOREKNOWN]
+        if lens.error:
+            J[:, 6] = (misses(view.lens.moved(BEND), view.vanishing[along])[0] - r) / BEND
+            known.append((view.lens.distortion.k1 - lens.distortion.k1) / lens.error)
+            by_known.append(np.eye(1, 7, 6)[0] / lens.error)
+        return np.append(r / sigma_px, known), np.vstack([J / sigma_px, by_known])[:, free]
 
     def moved(view: SingleView, step: Floats) -> SingleView:
-        return view.moved(np.pad(step, (0, 6 - free)))
+        whole = np.zeros(7)
+        whole[free] = step
+        return view.moved(whole)
 
     starts = [
-        SingleView(focal, middle, _turn(points, focal, middle), diagonal, np.zeros((6, 6)))
+        SingleView(
+            focal, middle, _turn(points, focal, middle), diagonal, np.zeros((7, 7)), lens=lens
+        )
         for focal in _focal_lengths(points, middle, diagonal)
     ]
     start = min(starts, key=lambda view: float((residuals(view)[0] ** 2).sum()))
     found = levenberg_marquardt(residuals, moved, start)
     r, J = residuals(found)
-    misfit = float(r[:-1] @ r[:-1])
-    covariance = np.zeros((6, 6))
-    covariance[:free, :free] = _covariance(J)
-    return replace(_upright(found), covariance=covariance, misfit=misfit, spare=len(ends) - free)
+    misfit = float(r[: len(ends)] @ r[: len(ends)])
+    covariance = np.zeros((7, 7))
+    covariance[np.ix_(free, free)] = _covariance(J)
+    spare = len(ends) - len(free) + bool(lens.error)  # what is known of k₁ counts for a line
+    return replace(_upright(found), covariance=covariance, misfit=misfit, spare=spare)
 
 
 def focal_from_pair(first: ArrayLike, second: ArrayLike, centre: ArrayLike) -> float:
@@ -213,21 +243,21 @@ def by_small_steps(
 
 
 def _by_step(view: SingleView, along: Floats, by_point: Floats) -> Floats:
-    """Derivatives (N, 6) of the residuals by a step of the camera, from those by the points."""
+    """Derivatives (N, 7) of the residuals by a step of the camera, from those by the points."""
     return np.asarray(np.einsum("ni,nij->nj", by_point, _points_by_step(view)[along]))
 
 
 def _points_by_step(view: SingleView) -> Floats:
-    """Derivatives (3, 3, 6) of the vanishing points by a step of the camera.
+    """Derivatives (3, 3, 7) of the vanishing points by a step of the camera.
 
     v = K R e, so dv = f (d₁, d₂, 0) d ln f + K (ω × d) + d₃ (dc, 0), with d = R e.
     """
-    J = np.zeros((3, 3, 6))
+    J = np.zeros((3, 3, 7))
     for axis, (x, y, z) in enumerate(view.R.T.tolist()):
         direction = np.array([x, y, z])
         J[axis, :2, 0] = view.focal_px * direction[:2]
         J[axis, :, 1:4] = view.K @ np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
-        J[axis, :2, 4:] = view.diagonal * direction[2] * np.eye(2)
+        J[axis, :2, 4:6] = view.diagonal * direction[2] * np.eye(2)
     return J
 
 

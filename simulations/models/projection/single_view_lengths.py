@@ -87,9 +87,9 @@ def measured(
         return np.log(lengths(view, ends + unit * step.reshape(2, 2), kinds, normal))
 
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        through_view = by_small_steps(by_view, 6, view.covariance)
+        through_view = by_small_steps(by_view, 7, view.covariance)
         own = (by_small_steps(by_ends, 4) ** 2).sum(axis=-1) * (sigma_px / unit) ** 2
-        apart = np.vstack([through_view[1:], np.zeros(6)]) - through_view[0]
+        apart = np.vstack([through_view[1:], np.zeros(7)]) - through_view[0]
         relative = np.einsum("ni,ij,nj->n", apart, view.covariance, apart)
         relative += np.append(own[1:], 0.0) + own[0]
         metres = known_metres * np.append(found[1:], 1.0) / found[0]
@@ -102,7 +102,7 @@ def lengths(view: SingleView, ends: ArrayLike, kinds: list[str], normal: int = 2
 
     NaN for one that is beyond the plane's horizon, seen from the first.
     """
-    places = as_matrices("ends", ends, 2, 2)
+    places = view.lens.straight(as_matrices("ends", ends, 2, 2))
     axis = view.R[:, normal]
     rays = np.concatenate([places, np.ones((*places.shape[:-1], 1))], axis=-1)
     rays = rays @ np.linalg.inv(view.K).T

@@ -57,7 +57,8 @@ def by_the_standard(
         middle = 0.5 * (low.value + next_one.value)
         full = Estimate(middle, math.hypot(low.error, apart))
     times = np.array(exposures, float)[order]
-    return Standard(full, _dynamic_range(full, sensor), _linearity(mean, times, mean[noisiest]))
+    saturated = mean[noisiest] if high else math.inf
+    return Standard(full, _dynamic_range(full, sensor), _linearity(mean, times, saturated))
 
 
 def _dynamic_range(full: Estimate, sensor: SensorEstimate) -> Estimate:
@@ -75,7 +76,8 @@ def _dynamic_range(full: Estimate, sensor: SensorEstimate) -> Estimate:
 
 def _linearity(mean: Floats, exposures: Floats, full_dn: float) -> Estimate:
     """Deviations of the levels in between from the line whose relative deviations are least."""
-    used = (mean >= LOWEST * full_dn) & (mean <= HIGHEST * full_dn) & (exposures > 0)
+    lowest = LOWEST * min(full_dn, float(mean.max()))
+    used = (mean >= lowest) & (mean <= HIGHEST * full_dn) & (exposures > 0)
     x, y = exposures[used], mean[used]
     if len(set(x.tolist())) < FEWEST:
         few = f"Linearity needs {FEWEST} exposures between 5 and 95 % of saturation."

@@ -13,6 +13,7 @@ from simulations.engine.letters import width_em
 from simulations.engine.plotting.clipping import clipped
 from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
+from simulations.models.projection.picture_lens import IDEAL, PictureLens
 from simulations.models.projection.single_view import SingleView
 from simulations.models.projection.vanishing_lines import pixel_of
 from simulations.scenes.single_view.lines import FLOOR, LISTS, Lines, Settings
@@ -106,18 +107,27 @@ def _holding(size: tuple[int, int], low: Floats, high: Floats) -> Field:
     return Field(size, left, top, scale)
 
 
+def bent(ends: Floats, lens: PictureLens) -> Floats:
+    """Points (N, 2) along a line that is straight in the world, from its ends in the picture."""
+    if lens.distortion == IDEAL.distortion:
+        return ends
+    start, end = lens.straight(ends)
+    return lens.bent(start + np.linspace(0.0, 1.0, 17)[:, None] * (end - start))
+
+
 def over_picture(settings: Settings, lines: Lines, found: Found, lengths: Lengths) -> str:
     """The lines of the chosen list, bold, and what was measured; the horizon. The other lines
     only if they are asked for."""
     field, chosen = whole(lines.size), list(LISTS).index(settings.direction)
+    lens = found.view.lens if found.view else IDEAL
     parts = [_horizon(field, found.view, settings.plane, "camera dashed")]
     shown = range(len(STYLES)) if settings.all_lines else {FLOOR, HEIGHTS, chosen}
     for number in sorted(shown, key=lambda number: number == chosen):
         manner = " bold" if number == chosen else ""
         for ends, counts in zip(lines.ends[number], lines.placed[number], strict=True):
-            start, end = field.place(ends[0]), field.place(ends[1])
             style = STYLES[number] + manner if counts else "muted dashed"
-            parts.append(drawing.line(start, end, "casing") + drawing.line(start, end, style))
+            drawn = [field.place(point) for point in bent(ends, lens)]
+            parts += (drawing.path([drawn], each) for each in ("casing", style))
     labels = []
     for number, metres in ((FLOOR, lengths.floor), (HEIGHTS, lengths.height)):
         for place, (ends, pair) in enumerate(zip(lines.counted(number), metres, strict=False)):
@@ -162,7 +172,9 @@ def over_field(settings: Settings, lines: Lines, found: Found, field: Field) -> 
     view = found.view
     chosen = {list(LISTS).index(settings.direction)}
     for axis in {0, 1, 2} if settings.all_lines else {0, 1, 2} & chosen:
-        parts += _prolonged(field, lines.counted(axis), finite_point(view, axis), STYLES[axis])
+        ends = lines.counted(axis)
+        straight = view.lens.straight(ends) if view else ends
+        parts += _prolonged(field, straight, finite_point(view, axis), STYLES[axis])
     parts.append(_horizon(field, view, settings.plane, "camera bold", "horizon"))
     if view is not None:
         parts += [_vanishing(field, view, axis) for axis in range(3)]

@@ -1,18 +1,27 @@
-"""The camera of a picture, and lengths in it: readouts, the data sheet, and the file."""
+"""The camera of a picture, and lengths in it: readouts, and the data sheet."""
 
-import json
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from simulations.engine.frame import Readout, format_number, value_with_error
-from simulations.engine.photograph import Photograph
+from simulations.engine.photograph import Codes, Photograph
+from simulations.engine.reading import Readings
 from simulations.engine.stages import Outputs
+from simulations.models.distortion.lens_model import Distortion
+from simulations.models.projection.picture_lens import (
+    IDEAL,
+    PictureLens,
+    edge_points,
+    lens_by_lines,
+    unknown_lens,
+)
 from simulations.models.projection.pinhole import field_of_view_rad
 from simulations.models.projection.single_view import SingleView, fit_view
 from simulations.models.projection.single_view_lengths import Measured, Stretch, measured
-from simulations.models.projection.vanishing_lines import pixel_of
 from simulations.scenes.single_view.lines import (
     FLOOR,
     FOCAL_PX,
@@ -25,6 +34,7 @@ from simulations.scenes.single_view.lines import (
 
 NORMALS = {"floor": 2, "along": 0, "across": 1}
 """The axis at right angles to each plane."""
+SAID = 1.0  # lines that the error of an end, as said, counts for
 UNKNOWN = 0.3  # relative standard error from which a number counts as unknown
 NONE, MISSING = "none drawn", "lines missing"
 
@@ -38,6 +48,11 @@ class Found:
 
     view: SingleView | None
     problem: str = ""
+    sigma: float = 1.0
+    """Standard deviation of an end, in pixels: as said of the book's lines, and of the reader's by
+    how well they agree."""
+    misfits: bool = False
+    """Whether the lines miss each other by much more than their ends' errors, as said, explain."""
 
     @property
     def focal_error(self) -> float:
@@ -49,12 +64,6 @@ class Found:
     @property
     def knows_focal(self) -> bool:
         return self.focal_error < UNKNOWN
-
-    @property
-    def misfits(self) -> bool:
-        """Whether the lines miss each other by much more than their ends' errors explain."""
-        view = self.view
-        return view is not None and view.misfit > view.spare + 4.0 * math.sqrt(2 * view.spare) + 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +79,38 @@ class Lengths:
     """The list that has the known length."""
 
 
-def camera_of(lines: Lines, sigma: float, centre: bool) -> Found:
+def lens_of(
+    photo: Codes, lines: Lines, readings: Readings, photograph: Photograph | None
+) -> tuple[PictureLens, str]:
+    """The lens, and how it is known: by calibration, or by the edges along the lines."""
+    if photograph is None:
+        return IDEAL, "without distortion"
+    for reading in readings:
+        if (lens := calibrated(reading.data, lines.size)) is not None:
+            return lens, "calibrated on this page"
+    drawn = [ends for axis in range(3) for ends in lines.counted(axis)]
+    followed = [points for ends in drawn if len(points := edge_points(photo, ends))]
+    lens = lens_by_lines(followed, unknown_lens(lines.size))
+    return lens, f"by {len(followed)} edges that are straight" if followed else "by the lines alone"
+
+
+def calibrated(data: Mapping[str, Any], size: tuple[int, int]) -> PictureLens | None:
+    """The lens of a calibration's file, if its photographs have the shape of this one."""
+    camera, scale = data["camera"], size[0] / data["width"]
+    if abs(data["height"] * scale - size[1]) > 0.005 * size[1]:
+        return None
+    cx, cy = (scale * (camera[name] + 0.5) - 0.5 for name in ("cx", "cy"))
+    named = {name: camera.get(name, 0.0) for name in ("k1", "k2", "k3", "p1", "p2")}
+    return PictureLens((cx, cy), (scale * camera["fx"], scale * camera["fy"]), Distortion(**named))
+
+
+def camera_of(
+    lines: Lines,
+    lens: tuple[PictureLens, str],
+    sigma: float,
+    centre: bool,
+    photograph: Photograph | None,
+) -> Found:
     ends = [lines.counted(axis) for axis in range(3)]
     counts = [len(each) for each in ends]
     if sum(count >= 2 for count in counts) < 2:
@@ -78,14 +118,24 @@ def camera_of(lines: Lines, sigma: float, centre: bool) -> Found:
     if centre and min(counts) < 2:
         return Found(None, "The principal point needs lines along three directions.")
     axes = np.repeat(np.arange(3), counts)
+
+    def fitted(sigma: float) -> SingleView:
+        drawn = np.concatenate(ends)
+        return fit_view(drawn, axes, lines.size, sigma, find_centre=centre, lens=lens[0])
+
     try:
-        view = fit_view(np.concatenate(ends), axes, lines.size, sigma, find_centre=centre)
+        view = fitted(sigma)
+        misfits = view.misfit > view.spare + 4.0 * math.sqrt(2 * view.spare) + 4.0
+        if photograph:  # divided by two lines less, as few tell it roughly (Student's t)
+            both = SAID * sigma**2 + view.misfit * sigma**2
+            sigma = math.sqrt(both / max(SAID + view.spare - 2.0, 1.0))
+            view = fitted(sigma)
     except ValueError:
         return Found(None, "Two directions meet in one point: check which lines are which.")
-    return Found(view)
+    return Found(view, "", sigma, misfits)
 
 
-def lengths_of(lines: Lines, found: Found, sigma: float, known: float, plane: str) -> Lengths:
+def lengths_of(lines: Lines, found: Found, known: float, plane: str) -> Lengths:
     floor, height = (
         [Stretch(ends, kind) for ends in lines.counted(number)]
         for number, kind in ((FLOOR, "within"), (HEIGHT, "above"))
@@ -96,7 +146,7 @@ def lengths_of(lines: Lines, found: Found, sigma: float, known: float, plane: st
     first, *others = stretches
     try:
         made: Measured = measured(
-            found.view, first, known, tuple(others), sigma, normal=NORMALS[plane]
+            found.view, first, known, tuple(others), found.sigma, normal=NORMALS[plane]
         )
     except ValueError:
         return Lengths()
@@ -131,7 +181,7 @@ def with_error(pair: Pair, unit: str = "") -> str:
     return f"{value_with_error(value, error)} {unit}".strip()
 
 
-def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
+def readouts(outputs: Outputs) -> tuple[Readout, ...]:
     """The numbers beside the figure; those in sight first, with the truth where it is known."""
     found: Found = outputs["view"]
     lengths: Lengths = outputs["lengths"]
@@ -149,7 +199,7 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         angles = [value_with_error(*pair) for pair in zip(values, errors, strict=True)]
         pitch, roll = ((text, "°") for text in angles)
         if view.spare >= 1:  # the error of an end by the lines' own misfit
-            ends = settings.sigma * math.sqrt(view.misfit / view.spare)
+            ends = found.sigma * math.sqrt(view.misfit / view.spare)
             scatter = format_number(ends, 1), "px"
     floor, height = (
         _first_length(pairs, true, known == name)
@@ -169,7 +219,21 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         Readout("distance", "Camera above the plane", *distance, "camera"),
         Readout("scatter", "Scatter of the ends", *scatter, ""),
         Readout("centre_at", "Principal point", *centre, "camera"),
+        Readout("lens", "Lens", bend_in_words(view, outputs["lens"]), "", "camera"),
     )
+
+
+def bend_in_words(view: SingleView | None, lens: tuple[PictureLens, str]) -> str:
+    """k₁ with its error and how it is known."""
+    known, how = lens
+    if known == IDEAL:
+        return how
+    bend = view.lens if view else known
+    share = (view.focal_px / bend.unit[0]) ** 2 if view else 1.0  # to the unit of the focal length
+    if not known.error:
+        return f"k₁ = {format_number(share * bend.distortion.k1, 4)}, {how}"
+    error = math.sqrt(view.covariance[6, 6]) if view else known.error
+    return f"k₁ = {value_with_error(share * bend.distortion.k1, share * error)}, {how}"
 
 
 def _first_length(
@@ -187,17 +251,19 @@ def _split(pair: Pair, unit: str, truth: str = "") -> tuple[str, str]:
     return text, unit + truth if "±" in text else ""
 
 
-def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
+def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """The lines of the data sheet; none for what is not drawn."""
     found: Found = outputs["view"]
     lines: Lines = outputs["lines"]
-    shown = {each.name: each for each in readouts(settings, outputs)}
+    shown = {each.name: each for each in readouts(outputs)}
     named = tuple(
         shown[name]
         for name in ("focal", "pitch", "roll", "distance", "length", "height")
         if shown[name].text not in (NONE, MISSING)
     )
     named += _by_the_file(lines, outputs["photograph"])
+    if found.view is not None and outputs["photograph"]:
+        named += (shown["lens"], shown["scatter"])
     if found.view is None or not found.knows_focal:
         return named
 
@@ -216,53 +282,3 @@ def _by_the_file(lines: Lines, photograph: Photograph | None) -> tuple[Readout, 
     pixels = float(stated) / math.hypot(36.0, 24.0) * math.hypot(*lines.size)
     label = "Focal length by the file"
     return (Readout("focal_by_file", label, format_number(pixels, 0), "px", "camera"),)
-
-
-def as_json(settings: Settings, outputs: Outputs) -> str:
-    """Camera, vanishing points, lines and lengths with standard errors; null for the unknown."""
-    lines: Lines = outputs["lines"]
-    lengths: Lengths = outputs["lengths"]
-    photograph = outputs["photograph"]
-    return json.dumps(
-        {
-            "photograph": photograph.name if photograph else "",
-            "width_px": lines.size[0],
-            "height_px": lines.size[1],
-            "sigma_px": settings.sigma,
-            "camera": _camera(outputs["view"]),
-            "lines_px": {
-                name: np.round(lines.counted(axis), 2).tolist()
-                for axis, name in enumerate(("across", "along", "upright"))
-            },
-            "known_m": settings.known,
-            "plane": settings.plane,
-            "camera_above_plane_m": _pair(lengths.distance),
-            "lengths_m": [_pair(pair) for pair in lengths.floor],
-            "heights_m": [_pair(pair) for pair in lengths.height],
-        },
-        indent=1,
-    )
-
-
-def _camera(found: Found) -> object:
-    view = found.view
-    if view is None:
-        return None
-    errors = view.spread(lambda view: np.array([view.pitch, view.roll]))
-    points = []
-    for point, covariance in zip(view.vanishing, view.vanishing_covariances, strict=True):
-        pixel, spread, finite = pixel_of(point, covariance)
-        points.append({"pixel": pixel.tolist(), "covariance": spread.tolist()} if finite else None)
-    f = view.focal_px
-    return {
-        "focal_px": _pair((f, f * found.focal_error)) if found.knows_focal else None,
-        "principal_point_px": list(view.centre),
-        "pitch_rad": _pair((view.pitch, float(errors[0]))),
-        "roll_rad": _pair((view.roll, float(errors[1]))),
-        "vanishing_points": points,
-    }
-
-
-def _pair(pair: Pair) -> object:
-    value, error = pair
-    return {"value": value, "standard_error": error} if math.isfinite(value + error) else None

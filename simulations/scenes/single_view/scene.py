@@ -19,7 +19,7 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.projection.single_view import fit_view
 from simulations.pictures.checker_room import checker_room
-from simulations.scenes.single_view import drawing, measuring
+from simulations.scenes.single_view import drawing, files, measuring
 from simulations.scenes.single_view.drawing import HEIGHT, WIDTH, Field, whole
 from simulations.scenes.single_view.lines import (
     FOCAL_PX,
@@ -109,7 +109,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     over = drawing.over_picture(settings, lines, found, lengths)
     around = drawing.over_field(settings, lines, found, outputs["field"])
     near, size = drawing.in_loupe(lines, settings), (WIDTH, HEIGHT)
-    numbers = measuring.readouts(settings, outputs)
+    numbers = measuring.readouts(outputs)
     shown = {each.name: f"{each.text} {each.unit}".strip() for each in numbers}
     counts = [len(lines.counted(axis)) for axis in range(3)]
     drawn = f"{counts[0]} lines across, {counts[1]} along and {counts[2]} upright"
@@ -191,7 +191,8 @@ SCENE = Scene(
     (
         Stage("photo", photo),
         Stage("lines", drawn_lines),
-        Stage("view", measuring.camera_of, ("lines",)),
+        Stage("lens", measuring.lens_of, ("photo", "lines")),
+        Stage("view", measuring.camera_of, ("lines", "lens")),
         Stage("lengths", measuring.lengths_of, ("lines", "view")),
         Stage("truth", measuring.true_lengths, ("lines",)),
         Stage("small", small, ("photo",)),
@@ -218,6 +219,9 @@ SCENE = Scene(
     ),
     photograph=Whole(24),
     sheet=measuring.sheet,
-    exports=(Export("distances", "Distances as JSON", ".json", measuring.as_json),),
+    exports=(
+        Export("distances", "Distances as JSON", ".json", files.as_json),
+        Export("camera", "Camera for fSpy and Blender, JSON", ".json", files.as_fspy),
+    ),
     formula=fit_view,
 )

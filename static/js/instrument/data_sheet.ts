@@ -17,6 +17,8 @@ interface Part {
 }
 
 const CAMERA = "instrument-camera";
+/** Whose file of a camera is a lens that other instruments measure with. */
+const LENS = { scene: "calibration", file: "camera-and-poses", users: ["single-view"] };
 /** Milliseconds for which a figure rests before its results are asked for. */
 const PAUSE = 250;
 
@@ -47,6 +49,8 @@ export class DataSheet {
 
   async #parts(): Promise<Part[]> {
     const used = this.instruments.filter(({ isUsed }) => isUsed);
+    const lens = await lensOf(used.find(({ scene }) => scene === LENS.scene));
+    for (const one of used) if (LENS.users.includes(one.scene)) one.useLens(lens);
     return (await Promise.all(used.map(partOf))).filter((part) => part !== null);
   }
 
@@ -74,6 +78,17 @@ export class DataSheet {
     const sheet = { camera, measured, instruments: await this.#parts() };
     download("camera.json", `${JSON.stringify(sheet, null, 2)}\n`, "application/json");
   }
+}
+
+/** The lens that was calibrated, JSON; "" for none. */
+async function lensOf(instrument: Instrument | undefined): Promise<string> {
+  const live = instrument?.figure.live;
+  if (!live) return "";
+  const request = { ...live.request(), name: LENS.file };
+  return live.runtime.call("export", request).then(
+    ({ text }) => text,
+    () => "",
+  );
 }
 
 /** What one instrument measured; null where it cannot say. */

@@ -35,6 +35,8 @@ export class Instrument {
   #keeps = false;
   /** What the control that counts photographs last followed. */
   #counted = 0;
+  #lens = "";
+  #lensNumber = 0;
   readonly scene: string;
   /** Absolute address of the runtime folder. */
   readonly url: string;
@@ -181,13 +183,26 @@ export class Instrument {
     this.#use();
   }
 
+  /** Measure with this lens of another instrument, JSON, or with none: "". */
+  useLens(lens: string) {
+    if (lens === this.#lens) return;
+    this.#lens = lens;
+    this.#lensNumber = nextNumber();
+    this.#use();
+  }
+
   /** Give the figure what is ready; the first that is, is looked at. */
   #use() {
     this.chosen ??= this.photos.find(({ state }) => state === "ready") ?? null;
     this.list.mark(this.chosen);
     const readings = this.#used.map(({ number, name, data }) => ({ number, name, data }));
     const isRead = "reads" in this.box.dataset;
-    this.figure.live?.own.use(this.chosen, isRead ? readings : []);
+    const lens = this.#lens && {
+      number: this.#lensNumber,
+      name: "lens",
+      data: JSON.parse(this.#lens),
+    };
+    this.figure.live?.own.use(this.chosen, isRead ? readings : lens ? [lens] : []);
     if (isRead) this.#showCount(readings.length);
     if (this.figure.dataset.state === "waiting" && this.photos.length) this.figure.begin();
     this.#showWork();
