@@ -231,7 +231,7 @@ def bend_in_words(view: SingleView | None, lens: tuple[PictureLens, str]) -> str
     bend = view.lens if view else known
     share = (view.focal_px / bend.unit[0]) ** 2 if view else 1.0  # to the unit of the focal length
     if not known.error:
-        return f"k₁ = {format_number(share * bend.distortion.k1, 4)}, {how}"
+        return f"k₁ = {format_number(known.distortion.k1, 4)}, {how}"
     error = math.sqrt(view.covariance[6, 6]) if view else known.error
     return f"k₁ = {value_with_error(share * bend.distortion.k1, share * error)}, {how}"
 
