@@ -22,7 +22,7 @@ from simulations.models.light.raycasting import Box, Sphere, Vector, intersect
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import bounding_radius
 from simulations.models.projection.pinhole import invert_pose, pixel_rays
-from simulations.pictures.patterns import band_about
+from simulations.pictures.patterns import band_about, pixel_width, stripes
 from simulations.world import light, surfaces
 from simulations.world.things import THINGS, WALL_DISTANCE, Thing, resting
 
@@ -36,13 +36,21 @@ TABLE_M = 0.72
 
 WOOD, OAK, STEEL = (0.34, 0.19, 0.09), (0.52, 0.34, 0.18), (0.10, 0.11, 0.13)
 PLASTER, LIME = np.array([0.62, 0.58, 0.51]), np.array([0.84, 0.82, 0.78])
+BEAM, BEAMS_M = np.array([0.30, 0.20, 0.12]), 1.3
 DOOR, FRAME = np.array([0.20, 0.30, 0.24]), np.array([0.66, 0.63, 0.57])
 DOORWAY = (5.2, 6.1, 2.05)
 """The door in the right wall: from y to y, and its height; metres."""
 WINDOW = (2.2, 4.6, 0.9, 2.5)
 """The window in the left wall: y from, to, z from, to; metres."""
-SKY = np.array([0.62, 0.80, 1.05])
-"""Light of the window, linear RGB."""
+PICTURES = (
+    ((-1.6, 0.0, 1.15, 2.25), (0.50, 0.31, 0.12), (0.62, 0.55, 0.42)),
+    ((0.6, 1.5, 1.25, 2.15), (0.07, 0.20, 0.21), (0.60, 0.53, 0.41)),
+    ((2.4, 4.2, 1.3, 2.3), (0.42, 0.11, 0.06), (0.56, 0.50, 0.40)),
+)
+"""On the side walls: y from, to, z from, to in metres, and the colours of sky and land. The last
+hangs on the right wall alone, where the left one has its window."""
+SKY, BOUNCE = np.array([0.62, 0.80, 1.05]), 2.2 * light.BOUNCE
+"""Light of the window, and from the floor of the whole room; linear RGB."""
 
 
 def _table(x: float, y: float, wide: float, deep: float) -> tuple[Thing, ...]:
@@ -151,7 +159,7 @@ def _wall_colours(points: Floats, identity: Identity) -> Planes:
         _plain,
         surfaces.wall_albedo,
         surfaces.floor_albedo,
-        _lime,
+        _ceiling,
     )
     for wall, paint in enumerate(painters):
         where = identity == wall
@@ -166,8 +174,11 @@ def _plain(points: Floats, _area: bool) -> Planes:
     return surfaces.mixed(PLASTER, PLASTER, np.zeros(points.shape[:2]))
 
 
-def _lime(points: Floats, _area: bool) -> Planes:
-    return surfaces.mixed(LIME, LIME, np.zeros(points.shape[:2]))
+def _ceiling(points: Floats, area: bool) -> Planes:
+    """White between beams."""
+    away = points[..., 1]
+    beams = stripes(away, BEAMS_M, 0.2, pixel_width(away, area))
+    return surfaces.mixed(LIME, BEAM, beams)
 
 
 def _opening(points: Floats, bounds: tuple[float, float, float, float], area: bool) -> Floats:
@@ -178,22 +189,33 @@ def _opening(points: Floats, bounds: tuple[float, float, float, float], area: bo
     return across * up
 
 
-def _framed(points: Floats, bounds: tuple[float, float, float, float], area: bool) -> Planes:
-    """A plastered wall with skirting and the frame of an opening."""
+def _framed(
+    points: Floats, bounds: tuple[float, float, float, float], pictures: int, area: bool
+) -> Planes:
+    """A plastered wall with skirting, the first ``pictures``, and the frame of an opening."""
+    skirting = band_about(points[..., 2], 0.15, area)
+    wall = surfaces.laid_over(_plain(points, area), surfaces.SKIRTING, skirting)
+    for edges, sky, land in PICTURES[:pictures]:
+        left, right, bottom, top = edges
+        low = (left, right, bottom, bottom + 0.4 * (top - bottom))
+        for colour, part in ((WOOD, _wider(edges, 0.07)), (sky, edges), (land, low)):
+            wall = surfaces.laid_over(wall, np.array(colour), _opening(points, part, area))
+    return surfaces.laid_over(wall, FRAME, _opening(points, _wider(bounds, 0.09), area))
+
+
+def _wider(
+    bounds: tuple[float, float, float, float], by: float
+) -> tuple[float, float, float, float]:
     left, right, bottom, top = bounds
-    wide = (left - 0.09, right + 0.09, bottom - 0.09, top + 0.09)
-    wall = surfaces.laid_over(
-        _plain(points, area),
-        surfaces.SKIRTING,
-        band_about(points[..., 2], 0.15, area),
-    )
-    return surfaces.laid_over(wall, FRAME, _opening(points, wide, area))
+    return left - by, right + by, bottom - by, top + by
 
 
 def _door_wall(points: Floats, area: bool) -> Planes:
     left, right, top = DOORWAY
     bounds = (left, right, 0.0, top)
-    door = surfaces.laid_over(_framed(points, bounds, area), DOOR, _opening(points, bounds, area))
+    door = surfaces.laid_over(
+        _framed(points, bounds, 3, area), DOOR, _opening(points, bounds, area)
+    )
     for low, high in ((0.2, 0.9), (1.05, 1.85)):
         panel = (left + 0.14, right - 0.14, low, high)
         door = surfaces.laid_over(door, 0.7 * DOOR, _opening(points, panel, area))
@@ -209,7 +231,7 @@ def panes(points: Floats, area: bool = True) -> Floats:
 
 
 def _window_wall(points: Floats, area: bool) -> Planes:
-    wall = _framed(points, WINDOW, area)
+    wall = _framed(points, WINDOW, 2, area)
     return surfaces.laid_over(wall, np.zeros(3), panes(points, area))
 
 
@@ -247,7 +269,7 @@ def shade(view: View, light_angle: float = 40.0, lamp: float = 1.0, around: floa
     direct = lambert(view.normals, towards) * seen
     picture = light.tinted(lamp * light.LAMP, direct)
     picture += light.tinted(around * light.ROOM, above)
-    picture += light.tinted(around * light.BOUNCE, openness - above)
+    picture += light.tinted(around * BOUNCE, openness - above)
     picture *= view.albedo
     for window, shining in _shining(view, towards, seen):
         picture[:, *window] += light.tinted(lamp * light.LAMP, shining)

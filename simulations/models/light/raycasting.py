@@ -173,10 +173,9 @@ def _silhouette_margin(eye: Floats, directions: Floats, half: Floats) -> Floats:
         a, b = (axis + 1) % 3, (axis + 2) % 3
         if (sign_a * eye[a] > half[a]) == (sign_b * eye[b] > half[b]):
             continue
-        corner, along = np.zeros(3), np.zeros(3)
-        corner[a], corner[b], along[axis] = sign_a * half[a], sign_b * half[b], 1.0
-        normal = np.cross(corner - eye, along)
-        inwards = math.copysign(1.0, normal @ -eye) / np.linalg.norm(normal)
+        normal = np.zeros(3)  # (corner − eye) × the edge's direction
+        normal[a], normal[b] = sign_b * half[b] - eye[b], eye[a] - sign_a * half[a]
+        inwards = math.copysign(1.0, normal @ -eye) / math.hypot(normal[a], normal[b])
         margin = np.minimum(margin, directions @ (normal * inwards))
     return margin
 
