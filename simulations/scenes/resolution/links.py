@@ -19,8 +19,10 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens import diffraction
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sensor.resolution import nyquist_per_mm, pixel_transfer, plate_transfer
+from simulations.scenes._cat import blurred
 
 FIELD_UM = 400.0  # width of the part of the sensor in the picture, to the nearest four pixels
+WAVES_PER_MM = 1000.0 * 240 / FIELD_UM  # of one cycle per pixel of the subject, as wide
 CYCLES = 48  # periods of the star around a circle
 CLOSE_UM = (40.0, 30.0)  # size of the part of the sensor around the spot
 CLOSE_PX = (200, 150)
@@ -160,10 +162,33 @@ def picture(lens: Lens, star: Star, pitch: float) -> Raster:
     return np.ascontiguousarray(quarter[down][:, across])
 
 
+def subject(lens: Lens, pitch: float, plate: bool) -> Raster:
+    """The cat through all links, on the same piece of sensor."""
+
+    def factor(down: Floats, across: Floats) -> Floats:
+        down, across = WAVES_PER_MM * down, WAVES_PER_MM * across
+        left = lens.at(np.hypot(down, across))
+        left *= pixel_transfer(across, pitch) * pixel_transfer(down, pitch)
+        if plate:
+            left *= plate_transfer(across, pitch) * plate_transfer(down, pitch)
+        return left
+
+    seen, count = blurred(factor), columns(pitch)
+    for axis, pixels in ((1, 3 * count // 4), (2, count)):
+        last = seen.shape[axis] - 1
+        place = 0.5 * last + centred(pixels) * (pitch * WAVES_PER_MM / 1000.0)
+        low = np.clip(np.floor(place).astype(int), 0, last - 1)
+        share = (place - low).reshape((-1, 1) if axis == 1 else -1)
+        first, second = (seen.take(low + step, axis) for step in (0, 1))
+        seen = first + share * (second - first)
+    return to_rgba8(encode_srgb(np.clip(seen, 0.0, 1.0).transpose(1, 2, 0)))
+
+
 STAGES = (
     Stage("lens", lens),
     Stage("spot", spot),
     Stage("close", close, ("spot",)),
     Stage("star", star),
     Stage("picture", picture, ("lens", "star")),
+    Stage("subject", subject, ("lens",)),
 )

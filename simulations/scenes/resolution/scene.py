@@ -174,12 +174,13 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     star, over_star = outputs["picture"], star_overlay(settings)
     close, over_spot = outputs["close"], spot_overlay(settings)
     title, plot = "What is left of a wave’s contrast", "".join(curves(settings, lens))
-    unit = "cycles/mm"
+    unit, subject = "cycles/mm", outputs["subject"]
     return Frame(
         (
             Panel(
                 "picture", "The picture of a star of 48 rays", *SIZE, star, over_star, True, True
             ),
+            Panel("subject", "A cat on the same piece of sensor", *SIZE, subject, "", True),
             Panel("spot", "The image of a point, on the pixels", *SIZE, close, over_spot),
             Panel("curves", title, *SIZE, overlay=plot),
         ),

@@ -28,7 +28,7 @@ from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_e
 from simulations.models.sampling.slanted_edge_search import edge_near
 from simulations.models.sampling.slanted_edge_tone import tone_error
 from simulations.models.sensor.resolution import pixel_pitch_um
-from simulations.pictures.photographs import cat
+from simulations.scenes._cat import blurred, sharp
 from simulations.scenes._wipe import wiped
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the panel
@@ -40,7 +40,7 @@ SHORT_UM, NARROW = 0.5, 0.7  # waves and, in pixels, their width in the limit th
 MOST_SHOWN = 1200  # largest side in px at which a photograph is shown; it is measured in full
 SEARCHED = 400  # largest side in px of the picture in which an edge is looked for
 MOST_KEPT = 8  # places
-CROP, MARGIN_PX = (slice(41, 101), slice(31, 111)), 12  # an eye of the cat; room for the blur
+CROP = (slice(None), slice(41, 101), slice(31, 111))  # an eye of the cat
 SCALED = (
     "This picture was scaled down, which changes its sharpness: save the part around the edge as a "
     "smaller file, without scaling."
@@ -311,19 +311,15 @@ def kept_edges(
 def through(sharpness: Sharpness) -> Raster:
     """(60, 80, 4) an eye of a cat, its right half with the contrast that the edge has kept.
 
-    The photograph is taken to be sharp. Waves of all directions are weakened alike.
+    Waves of all directions are weakened alike.
     """
-    light = decode_srgb(np.float32(1 / 255) * cat.codes()[CROP])
-    if sharpness.refusal:
-        return to_rgba8(encode_srgb(light))
-    sides = [(0, 0), *[(MARGIN_PX, MARGIN_PX)] * 2]
-    padded = np.pad(light.transpose(2, 0, 1), sides, "reflect")
-    up, across = (np.fft.fftfreq(side) for side in padded.shape[1:])
-    frequency = np.hypot(up[:, None], across[: across.size // 2 + 1])
-    kept = np.interp(frequency, FREQUENCIES, sharpness.contrast)
-    seen = np.fft.irfft2(np.fft.rfft2(padded) * kept, padded.shape[1:])
-    after = seen[:, MARGIN_PX:-MARGIN_PX, MARGIN_PX:-MARGIN_PX].transpose(1, 2, 0)
-    return wiped(to_rgba8(encode_srgb(light)), to_rgba8(encode_srgb(np.clip(after, 0, 1))), 0.5)
+
+    def kept(down: Floats, across: Floats) -> Floats:
+        return np.interp(np.hypot(down, across), FREQUENCIES, sharpness.contrast)
+
+    planes = sharp(), sharp() if sharpness.refusal else blurred(kept)
+    before, after = (to_rgba8(encode_srgb(each[CROP].transpose(1, 2, 0))) for each in planes)
+    return wiped(before, after, 0.5)
 
 
 def true_transfer(
