@@ -1,14 +1,5 @@
-"""A figure from one function: its arguments are the controls, and what it returns is drawn.
-
-PLOT = Plot.of("place, m", (0, 8), "height, cm", (-1.5, 1.5))
-
-@figure("A Travelling Wave")
-def wave(
-    time: float = slider("Time", 0.0, 0.0, 4.0, 0.05, unit="s"),
-    length: float = slider("Wavelength", 2.0, 0.5, 4.0, 0.1, unit="m"),
-) -> Drawn:
-    place = np.linspace(0, 8, 401)
-    return PLOT.showing(PLOT.curve(place, np.sin(2 * np.pi * (place / length - time)), "ray"))
+"""A figure from one function: its arguments are the controls, and what it returns is drawn. The
+guide for authors has examples: `site_builder/scaffold/skeletons/gallery/`.
 """
 
 import sys

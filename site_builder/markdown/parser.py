@@ -138,7 +138,7 @@ def make_parser(words: Words = ENGLISH) -> MarkdownIt:
     parser.inline.ruler.before("backticks", "role", roles)
     parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
     parser.core.ruler.after(
-        "normalize", "dialects", partial(dialects_rule, {item.name for item in DIRECTIVES})
+        "normalize", "dialects", partial(dialects_rule, tuple(item.name for item in DIRECTIVES))
     )
     parser.core.ruler.before("smartquotes", "typography", typography_rule)
     parser.core.ruler.before("typography", "heading_ids", heading_ids_rule)

@@ -3,14 +3,15 @@ roles, equations as LaTeX and Quarto write them. It is read as if written in our
 so that places stay right. What has another name here is said to have it (`CALLED`)."""
 
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterator
 
 from markdown_it.rules_core import StateCore
 
 from site_builder.diagnostics.diagnostic import unknown
 
 KINDS = {
-    "admonition seealso proof theorem definition": "'note', 'tip', 'warning' or 'key-idea'",
+    "admonition seealso proof theorem definition lemma": "'note', 'tip', 'warning' or 'key-idea'",
+    "solution": "'quiz', 'predict' or 'exercise' with its answers",
     "caution danger attention callout-caution callout-warning": "'warning'",
     "important callout-important": "'key-idea'",
     "hint callout-tip": "'tip'",
@@ -22,6 +23,8 @@ KINDS = {
     "tab-set tab-item dropdown grid card": "headings, '{.deeper}'",
     "toctree tableofcontents": "'chapters' in content/book.toml",
     "bibliography": "'{cite}`key`', of which the list is made",
+    "index": "'{index}`words`'",
+    "raw contents": "nothing in its place",
 }
 CALLED = {name: here for names, here in KINDS.items() for name in names.split()}
 """Directives of others, and what is here in their place."""
@@ -31,7 +34,7 @@ ROLES = {
     "cite:t": "citet",
 }
 ROLE = re.compile(rf"(?<!`)\{{({'|'.join(ROLES)}|math)\}}`([^`\n]+)`")
-FENCE = re.compile(r"(`{3,}|~{3,})\{([\w-]+)\}(.*)")
+FENCE = re.compile(r"(`{3,}|~{3,})\{([\w:-]+)\}(.*)")
 CODE = re.compile(r"\s*(`{3,}|~{3,})")
 LABEL = re.compile(r"\(([\w:.-]+)\)=\s*")
 TEX_LABEL = re.compile(r"\\label\{([^}]*)\}")
@@ -43,9 +46,10 @@ APART = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)|\$\$.*?\$\$|\$[^$]+\$")
 AFTER = re.compile(r"\$\$\s*\{#([\w:.-]+)\}\s*$")
 
 
-def unknown_directive(name: str, ours: Iterable[str]) -> str:
+def unknown_directive(name: str, ours: Collection[str]) -> str:
     """That there is none of this name, and what there is."""
-    here = CALLED.get(name)
+    last = re.sub(r".*:|-(start|end)$", "", name.lower())  # of ``prf:Theorem``, ``solution-end``
+    here = CALLED.get(last) or (f"'{last}'" if last != name and last in ours else "")
     found = unknown("directive", name, ours)
     return f"unknown directive {name!r}; legal: {here}" if here else found
 
