@@ -41,7 +41,7 @@ export function reversed(element: HTMLElement) {
 
 /** The view box of the panel that a handle lies in. */
 function viewBox(element: HTMLElement) {
-  const view = element.closest(".panel-view") ?? element;
+  const view = element.closest(".panel") ?? element;
   return one(view, "svg.overlay", SVGSVGElement).viewBox.baseVal;
 }
 
@@ -75,8 +75,8 @@ export function placeText({ style }: HTMLElement) {
 export function put(element: HTMLElement, place: { x: number; y: number; step?: number }) {
   const { width, height } = viewBox(element);
   if (place.step) element.dataset.step = String(place.step);
-  setProperty(element, "--x", `${((100 * place.x) / width).toFixed(3)}%`);
-  setProperty(element, "--y", `${((100 * place.y) / height).toFixed(3)}%`);
+  setProperty(element, "--x", ((100 * place.x) / width).toFixed(3));
+  setProperty(element, "--y", ((100 * place.y) / height).toFixed(3));
 }
 
 function setProperty({ style }: HTMLElement, property: string, value: string) {
