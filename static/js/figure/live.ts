@@ -327,6 +327,7 @@ export class LiveFigure {
     this.stages = JSON.parse(meta).stages;
     this.figure.dataset.computeMs = computeMs.toFixed(1);
     this.accuracy.shown(job, computeMs, true);
+    this.figure.dispatchEvent(new Event("painted"));
   }
 
   /** What a pull at a handle means for the controls: the hand waits for it before all else. */

@@ -144,7 +144,8 @@ export function moveInView(figure: HTMLElement, motion: Motion, signal: AbortSig
   let waits = true;
   let inView = false;
   const begin = () => {
-    if (!waits || !inView || figure.dataset.state !== "live" || isCalm()) return;
+    // Python has computed a frame of it, and so will keep up with what moves.
+    if (!waits || !inView || !Number(figure.dataset.computeMs) || isCalm()) return;
     waits = false;
     motion.arrive();
   };
