@@ -24,10 +24,10 @@ from simulations.models.light.reflectance import lambert
 from simulations.scenes import _ball
 from simulations.scenes._ball import CENTRE, HEIGHT, RADIUS, WIDTH, Ball
 
-PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 136.0), 60.0, 72.0  # VECTOR: a unit vector's length
-ARC = 34.0  # radius of the arc of θ
-RAY_START = 112.0  # from the plane through the sphere's centre to where parallel rays begin
-LAMP_DISTANCE = 126.0  # drawn distance of the lamp from the sphere's centre; it is far away
+PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 156.0), 80.0, 60.0  # VECTOR: a unit vector's length
+ARC = 36.0  # radius of the arc of θ
+RAY_START = 136.0  # from the plane through the sphere's centre to where parallel rays begin
+LAMP_DISTANCE = 138.0  # drawn distance of the lamp from the sphere's centre; it is far away
 BEYOND_TIP = 4.2  # from the tip of a head to that of an outline which is 1.5 units wide
 
 PLOT = Plot(Axis(0.0, 180.0, 58.0, 382.0), Axis(0.0, 1.0, 282.0, 34.0))
@@ -187,7 +187,7 @@ def angle_theta(probed: drawing.Point, probe_rad: float, light_rad: float, theta
 
 
 def camera() -> str:
-    x, y = PLAN_CENTRE[0], HEIGHT - 24.0
+    x, y = PLAN_CENTRE[0], HEIGHT - 12.0
     lens = [(x - 5, y - 8), (x - 9, y - 15), (x + 9, y - 15), (x + 5, y - 8)]
     return (
         drawing.rectangle((x - 14, y - 8), 28, 16, "camera fill")

@@ -27,6 +27,14 @@ FINE = 1.75  # raster pixels per unit of the view box
 CENTRE, RADIUS = (104.0, 170.0), 92.0  # the ball, in view box units
 LEFT, RIGHT, TOP, BOTTOM = 236.0, 370.0, 90.0, 250.0  # centres of the chart's outer spheres
 SMALL = 20.0  # radius of a sphere of the chart
+NAMES = (
+    (0.02, "chalk", "chalk"),
+    (0.12, "glossy plastic", "satin paint"),
+    (0.45, "lacquer", "silk"),
+    (1.0, "polished metal", "brushed metal"),
+)
+"""What a material looks like: up to a specular strength, smooth and rough."""
+ROUGH = 0.4
 STEPS = np.linspace(0.0, 1.0, 4).tolist()  # columns and rows, as shares of the chart's sides
 
 
@@ -141,15 +149,22 @@ def material_at(_settings: object, place: Point) -> Mapping[str, float]:
     }
 
 
+def looks_like(roughness: float, specular: float) -> str:
+    smooth, rough = next(names for most, *names in NAMES if specular <= most)
+    return rough if roughness > ROUGH else smooth
+
+
 def marks(view_angle: float, roughness: float, specular: float) -> str:
     """The probed point, the chosen material, and the ends of the chart."""
     probed = on_equator(-view_angle)
+    name = f"like {looks_like(roughness, specular)}"
     across, below = 0.5 * (LEFT + RIGHT), BOTTOM + SMALL + 24
     return "".join(
         (
             outlined_dot(probed, "world"),
             outlined_dot(in_chart(roughness, specular), "ray"),
             named(probed, "probed point", "world"),
+            text((CENTRE[0], CENTRE[1] + RADIUS + 34), name, "strong ground", "middle"),
             text((across, TOP - SMALL - 14), "more mirror ↑", "small ground", "middle"),
             text((across, below), "rougher →", "small ground", "middle"),
         )

@@ -225,13 +225,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def describe(settings: Settings, here: Exchange, seen: float) -> str:
+    look = materials.looks_like(settings.roughness, settings.specular)
     name = MODELS[settings.model].replace(" (Lambert)", "").lower().replace("phong", "Phong")
     sides = "the same side" if settings.light_angle * settings.view_angle > 0 else "the other side"
     share = format_number(100 * here.sent, 0)
     verdict = ", more than came" if here.sent > 1 + 1e-9 else ""
     alike = "" if here.is_reciprocal else "; light and camera exchanged, it would be another"
     return (
-        f"A red ball by the model “{name}”, beside sixteen from smooth to rough and from "
+        f"A red ball that looks like {look}, by the model “{name}”, beside sixteen from smooth to "
+        f"rough and from "
         f"matte to mirror; a point of it, lit at {abs(settings.light_angle):.0f}° from its "
         f"normal and seen at {abs(settings.view_angle):.0f}° on {sides}, shows the brightness "
         f"{format_number(seen)}{alike}; in all directions together it sends back {share}\u00a0% of "
