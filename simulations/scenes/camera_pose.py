@@ -324,6 +324,13 @@ def camera_pulled(_settings: Settings, place: Point) -> dict[str, float]:
     return {"camera_x": X, "camera_z": Z}
 
 
+def tip_pulled(settings: Settings, place: Point) -> dict[str, float]:
+    """The camera looks to the place."""
+    at = camera_pulled(settings, place)
+    right, ahead = at["camera_x"] - settings.camera_x, at["camera_z"] - settings.camera_z
+    return {"pan": math.degrees(math.atan2(right, ahead))}
+
+
 MOVES = ("camera_x", "camera_z")
 SCENE = Scene(
     "camera-pose",
@@ -333,7 +340,9 @@ SCENE = Scene(
     (Stage("standpoint", standpoint), Stage("picture", picture, ("standpoint",))),
     handles=(
         Handle("camera", "world", "Camera", MOVES, on_axis(0.0), camera_pulled, role="camera"),
-        Handle("tip", "world", "Forward axis", ("pan",), on_axis(AXIS_M), role="camera"),
+        Handle(
+            "tip", "world", "Forward axis", ("pan",), on_axis(AXIS_M), tip_pulled, role="camera"
+        ),
     ),
     parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
     own_drafts={DRAFT: ("pan", *MOVES)},

@@ -212,7 +212,7 @@ def camera(lens: Floats) -> Iterator[str]:
     (top, plane) = seen(lens - 0.42 * DOWN, lens - LENS_TO_PLANE * AHEAD - 0.44 * DOWN)
     yield drawing.text((top[0] + 4, top[1] - 4), "lens", "camera small ground")
     yield drawing.text(
-        (max(plane[0] - 4, 68.0), plane[1] - 4), "image plane", "image small ground", "end"
+        (max(plane[0] - 4, 82.0), plane[1] - 4), "image plane", "image small ground", "end"
     )
 
 
