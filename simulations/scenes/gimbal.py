@@ -5,7 +5,7 @@ right, down and ahead. Each ring is perpendicular to its angle's axis. The pan r
 world, the tilt ring turns with the pan, the roll ring with both; at a tilt of ±90° the roll ring
 lies in the plane of the pan ring, just inside it.
 
-Beside it is what the camera sees: level ground with trees, and a sky with stars. Straight up, the
+Beside it is what the camera sees: hills with trees, and a sky with stars. Straight up, the
 circles of the sky close around one point. There pan and roll both turn the picture about its
 middle, so the lock can be seen.
 """
@@ -19,17 +19,26 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
-from simulations.engine.frame import Frame, Panel, Readout, format_number, matrix_readout, readout
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Raster,
+    Readout,
+    format_number,
+    matrix_readout,
+    readout,
+)
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.clipping import runs_inside
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.space.view import View, runs
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
-from simulations.models.geometry.transforms import clip_half_plane, clip_to_rectangle
 from simulations.scenes._turned_camera import background, draw_body, nearest, view_from
 
 CENTRE = (200.0, 208.0)  # of the rings in their panel of 400 × 400
@@ -39,19 +48,39 @@ NEARLY = math.cos(math.radians(10.0))
 LOCKED = 1.0 - 1e-9  # cosine between the two axes above which they count as one
 LOST = 1e-6  # singular value below which a direction of rotation counts as lost
 
-WIDTH, HEIGHT = 400.0, 340.0  # of the picture
+SIGHT = WIDTH, HEIGHT = 400.0, 340.0  # of the picture
 MIDDLE = np.array([WIDTH / 2.0, HEIGHT / 2.0])
 FOCAL = 260.0  # in view box units: the picture is 75° wide
 NEAREST = 0.05
 """Cosine of the largest angle from the line of sight at which anything is drawn."""
 NAMES = ("ahead", "right", "behind", "left")
 _RNG = np.random.default_rng(5)
-STARS = np.stack([_RNG.uniform(0.0, 360.0, 90), np.degrees(np.arcsin(_RNG.uniform(0.1, 1.0, 90)))])
-"""Azimuth and elevation (2, n) of the stars, in degrees, evenly over the sky."""
-TREES = np.stack(
-    [np.arange(0.0, 360.0, 18.0) + _RNG.uniform(3.0, 15.0, 20), _RNG.uniform(4, 11, 20)]
+STARS = np.stack(
+    [_RNG.uniform(0.0, 360.0, 700), np.degrees(np.arcsin(_RNG.uniform(0.02, 1.0, 700)))]
 )
+"""Azimuth and elevation (2, n) of the stars, in degrees, evenly over the sky."""
+STAR_LIGHT = (0.09 * _RNG.pareto(1.5, 700) + 0.08).astype(np.float32)
+"""(n,) of white, where a star is sharpest: few are bright."""
+TREES = np.stack([np.arange(0.0, 360.0, 9.0) + _RNG.uniform(1.0, 8.0, 40), _RNG.uniform(3, 11, 40)])
 """Azimuth and height (2, n) of the trees, in degrees."""
+SKYLINE_AT = np.arange(0.0, 360.5, 0.5)
+SKYLINE_SINE = np.sin(
+    np.radians(
+        np.maximum(
+            1.2 + np.sin(np.radians(3 * SKYLINE_AT)),  # hills
+            (TREES[1] - 4.5 * np.abs((SKYLINE_AT[:, None] - TREES[0] + 180) % 360 - 180)).max(
+                axis=1
+            ),
+        )
+    )
+)
+"""Sine of the elevation of the top of hills and trees at `SKYLINE_AT`."""
+ZENITH, GLOW, GROUND = np.array(
+    [(0.006, 0.010, 0.030), (0.11, 0.085, 0.10), (0.004, 0.006, 0.008)], np.float32
+)
+"""Linear RGB straight up, added at the horizon, and below it."""
+GALAXY = np.array([0.48, -0.36, 0.80])
+"""Pole of the Milky Way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,30 +200,44 @@ def pictured(C: Floats, directions: Floats) -> Floats:
     )
 
 
+def draw_sky(pan: float, tilt: float, roll: float) -> Raster:
+    """The night that the camera sees; angles in degrees."""
+    C = euler.to_matrix("YXZ", np.radians([pan, tilt, roll]))
+    rows, columns = round(HEIGHT), round(WIDTH)
+    y, x = (np.mgrid[:rows, :columns] + 0.5 - MIDDLE[::-1, None, None]).astype(np.float32) / FOCAL
+    scale = 1 / np.sqrt(x * x + y * y + 1)
+    right, down, ahead = (scale * (row[0] * x + row[1] * y + row[2]) for row in C.astype("f4"))
+    height = np.maximum(-down, 0.0)
+    light = ZENITH + np.exp(-7.0 * height)[..., None] * GLOW
+    band = GALAXY[0] * right + GALAXY[1] * down + GALAXY[2] * ahead
+    light += (0.016 * np.exp(-25.0 * band * band))[..., None]
+    places = pictured(C, towards(*STARS))
+    seen = np.isfinite(places).all(axis=-1)
+    spots, shine = places[seen], STAR_LIGHT[seen]
+    for row in range(-2, 3):
+        for column in range(-2, 3):
+            u, v = (np.floor(spots) + np.array([column, row])).astype(int).T
+            inside = (u >= 0) & (v >= 0) & (u < columns) & (v < rows)
+            off = np.hypot(u + 0.5 - spots[:, 0], v + 0.5 - spots[:, 1])
+            spread = shine * np.exp(-1.2 * off**2)
+            np.add.at(light, (v[inside], u[inside]), spread[inside, None])
+    azimuth = np.degrees(np.arctan2(right, ahead)) % 360.0
+    low = -down < np.interp(azimuth, SKYLINE_AT, SKYLINE_SINE)
+    light[low] = GROUND
+    return to_rgba8(encode_srgb_table(light))
+
+
 def draw_sight(pan: float, tilt: float, roll: float) -> str:
-    """The picture of the camera; angles in degrees."""
+    """What is drawn over the picture of the camera; angles in degrees."""
     C = euler.to_matrix("YXZ", np.radians([pan, tilt, roll]))
     x, y = MIDDLE.tolist()
-    stars = [spot for spot in pictured(C, towards(*STARS)).tolist() if _shown(spot, 2.0)]
     parts = (
-        *_ground(C),
         _circles(C),
-        drawing.path([(spot, spot) for spot in stars], "light bold") if stars else "",
-        *_trees(C),
         *_names(C),
-        drawing.line((x - 9, y), (x + 9, y), "camera thin"),
-        drawing.line((x, y - 9), (x, y + 9), "camera thin"),
+        drawing.line((x - 9, y), (x + 9, y), "camera"),
+        drawing.line((x, y - 9), (x, y + 9), "camera"),
     )
     return "".join(parts)
-
-
-def _ground(C: Floats) -> Iterator[str]:
-    """The half of the picture below the horizon: where the ray points downwards."""
-    a, b, c = C[1]
-    box = np.array([(0.0, 0.0), (WIDTH, 0.0), (WIDTH, HEIGHT), (0.0, HEIGHT)])
-    ground = clip_half_plane(box, (a, b, FOCAL * c - a * MIDDLE[0] - b * MIDDLE[1]))
-    if len(ground):
-        yield drawing.polygon(ground, "world fill")
 
 
 def _circles(C: Floats) -> str:
@@ -206,19 +249,7 @@ def _circles(C: Floats) -> str:
     for curve in curves:
         across, down = pictured(C, curve).T
         seen += runs_inside(across, down, (0.0, WIDTH), (0.0, HEIGHT))
-    return drawing.path(seen, "muted thin faint")
-
-
-def _trees(C: Floats) -> Iterator[str]:
-    for azimuth, height in TREES.T.tolist():
-        half = height / 3.5
-        sides = np.array([azimuth - half, azimuth, azimuth + half])
-        tree = pictured(C, towards(sides, np.array([0.0, height, 0.0])))
-        if not np.isfinite(tree).all():
-            continue
-        tree = clip_to_rectangle(tree, (0.0, 0.0), (WIDTH, HEIGHT))
-        if len(tree):
-            yield drawing.polygon(tree, "world solid")
+    return drawing.path(seen, "light thin faint")
 
 
 def _names(C: Floats) -> Iterator[str]:
@@ -253,7 +284,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel("gimbal", title, 400.0, 400.0, overlay=rings, lead=True),
-            Panel("sight", "What the camera sees", WIDTH, HEIGHT, overlay=outputs["sight"]),
+            Panel("sight", "What the camera sees", *SIGHT, outputs["sky"], outputs["sight"]),
         ),
         (
             matrix_readout("axes", "C, the camera’s axes as columns", C, role="camera"),
@@ -291,7 +322,12 @@ SCENE = Scene(
     "Camera on a Gimbal",
     Settings,
     draw,
-    (Stage("view", view_from), Stage("rings", draw_rings, ("view",)), Stage("sight", draw_sight)),
+    (
+        Stage("view", view_from),
+        Stage("rings", draw_rings, ("view",)),
+        Stage("sky", draw_sky),
+        Stage("sight", draw_sight),
+    ),
     handles=(
         ring_handle(1, "tilt", "light"),
         ring_handle(0, "pan", "world"),
