@@ -98,11 +98,13 @@ def is_stopped(height: float, opening: float, ray: Rays) -> bool:
 def from_side(glass: Glass, fan: Rays, marked: Rays, height: float, opening: float) -> str:
     """The glass, the opening, the fan of rays, and the marked one over them."""
     view, heights = section_for(glass.distance_mm), fan_heights(opening)
+    rays = ways(view, glass, fan, heights)
     return "".join(
         (
             line((4, AXIS_Y), (WIDTH - 4, AXIS_Y), "muted thin dashed"),
             polygon(outline(view, glass), "camera fill"),
-            path(ways(view, glass, fan, heights), "light thin"),
+            path(rays, "light bold faint"),  # a glow
+            path(rays, "light thin"),
             *failures(view, fan, heights, 2.5),
             *(
                 line(view.at(0.0, side * opening), view.at(0.0, side * BLADE_MM), "bold")
@@ -236,7 +238,8 @@ def marks(view: Section, glass: Glass, height: float, opening: float) -> Iterato
     yield line(entry, (entry[0], AXIS_Y), "ray thin")
     gaps = np.convolve(fan_heights(opening), (0.5, 0.5), "valid")
     gap = float(gaps[np.abs(gaps - 0.5 * height).argmin()])
-    yield text((entry[0] - 5, entry_mark(far, gap)[1] + 4), "h", "ray italic", "end")
+    aside = 5 if abs(entry[1] - AXIS_Y) > 40 else 18  # beside the ring of the handle
+    yield text((entry[0] - aside, entry_mark(far, gap)[1] + 4), "h", "ray italic ground", "end")
     thing = object_mark(far)
     if thing:
         yield dot(thing, "world", 5)
