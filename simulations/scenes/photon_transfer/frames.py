@@ -191,6 +191,8 @@ class Frames:
     """Code without light of each plane, where the files give it."""
     exposures: tuple[float, ...]
     """Seconds of each pair, NaN where the files do not say; any unit if they are simulated."""
+    camera: str = ""
+    """Maker, model and ISO by the files."""
 
     @property
     def is_simulated(self) -> bool:
@@ -288,6 +290,7 @@ def pair_up(codes: tuple[Pair, ...], readings: Readings) -> Frames:
             if chosen
         },
         exposures=tuple(taken[i].exposure_s for i, _ in pairs),
+        camera=str(readings[pairs[0][0]].data["camera"]) if pairs else "",
     )
 
 

@@ -112,11 +112,6 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
 
 def lines(frames: Frames, outputs: Outputs) -> Iterator[Readout]:
     main, left = frames.main, frames.left_over
-    yield Readout("pixels", "Pixels", main)
-    if frames.black:  # of a raw file
-        level: Measured = outputs["levels"][main]
-        ends = f"{format_number(level.black_dn, 1)} and {frames.highest} DN"
-        yield Readout("scale", "Black and white", f"{ends}. {level.note}" if level.note else ends)
     given = set[str]()
     found = {**estimates_of(outputs["sensor"][main]), **standard_of(frames, outputs, main)}
     for name, label, unit, scale in (*QUANTITIES, *STANDARD):
@@ -126,6 +121,13 @@ def lines(frames: Frames, outputs: Outputs) -> Iterator[Readout]:
             words = f"{UNKNOWN}. {estimate.reason}"
             given.add(estimate.reason)
         yield Readout(name, label.partition(",")[0], words, unit_of(estimate, unit))
+    yield Readout("pixels", "Pixels", main)
+    if frames.camera:
+        yield Readout("taken", "Taken with", frames.camera)
+    if frames.black:  # of a raw file
+        level: Measured = outputs["levels"][main]
+        ends = f"{format_number(level.black_dn, 1)} and {frames.highest} DN"
+        yield Readout("scale", "Black and white", f"{ends}. {level.note}" if level.note else ends)
     for number, (plane, sensor) in enumerate(outputs["sensor"].items()):
         if plane != main and not sensor.gain.reason:
             label = f"Conversion gain, {plane}"

@@ -68,6 +68,9 @@ def transfer(
     if shown >= 0:  # a ring around the pair of the second panel
         place = plot.clamped(float(mean[shown]), float(noise[shown]))
         yield circle(place, 8.0, "casing") + circle(place, 8.0, "image bold")
+    if not reason:
+        words = f"{value_of(estimate.gain)} e⁻/DN"
+        yield text((RIGHT - 12, FOOT - 16), words, "ray large strong ground", "end")
     for number, words in enumerate(wrap(reason, WORDS)):
         yield text((LEFT + 10, TOP + 16 + 19 * number), words, "error small ground")
     entries = (

@@ -27,6 +27,7 @@ FARTHEST = 4.0
 """Largest distance from the picture to a vanishing point in the field, in its longer side."""
 STYLES = ("world", "ray", "light", "image", "image")  # colour role of each list
 NAMES = ("v₁", "v₂", "v₃")
+LARGE = "image large strong ground"  # style of the first length that is measured
 LINE = 17.0  # height of a line of text, in units
 LARGEST = 60.0  # half the longest axis of an ellipse that is drawn, in units
 LETTER, HALF_HEIGHT, HANDLE = 15.5, 12.0, 17.0
@@ -136,7 +137,9 @@ def over_picture(settings: Settings, lines: Lines, found: Found, lengths: Length
             labels.append((field.place(ends[0]), field.place(ends[1]), words))
     labels.sort(key=lambda label: label[2].endswith("known"))  # it may stand farther off
     handles = [field.place(end) for end in lines.ends[chosen].reshape(-1, 2)]
-    return "".join(parts) + _labels(labels, handles)
+    others = (*lengths.floor, *lengths.height)[1:]
+    made = drawing.text((12, HEIGHT - 16), with_error(others[0], "m"), LARGE) if others else ""
+    return "".join(parts) + _labels(labels, handles) + made
 
 
 def _labels(wanted: Sequence[tuple[Point, Point, str]], handles: Sequence[Point]) -> str:

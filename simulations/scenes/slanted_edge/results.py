@@ -18,7 +18,7 @@ from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, measure
 from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
 from simulations.models.sampling.slanted_edge_pixels import pixels_beside
-from simulations.models.sensor.photon_transfer_file import is_grey
+from simulations.models.sensor.photon_transfer_file import camera_of, is_grey
 from simulations.scenes.slanted_edge.edge import Box, KeptEdge, Settings, Sharpness, pitch_um
 
 PER_MM, PER_PX = "cycles/mm", "cycles/px"
@@ -94,7 +94,8 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         for number, place in enumerate(found, 1)
         for line in lines_of(number, place, settings, outputs)
     ]
-    return (*lines, *pitch_by_file(outputs["photograph"])) if lines else ()
+    photograph = outputs["photograph"]
+    return (*lines, *taken_with(photograph), *pitch_by_file(photograph)) if lines else ()
 
 
 def lines_of(
@@ -145,6 +146,17 @@ def colours(
     )
     label = "Lateral colour: red; blue off green, towards the light side"
     yield Readout(f"lateral_{number}", label, words, "px")
+
+
+def taken_with(photograph: Photograph | None) -> Iterator[Readout]:
+    """Camera, lens and how it was set, by the file."""
+    facts = {} if photograph is None else photograph.facts
+    camera, lens = camera_of(facts), [str(facts["lens"])] if "lens" in facts else []
+    units = (("f_number", "f/{:g}"), ("focal_mm", "{:g} mm"))
+    words = [*filter(None, [camera]), *lens]
+    words += [form.format(facts[name]) for name, form in units if name in facts]
+    if words:
+        yield Readout("taken", "Taken with", ", ".join(words))
 
 
 def pitch_by_file(photograph: Photograph | None) -> Iterable[Readout]:

@@ -81,6 +81,15 @@ def over_picture(
         yield text((WIDTH / 2, first + LINE * number), words, "error ground", "middle")
 
 
+def largest(sharpness: Sharpness) -> str:
+    """MTF50 with its error."""
+    if sharpness.refusal:
+        return ""
+    half = sharpness.half
+    words = f"{value_with_error(half.frequency, half.error)} cycles/px"
+    return text((12, HEIGHT - 16), words, "image large strong ground")
+
+
 def kept_places(places: Sequence[KeptEdge]) -> Iterator[str]:
     """The rectangles that were kept, each with its MTF50 in cycles per pixel."""
     for place in places:
@@ -113,7 +122,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     pixels, simulated = outputs["pixels"], outputs["photograph"] is None
     kept, refusal = kept_places(outputs["places"]), sharpness.refusal
     frame = over_picture(settings, outputs["box"], pixels, simulated, refusal)
-    picture, over = outputs["shown"], "".join((*kept, *frame))
+    picture, over = outputs["shown"], "".join((*kept, *frame, largest(sharpness)))
     over_crop = over_wipe(0.5, WIDTH, HEIGHT, ("before", "after" if not refusal else "unknown"))
     x = axis_across(settings, sharpness.reading, simulated)
     across = "".join(light_across(pixels, sharpness.reading, x))

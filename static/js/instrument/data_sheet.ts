@@ -110,8 +110,9 @@ function bodyOf({ title, photographs, lines }: Part) {
   [name.colSpan, name.scope] = [2, "rowgroup"];
   name.append(" ", element("span", "data-sheet-files fine", photographs.join(", ")));
   body.insertRow().append(name);
-  for (const { label, text, unit } of lines) {
+  for (const [number, { label, text, unit }] of lines.entries()) {
     const [row, what] = [body.insertRow(), element("th", "", label)];
+    row.classList.toggle("data-sheet-main", number === 0);
     what.scope = "row";
     row.append(what);
     row.insertCell().textContent = withUnit(numeral(text), unit);
