@@ -17,6 +17,7 @@ from simulations.engine.controls import Action
 from simulations.engine.frame import Frame, Panel, Readout, Sound
 from simulations.engine.frame import readout as readout
 from simulations.engine.handles import Handle as Handle
+from simulations.engine.plotting.matplotlib import plots_of
 from simulations.engine.plotting.plot import Plot as Plot
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
@@ -117,6 +118,11 @@ def _frame(drawn: Drawn, told: str) -> Frame:
                 panels.append(replace(under, overlay=under.overlay + part))
             case str() | Readout() | Sound():
                 pass
+            case _ if hasattr(part, "savefig"):  # matplotlib's
+                panels += [
+                    Panel(f"{name}{n or ''}", title, WIDTH, HEIGHT, overlay=plot.markup)
+                    for n, (title, plot) in enumerate(plots_of(part))
+                ]
             case _:
                 legal = "a Plot, an array, SVG, a sentence, Panel, Readout, Sound, or a tuple"
                 raise TypeError(f"the figure returned {type(part).__name__}; legal: {legal}")

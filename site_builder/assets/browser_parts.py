@@ -25,7 +25,7 @@ from site_builder.programs.node import NodeError
 from site_builder.raw.decoder import RawDecoder, fetch_decoder
 from site_builder.runtime.downloads import PackageError, differing
 from site_builder.runtime.freeze import MissingModuleError
-from site_builder.runtime.pack import RuntimeBundle, pack_runtime
+from site_builder.runtime.pack import PACKAGE, RuntimeBundle, pack_runtime
 from site_builder.runtime.store import Versions, is_whole
 from site_builder.search.index import SearchLibrary, fetch_library
 from site_builder.settings.model import FILE_NAME, read_settings
@@ -68,9 +68,19 @@ def pack_for_browser(root: Path, book: Book, warn: Warn, *, compiled: bool) -> R
     except SyntaxError as error:  # in a module that no chapter shows
         path, _, line = place_of(error).rpartition(":")
         raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
-    for message in differing(bundle.packages):
+    sizes = (file.stat().st_size for name, file in bundle.files.items() if name.startswith(PACKAGE))
+    weight = sum(sizes)
+    told = (
+        f"packages of {weight / 1e6:.1f} MB, for which readers of the figures that import them wait"
+    )
+    heavy = [f"{told}; better: at most {MOST_PACKAGES / 1e6:g} MB"] * (weight > MOST_PACKAGES)
+    for message in (*differing(bundle.packages), *heavy):
         warn(_about_packages(root, message, fails=False))
     return bundle
+
+
+MOST_PACKAGES = 5_000_000
+"""Bytes; numpy and Python together are as many."""
 
 
 def _about_packages(root: Path, message: str, *, fails: bool = True) -> Diagnostic:

@@ -3,6 +3,7 @@
 import math
 import re
 from itertools import combinations
+from types import SimpleNamespace
 from typing import Any
 from xml.etree import ElementTree
 
@@ -16,6 +17,7 @@ from simulations.engine.letters import width_of
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.clipping import clipped
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
+from simulations.engine.plotting.matplotlib import plots_of
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.plotting.ticks import log_ticks, round_ticks
@@ -179,3 +181,37 @@ def test_a_label_that_is_crowded_away_from_its_point_has_a_leader() -> None:
 def test_an_axis_or_label_that_cannot_be_drawn_is_refused(make: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make()
+
+
+class Line2D(SimpleNamespace):
+    """As matplotlib's, as far as it is read; its transform halves all."""
+
+    def get_transform(self) -> float:
+        return 0.5
+
+    def __getattr__(self, name: str) -> Any:
+        return lambda: vars(self)[name.removeprefix("get_")]
+
+
+class Halved(float):
+    def __rsub__(self, other: float) -> Any:
+        return SimpleNamespace(transform=lambda points: other * points)
+
+
+def test_a_figure_of_matplotlib_is_a_plot_with_its_lines_at_their_values_and_roles_by_colour() -> (
+    None
+):
+    look = {"zorder": 1, "visible": True, "marker": "None", "linestyle": "--"}
+    xy = np.array([[0.0, 0.0], [8.0, 4.0]])
+    lines = [Line2D(xydata=xy, color=c, label=c, **look) for c in ("C0", "C1", "C0")]
+    given = {"xscale": "linear", "yscale": "linear", "xlim": (0, 4), "ylim": (0, 2), "legend": 1}
+    named = {"xlabel": "time, s", "ylabel": "speed", "title": "Two"}
+    axes = Line2D(children=lines, **given, **named)
+    for name in ("patch", "_left_title", "_right_title"):
+        setattr(axes, name, None)
+    axes.transData = Halved()
+    ((title, plot),) = plots_of(SimpleNamespace(axes=[axes]))
+    found = re.findall(r'class="(\w+) dashed bold" d="([^"]+)"', plot.markup)
+    assert [role for role, _ in found] == ["world", "camera", "world"]
+    assert {data for _, data in found} == {"M50,240L388,30"}
+    assert (title, plot.names) == ("Two", ("time, s", "speed"))
