@@ -1,4 +1,4 @@
-"""A wooden wheel as a film frame records it: exact coverage, and exact blur of the turning spokes.
+"""A coach's wheel as a film frame records it: exact coverage, and exact blur of turning spokes.
 
 Along a circle of radius r the spokes are a row of equal bars. A pixel records their mean over its
 width on that circle and over the angle swept while the shutter is open. Both means are differences
@@ -13,17 +13,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats, Mask, centred
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.require import as_whole
+from simulations.pictures.stagecoach import stagecoach
 
 WIDTH, HEIGHT = 480, 360
 RADIUS = 138.0  # outer edge of the rim, pixels
 RIM, HUB, SPOKE = 18.0, 21.0, 9.75  # width of the rim, radius of the hub, width of a spoke, pixels
 
-WOOD, DARK = np.array([0.62, 0.43, 0.24]), np.array([0.045, 0.05, 0.056])
-"""Linear light of the wheel and of the wall behind it."""
-
-LEVELS = 2048  # steps of coverage in the table of colours: finer than the codes of the picture
+TYRE = 5.0  # width of the iron around the rim, pixels
+WOOD, IRON = np.array([[0.85, 0.55, 0.12], [0.05, 0.05, 0.055]], np.float32)
+"""Linear light of the painted wheel and of its tyre."""
 
 NARROWEST = 1e-5  # least width of a mean, in spacings, to avoid division by zero
 
@@ -40,8 +40,10 @@ class Canvas:
     """(n,) radii of those pixels, at least half of the hub's; in pixels."""
     solid: Floats
     """(H, W) share of each pixel that rim or hub cover."""
-    colours: NDArray[np.uint8]
-    """(LEVELS + 1, 4) bytes of a pixel by the share of it that is wood."""
+    behind: Floats
+    """(n, 3) linear light behind the spokes at those pixels, with rim and hub over it."""
+    still: NDArray[np.uint8]
+    """(H, W, 4) bytes of all without the spokes."""
 
 
 def build_canvas() -> Canvas:
@@ -53,9 +55,13 @@ def build_canvas() -> Canvas:
     solid = rim + _inside(radius, HUB)
     between = (radius > HUB - 1) & (radius < RADIUS - RIM + 1)
     angle = np.arctan2(y, x)
-    share = np.linspace(0.0, 1.0, LEVELS + 1)[None, :, None]
-    colours = to_rgba8(encode_srgb(DARK + share * (WOOD - DARK)))[0]
-    return Canvas(between, angle[between], np.maximum(radius[between], HUB / 2), solid, colours)
+    light = stagecoach(WIDTH, HEIGHT)
+    tyre = _inside(radius, RADIUS) - _inside(radius, RADIUS - TYRE)
+    for cover, colour in ((solid, WOOD), (tyre, IRON)):
+        light += cover[..., None].astype(np.float32) * (colour - light)
+    still = to_rgba8(encode_srgb_table(light))
+    radii = np.maximum(radius[between], HUB / 2)
+    return Canvas(between, angle[between], radii, solid, light[between], still)
 
 
 def _inside(radius: Floats, edge: float) -> Floats:
@@ -113,15 +119,17 @@ def render(
     swept_rad: float,
     exposure: Exposure = throughout,
 ) -> NDArray[np.uint8]:
-    """Picture (H, W, 4) of the wheel, sRGB bytes. Wood and wall mix in linear light.
+    """Picture (H, W, 4) of the wheel, sRGB bytes. Wood and what is behind mix in linear light.
 
     The first spoke starts at ``first_angle_rad``, clockwise from the right, and all turn by
     ``swept_rad``, of either sign, while the shutter is open.
     """
     share = exposure(bars(canvas, spokes, first_angle_rad, swept_rad))
-    cover = canvas.solid.copy()
-    cover[canvas.between] += share * (1.0 - cover[canvas.between])
-    return canvas.colours[np.rint(cover * LEVELS).astype(np.intp)]
+    cover = (share * (1.0 - canvas.solid[canvas.between])).astype(np.float32)[:, None]
+    light = canvas.behind + cover * (WOOD - canvas.behind)
+    picture = canvas.still.copy()
+    picture[canvas.between] = to_rgba8(encode_srgb_table(light)[None])[0]
+    return picture
 
 
 def mean_coverage(place: Floats, duty: ArrayLike, pixel: ArrayLike, swept: float) -> Floats:

@@ -101,8 +101,8 @@ STAGES = (Stage("canvas", spoked_wheel.build_canvas), Stage("film", film, ("canv
 
 
 def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
-    """RMS error of the current frame against the integral over its exposure, of the light between
-    wall and wood, over the pixels where spokes pass; more pixels with each step."""
+    """RMS error of the current frame against the integral over its exposure, of the cover by
+    spokes, over the pixels where spokes pass; more pixels with each step."""
     canvas: Canvas = outputs["canvas"]
     turn, frame = settings.turn_per_frame, settings.frame
     row = spoked_wheel.bars(canvas, settings.spokes, turn * frame, turn * settings.shutter)

@@ -207,9 +207,10 @@ def describe(settings: Settings, apparent: float, certain: bool, contrast: float
         way = "backwards" if apparent * speed < 0 else "forwards"
         shown = f"; it seems to turn {way}, {format_number(abs(apparent))} times a second"
     blurred = " Motion blur hides the spokes." if contrast < 0.1 else ""
+    rate = format_number(settings.frame_rate, 0)
     return (
-        f"A wheel of {settings.spokes} spokes that turns {format_number(speed)} times a second is "
-        f"filmed at {format_number(settings.frame_rate, 0)} frames a second{shown}.{blurred}"
+        f"A coach’s wheel of {settings.spokes} spokes that turns {format_number(speed)} times a "
+        f"second is filmed at {rate} frames a second{shown}.{blurred}"
     )
 
 
