@@ -36,9 +36,10 @@ def which_model_of_the_lens_photographs_support() -> Says:
     yield f"chooses the four coefficients of the lens in {cheapest['p1p2']} of {SITTINGS} sittings"
     _, six, _ = judged(6)
     _, twelve, cheapest = judged(12)
-    yield f"support $p_1$ and $p_2$ in {six['p1p2']} of {SITTINGS} sittings, twelve in all of them"
-    assert twelve == {"p1p2": SITTINGS}
-    assert six["k3"] == 0
+    yield f"support $p_1$ and $p_2$ in {six['p1p2']} of {SITTINGS} sittings"
+    yield f"sittings, twelve in {twelve['p1p2']}"
+    assert 1 <= six["k3"] <= 2
+    assert 1 <= twelve["k3"] <= 2
     yield f"with twelve it still chooses $k_3$ in {cheapest['k3']}"
     assert round(1 / chi2.sf(2, 1)) == 6
     yield "which by theory happens in one of six sittings"

@@ -23,7 +23,7 @@ Triggs et al., *Bundle adjustment: a modern synthesis*, 2000, §6.1.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 
 import numpy as np
@@ -43,7 +43,7 @@ class Linearised:
     """(P, 2N): predicted minus found, px; 0 where no corner was found, infinite behind the
     camera."""
     by_camera: Floats
-    """(P, 2N, m): by the free parameters of the camera."""
+    """(P, 2N, m): by the free parameters of the camera, and of the shape of the board."""
     by_pose: Floats
     """(P, 2N, 6): by a small turn in the camera frame (radians) and a shift (squares)."""
 
@@ -61,7 +61,8 @@ def linearise(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...])
     seen = np.repeat(views.found[:, None], 2, axis=1)
     off = np.where(np.repeat(ahead[:, None], 2, axis=1), off, np.inf)
     residual = np.where(seen, off, 0.0)
-    by_camera = _by_camera(x, y, xd, yd, camera, free)
+    shape = poses.shape
+    by_camera = _by_camera(x, y, xd, yd, camera, of_camera(free, poses))
     by_point = np.stack(  # (P, 2, N, 3), by Q
         (
             np.stack((xx / Z, xy / Z, -(xx * x + xy * y) / Z), -1) * fx,
@@ -69,6 +70,9 @@ def linearise(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...])
         ),
         1,
     )
+    if shape.terms and shape.names[0] in free:
+        slopes = shape.by_values(views.board, by_point @ poses.R[:, None])
+        by_camera = np.concatenate((by_camera, slopes), axis=-1)
     turned = np.stack((X, Y, Z), -1) - poses.t[:, None]  # R P, which the small turn moves
     by_turn = np.cross(turned[:, None], by_point)  # d (ω × RP)·q = ω · (RP × q)
     by_pose = np.concatenate((by_turn, by_point), axis=-1)
@@ -80,6 +84,11 @@ def linearise(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...])
         (by_camera * weight).reshape(*rows, len(free)),
         (by_pose * weight).reshape(*rows, 6),
     )
+
+
+def of_camera(free: tuple[str, ...], poses: Poses) -> tuple[str, ...]:
+    """Those that belong to the camera; any others are all those of the board's shape, and last."""
+    return tuple(name for name in free if name not in poses.shape.names)
 
 
 def _by_camera(
@@ -265,10 +274,12 @@ def _moved(
     settled: bool,
 ) -> Adjusted:
     """After a step; of infinite cost where no camera is left."""
-    values = now.camera.values(free) + by_camera
+    names = of_camera(free, now.poses)
     poses = now.poses.moved(by_pose)
+    if len(free) > len(names):
+        poses = replace(poses, shape=poses.shape.moved(by_camera[len(names) :]))
     try:
-        camera = now.camera.changed(free, values)
+        camera = now.camera.changed(names, now.camera.values(names) + by_camera[: len(names)])
     except ValueError:
         return Adjusted(now.camera, now.poses, np.inf)
     return Adjusted(camera, poses, cost_of(views, camera, poses), settled)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
+from simulations.models.calibration.board_shape import FLAT, Shape
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.geometry import rotations
 from simulations.models.projection.pinhole import intrinsics
@@ -73,12 +74,13 @@ class Camera:
 
 @dataclass(frozen=True, slots=True)
 class Poses:
-    """Poses of P boards: X_camera = R X_board + t."""
+    """Poses of P boards of one shape: X_camera = R X_board + t."""
 
     R: Floats
     """(P, 3, 3) rotations."""
     t: Floats
     """(P, 3) in squares."""
+    shape: Shape = FLAT
 
     @property
     def rotation_vectors(self) -> Floats:
@@ -87,16 +89,18 @@ class Poses:
 
     def place(self, board: Floats) -> Floats:
         """Points (P, N, 2) of the boards, in the camera frame (P, N, 3)."""
-        placed: Floats = board @ np.swapaxes(self.R[..., :2], -1, -2) + self.t[:, None]
+        points = self.shape.points(board)
+        placed: Floats = points @ np.swapaxes(self.R, -1, -2) + self.t[:, None]
         return placed
 
     def moved(self, step: Floats) -> "Poses":
         """After steps (P, 6): a small turn in the camera frame, and a shift."""
-        return Poses(rotations.exponential(step[:, :3]) @ self.R, self.t + step[:, 3:])
+        R = rotations.exponential(step[:, :3]) @ self.R
+        return Poses(R, self.t + step[:, 3:], self.shape)
 
     def take(self, chosen: slice) -> "Poses":
         """Some of the poses."""
-        return Poses(self.R[chosen], self.t[chosen])
+        return Poses(self.R[chosen], self.t[chosen], self.shape)
 
 
 def predicted(camera: Camera, poses: Poses, board: Floats) -> Floats:

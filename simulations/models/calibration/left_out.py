@@ -22,6 +22,11 @@ from simulations.models.calibration.bundle_adjustment import (
 from simulations.models.calibration.views import Views
 
 
+def steps_without(S: Floats, g: Floats) -> Floats:
+    """(P, m) how the parameters change without each photograph; raises `LinAlgError`."""
+    return solve_scaled(S.sum(axis=0) - S, g - g.sum(axis=0))
+
+
 def left_out_px(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Floats:
     """(P,) RMS distance of each photograph's corners from their prediction by all the others.
 
@@ -33,12 +38,21 @@ def left_out_px(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Floats:
     S, g = reduced(blocks)
     residual, counts = at.residual, views.found.sum(axis=-1)
     if free:
-        step = solve_scaled(S.sum(axis=0) - S, g - g.sum(axis=0))
-        residual = residual + (at.by_camera @ step[..., None])[..., 0]
+        residual = residual + (at.by_camera @ steps_without(S, g)[..., None])[..., 0]
     along = np.swapaxes(at.by_pose, -1, -2) @ residual[..., None]
     regained = (along * np.linalg.solve(blocks.V, along)).sum(axis=(-2, -1))
     squares = (residual * residual).sum(axis=-1) - regained
     return np.sqrt(np.maximum(squares, 0.0) / counts)
+
+
+def spread(S: Floats, g: Floats) -> Floats:
+    """(m) the jackknife's standard errors, from each photograph's part of the equations; 0 where
+    they do not bear that one is left out."""
+    try:
+        moved = steps_without(S, g) + solve_scaled(S.sum(axis=0), g.sum(axis=0))
+    except np.linalg.LinAlgError:
+        return np.zeros(S.shape[-1])
+    return np.sqrt((1.0 - 1.0 / len(S)) * (moved * moved).sum(axis=0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,14 +73,15 @@ def growth(
     first = getattr(fit.camera, name)
     counts = tuple(range(least, len(views) + 1))
     value, error = np.full((2, len(counts)), np.nan)
-    sums = np.cumsum(S, axis=0)[least - 1 :], np.cumsum(g, axis=0)[least - 1 :]
     unit = np.zeros(len(free))
     unit[index] = 1.0
-    for place, (S_n, g_n) in enumerate(zip(*sums, strict=True)):
+    for place, count in enumerate(counts):
+        S_n, g_n = S[:count], g[:count]
         try:
-            value[place] = first - solve_scaled(S_n, g_n)[index]
-            variance = solve_scaled(S_n, unit)[index]
+            value[place] = first - solve_scaled(S_n.sum(axis=0), g_n.sum(axis=0))[index]
+            variance = solve_scaled(S_n.sum(axis=0), unit)[index]
         except np.linalg.LinAlgError:
             continue
-        error[place] = sigma_px * np.sqrt(variance) if variance > 0.0 else np.nan
+        if variance > 0.0:
+            error[place] = max(sigma_px * np.sqrt(variance), spread(S_n, g_n)[index])
     return Growth(counts, value, error)

@@ -4,6 +4,12 @@ If the corners err independently by σ in x and in y, the parameters have the co
 σ² (JᵀJ)⁻¹, to first order. Its block of the camera is σ² S⁻¹ with the Schur complement S. σ is
 estimated from the residuals, divided by the count of coordinates less the count of parameters.
 W. H. Press et al., *Numerical Recipes*, 2007, §15.6.
+
+Where something is left that is no noise, neighbours err alike, and the formula counts each corner
+as one more witness. So the spread between photographs is asked as well: by how much would the
+parameters move without each of them? That is the jackknife, which needs no more than that
+photographs are independent. B. Efron and C. Stein, *The jackknife estimate of variance*, 1981. The
+larger of the two is the standard error.
 """
 
 import math
@@ -20,6 +26,7 @@ from simulations.models.calibration.bundle_adjustment import (
     residuals,
 )
 from simulations.models.calibration.camera import PINHOLE
+from simulations.models.calibration.left_out import spread
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import TILT, UndeterminedError
 
@@ -36,15 +43,17 @@ class Uncertainty:
 
     names: tuple[str, ...]
     covariance: Floats
-    """(m, m) of the camera's free parameters."""
+    """(m, m) of the free parameters, if what is left is noise."""
+    spread: Floats
+    """(m) standard errors by the spread between photographs."""
     sigma_px: float
     """Estimated standard deviation of a corner's x and of its y."""
 
     @property
     def errors(self) -> dict[str, float]:
-        """Standard error of each free parameter."""
-        diagonal = np.sqrt(np.diagonal(self.covariance))
-        return dict(zip(self.names, diagonal.tolist(), strict=True))
+        """Standard error of each free parameter: the larger of the two."""
+        larger = np.maximum(np.sqrt(np.diagonal(self.covariance)), self.spread)
+        return dict(zip(self.names, larger.tolist(), strict=True))
 
 
 def uncertainty(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Uncertainty:
@@ -54,7 +63,8 @@ def uncertainty(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Uncertain
     """
     if _parallel(fit.poses.R[..., 2]):
         raise UndeterminedError(TILT)
-    S = information(views, fit, free).sum(axis=0)
+    each, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, free)))
+    S = each.sum(axis=0)
     sigma = noise_px(views, fit, len(free))
     scale = 1.0 / np.sqrt(np.maximum(np.diagonal(S), np.finfo(float).tiny))
     try:
@@ -67,18 +77,13 @@ def uncertainty(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Uncertain
     unsure = np.sqrt(np.abs(np.diagonal(covariance))[focal]) > UNSURE * fit.camera.fx
     if not known.all() or np.any(unsure):
         raise UndeterminedError(TILT)
-    return Uncertainty(free, covariance, sigma)
+    return Uncertainty(free, covariance, spread(each, g), sigma)
 
 
 def _parallel(normals: Floats) -> bool:
     """Whether all normals (P, 3) are within `PARALLEL` of their mean."""
     mean = normals.mean(axis=0)
     return bool(np.all(normals @ mean >= PARALLEL * np.linalg.norm(mean)))
-
-
-def information(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Floats:
-    """(P, m, m): what each picture says about the camera, in units of 1/σ²; they add up."""
-    return reduced(blocks_of(linearise(views, fit.camera, fit.poses, free)))[0]
 
 
 def noise_px(views: Views, fit: Adjusted, free: int) -> float:

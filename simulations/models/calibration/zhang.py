@@ -34,7 +34,7 @@ def closed_form(views: Views, size: tuple[int, int]) -> tuple[Camera, Poses]:
     """A starting value for the camera and the poses; ``size`` is the pictures' (width, height).
 
     Raises `UndeterminedError` for fewer than three photographs, for one whose corners lie on a
-    line, and for boards that are all parallel.
+    line. Boards that are all parallel are found out by their standard errors.
     """
     if len(views) < LEAST_PHOTOGRAPHS:
         raise UndeterminedError(FEW.format(LEAST_PHOTOGRAPHS))
@@ -55,7 +55,8 @@ def homographies(views: Views) -> Floats:
 
 
 def _camera(H: Floats, size: tuple[int, int]) -> Camera:
-    """Zhang's camera; where noise leaves B without one, that with its axis in the middle."""
+    """Zhang's camera; where noise or the lens leave B without a likely one, that with its axis in
+    the middle, and last one that sees 53° across, from which the search arrives too."""
     unit, middle = 0.5 * max(size), 0.5 * (np.array(size, float) - 1.0)
     scaled = np.diag((1.0 / unit, 1.0 / unit, 1.0)) @ np.array(
         [[1.0, 0.0, -middle[0]], [0.0, 1.0, -middle[1]], [0.0, 0.0, 1.0]]
@@ -69,14 +70,15 @@ def _camera(H: Floats, size: tuple[int, int]) -> Camera:
         b = np.zeros(6)
         b[list(unknowns)] = Vt[-1] * np.sign(Vt[-1][0])
         fx2, fy2, x, y = _from_b(b)
-        if min(fx2, fy2) > 0.0:
+        if min(fx2, fy2) > 0.25 * max(fx2, fy2) and max(abs(x), abs(y)) < 1.0:
             return Camera(
                 unit * float(np.sqrt(fx2)),
                 unit * float(np.sqrt(fy2)),
                 unit * x + float(middle[0]),
                 unit * y + float(middle[1]),
             )
-    raise UndeterminedError(TILT)
+    x, y = middle.tolist()
+    return Camera(2.0 * unit, 2.0 * unit, x, y)
 
 
 def constraints(H: Floats) -> Floats:

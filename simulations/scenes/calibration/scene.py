@@ -28,11 +28,15 @@ from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from simulations.models.calibration import exports
 from simulations.models.calibration.bundle_adjustment import descend
+from simulations.models.calibration.camera import LENSES as MODELS
+from simulations.models.calibration.camera import PINHOLE
 from simulations.models.calibration.exports import Maker, Report
+from simulations.models.calibration.shape_size import stretched
 from simulations.models.calibration.standard_errors import rms_of_each
 from simulations.models.calibration.undistorted import undistorted
 from simulations.scenes._wipe import wiped
 from simulations.scenes.calibration import drawing
+from simulations.scenes.calibration.board_drawing import board_drawing, board_words
 from simulations.scenes.calibration.boards import LEAST, MOST, Boards, read
 from simulations.scenes.calibration.stages import (
     DRAFT,
@@ -52,6 +56,8 @@ LENSES = {
     "k3": "k₁, k₂, p₁, p₂, k₃",
 }
 """The models of the lens by their names in `models.calibration.camera.LENSES`."""
+BOARDS = {"flat": "flat", "bent": "bent alike everywhere", "warped": "any smooth shape"}
+"""The shapes of the board by their names in `models.calibration.board_shape.SHAPES`."""
 ERRORS = {"shown": "Of the photograph shown", "all": "Of all photographs used"}
 """The photographs whose errors are drawn."""
 LABELS = {
@@ -78,6 +84,8 @@ class Settings:
     shown: int = slider("Photograph shown", 3, 1, MOST, 1)
     arrows: str = choice("Arrows", ERRORS)
     share: float = slider("Dividing line", 1, 0, 1, 0.01)
+    shape: str = choice("Board", BOARDS | {SUPPORTED: "the supported shape"}, default="flat")
+    side: float = slider("Width of a square", 25, 1, 100, 0.1, unit="mm")
 
 
 def true_focal(given: Boards) -> float | None:
@@ -90,9 +98,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     given: Boards = outputs["boards"]
     trials: Trials = outputs["trials"]
     result: Result | None = outputs["result"]
-    models = grown = drawing.in_words(". ".join((trials.problem or OPEN, *given.notes)))
+    models = grown = board = drawing.in_words(". ".join((trials.problem or OPEN, *given.notes)))
     if result:
         models = drawing.model_errors(trials.found, result.supported)
+        board = board_drawing(result.board, trials.tried, settings.side)
     if result and result.grown:
         grown = drawing.growth(result.grown, settings.photographs, true_focal(given))
     size, picture = (drawing.WIDTH, drawing.HEIGHT), drawing.view_box(given.size)
@@ -102,9 +111,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             Panel(title, "A photograph of the board", *picture, raster, over, lead=True),
             Panel("models", "Error by the model of the lens", *size, overlay=models),
             Panel("growth", "Focal length by the photographs", *size, overlay=grown),
+            Panel("board", "Shape of the board", *size, overlay=board),
         ),
-        _readouts(result, outputs["errors"]),
-        describe(given, trials, result),
+        _readouts(settings, result, outputs["errors"]),
+        describe(settings, given, trials, result),
     )
 
 
@@ -137,17 +147,24 @@ def _over(settings: Settings, outputs: Outputs) -> str:
     return "".join(parts)
 
 
-def _readouts(result: Result | None, errors: Errors | None) -> tuple[Readout, ...]:
+def _readouts(
+    settings: Settings, result: Result | None, errors: Errors | None
+) -> tuple[Readout, ...]:
     """The measured numbers, where the photographs determine them."""
-    numbers, words = {}, {"supported": UNKNOWN, "advice": UNKNOWN}
+    numbers, words = {}, dict.fromkeys(("supported", "board", "advice"), UNKNOWN)
     if errors:
         numbers["rms_shown"] = errors.rms_px
     if result:
         trial, camera = result.trial, result.trial.fit.camera
-        words = {"supported": LENSES[result.supported.lens], "advice": result.advice}
+        words = {
+            "supported": LENSES[result.supported.lens],
+            "board": board_words(result.board, settings.side)[0],
+            "advice": result.advice,
+        }
         numbers |= {
             "focal": camera.fx,
-            "focal_error": trial.uncertainty.errors.get("fx", np.nan),
+            "focal_error": trial.uncertainty.errors["fx"],
+            "formula": float(np.sqrt(trial.uncertainty.covariance[0, 0])),
             "left_out": trial.left_out_px,
             "rms": trial.rms_px,
             "k1": camera.lens.k1,
@@ -164,6 +181,7 @@ def _readouts(result: Result | None, errors: Errors | None) -> tuple[Readout, ..
     return (
         number("focal", "Focal length fₓ", "px", 1, "image"),
         number("focal_error", "Standard error of fₓ", "px", 2, "image"),
+        number("formula", "Standard error if all is noise", "px", 2),
         number("left_out", "Error, left out", "px", 4, "error"),
         number("rms", "Error, photographs used", "px", 4, "image"),
         number("rms_shown", "Error, photograph shown", "px", 4),
@@ -171,24 +189,32 @@ def _readouts(result: Result | None, errors: Errors | None) -> tuple[Readout, ..
         number("k2", "k₂", "", 4),
         number("covered", "Covered by corners", "%", 0),
         Readout("supported", "Model supported", words["supported"]),
+        Readout("board", "Board", words["board"]),
         Readout("advice", "Next photograph", words["advice"]),
     )
 
 
-def describe(given: Boards, trials: Trials, result: Result | None) -> str:
+def describe(settings: Settings, given: Boards, trials: Trials, result: Result | None) -> str:
     """The result, or the reason why there is none."""
-    notes = "".join(f" {note}" for note in given.notes)
+    notes = "".join(f" {note}" for note in _notes(given, result))
     if result is None:
         return f"{trials.problem or OPEN}.{notes}"
     trial = result.trial
     focal = value_with_error(trial.fit.camera.fx, trial.uncertainty.errors["fx"])
     truth = f" (true: {format_number(given.truth.fx, 0)} px)" if given.truth else ""
+    board = ". ".join(line for line in board_words(result.board, settings.side) if line)
     return (
         f"From {len(trials.views)} photographs of a chequerboard, fₓ = {focal} px{truth}; with the "
         f"model “{LENSES[trial.lens]}”, photographs left out are predicted to "
         f"{format_number(trial.left_out_px, 2)} px, and the model supported is "
-        f"“{LENSES[result.supported.lens]}”.{notes}"
+        f"“{LENSES[result.supported.lens]}”. The board: {board[0].lower()}{board[1:]}.{notes}"
     )
+
+
+def _notes(given: Boards, result: Result | None) -> tuple[str, ...]:
+    """Of the photographs, and of their pixels if these are not square."""
+    odd = stretched(result.trial) if result and not given.truth else ""
+    return (*given.notes, odd) if odd else given.notes
 
 
 def _determined(outputs: Outputs) -> Result:
@@ -206,7 +232,7 @@ def _report(outputs: Outputs) -> Report:
     return Report(
         trial.fit.camera,
         given.size,
-        trial.uncertainty.errors,
+        {name: trial.uncertainty.errors[name] for name in PINHOLE + MODELS[trial.lens]},
         trial.rms_px,
         trial.fit.poses,
         tuple(zip(given.names, each, strict=False)),
@@ -248,10 +274,13 @@ def measured(outputs: Outputs) -> tuple[int, ...]:
     return given.numbers[: len(outputs["trials"].views)]
 
 
-def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
+def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """The camera's parameters with standard errors, and how well they predict corners."""
     given: Boards = outputs["boards"]
-    notes = [Readout(f"note{n}", "Note", note) for n, note in enumerate(given.notes, 1)]
+    notes = [
+        Readout(f"note{n}", "Note", note)
+        for n, note in enumerate(_notes(given, outputs["result"]), 1)
+    ]
     if outputs["result"] is None:
         problem = outputs["trials"].problem or OPEN
         return (Readout("problem", "Calibration", problem), *notes)
@@ -276,6 +305,11 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         Readout("worst", "Largest error of a photograph", worst),
         readout("covered", "Covered by corners", 100 * result.covered.share, "%", digits=0),
         Readout("supported", "Model supported", LENSES[result.supported.lens]),
+        *(
+            Readout(f"board{index}", "Board", words)
+            for index, words in enumerate(board_words(result.board, settings.side))
+            if words
+        ),
         Readout("advice", "Next photograph", result.advice),
         *notes,
     )
@@ -284,7 +318,8 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
 def _parameters(result: Result) -> Iterator[Readout]:
     """The camera's parameters that were fitted."""
     trial = result.trial
-    for name, value in zip(trial.free, trial.fit.camera.values(trial.free).tolist(), strict=True):
+    names = PINHOLE + MODELS[trial.lens]
+    for name, value in zip(names, trial.fit.camera.values(names).tolist(), strict=True):
         label, unit = LABELS[name]
         words = value_with_error(value, trial.uncertainty.errors[name])
         yield Readout(name, label, words, unit)

@@ -1,6 +1,6 @@
 """The stages: corners → all models of the lens → the chosen one → the photograph that is shown."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,16 @@ from simulations.models.arrays import Floats
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
 from simulations.models.calibration.bundle_adjustment import refine, residuals
 from simulations.models.calibration.left_out import Growth, growth
-from simulations.models.calibration.model_choice import Trial, compare, compare_first, supported
+from simulations.models.calibration.model_choice import (
+    Trial,
+    best_shape,
+    compare,
+    compare_first,
+    shapes,
+    supported,
+    with_shape,
+)
+from simulations.models.calibration.shape_size import Measured, measure_shape
 from simulations.models.calibration.undistorted import undistorted
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import UndeterminedError, homographies, poses_of
@@ -37,6 +46,8 @@ class Trials:
     """Simple to rich; empty if the photographs do not determine the camera."""
     problem: str = ""
     """The reason why not, and what to do."""
+    tried: tuple[Trial, ...] = ()
+    """The shapes of the board that were compared."""
 
     def of(self, lens: str) -> Trial | None:
         """The trial of a model, or of the `SUPPORTED` one, if the photographs determine it."""
@@ -54,6 +65,7 @@ class Result:
     """The model that the photographs support."""
     grown: Growth | None
     """The focal length and its error by the count of photographs."""
+    board: Measured
     covered: Coverage
     advice: str
     """Subject of the next photograph."""
@@ -83,12 +95,21 @@ class Errors:
         return float(np.sqrt((self.off * self.off).sum(axis=-1).mean()))
 
 
-def _every(given: Boards) -> Trials:
-    """The models from all photographs that there are."""
+def _every(given: Boards, shape: str) -> Trials:
+    """The models from all photographs that there are, with a shape of the board or with that which
+    they support."""
+    views = given.views
     try:
-        return Trials(given.views, compare(given.views, given.size))
+        flat = compare(views, given.size)
     except UndeterminedError as problem:
-        return Trials(given.views, problem=str(problem))
+        return Trials(views, problem=str(problem))
+    if shape == "flat":
+        return Trials(views, flat)
+    tried = shapes(views, flat)
+    own = [trial for trial in tried if trial.shape == shape]
+    chosen = own[0] if own else best_shape(tried)
+    found = flat if chosen.shape == "flat" else with_shape(views, flat, chosen)
+    return Trials(views, found, tried=tried)
 
 
 def _trials(every: Trials, photographs: int, tier: str) -> Trials:
@@ -97,7 +118,8 @@ def _trials(every: Trials, photographs: int, tier: str) -> Trials:
     if every.problem or len(views) == len(every.views):
         return every
     try:
-        return Trials(views, compare_first(every.found, views, tier == DRAFT))
+        found = compare_first(every.found, views, tier == DRAFT)
+        return Trials(views, found, tried=every.tried)
     except UndeterminedError as problem:
         return Trials(views, problem=str(problem))
 
@@ -113,7 +135,8 @@ def _result(given: Boards, every: Trials, trials: Trials, lens: str) -> Result |
         grown = growth(every.views, of_all.fit, of_all.free, sigma, "fx", LEAST)
     best = supported(trials.found)
     covered = coverage(trials.views, best.fit, given.size)
-    return Result(trial, best, grown, covered, next_photograph(covered))
+    board = measure_shape(trials.views, trial)
+    return Result(trial, best, grown, board, covered, next_photograph(covered))
 
 
 def _shown(given: Boards, photograph: Photograph | None, shown: int, tier: str) -> Shown:
@@ -146,6 +169,7 @@ def _errors(found: Views | None, result: Result | None) -> Errors | None:
         return None
     camera = result.trial.fit.camera
     start = poses_of(homographies(found), camera.matrix)
+    start = replace(start, shape=result.trial.fit.poses.shape)
     off = residuals(found, camera, refine(found, camera, start, ()).poses)
     return Errors(found.pixels[found.found], off[found.found])
 
