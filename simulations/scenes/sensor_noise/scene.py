@@ -1,4 +1,4 @@
-"""A step wedge photographed twice by a noisy sensor, and the sensor's gain from the noise.
+"""A room and a step wedge photographed by a noisy sensor, and the sensor's gain from the noise.
 
 Twenty-four patches, each half a stop darker than the one before, are counted, read and rounded.
 Half the variance of the difference of two frames, against the mean, is the photon-transfer curve;
@@ -29,7 +29,6 @@ from simulations.scenes.sensor_noise.sensor import (
     STAGES,
     Settings,
     Transfer,
-    enlarged,
     estimate,
     floor_e2,
     patch_light_e,
@@ -172,7 +171,7 @@ def names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) -> 
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The wedge, a patch of it, and the variance of each patch against its mean."""
+    """The room, the wedge, and the variance of each patch against its mean."""
     transfer: Transfer = outputs["transfer"]
     camera, patch = camera_of(settings), settings.patch - 1
     gain, true_gain = transfer.gain, camera.gain_e_per_dn
@@ -186,7 +185,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     level = None if own else mean_e / true_gain
     unequal = bool(settings.unequal) and not own
     plot = transfer_plot(curve_of(settings), transfer, patch, level, unequal)
-    title = "Your picture, in 24 patches" if own else "The photo: 24 grey patches"
+    title = "Your picture, in 24 patches" if own else "24 grey patches"
     signal = f"{mean_e / 1000:.3g}k" if mean_e >= 1000 else f"{mean_e:.3g}"
     share = f"noise {format_number(100 * sigma / mean, 0 if sigma > 0.1 * mean else 1)} %"
     if ratio in ("one code only", "clipped"):
@@ -194,13 +193,13 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     elif mean < sigma / 3:
         share = "lost in noise"
     words = text((12, HEIGHT - 14), f"{signal} e⁻, {share}", "image strong ground")
-    close = enlarged(outputs["codes"][0, patch], camera)
-    frame = over_wedge(patch)
+    shown = ("Your picture", outputs["picture"]) if own else ("The room", outputs["room"])
+    frame = over_wedge(patch) + words
     found = value_with_error(gain.e_per_dn, gain.error_e_per_dn) if gain else "not measurable"
     return Frame(
         (
-            Panel("wedge", title, *SIZE, outputs["picture"], frame, True, lead=True),
-            Panel("patch", "The framed patch, brought to mid-grey", *SIZE, close, words, True),
+            Panel("room", shown[0], *SIZE, shown[1], "", True, lead=True),
+            Panel("wedge", title, *SIZE, outputs["picture"], frame, True),
             Panel("transfer", "Noise of every patch, against its light", *SIZE, overlay=plot),
         ),
         (
@@ -239,7 +238,7 @@ def describe(settings: Settings, outputs: Outputs, ratio: str) -> str:
     full = int(np.count_nonzero(brightest_e > saturation_e(camera)))
     are = "hold cells that are" if own else "are"
     burnt = f"{full} of 24 patches {are} burnt out" if full else "no patch is burnt out"
-    what = "Your own picture" if own else "A photo of 24 grey patches from light to dark"
+    what = "Your own picture" if own else "A room, and 24 grey patches from light to dark,"
     words = {"one code only": "shows one code only", "clipped": "is clipped"}
     shown = words.get(ratio, f"has an SNR of {ratio}")
     floor_dn = math.sqrt(floor_e2(camera, settings.dark)) / camera.gain_e_per_dn

@@ -12,20 +12,23 @@ from numpy.typing import NDArray
 
 from simulations.engine.frame import Raster, Readout, format_number
 from simulations.engine.photograph import Photograph
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import opaque, to_rgba8
 from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats, Mask
 from simulations.models.color.cie import luminance
 from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.projection.pinhole import intrinsics, look_at
 from simulations.models.sensor import photon_counting
 from simulations.models.sensor.photon_counting import Sensor, ShotModel
 from simulations.models.sensor.photon_transfer import Gain, estimate_gain, straight_part
 from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
+from simulations.world.room import finer, halve, look, shade
 
 type Codes = NDArray[np.uint16]
 
-SHOT, READ, CELLS = 1, 2, 4  # streams of random numbers: electrons, amplifier, cells' pattern
+SHOT, READ, CELLS, ROOM = 1, 2, 4, 5
+"""Streams of random numbers: electrons, amplifier, cells' pattern, and those of the room."""
 FRAMES = 2  # exposures of the same light; both share the pattern of the cells, which is not noise
 FULL_WELL_E = 20_000.0
 BRIGHTEST_E = 2 * FULL_WELL_E  # mean of the first patch at 0 EV: one stop above the full well
@@ -33,8 +36,7 @@ ROWS, COLUMNS = 4, 6
 PATCH_PX = 40  # side of a patch: its 1600 pixels give the variance to about 3.5 %
 STOPS = np.arange(ROWS * COLUMNS) / 2  # light of each patch relative to the first
 PHOTOGRAPH_PX = (COLUMNS * PATCH_PX, ROWS * PATCH_PX)
-CLOSE = (slice(8, 32), slice(2, 38))  # rows and columns of the enlarged part of a patch
-MID_GREY = 0.2  # of white, in linear light
+ROOM_POSE = look_at((0.3, -0.6, 1.3), (0.0, 4.0, 0.8), (0.0, 0.0, 1.0))
 CLIPPED_SHARE = 0.001  # patches with more of their pixels at either end are left out of the fit
 EXPOSURES = 16  # of the patches, for the error of a tier
 
@@ -192,11 +194,36 @@ def colour_of_code(bits: int) -> NDArray[np.uint8]:
     return colours
 
 
-def enlarged(codes: Codes, camera: Sensor) -> Raster:
-    """The middle of a patch (1600,) as bytes, scaled to a mid-grey."""
-    signal = codes.reshape(PATCH_PX, PATCH_PX)[CLOSE] - camera.black_level_dn
-    level = max(float(signal.mean()), float(signal.std()), 1.0)
-    return to_rgba8(encode_srgb(np.clip(MID_GREY * signal / level, 0, 1)))
+@cache
+def room_light() -> Floats:
+    """(160, 240, 3) light of the room at dusk, of which 1 fills the well at 0 EV."""
+    columns, rows = PHOTOGRAPH_PX
+    K = finer(intrinsics(190.0, ((columns - 1) / 2, (rows - 1) / 2)))
+    seen = look(K, ROOM_POSE, 2 * columns, 2 * rows)
+    return np.ascontiguousarray(halve(shade(seen, 60.0, lamp=0.6)).transpose(1, 2, 0))
+
+
+def room(
+    exposure: float,
+    iso: str,
+    read_noise: float,
+    dark: float,
+    unequal: float,
+    bits: int,
+    new_noise: int,
+) -> Raster:
+    """The room by this sensor, its three colours counted by cells of their own."""
+    light, quiet = room_light(), sensor_of(bits, iso, 0.0)
+    rng, cells = np.random.default_rng((new_noise, ROOM)), np.random.default_rng(CELLS)
+    mean_e = np.float32(FULL_WELL_E * 2.0**exposure) * light
+    if unequal:
+        mean_e *= 1 + np.float32(unequal / 100) * cells.standard_normal(light.shape, np.float32)
+    shot, amplifier = (rng.standard_normal(light.shape, np.float32) for _ in range(2))
+    counted = photon_counting.shot_noise_from_normal(
+        np.maximum(mean_e, 0) + np.float32(dark), shot, FULL_WELL_E
+    )
+    signal = photon_counting.read_out(counted + np.float32(read_noise) * amplifier, quiet, rng)
+    return opaque(colour_of_code(bits)[:, 0][photon_counting.quantise(signal, bits)])
 
 
 STAGES = (
@@ -208,6 +235,7 @@ STAGES = (
     Stage("codes", read, ("electrons", "read grain")),
     Stage("transfer", measure, ("codes",)),
     Stage("picture", picture, ("codes",)),
+    Stage("room", room),
 )
 
 
