@@ -31,7 +31,11 @@ from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend
 from simulations.models.geometry.rotations import slerp
 from simulations.scenes._turned_camera import background, draw_body, nearest, view_from
 
-CENTRE, RADIUS = (200.0, 212.0), 150.0  # of the sphere in its panel of 400 × 400
+HEIGHT = 486.0  # of the panel with the sphere, which is 400 wide
+CENTRE, RADIUS = (200.0, 322.0), 138.0  # of the sphere
+CAMERAS = {"slerp": (68.0, 60.0), "euler": (200.0, 60.0), "matrix": (332.0, 60.0)}
+"""Places of the three cameras above it."""
+BODY = 62.0  # unit of length of their axes
 SHARES = np.linspace(0.0, 1.0, 61)
 MARK_EVERY = 6
 """Steps between marks on the quaternions' path: even marks show a constant speed."""
@@ -118,7 +122,7 @@ def on_screen(points: Floats, view: Floats) -> Floats:
 
 
 def sphere(settings: Settings, outputs: Outputs) -> str:
-    """The traces, and the camera on the chosen path."""
+    """The three cameras, and the traces of their lines of sight."""
     traces, view, chosen = outputs["traces"], outputs["view"], settings.blend
     blends = {name: way(settings.t) for name, way in outputs["paths"].items()}
     behind, front = (
@@ -132,16 +136,11 @@ def sphere(settings: Settings, outputs: Outputs) -> str:
         dot(on_screen(blend[:, 2], view), ROLES[name], 6.0 if name == chosen else 3.5)
         for name, blend in blends.items()
     ]
-    blend = blends[chosen]
-    inner, end = on_screen(np.stack([0.45 * blend[:, 2], blend[:, 2]]), view)
-    camera = [
-        line(inner, end, f"{ROLES[chosen]} thin"),
-        draw_body(blend, view, CENTRE, 0.52 * RADIUS),
-    ]
+    foot, end = on_screen(np.stack([np.zeros(3), blends[chosen][:, 2]]), view)
     parts = (
         *_globe(view),
         *behind,
-        *(camera if end[2] > 0 else camera[::-1]),
+        line(foot, end, f"{ROLES[chosen]} thin"),
         *front,
         *(
             dot(place, ROLES["slerp"] + (" faint" if place[2] > 0 else ""), 3.4)
@@ -149,7 +148,7 @@ def sphere(settings: Settings, outputs: Outputs) -> str:
         ),
         *_ends(*traces["slerp"][[0, -1]]),
         *beads,
-        *_legend(chosen),
+        *_cameras(blends, view, chosen),
     )
     return "".join(parts)
 
@@ -172,12 +171,13 @@ def _ends(start: Floats, end: Floats) -> Iterator[str]:
         yield text((point[0], row), label, "camera small ground", "middle")
 
 
-def _legend(chosen: str) -> Iterator[str]:
-    for row, (name, label) in enumerate(LABELS.items()):
-        y = 22.0 + 18.0 * row
-        yield line((14, y - 4.5), (40, y - 4.5), STYLES[name])
+def _cameras(blends: Mapping[str, Floats], view: Floats, chosen: str) -> Iterator[str]:
+    """The camera on each of the three ways, side by side."""
+    for name, (x, y) in CAMERAS.items():
+        yield draw_body(blends[name], view, (x, y), BODY)
+        yield line((x - 13, y + 58), (x + 13, y + 58), STYLES[name])
         weight = " strong" if name == chosen else ""
-        yield text((48, y), label, f"{ROLES[name]} ground{weight}")
+        yield text((x, y + 77), LABELS[name], f"{ROLES[name]}{weight}", "middle")
 
 
 def progress(settings: Settings, outputs: Outputs) -> str:
@@ -206,7 +206,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     ball, plot = sphere(settings, outputs), progress(settings, outputs)
     return Frame(
         (
-            Panel("blend", "Three ways from start to end", 400.0, 400.0, overlay=ball, lead=True),
+            Panel("blend", "Three ways from start to end", 400.0, HEIGHT, overlay=ball, lead=True),
             Panel("progress", "How far the camera has turned", 400.0, 340.0, overlay=plot),
         ),
         (
