@@ -50,8 +50,9 @@ def figure[**P](
 ) -> Callable[[Callable[P, Drawn]], Callable[P, Drawn]]:
     """Make a scene of the function below: the ``SCENE`` of its module.
 
-    An argument whose default is a control is a setting; one without gets the output of the stage of
-    its name. A stage may be a plain function, which reads earlier stages, then settings, by name.
+    An argument whose default is a control is a setting; one that is not drawn may begin with an
+    underscore, which is no part of the setting's name. An argument without gets the output of the
+    stage of its name. A stage may be a plain function, which reads earlier stages, then settings.
     ``more`` are further fields of `Scene`. The function itself stays as it is.
     """
 
@@ -65,6 +66,7 @@ def figure[**P](
         settings = make_dataclass("Settings", entries, frozen=True, slots=True, module=module)
         for step in stages:
             steps.append(_stage(step, [each.name for each in steps]))
+        asked = [each.name for each in arguments if isinstance(each.default, Field)]
         taken = [each.name for each in arguments if not isinstance(each.default, Field)]
         for name in taken:
             if name not in [step.name for step in steps]:
@@ -76,7 +78,9 @@ def figure[**P](
 
         @wraps(function)
         def draw(given: object, outputs: Outputs) -> Frame:
-            read = {name: outputs[name] for name in taken} | values_of(given)
+            values = values_of(given)
+            read = {name: outputs[name] for name in taken}
+            read |= {name: values[_bare(name)] for name in asked}
             return _frame(cast(Any, function)(**read), _told(title, given))
 
         own = module.removesuffix(".scene").rpartition(".")[2].replace("_", "-")
@@ -88,10 +92,15 @@ def figure[**P](
 
 
 def _setting(argument: Parameter) -> tuple[str, type, Any]:
-    kind, field = argument.annotation, argument.default
+    kind, field, name = argument.annotation, argument.default, _bare(argument.name)
     if kind is Parameter.empty:
-        kind = field.metadata["control"](argument.name).types[0]
-    return argument.name, kind, field
+        kind = field.metadata["control"](name).types[0]
+    return name, kind, field
+
+
+def _bare(name: str) -> str:
+    """The setting of an argument, ``play`` of ``_play``."""
+    return name.removeprefix("_")
 
 
 def _stage(step: Stage | Callable[..., Any], before: Sequence[str]) -> Stage:
