@@ -1,16 +1,14 @@
-"""A camera that shows its orientation, drawn back to front from flat faces, and its handles.
+"""A camera that shows its orientation, drawn back to front from flat faces; and places on rings.
 
 World and camera axes are x right, y down, z forward. The camera's axes are the columns of C =
 Ry(pan) Rx(tilt) Rz(roll): pan to the right, tilt upwards, roll to the right.
 """
 
 import math
-from collections.abc import Callable, Mapping
-from typing import Protocol
 
 import numpy as np
 
-from simulations.engine.handles import Handle, Point
+from simulations.engine.handles import Point
 from simulations.engine.space.solids import Face, drawn, shaded
 from simulations.engine.space.view import View, orbit_axes
 from simulations.models.arrays import Floats
@@ -18,7 +16,6 @@ from simulations.models.arrays import Floats
 _TOWARDS_LIGHT = np.array([0.25, -0.86, 0.45])
 """Unit vector in the world: above and a little ahead."""
 _LENS_SIDES, _LENS_RADIUS, _LENS_END = 10, 0.3, 0.82
-UNITS_PER_DEGREE = 2.0  # drag of the background, in view box units
 CLOSE = 3.0
 """Distance within which two places of a ring, seen nearly edge on, count as equal."""
 
@@ -77,15 +74,6 @@ def draw_body(C: Floats, view: Floats, centre: tuple[float, float], unit: float)
     return drawn(faces, look)
 
 
-class ViewSettings(Protocol):
-    """Settings with the direction of the eye, in degrees."""
-
-    @property
-    def azimuth(self) -> float: ...
-    @property
-    def elevation(self) -> float: ...
-
-
 def nearest(track: Floats, place: Point, distances: Floats) -> int:
     """The index of the nearest place of a track (n, 2…); of equal ones, that with the least
     ``distances``.
@@ -102,19 +90,3 @@ def nearest(track: Floats, place: Point, distances: Floats) -> int:
         if off[best] >= off[index]:
             return index
         index = best
-
-
-def background[S: ViewSettings](panel: str) -> Handle[S]:
-    """The handle that turns the view of a panel like a globe: near points follow the pointer."""
-
-    def eye(settings: ViewSettings, _outputs: object) -> Point:
-        return UNITS_PER_DEGREE * settings.azimuth, UNITS_PER_DEGREE * settings.elevation
-
-    def eye_pulled(_settings: ViewSettings, place: Point) -> Mapping[str, float]:
-        turn, tilt = (value / UNITS_PER_DEGREE for value in place)
-        return {"azimuth": (turn + 180.0) % 360.0 - 180.0, "elevation": tilt}
-
-    at: Callable[..., Point] = eye
-    pull: Callable[..., Mapping[str, float]] = eye_pulled
-    drives = ("azimuth", "elevation")
-    return Handle("view", panel, "View", drives, at, pull, reach="drag", reversed=("elevation",))

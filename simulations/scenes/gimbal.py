@@ -33,13 +33,14 @@ from simulations.engine.plotting.clipping import runs_inside
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
+from simulations.engine.space.orbit import turning
 from simulations.engine.space.view import View, runs
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
-from simulations.scenes._turned_camera import background, draw_body, nearest, view_from
+from simulations.scenes._turned_camera import draw_body, nearest, view_from
 
 CENTRE = (200.0, 208.0)  # of the rings in their panel of 400 × 400
 STEPS = 72
@@ -332,7 +333,7 @@ SCENE = Scene(
         ring_handle(1, "tilt", "light"),
         ring_handle(0, "pan", "world"),
         ring_handle(2, "roll", "ray"),
-        background("gimbal"),
+        turning("gimbal"),
     ),
     formula=euler.to_matrix,
 )

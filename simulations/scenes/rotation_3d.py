@@ -22,6 +22,7 @@ from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
+from simulations.engine.space.orbit import turning
 from simulations.engine.space.view import View, runs
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
@@ -29,7 +30,7 @@ from simulations.models.geometry import euler, quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend, off_great_circle
 from simulations.models.geometry.rotations import slerp
-from simulations.scenes._turned_camera import background, draw_body, nearest, view_from
+from simulations.scenes._turned_camera import draw_body, nearest, view_from
 
 HEIGHT = 486.0  # of the panel with the sphere, which is 400 wide
 CENTRE, RADIUS = (200.0, 322.0), 138.0  # of the sphere
@@ -281,7 +282,7 @@ SCENE = Scene(
             "press",
             "camera",
         ),
-        background("blend"),
+        turning("blend"),
     ),
     tiers=tuple(BLENDS),
     default_tier="slerp",
