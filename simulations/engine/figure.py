@@ -55,19 +55,18 @@ def figure[**P](
     stage of its name. A stage may be a plain function, which reads earlier stages, then settings.
     ``more`` are further fields of `Scene`. The function itself stays as it is.
     """
-
     if not isinstance(title, str):
         raise TypeError("@figure without a title; legal: @figure('A Title')")
 
     def made(function: Callable[P, Drawn]) -> Callable[P, Drawn]:
         arguments = signature(function, eval_str=True).parameters.values()
         module, own_name, steps = function.__module__, function.__name__, list[Stage]()
-        entries = [_setting(each) for each in arguments if isinstance(each.default, Field)]
+        asked = {each.name.removeprefix("_"): each for each in arguments if _is_setting(each)}
+        entries = [(name, _kind(each), each.default) for name, each in asked.items()]
         settings = make_dataclass("Settings", entries, frozen=True, slots=True, module=module)
         for step in stages:
             steps.append(_stage(step, [each.name for each in steps]))
-        asked = [each.name for each in arguments if isinstance(each.default, Field)]
-        taken = [each.name for each in arguments if not isinstance(each.default, Field)]
+        taken = [each.name for each in arguments if not _is_setting(each)]
         for name in taken:
             if name not in [step.name for step in steps]:
                 legal = "slider(…) or another control as its default, or a stage of its name"
@@ -78,9 +77,8 @@ def figure[**P](
 
         @wraps(function)
         def draw(given: object, outputs: Outputs) -> Frame:
-            values = values_of(given)
             read = {name: outputs[name] for name in taken}
-            read |= {name: values[_bare(name)] for name in asked}
+            read |= {asked[name].name: value for name, value in values_of(given).items()}
             return _frame(cast(Any, function)(**read), _told(title, given))
 
         own = module.removesuffix(".scene").rpartition(".")[2].replace("_", "-")
@@ -91,16 +89,15 @@ def figure[**P](
     return made
 
 
-def _setting(argument: Parameter) -> tuple[str, type, Any]:
-    kind, field, name = argument.annotation, argument.default, _bare(argument.name)
-    if kind is Parameter.empty:
-        kind = field.metadata["control"](name).types[0]
-    return name, kind, field
+def _is_setting(argument: Parameter) -> bool:
+    return isinstance(argument.default, Field)
 
 
-def _bare(name: str) -> str:
-    """The setting of an argument, ``play`` of ``_play``."""
-    return name.removeprefix("_")
+def _kind(argument: Parameter) -> type:
+    """Its annotation; without one, the first type of its control."""
+    if argument.annotation is Parameter.empty:
+        return cast(type, argument.default.metadata["control"](argument.name).types[0])
+    return cast(type, argument.annotation)
 
 
 def _stage(step: Stage | Callable[..., Any], before: Sequence[str]) -> Stage:
