@@ -2,9 +2,11 @@
 
 import math
 from dataclasses import dataclass
+from functools import cache
 from itertools import product
 
 import numpy as np
+from numpy.typing import NDArray
 
 from simulations.engine.drafting import dimension
 from simulations.engine.drawing import rectangle, text
@@ -14,12 +16,15 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats
 from simulations.models.chequerboard.board import FOOT_MM, Board, board_svg
 
 WIDTH, HEIGHT = 400, 300
 PIXELS = 2  # per unit of the view box
 LEFT, TOP = 20.0, 18.0  # corner of the sheet, in units
 ROOM = (360.0, 240.0)  # of the largest sheet, in units
+OAK = np.array([168.0, 132.0, 95.0])  # codes of the table
+THROW, DARKEST = 6.0, 0.7  # reach of the sheet's shadow, units, and the root of its depth
 PAPERS = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}
 """Width and height in mm of sheets that lie on their long side (ISO 216)."""
 ACROSS, DOWN = (4, 16), (3, 12)  # least and most squares
@@ -69,7 +74,7 @@ def sheet_of(board: Board) -> Sheet:
 
 
 def picture_of(board: Board, sheet: Sheet) -> Raster:
-    """The board and the ruler on the sheet; around the sheet it is transparent."""
+    """The board and the ruler on the sheet, which casts a shadow on a table."""
     y, x = (np.arange(PIXELS * length) + 0.5 for length in (HEIGHT, WIDTH))
     x_mm = (x / PIXELS - LEFT) / sheet.scale
     y_mm = (y / PIXELS - TOP)[:, None] / sheet.scale
@@ -77,13 +82,32 @@ def picture_of(board: Board, sheet: Sheet) -> Raster:
     row = np.floor((y_mm - sheet.top_mm) / board.side_mm)
     inside = (column >= 0) & (column < board.across) & (row >= 0) & (row < board.down)
     paper = (x_mm >= 0) & (x_mm < sheet.width_mm) & (y_mm >= 0) & (y_mm < sheet.height_mm)
-    pixels = np.zeros((len(y), len(x), 4), np.uint8)
+    shadow = np.multiply.outer(
+        shadow_along(y, TOP, sheet.scale * sheet.height_mm),
+        shadow_along(x, LEFT, sheet.scale * sheet.width_mm),
+    )
+    pixels = np.full((len(y), len(x), 4), 255, np.uint8)
+    np.multiply(table(), (1.0 - shadow)[..., None], out=pixels[..., :3], casting="unsafe")
     pixels[paper] = 255
     pixels[inside & ((column + row) % 2 == 0), :3] = 0
     along = (x_mm >= sheet.left_mm) & (x_mm < sheet.left_mm + board.ruler_mm)
     ruler_mm = sheet.top_mm + (board.down + 1) * board.side_mm
     pixels[(np.abs(y_mm - ruler_mm) < 0.5 / sheet.scale) & along, :3] = 0
     return pixels
+
+
+def shadow_along(places: Floats, start: float, length: float) -> Floats:
+    """(n,) how dark the sheet's shadow is along one axis: it lies a little farther on."""
+    off = np.abs(places / PIXELS - start - length / 2 - THROW) - length / 2
+    return np.asarray(DARKEST * np.exp(-((np.maximum(off, 0.0) / THROW) ** 2)), np.float32)
+
+
+@cache
+def table() -> NDArray[np.float32]:
+    """(600, 800, 3) codes of its wood."""
+    y, x = np.arange(PIXELS * HEIGHT)[:, None], np.arange(PIXELS * WIDTH)
+    grain = 1.0 + 0.05 * np.sin(0.9 * y + 5.0 * np.sin(0.006 * x + 0.02 * y))
+    return np.asarray(grain[..., None] * OAK, np.float32)
 
 
 def draw(settings: Settings, _outputs: Outputs) -> Frame:
@@ -99,9 +123,10 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     ruler = f"{paper}, {size} mm; ruler {board.ruler_mm} mm"
     overlay = (
         rectangle((LEFT, TOP), width, height, "muted thin")
-        + text((LEFT, TOP + height + 20.0), ruler, "small")
+        + text((LEFT + 6.0, TOP + height + 24.0), ruler, "small ground")
+        + dimension((left, above), (right, above), "casing")
         + dimension((left, above), (right, above), "world")
-        + text((right + 6.0, above + 4.0), f"{settings.side} mm", "world small")
+        + text((right + 6.0, above + 4.0), f"{settings.side} mm", "world small ground")
     )
     picture, title = picture_of(board, sheet), "The board on its sheet"
     return Frame(
