@@ -214,7 +214,7 @@ def chapter(root: Path, text: str) -> Made:
 
 
 GALLERY = tuple(
-    file.name.partition(".")[0] for file in sorted((HERE / "skeletons" / "gallery").iterdir())
+    file.name.partition(".")[0] for file in sorted((HERE / "skeletons" / "gallery").glob("*.jinja"))
 )
 """Figures to begin with, which the guide shows."""
 
