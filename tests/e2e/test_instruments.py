@@ -83,8 +83,9 @@ def sheet_of_even_light() -> list[list[str]]:
 def sheet_of_raw() -> list[list[str]]:
     picture = np.zeros((8, 8, 3), np.uint8)
     mosaics = [Mosaic(codes, "RGGB", BLACK, 4095) for codes in RAW]
-    seconds = [{"exposure_s": 0.01 * (k // 2 + 1)} for k in range(len(RAW))]
-    numbered = enumerate(zip(seconds, mosaics, strict=True))
+    camera = {"make": "Example", "model": "Simulated sensor", "iso": 100.0}
+    facts = [{"exposure_s": 0.01 * (k // 2 + 1), **camera} for k in range(len(RAW))]
+    numbered = enumerate(zip(facts, mosaics, strict=True))
     return transfer_sheet([Photograph(k, picture, "", *each) for k, each in numbered])
 
 
@@ -320,7 +321,12 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     for part in ("camera", "standard_errors"):
         assert theirs[part] == pytest.approx(ours[part], rel=1e-6, abs=1e-9)
     assert len(page.workers) == 1
+    distances = Instrument(reader, "single-view")
+    distances.give(saved(tmp_path, {"room.png": png(shots[-1])}))  # of the boards' shape
+    expect(distances.readout("lens")).to_contain_text("calibrated on this page")
     calibration.clear()
+    expect(distances.readout("lens")).to_contain_text("by the lines alone")
+    distances.clear()
 
     transfer = Instrument(reader, "photon-transfer")
     uneven = EVEN[2].copy()
