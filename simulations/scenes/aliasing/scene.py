@@ -18,6 +18,7 @@ from simulations.engine.frame import (
     Panel,
     Raster,
     Readout,
+    Sound,
     format_magnitude,
     format_number,
     readout,
@@ -44,6 +45,7 @@ FILTERS = {
 }
 SIZE = drawing.WIDTH, drawing.HEIGHT
 UNITS_PER_PIXEL = drawing.WIDTH / light.SIZE_PX[0]
+SOUND_HZ, SOUND_S, PIXELS_PER_S = 8000, 8, 4000  # 0.3 cycles/px is heard as 1200 Hz
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +107,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             readout("kept", "The samples keep", remaining, "of the wave", digits=3, role="image"),
         ),
         words,
+        sound=None if own else tone(pattern, remaining),
     )
+
+
+def tone(pattern: Pattern, remaining: float) -> Sound:
+    """The wave that the samples show, as it is heard where a row of pixels passes by."""
+    turns = 2 * np.pi * pattern.alias * pattern.rate * PIXELS_PER_S / SOUND_HZ
+    wave = np.sin(turns * np.arange(SOUND_HZ * SOUND_S))
+    return Sound((0.3 * min(remaining, 1.0) * wave).astype(np.float32), SOUND_HZ)
 
 
 def amplitude_in_samples(pattern: Pattern, left: float) -> float:
