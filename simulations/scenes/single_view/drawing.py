@@ -9,8 +9,8 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.drawing import Point
 from simulations.engine.frame import format_number
-from simulations.engine.letters import width_em
 from simulations.engine.plotting.clipping import clipped
+from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.models.arrays import Floats
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.projection.picture_lens import IDEAL, PictureLens
@@ -30,14 +30,11 @@ NAMES = ("v₁", "v₂", "v₃")
 LARGE = "image large strong ground"  # style of the first length that is measured
 LINE = 17.0  # height of a line of text, in units
 LARGEST = 60.0  # half the longest axis of an ellipse that is drawn, in units
-LETTER, HALF_HEIGHT, HANDLE = 15.5, 12.0, 17.0
-"""Size of the letters of a label, half its height, and half the side of a handle's mark, in units,
-where the panel is as small as on a phone."""
-ALONG, BESIDE = (0.5, 0.35, 0.65, 0.2, 0.8), (0.0, 24.0, -24.0)
-"""Shares of a line at which a label may stand, and by how much it may be moved down from there."""
-
-type Box = tuple[float, float, float, float]
-"""Middle, half the width, half the height."""
+LETTERS, HANDLE = 1.2, 17.0
+"""Size of a label's letters, relative to a figure's, and half the side of a handle's mark, in
+units, where the panel is as small as on a phone."""
+ALONG = (0.5, 0.35, 0.65, 0.2, 0.8)  # shares of a line at which a label may stand
+INSIDE = Rectangle(4.0, 4.0, WIDTH - 4.0, HEIGHT - 4.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,38 +131,13 @@ def over_picture(settings: Settings, lines: Lines, found: Found, lengths: Length
         for place, (ends, pair) in enumerate(zip(lines.counted(number), metres, strict=False)):
             is_known = place == 0 and lengths.known == list(LISTS)[number]
             words = f"{format_number(pair[0])} m, known" if is_known else with_error(pair, "m")
-            labels.append((field.place(ends[0]), field.place(ends[1]), words))
-    labels.sort(key=lambda label: label[2].endswith("known"))  # it may stand farther off
+            middle, *others = (field.place(ends[0] + s * (ends[1] - ends[0])) for s in ALONG)
+            style = "image small ground"
+            labels.append(Label(middle, words, style, "below", others=others, scale=LETTERS))
+    labels.sort(key=lambda label: label.words.endswith("known"))  # it may stand farther off
     handles = [field.place(end) for end in lines.ends[chosen].reshape(-1, 2)]
-    others = (*lengths.floor, *lengths.height)[1:]
-    made = drawing.text((12, HEIGHT - 16), with_error(others[0], "m"), LARGE) if others else ""
-    return "".join(parts) + _labels(labels, handles) + made
-
-
-def _labels(wanted: Sequence[tuple[Point, Point, str]], handles: Sequence[Point]) -> str:
-    """Labels by their lines (start, end, words), each at the first place that is free, or at the
-    one that is least covered by handles and other labels."""
-    taken: list[Box] = [(x, y, HANDLE, HANDLE) for x, y in handles]
-    made, room = [], HALF_HEIGHT + 3.0
-    for (x0, y0), (x1, y1), words in wanted:
-        half = 0.5 * LETTER * width_em(words, strong=False) + 5.0
-        places = [(x0 + s * (x1 - x0), y0 + s * (y1 - y0) + d) for d in BESIDE for s in ALONG]
-        boxes = [
-            (min(max(x, half), WIDTH - half), min(max(y, room), HEIGHT - room), half, HALF_HEIGHT)
-            for x, y in places
-        ]
-        best = min(boxes, key=lambda box: sum(_common(box, other) for other in taken))
-        taken.append(best)
-        place = (best[0], best[1] + 4.0)
-        made.append(drawing.text(place, words, "image small ground", "middle"))
-    return "".join(made)
-
-
-def _common(one: Box, other: Box) -> float:
-    """The area that two boxes have in common."""
-    across = one[2] + other[2] - abs(one[0] - other[0])
-    down = one[3] + other[3] - abs(one[1] - other[1])
-    return max(across, 0.0) * max(down, 0.0)
+    taken = [Rectangle(x - HANDLE, y - HANDLE, x + HANDLE, y + HANDLE) for x, y in handles]
+    return "".join(parts) + place_labels(labels, INSIDE, taken=taken)
 
 
 def over_field(settings: Settings, lines: Lines, found: Found, field: Field) -> str:

@@ -19,7 +19,7 @@ from simulations.engine.frame import (
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, slider, toggle
+from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
@@ -73,7 +73,6 @@ class Settings:
     left_x: float = slider("Left picture, right", 30.0, -75.0, 75.0, 1.0, unit="px")
     left_up: float = slider("Left picture, up", 20.0, 0.0, 40.0, 1.0, unit="px")
     look: float = slider("Look (odd: left, even: right)", 1, 0, 13, 1)
-    line: bool = toggle("Epipolar line", default=True)
 
 
 def pair_of(settings: Settings) -> Pair:
@@ -240,7 +239,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             by_turns_panel(
                 view, outputs["right" if looks_right(settings) else "left"], looks_right(settings)
             ),
-            right_panel(view, outputs["right"], settings.line),
+            right_panel(view, outputs["right"]),
             plan_panel(view),
         ),
         (

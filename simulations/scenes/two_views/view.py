@@ -168,20 +168,18 @@ def by_turns_panel(view: LampView, photo: Raster, right: bool) -> Panel:
     return Panel("turns", title, WIDTH, HEIGHT, photo, _lamp(view, pixel, right), lead=True)
 
 
-def right_panel(view: LampView, photo: Raster, line: bool) -> Panel:
+def right_panel(view: LampView, photo: Raster) -> Panel:
     """The lamp, and the epipolar line: whole, and bold from 1 m to infinity; its row is that of the
     match for parallel cameras."""
-    parts = []
-    if line:
-        row = float(view.left[1])
-        ends = [view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)]
-        parts += [
-            _drawn([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)], "muted thin dashed"),
-            _drawn(line_in_rectangle(view.line, *BORDERS), "ray thin faint"),
-            _drawn(ends, "ray"),
-            _depths(view),
-        ]
-    parts += [_disparity(view), _lamp(view, view.right, right=True)]
+    row = float(view.left[1])
+    parts = [
+        _drawn([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)], "muted thin dashed"),
+        _drawn(line_in_rectangle(view.line, *BORDERS), "ray thin faint"),
+        _drawn([view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)], "ray"),
+        _depths(view),
+        _disparity(view),
+        _lamp(view, view.right, right=True),
+    ]
     return Panel("right", "Where the right camera sees it", WIDTH, HEIGHT, photo, "".join(parts))
 
 
