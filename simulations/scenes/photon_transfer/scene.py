@@ -70,7 +70,7 @@ def transfer(
         yield circle(place, 8.0, "casing") + circle(place, 8.0, "image bold")
     if not reason:
         words = f"{value_of(estimate.gain)} e⁻/DN"
-        yield text((RIGHT - 12, FOOT - 16), words, "ray large strong ground", "end")
+        yield text((LEFT + 14, TOP + 34), words, "ray large strong ground")
     for number, words in enumerate(wrap(reason, WORDS)):
         yield text((LEFT + 10, TOP + 16 + 19 * number), words, "error small ground")
     entries = (
