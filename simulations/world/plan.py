@@ -1,17 +1,42 @@
 """The room from above: what a plan of it draws."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
+from simulations.engine import drawing
+from simulations.engine.drafting import swatch_polygon
 from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.light.raycasting import Sphere
-from simulations.world.room import DOORWAY, HIGH, LOW
+from simulations.world.room import DOORWAY, HIGH, LOW, ROOM
+from simulations.world.surfaces import CHART
 from simulations.world.things import Thing
 
 WALLS = np.array([LOW[:2], (HIGH[0], LOW[1]), HIGH[:2], (LOW[0], HIGH[1])])
 """Corners (4, 2) of the floor, metres: x and y."""
 DOOR = np.array([(HIGH[0], DOORWAY[0]), (HIGH[0], DOORWAY[1])])
+CHART_EDGE = np.array([(CHART[0] + side * CHART[2], HIGH[1]) for side in (-0.5, 0.5)])
+
+
+def drawn(place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.Point) -> str:
+    """Walls, chart, and things in their colours.
+
+    ``place`` takes places (n, 2) to the view box, of which the part from ``low`` to ``high`` is
+    drawn.
+    """
+    parts = []
+    for thing in ROOM:
+        corners = clip_to_rectangle(place(footprint(thing)), low, high, closed=True)
+        if len(corners) > 2:
+            parts.append(swatch_polygon(corners.tolist(), encode_srgb(thing.albedo).tolist()))
+    for line, style in ((WALLS[[0, 3, 2, 1]], "world thin"), (CHART_EDGE, "world bold")):
+        points = clip_to_rectangle(place(line), low, high, closed=False)
+        if len(points) > 1:
+            parts.append(drawing.polyline(points, style))
+    return "".join(parts)
 
 
 def footprint(thing: Thing) -> Floats:

@@ -1,7 +1,6 @@
 """The projection figure from above: camera centre, image plane, ray, two similar triangles."""
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
@@ -15,13 +14,11 @@ from simulations.scenes.perspective_projection.view import (
     Projection,
     room_axes,
 )
-from simulations.world.plan import footprint
-from simulations.world.room import HIGH, LOW
-from simulations.world.surfaces import CHART
-from simulations.world.things import THINGS
+from simulations.world.plan import drawn
 
 WIDTH, HEIGHT = 400.0, 324.0
 FLOOR = 298.0  # lower edge of the drawing; the equation is below it
+DRAWN = (4.0, 4.0), (WIDTH - 4.0, FLOOR)
 AXIS = np.array([58.0, 142.0])
 """Centre of full perspective: depth to the right, X downwards."""
 DEPTH_SCALE, SIDE_SCALE = 16.0, 32.0
@@ -100,33 +97,24 @@ def image_plane(view: Projection) -> str:
 
 
 def plan(view: Projection) -> str:
-    """The walls of the room and what stands in it."""
+    """The room and what stands in it."""
 
-    def drawn(places: ArrayLike, style: str, *, closed: bool) -> str:
-        flat = np.insert(np.asarray(places, float), 2, 0.0, axis=1)
-        points = world_to_camera(flat, room_axes(view))
-        line = in_room(np.array([above(Z, X) for X, _, Z in points]), closed=closed)
-        shape = drawing.polygon if closed else drawing.polyline
-        return shape(line, style) if len(line) > 1 else ""
+    def place(flat: Floats) -> Floats:
+        points = world_to_camera(np.insert(flat, 2, 0.0, axis=1), room_axes(view))
+        return np.array([above(Z, X) for X, _, Z in points])
 
-    (left, near, _), (right, wall, _) = LOW, HIGH
-    parts = [
-        drawn([(left, near), (left, wall), (right, wall), (right, near)], "world", closed=False)
-    ]
-    parts += [drawn(footprint(thing), "world thin fill", closed=True) for thing in THINGS]
-    ends = [(CHART[0] + side * CHART[2] / 2, wall) for side in (-1, 1)]
-    return "".join(parts) + drawn(ends, "world bold", closed=False)
+    return drawn(place, *DRAWN)
 
 
 def in_room(points: Floats, *, closed: bool = True) -> Floats:
     """A line or an area clipped to the drawing."""
-    return clip_to_rectangle(points, (4.0, 4.0), (WIDTH - 4.0, FLOOR), closed)
+    return clip_to_rectangle(points, *DRAWN, closed)
 
 
 def segment(start: Floats, end: Floats, style: str) -> str:
     """A segment clipped to the drawing."""
-    drawn = in_room(np.array([start, end]), closed=False)
-    return drawing.polyline(drawn, style) if len(drawn) > 1 else ""
+    line = in_room(np.array([start, end]), closed=False)
+    return drawing.polyline(line, style) if len(line) > 1 else ""
 
 
 def triangles(view: Projection) -> str:

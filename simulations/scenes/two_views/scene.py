@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.engine.drafting import swatch_polygon
 from simulations.engine.frame import (
     Frame,
     Panel,
@@ -22,7 +21,6 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb
 from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.projection.two_views import (
     depth_error,
@@ -46,7 +44,6 @@ from simulations.scenes.two_views.view import (
     right_panel,
 )
 from simulations.world import plan
-from simulations.world.room import ROOM
 
 DRAFT = "draft"  # the photographs while a camera moves
 NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
@@ -122,7 +119,7 @@ def plan_panel(view: LampView) -> Panel:
     of the depth."""
     origin, right, far = above(0.0, 0.0), above(0.0, view.pair.baseline), view.at(FAR_M)
     parts = (
-        room(),
+        plan.drawn(from_above, (0.0, 0.0), (WIDTH, LIMIT_ROW)),
         depth_axis(),
         cameras(view),
         doubt(view),
@@ -132,17 +129,6 @@ def plan_panel(view: LampView) -> Panel:
         names(view),
     )
     return Panel("plan", "From above", WIDTH, HEIGHT, overlay="".join(parts))
-
-
-def room() -> str:
-    """The walls, and the things in their colours."""
-    drawn = []
-    for thing in ROOM:
-        corners = within(from_above(plan.footprint(thing)))
-        if len(corners) > 2:
-            drawn.append(swatch_polygon(corners.tolist(), encode_srgb(thing.albedo).tolist()))
-    walls = within(from_above(np.roll(plan.WALLS, -1, axis=0)[[3, 2, 1, 0]]), closed=False)
-    return drawing.polyline(walls, "muted thin") + "".join(drawn)
 
 
 def from_above(corners: Floats) -> Floats:
