@@ -52,11 +52,14 @@ class PictureLens:
         """Where the lens puts points (..., 2) of an ideal picture."""
         return self._within(distort(self._apart(pixels), self.distortion))
 
-    def growth(self, points: Floats, across: Floats) -> Floats:
-        """(...) how much larger an ideal lens would draw noise of points (..., 2) along unit
-        vectors (..., 2)."""
-        apart = self.straight(points + 0.5 * across) - self.straight(points - 0.5 * across)
-        return np.asarray(np.sum(apart * across, axis=-1))
+    def straight_with_growth(self, points: Floats, across: Floats) -> tuple[Floats, Floats]:
+        """`straight` (..., 2), and how much larger (...) it makes the noise of the points along
+        unit vectors (..., 2)."""
+        beside = 0.5 * np.broadcast_to(across, points.shape)
+        straight, further, nearer = self.straight(
+            np.stack([points, points + beside, points - beside])
+        )
+        return straight, np.asarray(np.sum((further - nearer) * across, axis=-1))
 
     def moved(self, step: float) -> "PictureLens":
         """With another k₁."""
@@ -121,10 +124,12 @@ def lens_by_lines(lines: Sequence[Floats], lens: PictureLens) -> PictureLens:
         np.concatenate(lines),
         np.repeat(np.arange(len(lines)), [len(line) for line in lines]),
     )
+    chords = np.array([line[-1] - line[0] for line in lines])[of]
+    across = np.stack([-chords[:, 1], chords[:, 0]], axis=1) / np.hypot(*chords.T)[:, None]
     found = lens
     for _ in range(ROUNDS):
-        r = _bows(points, of, found)
-        J = (_bows(points, of, found.moved(1e-5)) - r) / 1e-5
+        r = _bows(points, of, across, found)
+        J = (_bows(points, of, across, found.moved(1e-5)) - r) / 1e-5
         variance = max(float(r @ r) / max(len(r) - 2 * len(lines) - 1, 1), FINEST**2)
         known = lens.error**-2
         information = float(J @ J) / variance + known
@@ -135,17 +140,16 @@ def lens_by_lines(lines: Sequence[Floats], lens: PictureLens) -> PictureLens:
     return replace(found, error=float(np.sqrt(max(1.0 / information, shared))))
 
 
-def _bows(points: Floats, of: NDArray[np.intp], lens: PictureLens) -> Floats:
+def _bows(points: Floats, of: NDArray[np.intp], across: Floats, lens: PictureLens) -> Floats:
     """(N,) how far points (N, 2) are from the straight line through all of their line (N,), behind
     an ideal lens, in pixels of the picture: else a lens that draws all smaller would seem the
     straighter."""
-    straight = lens.straight(points)
+    straight, growth = lens.straight_with_growth(points, across)
     count = np.bincount(of)
     x, y = (each - (np.bincount(of, each) / count)[of] for each in straight.T)
     xx, yy, xy = (np.bincount(of, product) for product in (x * x, y * y, x * y))
     angle = (0.5 * np.arctan2(2 * xy, xx - yy))[of]
-    across = np.stack([-np.sin(angle), np.cos(angle)], axis=1)
-    return np.asarray((x * across[:, 0] + y * across[:, 1]) / lens.growth(points, across))
+    return np.asarray((y * np.cos(angle) - x * np.sin(angle)) / growth)
 
 
 def _sampled(codes: NDArray[np.uint8], places: Floats) -> Floats:

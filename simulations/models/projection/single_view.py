@@ -169,11 +169,12 @@ def fit_view(
 
     def misses(lens: PictureLens, points: Floats) -> tuple[Floats, Floats]:
         """In pixels of the picture."""
-        r, by_point = line_residuals(lens.straight(ends), points)
         if not lens.error:
-            return r, by_point
-        growth = lens.growth(ends, across).mean(axis=1)
-        return r / growth, by_point / growth[:, None]
+            return line_residuals(lens.straight(ends), points)
+        straight, growth = lens.straight_with_growth(ends, across)
+        r, by_point = line_residuals(straight, points)
+        scale = growth.mean(axis=1)
+        return r / scale, by_point / scale[:, None]
 
     def residuals(view: SingleView) -> tuple[Floats, Floats]:
         r, by_point = misses(view.lens, view.vanishing[along])

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -119,17 +119,17 @@ def camera_of(
         return Found(None, "The principal point needs lines along three directions.")
     axes = np.repeat(np.arange(3), counts)
 
-    def fitted(sigma: float) -> SingleView:
+    def fitted(sigma: float, lens: PictureLens) -> SingleView:
         drawn = np.concatenate(ends)
-        return fit_view(drawn, axes, lines.size, sigma, find_centre=centre, lens=lens[0])
+        return fit_view(drawn, axes, lines.size, sigma, find_centre=centre, lens=lens)
 
     try:
-        view = fitted(sigma)
+        view = fitted(sigma, replace(lens[0], error=0.0))
         misfits = view.misfit > view.spare + 4.0 * math.sqrt(2 * view.spare) + 4.0
         if photograph:  # divided by two lines less, as few tell it roughly (Student's t)
             both = SAID * sigma**2 + view.misfit * sigma**2
             sigma = math.sqrt(both / max(SAID + view.spare - 2.0, 1.0))
-            view = fitted(sigma)
+            view = fitted(sigma, lens[0])
     except ValueError:
         return Found(None, "Two directions meet in one point: check which lines are which.")
     return Found(view, "", sigma, misfits)
