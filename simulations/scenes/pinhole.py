@@ -35,7 +35,7 @@ UNITS_PER_MM, RISE = 72.0, 0.44  # RISE: slope of a beam
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    hole: float = slider("Hole width", 1.0, 0.1, WIDEST_MM, 0.01, unit="mm")
+    hole: float = slider("Hole width", 1.0, 0.1, WIDEST_MM, 0.01, unit="mm", arrival=0.4)
     longer: bool = toggle("Expose longer")
 
 

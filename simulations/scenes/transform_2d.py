@@ -46,7 +46,7 @@ RUNGS = {
 @dataclass(frozen=True, slots=True)
 class Settings:
     transform: str = choice("Transform", {name: rung.title for name, rung in RUNGS.items()})
-    amount: float = slider("Amount", 30, 0, 100, 1)
+    amount: float = slider("Amount", 30, 0, 100, 1, arrival=100)
     play: int = action("Play", "Pause", drives="amount", effect="play", seconds=8.0)
     point_x: float = slider("P, right (x)", 40, -60, 60, 1)
     point_y: float = slider("P, up (y)", 40, -60, 60, 1)

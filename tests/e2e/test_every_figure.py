@@ -188,26 +188,30 @@ def test_figures_play_in_view_until_a_hand_is_on_them_and_step_by_step_for_less_
     """With less motion each picture stands for a second or more, by a clock five times as fast."""
     page = visitor.page
     figure = visitor.turn_to_figure(book, "wagon-wheel")
-    assert figure.evaluate(PLAYS)
+    assert figure.evaluate(PLAYS, "time")
     figure.locator("input[name=speed]").focus()
     page.keyboard.press("ArrowRight")
-    assert not figure.evaluate(PLAYS)
+    assert not figure.evaluate(PLAYS, "time")
+    figure = visitor.turn_to_figure(book, "phong")
+    assert figure.evaluate(PLAYS, "light_angle")
+    figure.dispatch_event("pointerdown")
+    assert not figure.evaluate(PLAYS, "light_angle")
     page.emulate_media(reduced_motion="reduce")
     visitor.turn_to("lecture-plan/", live=False)
-    assert not visitor.turn_to_figure(book, "wagon-wheel").evaluate(PLAYS)
+    assert not visitor.turn_to_figure(book, "wagon-wheel").evaluate(PLAYS, "time")
     steps = visitor.turn_to_figure(book, "rotation-3d").evaluate(STEPS, ["t", 2])
     assert steps["places"] == ["0.25", "0.5"]
     assert steps["rest"] > 990
     page.emulate_media(reduced_motion="no-preference")
 
 
-PLAYS = """async (figure) => {
-  const time = figure.querySelector('input[name=time]');
-  const start = time.value;
-  for (let left = 90; left && time.value === start; left -= 1) {
+PLAYS = """async (figure, name) => {
+  const input = figure.querySelector(`input[name=${name}]`);
+  const start = input.value;
+  for (let left = 90; left && input.value === start; left -= 1) {
     await new Promise(requestAnimationFrame);
   }
-  return time.value !== start;
+  return input.value !== start;
 }"""
 STEPS = """async (figure, [slider, count]) => {
   const input = figure.querySelector(`input[name="${slider}"]`);
