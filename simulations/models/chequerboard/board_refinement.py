@@ -19,6 +19,11 @@ by so many times as much as half of the corners do, or by more than the last sha
 STRETCHED = 1.3
 """Largest contrast of the fitted corners, in that of the middles of the squares about them: waves
 and woven checks, whose brightness keeps changing, exceed it."""
+SHARP, STEADY, VARIED = 0.04, 0.15, 0.5
+"""Blur in squares up to which an edge is a step and no wave: such a picture may have a higher
+contrast at its edges, if that of the squares is even, within the second share. A camera's
+sharpening leaves these halos. If it varies by more than the third share, there is something in the
+squares."""
 MOVED = 0.3
 """Largest distance of a corner from where it was first found, in squares."""
 
@@ -34,6 +39,8 @@ class Refined:
     """Median distance between neighbouring lines of the grid."""
     even: bool
     """Whether the squares are as light and as dark as their corners say."""
+    filled: bool = False
+    """Whether the squares have something in them, as those of a ChArUco board."""
 
 
 def refine_board(picture: Picture, rough: Lattice, factor: int) -> Refined:
@@ -67,9 +74,20 @@ def refine_board(picture: Picture, rough: Lattice, factor: int) -> Refined:
         return Refined(Lattice(grid, rough.light), np.nan, quantile_of(spacing), False)
     blur = quantile_of(fits.blur_px[good])
     middles = _contrast_of_middles(picture, places, seen, light)
-    even = bool(quantile_of(np.abs(fits.contrast[good])) < STRETCHED * quantile_of(middles[good]))
+    usual, apart = (
+        quantile_of(middles[good]),
+        np.diff([quantile_of(middles[good], share) for share in (0.1, 0.9)]),
+    )
+    even = bool(quantile_of(np.abs(fits.contrast[good])) < STRETCHED * usual)
+    sharp = blur < SHARP * quantile_of(spacing)
     lattice = in_squares(Lattice(grid, rough.light))
-    return Refined(lattice, blur, quantile_of(spacing), even)
+    return Refined(
+        lattice,
+        blur,
+        quantile_of(spacing),
+        even or (sharp and bool(apart < STEADY * usual)),
+        sharp and not even and bool(apart > VARIED * usual),
+    )
 
 
 def _contrast_of_middles(picture: Picture, places: Floats, seen: Prediction, light: Mask) -> Floats:

@@ -60,7 +60,10 @@ SECOND = 0.35
 
 NONE = "No chequerboard found; photograph the whole board, flat and evenly lit."
 FEW = "Only {count} corners of a chequerboard found; photograph the whole board, without glare."
-TWO = "Two chequerboards found; leave only one of them in the picture."
+TWO = (
+    "Two chequerboards found, or one of which too little is seen between two parts; "
+    "leave only one in the picture, and all of it."
+)
 
 
 class NoBoardError(ValueError):

@@ -15,6 +15,7 @@ homography, and a lens moves its image along the radius and, decentred, a little
 inverse model of distortion all of that is linear but the homography.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,8 +100,14 @@ NARROWEST_PX = 4.5
 """Least width of a square."""
 BLURRED = 0.2
 """Largest blur, in squares."""
-BENT_PX, BENT = 0.4, 0.012
-"""A board whose corners are farther than this from a plane's, in px and in squares, is bent."""
+BENT_PX, BENT = 0.4, 0.05
+"""A board whose corners are farther than this from a plane's, in px and in squares, is no smooth
+board behind any lens. One that is bent by less is for the calibration to judge, which knows all
+photographs of it."""
+FISHEYES = (0.25, 0.32, 0.4, 0.55)
+"""Focal lengths of equidistant lenses that are tried, as shares of the picture's longer side."""
+NOISY_CODES = 25.0
+"""Standard deviation of the noise from which on it is named as the cause."""
 TOLD = 20
 """Corners from which on a bent board is told from a lens."""
 
@@ -110,7 +117,15 @@ farther than this."""
 
 SMALL = "The squares are only {side:.0f} px wide; go closer to the board."
 SOFT = "The board is blurred over {blur:.0f} px; focus on it and hold the camera still."
-CURVED = "The board is not flat: corners are off by {off:.1f} px; fix it to something flat."
+CURVED = (
+    "Corners are off by {off:.1f} px from a smooth board behind any lens that is known here; fix "
+    "the board to something flat, and keep shadows and reflections off it."
+)
+NOISY = "The photograph is too noisy to place corners in it; use more light, or a lower ISO."
+CHARUCO = (
+    "The squares have marks in them, as those of a ChArUco board; it is not read here: print the "
+    "plain chequerboard of this page."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,11 +152,20 @@ def find_board(picture: Picture) -> FoundBoard:
     NoBoardError
         For no board, only a few corners, two boards, squares too small, blur, and a bent board.
     """
-    factor, lattice = search_board(picture)
+    try:
+        factor, lattice = search_board(picture)
+    except NoBoardError:
+        if min(picture.shape[:2]) > 1 and _noise_codes(picture) > NOISY_CODES:
+            raise NoBoardError(NOISY) from None
+        raise
     refined = refine_board(picture, full_size(lattice, factor), factor)
     count = int(refined.lattice.known.sum())
     if refined.spacing_px < NARROWEST_PX:
         raise NoBoardError(SMALL.format(side=refined.spacing_px))
+    if refined.filled:
+        raise NoBoardError(CHARUCO)
+    if count < FEWEST and _noise_codes(picture) > NOISY_CODES:
+        raise NoBoardError(NOISY)
     if count < FEWEST:
         raise NoBoardError(FEW.format(count=count) if count else NONE)
     if refined.blur_px > BLURRED * refined.spacing_px:
@@ -152,8 +176,10 @@ def find_board(picture: Picture) -> FoundBoard:
     middle = np.array([width - 1.0, height - 1.0]) / 2.0
     places, indices = _without_outliers(*numbered(refined.lattice), middle)
     columns, rows = (int(most) + 1 for most in indices.max(axis=0))
-    uneven = _uneven_px(places, indices, middle)
-    if uneven > max(BENT_PX, BENT * refined.spacing_px):
+    most = max(BENT_PX, BENT * refined.spacing_px)
+    seen = [(places, indices, middle), *_straightened(places, indices, middle)]
+    uneven = min(_uneven_px(*each) for each in seen) if len(places) >= TOLD else 0.0
+    if uneven > most:
         raise NoBoardError(CURVED.format(off=uneven))
     return FoundBoard(places, indices, (columns, rows), refined.blur_px, refined.spacing_px)
 
@@ -184,6 +210,25 @@ def _without_outliers(places: Floats, indices: Whole, middle: Floats) -> tuple[F
     off = np.hypot(*flat_residuals(places, indices.astype(float), middle).T)
     near = ~(off > max(OUTLYING * quantile_of(off), OUTLYING_PX))
     return places[near], indices[near] - indices[near].min(axis=0)
+
+
+def _straightened(
+    places: Floats, indices: Whole, middle: Floats
+) -> Iterator[tuple[Floats, Whole, Floats]]:
+    """The corners as a pinhole would see them, if the lens is one of several `FISHEYES`."""
+    away = places - middle
+    radius = np.hypot(*away.T)
+    for share in FISHEYES:
+        focal = share * 2.0 * float(middle.max())
+        angle = np.maximum(radius / focal, 1e-9)
+        if angle.max() < 1.4:
+            yield middle + away * (np.tan(angle) / angle)[:, None], indices, middle
+
+
+def _noise_codes(picture: Picture) -> float:
+    """Standard deviation of the noise, from half of the differences of neighbours."""
+    steps = np.diff(picture.reshape(*picture.shape[:2], -1)[..., 0].astype(np.float32), axis=1)
+    return quantile_of(np.abs(steps.ravel())) / 0.954
 
 
 def _uneven_px(places: Floats, indices: Whole, middle: Floats) -> float:

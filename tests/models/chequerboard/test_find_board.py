@@ -124,7 +124,33 @@ def test_a_board_on_the_screen_behind_is_left_alone() -> None:
 
 def _bent() -> Codes:
     x, y = np.meshgrid(np.arange(560, dtype=np.float32), np.arange(420, dtype=np.float32))
-    return cv2.remap(photograph(TILTS[0]), x, y + 8 * np.cos((x - 280) / 70), cv2.INTER_CUBIC)
+    return cv2.remap(photograph(TILTS[0]), x, y + 12 * np.cos((x - 280) / 50), cv2.INTER_CUBIC)
+
+
+def _noisy(sigma: float) -> Codes:
+    noise = np.random.default_rng(0).normal(0.0, 255 * sigma, photograph(TILTS[0]).shape)
+    return np.clip(photograph(TILTS[0]) + noise, 0, 255).astype(np.uint8)
+
+
+def _charuco() -> Codes:
+    marks = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+    board = cv2.aruco.CharucoBoard((8, 6), 1.0, 0.7, marks).generateImage((880, 660))
+    return cv2.GaussianBlur(np.pad(board, 60, constant_values=255), (0, 0), 1.0)
+
+
+@pytest.mark.parametrize("amount", [2.0, 5.0])
+def test_halos_of_sharpening_are_no_reason_to_refuse_a_board(amount: float) -> None:
+    sharp = photograph(TILTS[0]).astype(float)
+    sharp += amount * (sharp - cv2.GaussianBlur(sharp, (0, 0), 2.0))
+    found = find_board(np.clip(sharp, 0, 255).astype(np.uint8))
+    assert len(found.places) > 50
+    assert root_mean_square(errors_px(found, BOARD, view_of(TILTS[0]))) < 0.03 * (1 + amount)
+
+
+def test_the_corners_on_both_sides_of_a_hard_shadow_are_found() -> None:
+    shaded = photograph(TILTS[0]).astype(float)
+    shaded[:, 300:] *= 0.4
+    assert len(find_board(shaded.astype(np.uint8)).places) > 40
 
 
 @pytest.mark.parametrize(
@@ -137,9 +163,22 @@ def _bent() -> Codes:
         (lambda: np.hstack([photograph(TILTS[0]), photograph(TILTS[1])]), "Two"),
         (lambda: photograph_of(BOARD, view_of(TILTS[0], distance_mm=3200.0)), "closer"),
         (lambda: photograph_of(BOARD, view_of(TILTS[0]), Look(blur_px=9.0)), "blurred"),
-        (_bent, "not flat"),
+        (_bent, "off by"),
+        (lambda: _noisy(0.2), "too noisy"),
+        (_charuco, "ChArUco"),
     ],
-    ids=["one-pixel", "two-rows", "white", "a-part", "two", "far", "blurred", "bent"],
+    ids=[
+        "one-pixel",
+        "two-rows",
+        "white",
+        "a-part",
+        "two",
+        "far",
+        "blurred",
+        "bent",
+        "noisy",
+        "charuco",
+    ],
 )
 def test_what_is_of_no_use_is_refused_in_a_sentence(codes, words: str) -> None:  # type: ignore[no-untyped-def]
     with pytest.raises(NoBoardError, match=words) as refusal:
