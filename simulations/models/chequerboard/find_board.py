@@ -177,8 +177,10 @@ def find_board(picture: Picture) -> FoundBoard:
     places, indices = _without_outliers(*numbered(refined.lattice), middle)
     columns, rows = (int(most) + 1 for most in indices.max(axis=0))
     most = max(BENT_PX, BENT * refined.spacing_px)
-    seen = [(places, indices, middle), *_straightened(places, indices, middle)]
-    uneven = min(_uneven_px(*each) for each in seen) if len(places) >= TOLD else 0.0
+    uneven = _uneven_px(places, indices, middle)
+    if uneven > most:
+        straightened = _straightened(places, indices, middle)
+        uneven = min([uneven, *(_uneven_px(*seen) for seen in straightened)])
     if uneven > most:
         raise NoBoardError(CURVED.format(off=uneven))
     return FoundBoard(places, indices, (columns, rows), refined.blur_px, refined.spacing_px)
