@@ -22,7 +22,7 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import lambert
 from simulations.scenes import _ball
-from simulations.scenes._ball import CENTRE, HEIGHT, RADIUS, WIDTH, Ball
+from simulations.scenes._ball import CENTRE, HEIGHT, RADIUS, WIDTH, Body
 
 PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 156.0), 80.0, 60.0  # VECTOR: a unit vector's length
 ARC = 36.0  # radius of the arc of θ
@@ -50,14 +50,14 @@ class Settings:
     play: int = action("Orbit the light", "Stop", drives="light_angle", effect="play", seconds=12)
 
 
-def white_light(normals: Floats, ball: Ball, light_angle: float) -> Floats:
+def white_light(normals: Floats, body: Body, light_angle: float) -> Floats:
     """(h, w) linear light of the ball's pixels, were it white."""
-    return _ball.light_of_pixels(lambert(normals, _ball.light_direction(light_angle)), ball)
+    return _ball.light_of_pixels(lambert(normals, _ball.light_direction(light_angle)), body)
 
 
-def shade(white: Floats, ball: Ball, albedo: float) -> Floats:
+def shade(white: Floats, body: Body, albedo: float) -> Floats:
     """(h, w) linear light of the ball as painted. Black paint needs no computation."""
-    return np.float32(albedo) * white if albedo > 0 else np.zeros_like(ball.inner, np.float32)
+    return np.float32(albedo) * white if albedo > 0 else np.zeros_like(body.inner, np.float32)
 
 
 def is_black(albedo: float) -> str:
@@ -65,19 +65,19 @@ def is_black(albedo: float) -> str:
 
 
 STAGES = (
-    Stage("ball", _ball.build_ball),
-    Stage("normals", _ball.lit_normals, ("ball",)),
-    Stage("white", white_light, ("normals", "ball"), is_black),
-    Stage("shade", shade, ("white", "ball")),
-    Stage("picture", _ball.paint, ("ball", "shade")),
+    Stage("body", _ball.build_ball),
+    Stage("normals", _ball.lit_normals, ("body",)),
+    Stage("white", white_light, ("normals", "body"), is_black),
+    Stage("shade", shade, ("white", "body")),
+    Stage("picture", _ball.paint, ("body", "shade")),
 )
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """Error of the picture against Lambert's law in float64, in one step."""
-    ball: Ball = outputs["ball"]
-    truth = settings.albedo * np.maximum(_ball.true_cosine(ball, settings.light_angle), 0.0)
-    yield _ball.rms_error(ball, outputs["shade"], truth)
+    body: Body = outputs["body"]
+    truth = settings.albedo * np.maximum(_ball.true_cosine(body, settings.light_angle), 0.0)
+    yield _ball.rms_error(body, outputs["shade"], truth)
 
 
 def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:

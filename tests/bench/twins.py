@@ -124,7 +124,7 @@ def matte_ball() -> Twin:
     scene = load_scene("lambertian-shading")
     settings = scene.check({})
     outputs = scene.run(settings, "", StageCache()).outputs
-    ball, scale = outputs["ball"], PIXELS_PER_UNIT
+    ball, scale = outputs["body"], PIXELS_PER_UNIT
     wall = np.zeros((*ball.backdrop.shape[:2], 3), np.float32)
     wall[ball.square][ball.rim] = ball.behind_rim
     given = {

@@ -12,7 +12,15 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes import _ball
-from simulations.scenes._ball import LIT, PIXELS_PER_UNIT, RADIUS_PX, build_ball, light_direction
+from simulations.scenes._ball import (
+    LIT,
+    PIXELS_PER_UNIT,
+    RADIUS_PX,
+    VASE,
+    build_ball,
+    build_vase,
+    light_direction,
+)
 from simulations.scenes.brdf import materials
 from simulations.scenes.brdf.scene import AROUND_DEG, INCIDENCE_DEG
 from simulations.scenes.brdf.scene import MODELS as BRDFS
@@ -24,15 +32,23 @@ from simulations.scenes.second_bounce import room
 from simulations.scenes.second_bounce.picture import FINE
 from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
 
-BALL = build_ball()
+BODIES = {LAMBERTIAN.id: build_ball(), PHONG.id: build_vase()}
 GLOSS = {"phong": phong, "blinn_phong": blinn_phong}
 
 
-def normals_64() -> NDArray[np.float64]:
-    """(h, w, 3) unit normals of the ball's own pixels; towards the camera elsewhere."""
-    x, y = np.meshgrid(BALL.x.astype(float) / RADIUS_PX, BALL.y.astype(float) / RADIUS_PX)
-    z = np.sqrt(np.maximum(1 - x * x - y * y, 0))
-    return np.where(BALL.inner[..., None], np.stack([x, y, z], axis=-1), (0, 0, 1.0))
+def normals_64(scene: Any) -> NDArray[np.float64]:
+    """(h, w, 3) unit normals of the body's own pixels; towards the camera elsewhere."""
+    body = BODIES[scene.id]
+    x, y = np.meshgrid(body.x.astype(float) / RADIUS_PX, body.y.astype(float) / RADIUS_PX)
+    rising, step = y, 1e-6
+    if scene is PHONG:
+        radius = VASE.radius(y)
+        rising = radius * (VASE.radius(y - step) - VASE.radius(y + step)) / (2 * step)
+        depth = np.sqrt(np.maximum(radius**2 - x * x, 0))
+    else:
+        depth = np.sqrt(np.maximum(1 - x * x - y * y, 0))
+    normals = np.where(body.inner[..., None], np.stack([x, rising, depth], axis=-1), (0, 0, 1.0))
+    return normals / np.linalg.norm(normals, axis=-1, keepdims=True)
 
 
 def estimate(scene: Any, tier: str, **given: object) -> float:
@@ -46,14 +62,15 @@ def test_the_estimated_error_is_that_of_the_bytes(tier: str, model: str) -> None
     """Strength and albedo add up to less than 1, so that no pixel is cut off at white."""
     scene: Any = LAMBERTIAN
     given: dict[str, Any] = {"light_angle": 75}
-    truth: Floats = lambert(normals_64(), light_direction(75), 0.8)
+    truth: Floats = lambert(normals_64(scene), light_direction(75), 0.8)
     if model in GLOSS:
         scene, shine = PHONG, {"specular": 0.35, "shininess": 9}
         red_paint = float(ALBEDO[0])
-        truth = GLOSS[model](normals_64(), light_direction(75), [0, 0, 1], red_paint, **shine)
+        truth = GLOSS[model](normals_64(scene), light_direction(75), [0, 0, 1], red_paint, **shine)
         given |= {**shine, "model": model}
-    red = pixels_of(frame_of(scene, tier, **given))[BALL.square][..., 0][BALL.inner]
-    seen = np.sqrt(np.mean((decode_srgb(red / 255.0) - truth[BALL.inner]) ** 2))
+    body = BODIES[scene.id]
+    red = pixels_of(frame_of(scene, tier, **given))[body.square][..., 0][body.inner]
+    seen = np.sqrt(np.mean((decode_srgb(red / 255.0) - truth[body.inner]) ** 2))
     assert seen == pytest.approx(estimate(scene, tier, **given), rel=0.05, abs=1.5e-3)
 
 

@@ -1,4 +1,4 @@
-"""The drawings of the Phong scene: marks on the ball, the lobe at the probed point, and how the
+"""The drawings of the Phong scene: marks on the vase, the lobe at the probed point, and how the
 highlight fades as the camera turns away from it.
 
 In the lobe's plot the normal of the surface points up; angles count from it, positive to the
@@ -50,9 +50,9 @@ STRENGTH = Scale(ticks=(0, 1), grid=(1,))
 DEGREES = np.arange(0.0, 60.5, 0.5)
 
 
-def over_ball(light_rad: float, probe_rad: float) -> str:
+def over_vase(light_rad: float, probe_rad: float) -> str:
     """Terminator, centre of the highlight, probed point."""
-    parts = [_ball.shadow_edge(light_rad)]
+    parts = [_ball.shadow_edge(light_rad, _ball.VASE)]
     if abs(abs(light_rad) - math.pi) > 1e-9:
         spot = _ball.on_equator(light_rad / 2)
         rim, end = (spot[0], spot[1] - AROUND_HIGHLIGHT), (spot[0], spot[1] - STEM)

@@ -1,8 +1,8 @@
-"""A glossy ball: matte colour plus a highlight, by Phong's model or Blinn's variant of it.
+"""A glazed vase: matte colour plus a highlight, by Phong's model or Blinn's variant of it.
 
-The matte part has the ball's colour and the highlight the lamp's, so only the red part of a pixel
-has both in full. Light, camera and the probed point are in the horizontal plane through the ball's
-centre, at angles from the camera's direction.
+The matte part has the vase's colour and the highlight the lamp's, so only the red part of a pixel
+has both in full. Light, camera and the probed point are in the horizontal plane through the vase's
+widest circle, at angles from the camera's direction.
 """
 
 import math
@@ -20,11 +20,11 @@ from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes import _ball
-from simulations.scenes._ball import HEIGHT, WIDTH, Ball, light_direction, true_cosine
+from simulations.scenes._ball import HEIGHT, WIDTH, Body, light_direction, true_cosine
 from simulations.scenes.phong import drawing
 
 ALBEDO = np.array([0.60, 0.06, 0.05], np.float32)
-"""Linear RGB of the ball's paint; the plot and the readouts follow red, the first."""
+"""Linear RGB of the vase's glaze; the plot and the readouts follow red, the first."""
 VIEW = np.array([0.0, 0.0, 1.0])
 """Unit vector towards the camera, which is far away: the same for every point."""
 
@@ -37,20 +37,20 @@ class Model:
     cosine: str  # the cosine, in the letters of the plot
     light: Callable[..., Floats]
     turn: float  # turn of the camera per increase of the cosine's angle
-    true_cosine: Callable[[Ball, float], Floats]
+    true_cosine: Callable[[Body, float], Floats]
     """Computes the cosine (h, w) in float64, for the angle of a light."""
 
 
-def mirrored_camera(ball: Ball, light_angle: float) -> Floats:
+def mirrored_camera(body: Body, light_angle: float) -> Floats:
     """r · v, with the camera mirrored in place of the light."""
-    normals = _ball.true_normals(ball)
+    normals = _ball.true_normals(body)
     return (2 * normals[..., 2:] * normals - VIEW) @ light_direction(light_angle)
 
 
 MODELS: Mapping[str, Model] = {
     "phong": Model("Phong", "r · v", phong, 1, mirrored_camera),
     "blinn_phong": Model(  # h is at half the light's angle
-        "Blinn–Phong", "n · h", blinn_phong, 2, lambda ball, angle: true_cosine(ball, angle / 2)
+        "Blinn–Phong", "n · h", blinn_phong, 2, lambda body, angle: true_cosine(body, angle / 2)
     ),
 }
 
@@ -75,15 +75,15 @@ def highlight(
     )
 
 
-def matte_light(normals: Floats, ball: Ball, light_angle: float) -> Floats:
-    """(h, w, 3) linear light of the ball without its highlight."""
-    cosines = _ball.light_of_pixels(lambert(normals, light_direction(light_angle)), ball)
+def matte_light(normals: Floats, body: Body, light_angle: float) -> Floats:
+    """(h, w, 3) linear light of the vase without its highlight."""
+    cosines = _ball.light_of_pixels(lambert(normals, light_direction(light_angle)), body)
     return cosines[..., None] * ALBEDO
 
 
-def shine(normals: Floats, ball: Ball, light_angle: float, shininess: float, model: str) -> Floats:
+def shine(normals: Floats, body: Body, light_angle: float, shininess: float, model: str) -> Floats:
     """(h, w) the highlight, for a strength of 1."""
-    return _ball.light_of_pixels(highlight(normals, light_angle, VIEW, model, shininess), ball)
+    return _ball.light_of_pixels(highlight(normals, light_angle, VIEW, model, shininess), body)
 
 
 def add(matte: Floats, shine: Floats, specular: float) -> Floats:
@@ -92,7 +92,7 @@ def add(matte: Floats, shine: Floats, specular: float) -> Floats:
 
 
 def is_dull(specular: float, light_angle: float) -> str:
-    """Why the ball has no highlight, if it has none."""
+    """Why the vase has no highlight, if it has none."""
     if specular == 0:
         return "a highlight of strength 0 adds nothing"
     opposed = abs(light_angle) == 180
@@ -100,34 +100,34 @@ def is_dull(specular: float, light_angle: float) -> str:
 
 
 STAGES = (
-    Stage("ball", _ball.build_ball),
-    Stage("normals", _ball.lit_normals, ("ball",)),
-    Stage("matte", matte_light, ("normals", "ball")),
+    Stage("body", _ball.build_vase),
+    Stage("normals", _ball.lit_normals, ("body",)),
+    Stage("matte", matte_light, ("normals", "body")),
     # If it is skipped, so is the sum, and its output is not used.
-    Stage("highlight", shine, ("normals", "ball"), is_dull),
+    Stage("highlight", shine, ("normals", "body"), is_dull),
     Stage("light", add, ("matte", "highlight"), is_dull),
-    Stage("picture", _ball.paint, ("ball", "light")),
+    Stage("picture", _ball.paint, ("body", "light")),
 )
 
 
 def true_light(
-    ball: Ball, light_angle: float, model: str, shininess: float, specular: float
+    body: Body, light_angle: float, model: str, shininess: float, specular: float
 ) -> NDArray[np.float64]:
     """Red light (h, w) in float64.
 
     If light and camera are exactly opposed, no visible point is lit.
     """
-    n_dot_l = true_cosine(ball, light_angle)
-    cosine = MODELS[model].true_cosine(ball, light_angle)
+    n_dot_l = true_cosine(body, light_angle)
+    cosine = MODELS[model].true_cosine(body, light_angle)
     red = float(ALBEDO[0]) * n_dot_l + specular * np.maximum(cosine, 0.0) ** shininess
     return np.where((n_dot_l > 0) & (abs(light_angle) < 180), red, 0.0)
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """Error of the red light of this picture against the chosen formula in float64."""
-    ball, model = outputs["ball"], settings.model
-    truth = true_light(ball, settings.light_angle, model, settings.shininess, settings.specular)
-    yield _ball.rms_error(ball, outputs["light"][..., 0], truth)
+    body, model = outputs["body"], settings.model
+    truth = true_light(body, settings.light_angle, model, settings.shininess, settings.specular)
+    yield _ball.rms_error(body, outputs["light"][..., 0], truth)
 
 
 def half_width_rad(model: str, shininess: float) -> float:
@@ -198,7 +198,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     width_deg = math.degrees(half_width_rad(model, shininess))
     return Frame(
         (
-            _ball.camera_panel(outputs["picture"], drawing.over_ball(light_rad, probe_rad)),
+            _ball.camera_panel(outputs["picture"], drawing.over_vase(light_rad, probe_rad)),
             Panel("lobe", "Brightness by direction", WIDTH, HEIGHT, overlay=directions),
             Panel("width", "Width of the highlight", WIDTH, HEIGHT, overlay=widths),
         ),
@@ -218,10 +218,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 def describe(settings: Settings, matte: float, shine: float, width_deg: float) -> str:
     angle = settings.light_angle
     if abs(angle) == 180:
-        return "A red ball is lit exactly from behind: it is black and has no highlight."
+        return "A red vase is lit exactly from behind: it is black and has no highlight."
     side = "right" if angle > 0 else "left"
     lamp = f"from {abs(angle):.0f}° to the {side}" if angle else "from the camera"
-    where = f"{abs(angle) / 2:.0f}° to the {side}" if angle else "at its centre"
+    where = f"{abs(angle) / 2:.0f}° to the {side}" if angle else "at the middle"
     spot = (
         f"its {MODELS[settings.model].name} highlight lies {where} and has a half-width of "
         f"{width_deg:.0f}°"
@@ -229,7 +229,7 @@ def describe(settings: Settings, matte: float, shine: float, width_deg: float) -
         else "it has no highlight, since the strength is 0"
     )
     return (
-        f"A red ball is lit {lamp}; {spot}. The probed point shows {matte:.2f} of matte light "
+        f"A red vase is lit {lamp}; {spot}. The probed point shows {matte:.2f} of matte light "
         f"and {shine:.2f} of highlight."
     )
 
