@@ -4,7 +4,7 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.drawing import path
-from simulations.engine.frame import format_number, value_with_error
+from simulations.engine.frame import format_magnitude, format_number, value_with_error
 from simulations.models.arrays import Floats
 from simulations.models.calibration.model_choice import Trial
 from simulations.models.calibration.shape_size import Measured
@@ -15,13 +15,15 @@ ROOM = (300.0, 40.0)
 LEAN, FLATTENED = 0.35, 0.42
 """How far rows lean to the right, and how low they are seen."""
 LEAST_MM = 1e-3
+SURE = 3.0
+"""Standard errors from which on a board is told to be bent."""
 CAPTION, LINE = 232.0, 20.0
 
 
 def board_drawing(found: Measured, tried: tuple[Trial, ...], side_mm: float) -> str:
     """The board seen from the side, its relief enlarged, and what was measured of it."""
     relief = side_mm * found.relief
-    times = _round(ROOM[1] / max(float(np.ptp(relief)), LEAST_MM) / 1.0)
+    times = _round(ROOM[1] / max(float(np.ptp(relief)), LEAST_MM))
     rows, columns = relief.shape
     scale = ROOM[0] / (columns - 1 + LEAN * (rows - 1))
     flat, bent = (_seen(height, scale) for height in (0.0 * relief, times * relief))
@@ -45,8 +47,10 @@ def board_words(found: Measured, side_mm: float) -> list[str]:
     """How far the board is from flat, and the sides of its squares, for a reader."""
     height = value_with_error(side_mm * found.height, side_mm * found.height_error)
     down = value_with_error(side_mm * found.aspect, side_mm * found.aspect_error)
+    told = found.height > SURE * found.height_error
+    flat = f"Flat to {format_magnitude(side_mm * found.height, LEAST_MM)} mm"
     return [
-        f"Out of flat by {height} mm" if found.bent else "Taken for flat",
+        (f"Out of flat by {height} mm" if told else flat) if found.bent else "Taken for flat",
         f"Squares of {side_mm:g} mm × {down} mm" if found.bent else "",
     ]
 
