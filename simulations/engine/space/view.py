@@ -1,9 +1,11 @@
 """A view: projects three-dimensional points to the panel, with their depth.
 
-VIEW = orbit(30, 20, centre=(200, 150), unit=90) # parallels stay parallel NEAR = orbit(30, 20,
-centre=(200, 150), unit=90, distance=5) # what is near is larger
+    VIEW = orbit(30, 20, centre=(200, 150), unit=90)  # parallels stay parallel
+    NEAR = orbit(30, 20, centre=(200, 150), unit=90, distance=5)  # what is near is larger
 
-arrow(VIEW.at(0, 0, 0), VIEW.at(1, 0, 0), "world")
+    arrow(VIEW.at(0, 0, 0), VIEW.at(1, 0, 0), "world")
+
+`orbit.turning` is the handle with which a reader turns such a view.
 """
 
 import math
