@@ -77,15 +77,6 @@ def test_guesses_run_to_the_root_and_nothing_beats_the_front() -> None:
         assert any(c <= cost and e <= error for c, e, _ in steps.front())
 
 
-def test_highlights_are_brightest_in_the_mirrors_direction() -> None:
-    m, angles = of("reflection_lobes"), np.radians(np.linspace(-89, 89, 357))
-    for _, _, albedo, specular, shininess in m.SURFACES:
-        seen = m.brightness(angles, albedo, specular, shininess)
-        peak = m.LIGHT_RAD if specular else angles[0]
-        assert angles[np.argmax(seen)] == pytest.approx(peak)
-        assert specular or np.ptp(seen) < 1e-12
-
-
 def test_a_cell_takes_the_mean_of_the_wave_over_its_width() -> None:
     m = of("pixel_footprint")
     wave = lambda x: math.cos(2 * math.pi * m.FREQUENCY * x)  # noqa: E731
