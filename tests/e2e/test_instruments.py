@@ -83,7 +83,7 @@ def sheet_of_even_light() -> list[list[str]]:
 def sheet_of_raw() -> list[list[str]]:
     picture = np.zeros((8, 8, 3), np.uint8)
     mosaics = [Mosaic(codes, "RGGB", BLACK, 4095) for codes in RAW]
-    camera = {"make": "Example", "model": "Simulated sensor", "iso": 100.0}
+    camera: dict[str, float | str] = {"make": "Example", "model": "Simulated sensor", "iso": 100.0}
     facts = [{"exposure_s": 0.01 * (k // 2 + 1), **camera} for k in range(len(RAW))]
     numbered = enumerate(zip(facts, mosaics, strict=True))
     return transfer_sheet([Photograph(k, picture, "", *each) for k, each in numbered])

@@ -135,7 +135,9 @@ def hint_is_seen(handle: Locator) -> bool:
 
 @pytest.fixture(scope="module")
 def live_phone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    still = {"reduced_motion": "reduce"}  # what moves by itself gets away from a finger
+    still: dict[str, Any] = {
+        "reduced_motion": "reduce"
+    }  # what moves by itself gets away from a finger
     with visit(brisk_chromium, site_server, viewport=PHONE, has_touch=True, **still) as someone:
         yield someone
     someone.assert_no_complaints()

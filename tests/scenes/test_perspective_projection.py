@@ -24,7 +24,9 @@ def under_the_dot(**given: object) -> list[int]:
     """Codes of the picture's pixel four pixels below the image of the point: on the white ball."""
     panel = next(each for each in frame_of(SCENE, **given).panels if each.name == "image")
     (x, y) = dots(panel.overlay, "image")[0]
-    return panel.raster[round(y) + 4, round(x), :3].astype(int).tolist()
+    assert panel.raster is not None
+    red, green, blue, _ = panel.raster[round(y) + 4, round(x)].tolist()
+    return [red, green, blue]
 
 
 @pytest.mark.parametrize(

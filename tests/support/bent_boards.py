@@ -50,7 +50,8 @@ def bent_views(world: World, rng: np.random.Generator, count: int = 12) -> tuple
     if "order" in world:
         terms |= {"k3": 0.03, "k4": rng.normal(0.0, 0.02), "k5": rng.normal(0.0, 0.01)}
     middle = rng.normal((799.5, 599.5), 15.0)
-    camera = Camera(focal, focal * rng.normal(1.0, 1e-3), *middle.tolist(), Distortion(**terms))
+    x, y = middle.tolist()
+    camera = Camera(focal, focal * rng.normal(1.0, 1e-3), x, y, Distortion(**terms))
     poses = sitting(camera, SIZE, count, BOARD, int(rng.integers(10**9))).poses
     corners = corners_of(world, rng)
     pixels = camera.pixels(corners @ np.swapaxes(poses.R, -1, -2) + poses.t[:, None])

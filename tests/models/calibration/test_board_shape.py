@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from support.bent_boards import LENSES, SIDE_MM, SIZE, bent_views
 
+from simulations.models.arrays import Floats
 from simulations.models.calibration.board_shape import SHAPES, Shape, shape_of
 from simulations.models.calibration.bundle_adjustment import linearise
 from simulations.models.calibration.camera import PINHOLE, Poses
@@ -89,7 +90,12 @@ def test_no_term_of_a_shape_is_a_shift_a_turn_or_a_change_of_size() -> None:
     board = Board().indices
     u, v, one = board[:, 0] - 4.0, board[:, 1] - 2.5, np.ones(54)
     none = 0.0 * one
-    moves = [(one, none, none), (none, one, none), (none, none, one), (none, none, u)]
+    moves: list[tuple[Floats, ...]] = [
+        (one, none, none),
+        (none, one, none),
+        (none, none, one),
+        (none, none, u),
+    ]
     moves += [(none, none, v), (-v, u, none), (u, v, none)]
     for terms in filter(None, SHAPES.values()):
         shape = Shape(terms, (1.0,) * len(terms), (4.0, 2.5), 4.0)
