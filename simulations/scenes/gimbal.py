@@ -222,8 +222,9 @@ def draw_sky(pan: float, tilt: float, roll: float) -> Raster:
             off = np.hypot(u + 0.5 - spots[:, 0], v + 0.5 - spots[:, 1])
             spread = shine * np.exp(-1.2 * off**2)
             np.add.at(light, (v[inside], u[inside]), spread[inside, None])
-    azimuth = np.degrees(np.arctan2(right, ahead)) % 360.0
-    low = -down < np.interp(azimuth, SKYLINE_AT, SKYLINE_SINE)
+    low = -down < SKYLINE_SINE.max()
+    azimuth = np.degrees(np.arctan2(right[low], ahead[low])) % 360.0
+    low[low] = -down[low] < np.interp(azimuth, SKYLINE_AT, SKYLINE_SINE)
     light[low] = GROUND
     return to_rgba8(encode_srgb_table(light))
 
