@@ -59,7 +59,6 @@ CAMERA_OUTLINE = np.array(
      (0.2, 0, 0.25), (0.45, 0, 0.25), (0.45, 0, -0.3)]
 )  # fmt: skip
 """Body and lens from above, in camera coordinates."""
-DOOR_NAME = np.array([0.0, 0.0, 0.7])  # from the door's label to the door, in metres
 NAME_M = (1.0, 0.5)  # from an axis's name back from its tip, and aside from the axis
 BESIDE = 12.0  # from a label to the lamp, and to the middle of t, in view box units
 
@@ -215,7 +214,7 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
     """Floor, the part of it in the camera's field of view, walls, door and table, clipped to the
     panel."""
     things = [_cut(place(part), closed=True) for parts in FOOTPRINTS.values() for part in parts]
-    middle, door = place(np.stack([TABLE.mean(axis=0), DOOR.mean(axis=0) - DOOR_NAME]))
+    middle = place(TABLE.mean(axis=0))
     walls = np.stack([WALLS, np.roll(WALLS, -1, axis=0)], axis=1)
     lines = [*((wall, "world thin") for wall in walls), (DOOR, "world bold")]
     return "".join(
@@ -232,7 +231,6 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
             ),
             *(drawing.polygon(thing, "world thin fill") for thing in things if len(thing)),
             _name(middle, "table", "world small"),
-            _name(door, "door", "world small"),
         )
     )
 

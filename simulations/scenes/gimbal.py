@@ -51,6 +51,7 @@ LOST = 1e-6  # singular value below which a direction of rotation counts as lost
 
 SIGHT = WIDTH, HEIGHT = 400.0, 340.0  # of the picture
 MIDDLE = np.array([WIDTH / 2.0, HEIGHT / 2.0])
+DRAFT = "draft"  # of the picture, at half its size
 FOCAL = 260.0  # in view box units: the picture is 75° wide
 NEAREST = 0.05
 """Cosine of the largest angle from the line of sight at which anything is drawn."""
@@ -201,18 +202,20 @@ def pictured(C: Floats, directions: Floats) -> Floats:
     )
 
 
-def draw_sky(pan: float, tilt: float, roll: float) -> Raster:
-    """The night that the camera sees; angles in degrees."""
+def draw_sky(pan: float, tilt: float, roll: float, fine: float) -> Raster:
+    """The night that the camera sees, with ``fine`` pixels per view box unit; angles in degrees."""
     C = euler.to_matrix("YXZ", np.radians([pan, tilt, roll]))
-    rows, columns = round(HEIGHT), round(WIDTH)
-    y, x = (np.mgrid[:rows, :columns] + 0.5 - MIDDLE[::-1, None, None]).astype(np.float32) / FOCAL
+    rows, columns = round(fine * HEIGHT), round(fine * WIDTH)
+    y, x = ((np.mgrid[:rows, :columns] + 0.5) / fine - MIDDLE[::-1, None, None]).astype(
+        "f4"
+    ) / FOCAL
     scale = 1 / np.sqrt(x * x + y * y + 1)
     right, down, ahead = (scale * (row[0] * x + row[1] * y + row[2]) for row in C.astype("f4"))
     height = np.maximum(-down, 0.0)
     light = ZENITH + np.exp(-7.0 * height)[..., None] * GLOW
     band = GALAXY[0] * right + GALAXY[1] * down + GALAXY[2] * ahead
     light += (0.016 * np.exp(-25.0 * band * band))[..., None]
-    places = pictured(C, towards(*STARS))
+    places = fine * pictured(C, towards(*STARS))
     seen = np.isfinite(places).all(axis=-1)
     spots, shine = places[seen], STAR_LIGHT[seen]
     for row in range(-2, 3):
@@ -336,5 +339,7 @@ SCENE = Scene(
         ring_handle(2, "roll", "ray"),
         turning("gimbal"),
     ),
+    parameters=lambda _, tier: {"fine": 0.5 if tier == DRAFT else 1.0},
+    own_drafts={DRAFT: ("pan", "tilt", "roll")},
     formula=euler.to_matrix,
 )

@@ -101,11 +101,11 @@ async function turnTo(url: URL, turned: () => void, commit: () => void) {
     const rest = hashTarget() || history.state?.scroll ? null : takeRest(page);
     putInPlace(page);
     shownPath = location.pathname;
-    document.getElementById("main")?.focus({ preventScroll: true });
     if (rest) await firstFrame();
     if (signal.aborted) return;
     rest?.();
     turned();
+    document.getElementById("main")?.focus({ preventScroll: true });
     restoreScroll();
   } catch (error) {
     if (signal.aborted) return;
