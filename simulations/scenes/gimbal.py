@@ -223,7 +223,7 @@ def draw_sky(pan: float, tilt: float, roll: float, fine: float) -> Raster:
             u, v = (np.floor(spots) + np.array([column, row])).astype(int).T
             inside = (u >= 0) & (v >= 0) & (u < columns) & (v < rows)
             off = np.hypot(u + 0.5 - spots[:, 0], v + 0.5 - spots[:, 1])
-            spread = shine * np.exp(-1.2 * off**2)
+            spread = shine * np.exp(-1.2 * (off / fine) ** 2)
             np.add.at(light, (v[inside], u[inside]), spread[inside, None])
     low = -down < SKYLINE_SINE.max()
     azimuth = np.degrees(np.arctan2(right[low], ahead[low])) % 360.0
