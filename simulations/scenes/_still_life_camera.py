@@ -26,7 +26,7 @@ from simulations.models.lens.disc_pyramid import double
 from simulations.models.projection import pinhole
 from simulations.models.sampling.magnification import magnify
 from simulations.world import things as still_life
-from simulations.world.light import LitScene, light
+from simulations.world.layers import LitScene, light
 from simulations.world.surfaces import Surface, surfaces
 
 SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM = 36.0, 24.0

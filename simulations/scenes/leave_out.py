@@ -44,7 +44,7 @@ from simulations.scenes.camera.lens import Settings as Camera
 from simulations.scenes.camera.lens import after_step, bend_rays, blur_of
 from simulations.scenes.camera.stages import vignette
 from simulations.world import things as still_life
-from simulations.world.light import LitScene, light
+from simulations.world.layers import LitScene, light
 from simulations.world.surfaces import FLOOR_DARK, FLOOR_LIGHT, Surface, surfaces
 
 HALF_A_CODE = 0.5

@@ -30,7 +30,7 @@ from simulations.scenes._still_life_camera import (
     overlay,
 )
 from simulations.world.depth import depth_met
-from simulations.world.light import LitScene
+from simulations.world.layers import LitScene
 from simulations.world.things import THINGS, thing_depth
 
 DRAFT = "draft"  # the picture while a control moves

@@ -2,17 +2,15 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.models.arrays import Floats, Planes
-from simulations.models.lens.depth_of_field import Layer
 from simulations.models.light.raycasting import Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import shadow_bounds, visibility
 from simulations.world.surfaces import Surface, windows_between
-from simulations.world.things import THINGS, WALL_DISTANCE, Thing
+from simulations.world.things import THINGS, Thing
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
@@ -22,51 +20,11 @@ ROOM = np.array([0.19, 0.22, 0.27])  # light from the surroundings above
 BOUNCE = np.array([0.13, 0.11, 0.085])  # and from the floor below
 
 
-@dataclass(frozen=True, slots=True)
-class LitScene:
-    """Radiance at the lens, in layers of one depth each."""
-
-    base: Planes
-    """(3, H, W) wall and floor without the things, linear RGB."""
-    base_depth: Floats
-    """(H, W) metres along the optical axis."""
-    layers: tuple[Layer, ...]
-    """The things, farthest first."""
-    depths: tuple[float, ...]
-    """Depths of the layers, metres."""
-
-
 def lamp_direction(light_angle_deg: float) -> Vector:
     """Unit vector towards the lamp: 0° is from behind the camera, positive from the right."""
     angle = math.radians(light_angle_deg)
     level = math.cos(LAMP_ELEVATION_RAD)
     return (level * math.sin(angle), -level * math.cos(angle), math.sin(LAMP_ELEVATION_RAD))
-
-
-def light(parts: tuple[Surface, ...], light_angle_deg: float, bounced: float = 1.0) -> LitScene:
-    """Shade wall, floor and things; ``bounced`` is the share of the light from the floor."""
-    lamp = lamp_direction(light_angle_deg)
-    wall, floor, *things = parts
-    height = max(part.top + part.coverage.shape[0] for part in (wall, floor))
-    width = wall.coverage.shape[1]
-    base = np.zeros((3, height, width), np.float32)
-    depth = np.zeros((height, width))
-    for part in (wall, floor):
-        rows = slice(part.top, part.top + part.coverage.shape[0])
-        base[:, rows] += _premultiplied(part, lamp, bounced)[:3]
-        depth[rows] += part.depth * part.coverage
-    depth[depth == 0.0] = WALL_DISTANCE  # no ray reaches these pixels, which stay black
-    lit = ((part, _premultiplied(part, lamp, bounced)) for part in things)
-    layers = tuple(Layer(planes, part.top, part.left) for part, planes in lit)
-    return LitScene(base, depth, layers, tuple(float(part.depth[0, 0]) for part in things))
-
-
-def _premultiplied(part: Surface, lamp: Vector, bounced: float) -> Planes:
-    """(4, h, w) radiance times coverage, then coverage."""
-    planes = np.empty((4, *part.coverage.shape), np.float32)
-    planes[3] = part.coverage
-    np.multiply(radiance(part, lamp, bounced), planes[3], out=planes[:3])
-    return planes
 
 
 def radiance(part: Surface, lamp: Vector, bounced: float = 1.0) -> Planes:

@@ -24,7 +24,7 @@ from simulations.scenes.depth_of_field.stages import (
     NEAR_M,
     depth_of,
 )
-from simulations.world.light import LitScene
+from simulations.world.layers import LitScene
 
 
 def test_a_focus_inside_the_focal_length_has_no_picture_no_stages_and_no_error() -> None:

@@ -48,7 +48,7 @@ def normals_64(scene: Any) -> NDArray[np.float64]:
     else:
         depth = np.sqrt(np.maximum(1 - x * x - y * y, 0))
     normals = np.where(body.inner[..., None], np.stack([x, rising, depth], axis=-1), (0, 0, 1.0))
-    return normals / np.linalg.norm(normals, axis=-1, keepdims=True)
+    return np.asarray(normals / np.linalg.norm(normals, axis=-1, keepdims=True))
 
 
 def estimate(scene: Any, tier: str, **given: object) -> float:

@@ -43,7 +43,7 @@ from simulations.scenes._still_life_camera import (
     principal_mm,
     through_lens,
 )
-from simulations.world.light import LitScene
+from simulations.world.layers import LitScene
 from simulations.world.things import THINGS, WALL_DISTANCE, thing_depth
 
 WIDTH, HEIGHT = 420.0, 280.0  # view box of the picture, and of the lens
