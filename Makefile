@@ -87,6 +87,7 @@ test-deep: $(VENV)/test.stamp $(VENV)/chromium.stamp $(VENV)/engines.stamp
 check: $(VENV)/test.stamp
 	@$(BIN)/ruff format --check
 	@$(BIN)/ruff check
+	@$(BIN)/python -c "from pathlib import Path; from site_builder.photographs import prepare_photographs; prepare_photographs(Path())"  # mypy reads their modules
 	@$(BIN)/mypy
 	@$(BIN)/python tests/support/web_checks.py
 
