@@ -52,10 +52,11 @@ def prerender(page: str, figure: Simulation) -> PrerenderedFrames | None:
     start = values_of(figure.scene.check(figure.values))
     values = shown_values(control, start[control.name])
     settings = tuple({**start, control.name: value} for value in values)
-    tier = figure.scene.drafts_of(figure.tier).get(control.name, figure.tier)
     frames = [
         {"value": value, "pictures": dict(small.pictures), **json.loads(to_json(small.frame))}
-        for value, small in zip(values, small_frames(figure.scene, settings, tier), strict=True)
+        for value, small in zip(
+            values, small_frames(figure.scene, settings, figure.tier), strict=True
+        )
     ]
     data = {"control": control.name, "frames": frames}
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
