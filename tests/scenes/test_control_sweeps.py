@@ -137,9 +137,9 @@ class Swept:
     caches: dict[str, StageCache] = field(default_factory=dict)
 
     def see(self, setting: Setting, tier: str = "") -> Seen:
-        """The frame of a setting, which is sound."""
+        """The frame of a setting, which is sound; as a draft, where the scene has its own."""
         scene, given = self.scene, self.scene.clamp(setting)
-        tier = tier or scene.default_tier
+        tier = tier or scene.default_tier or next(iter(scene.own_drafts), "")
         if (tier, given) not in self.seen:
             frame = scene.render(given, tier, self.caches.setdefault(tier, StageCache()))
             assert_sound(scene, frame, {"tier": tier, **setting})

@@ -85,6 +85,12 @@ def mark_at(settings: Settings, outputs: Outputs) -> Point:
     return PLOT.at(float(DISTANCES[settings.index]), error if math.isfinite(error) else 1.0)
 
 
+def pulled(_settings: Settings, place: Point) -> dict[str, float]:
+    """The distance below the pointer: a search would compute pictures."""
+    share = (place[0] - PLOT.x.start) / (PLOT.x.end - PLOT.x.start)
+    return {"power": LOWEST * (1.0 - min(max(share, 0.0), 1.0))}
+
+
 def error_plot(settings: Settings, errors: Errors) -> str:
     """Both errors and the bound by distance from the singularity."""
     names, digits = CURVE_NAMES[settings.formula], settings.digits
@@ -158,7 +164,7 @@ SCENE = Scene(
     Settings,
     draw,
     (Stage("errors", errors_of), Stage("pictures", pictures)),
-    (Handle("place", "plot", "Mark on the curve", ("power",), mark_at, None, "press", "world"),),
+    (Handle("place", "plot", "Mark on the curve", ("power",), mark_at, pulled, "press", "world"),),
     parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
     own_drafts={DRAFT: ("power",)},
 )
