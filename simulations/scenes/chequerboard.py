@@ -14,10 +14,10 @@ from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
-from simulations.engine.settings import slider
+from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
-from simulations.models.chequerboard.board import FOOT_MM, Board, board_svg
+from simulations.models.chequerboard.board import FOOT_MM, Board, board_pdf, board_svg
 
 WIDTH, HEIGHT = 400, 300
 PIXELS = 2  # per unit of the view box
@@ -25,8 +25,11 @@ LEFT, TOP = 20.0, 18.0  # corner of the sheet, in units
 ROOM = (360.0, 240.0)  # of the largest sheet, in units
 OAK = np.array([168.0, 132.0, 95.0])  # codes of the table
 THROW, DARKEST = 6.0, 0.7  # reach of the sheet's shadow, units, and the root of its depth
-PAPERS = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)}
-"""Width and height in mm of sheets that lie on their long side (ISO 216)."""
+PAPERS = {
+    "iso": {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "A2": (594.0, 420.0), "A1": (841.0, 594.0)},
+    "us": {"Letter": (279.4, 215.9), "Tabloid": (431.8, 279.4), "ANSI C": (558.8, 431.8)},
+}
+"""Width and height in mm of sheets that lie on their long side (ISO 216; ANSI Y14.1)."""
 ACROSS, DOWN = (4, 16), (3, 12)  # least and most squares
 
 
@@ -35,6 +38,7 @@ class Settings:
     side: int = slider("Side of a square", 20, 8, 60, 1, unit="mm")
     across: int = slider("Squares across", 10, *ACROSS, 1)
     down: int = slider("Squares down", 7, *DOWN, 1)
+    series: str = choice("Paper", {"iso": "A4 or larger", "us": "Letter or larger"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,11 +66,12 @@ def board_of(settings: Settings) -> Board:
     return Board(settings.across, settings.down, float(settings.side))
 
 
-def sheet_of(board: Board) -> Sheet:
-    """The smallest paper with room for the squares, a margin of one square, and the ruler."""
+def sheet_of(board: Board, series: str) -> Sheet:
+    """The smallest paper of a series with room for the squares, a margin of one square, and a
+    ruler."""
     side = board.side_mm
     width, height = (board.across + 2) * side, (board.down + 2) * side + FOOT_MM
-    for name, (across, down) in PAPERS.items():
+    for name, (across, down) in PAPERS[series].items():
         if width <= across and height <= down:
             left, top = (across - width) / 2.0 + side, (down - height) / 2.0 + side
             return Sheet(name, across, down, left, top)
@@ -113,9 +118,9 @@ def table() -> NDArray[np.float32]:
 def draw(settings: Settings, _outputs: Outputs) -> Frame:
     """The sheet with the board, and the size of both."""
     board = board_of(settings)
-    sheet = sheet_of(board)
+    sheet = sheet_of(board, settings.series)
     corners = "{} × {}".format(*board.corners)
-    paper = sheet.name or "larger than A1"
+    paper = sheet.name or f"larger than {list(PAPERS[settings.series])[-1]}"
     size = " × ".join(format_number(length, 0) for length in (sheet.width_mm, sheet.height_mm))
     width, height = sheet.scale * sheet.width_mm, sheet.scale * sheet.height_mm
     (left, top), (right, _) = sheet.place(0.0, 0.0), sheet.place(board.side_mm, 0.0)
@@ -140,18 +145,29 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     )
 
 
-def last_corner(board: Board) -> Point:
+def last_corner(board: Board, series: str) -> Point:
     """The place where the last square ends."""
     side = board.side_mm
-    return sheet_of(board).place(board.across * side, board.down * side)
+    return sheet_of(board, series).place(board.across * side, board.down * side)
 
 
 def last_corner_pulled(settings: Settings, place: Point) -> dict[str, int]:
     """The board that ends nearest, of all: each count may come with paper of another size."""
     counts = product(*(range(least, most + 1) for least, most in (ACROSS, DOWN)))
     boards = (Board(across, down, float(settings.side)) for across, down in counts)
-    nearest = min(boards, key=lambda board: math.dist(last_corner(board), place))
+    nearest = min(boards, key=lambda board: math.dist(last_corner(board, settings.series), place))
     return {"across": nearest.across, "down": nearest.down}
+
+
+def as_pdf(settings: Settings, _outputs: Outputs) -> str:
+    board = board_of(settings)
+    sheet = sheet_of(board, settings.series)
+    paper, corner = (sheet.width_mm, sheet.height_mm), (sheet.left_mm, sheet.top_mm)
+    return board_pdf(board, paper, corner, f"{settings.side} mm a square")
+
+
+def as_svg(settings: Settings, _outputs: Outputs) -> str:
+    return board_svg(board_of(settings), f"{settings.side} mm a square")
 
 
 SCENE = Scene(
@@ -165,18 +181,14 @@ SCENE = Scene(
             "sheet",
             "Last corner of the board",
             ("across", "down"),
-            lambda settings, _: last_corner(board_of(settings)),
+            lambda settings, _: last_corner(board_of(settings), settings.series),
             last_corner_pulled,
             role="image",
             reversed=("down",),
         ),
     ),
     exports=(
-        Export(
-            "chequerboard",
-            "Board at true scale, SVG",
-            ".svg",
-            lambda settings, _: board_svg(board_of(settings), f"{settings.side} mm a square"),
-        ),
+        Export("board", "PDF to print", ".pdf", as_pdf),
+        Export("chequerboard", "SVG", ".svg", as_svg),
     ),
 )

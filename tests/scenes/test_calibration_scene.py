@@ -1,6 +1,7 @@
 """The calibration figure: simulated photographs, the reader's, and the files that it makes; and the
 board to print."""
 
+import io
 import json
 import re
 import xml.etree.ElementTree as ET
@@ -9,6 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from pypdf import PdfReader
+from pypdf.generic import ContentStream
 from support.boards import facing_board
 from support.frames import frame_of, pixels_of, texts_of
 from support.sittings import SIZE, TRUTH, photographs
@@ -17,7 +20,7 @@ from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.stages import Outputs, StageCache
-from simulations.models.chequerboard.board import Board
+from simulations.models.chequerboard.board import POINTS, Board
 from simulations.models.chequerboard.find_board import find_board
 from simulations.models.error_measures import root_mean_square
 from simulations.pictures.chequerboard import Look, photograph_of, true_corners
@@ -27,12 +30,33 @@ from simulations.scenes.calibration.scene import ERRORS, SCENE, Settings, measur
 from simulations.scenes.chequerboard import SCENE as CHEQUERBOARD
 
 
-def test_the_file_has_the_squares_of_the_settings_in_millimetres() -> None:
-    (export,) = CHEQUERBOARD.exports
-    drawn = ET.fromstring(export.make(CHEQUERBOARD.check({"side": 20, "across": 5, "down": 4}), {}))
-    assert drawn.get("width") == "140mm"
-    squares = next(path for path in drawn if path.get("fill") == "#000")
-    assert (squares.get("d") or "").count("z") == 10
+@pytest.mark.parametrize(("series", "paper"), [("iso", (297.0, 210.0)), ("us", (279.4, 215.9))])
+def test_the_printed_board_has_squares_and_a_bar_of_true_size(
+    series: str, paper: tuple[float, float]
+) -> None:
+    settings = CHEQUERBOARD.check({"side": 23, "across": 10, "down": 6, "series": series})
+    pdf, svg = (export.make(settings, {}) for export in CHEQUERBOARD.exports)
+    assert ET.fromstring(svg).get("width") == "276mm"
+    reader = PdfReader(io.BytesIO(pdf.encode("ascii")), strict=True)
+    (page,) = reader.pages
+    assert np.array(page.mediabox[2:], float) / POINTS == pytest.approx(paper, abs=1e-3)
+    drawn = ContentStream(page.get_contents(), reader).operations
+    numbers = {
+        name: np.array([given for given, operator in drawn if operator == name], float)
+        for name in (b"cm", b"re", b"m", b"l")
+    }
+    (scale,) = numbers[b"cm"] / POINTS
+    assert scale == pytest.approx((1.0, 0.0, 0.0, -1.0, 0.0, paper[1]), abs=1e-3)
+    squares = numbers[b"re"]
+    assert len(squares) == 30
+    assert squares[:, 2:] == pytest.approx(23.0, abs=0.01)
+    assert np.ptp(squares[:, :2], axis=0) == pytest.approx((9 * 23.0, 5 * 23.0), abs=0.01)
+    bar = numbers[b"l"][0] - numbers[b"m"][0]
+    assert bar == pytest.approx((100.0, 0.0), abs=0.01)
+    places = np.vstack((squares[:, :2], squares[:, :2] + squares[:, 2:], numbers[b"l"]))
+    assert places.min() > 5.0
+    assert (places.max(axis=0) < np.array(paper) - 5.0).all()
+    assert "100 mm, 23 mm a square" in page.extract_text()
 
 
 FACTS = {"focal_mm": 4.0, "focal_35mm_mm": 26.0, "make": "Acme", "model": "A1"}

@@ -11,10 +11,13 @@ import numpy as np
 from simulations.models.arrays import Floats
 from simulations.models.require import as_whole, require_positive
 
-RULER_MM, RULER_STEP_MM = 100, 10
+RULER_MM, RULER_STEP_MM, RULER_STROKE_MM = 100, 10, 0.2
 """Largest length and divisions of the ruler, by which a reader checks the size of the print."""
 FOOT_MM = 14.0
 """Height of the ruler and its caption, below the margin."""
+WORDS_MM, WORDS_DOWN_MM = 4.0, 9.0
+"""Size of the caption's letters, and how far it stands below the ruler."""
+POINTS = 72.0 / 25.4  # PDF's units in a millimetre
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,23 +59,37 @@ class Board:
         wide = int(self.across * self.side_mm / RULER_STEP_MM) * RULER_STEP_MM
         return min(max(wide, RULER_STEP_MM), RULER_MM)
 
+    @property
+    def dark_mm(self) -> list[tuple[float, float]]:
+        """Upper left corner of each dark square, from the board's."""
+        return [
+            (column * self.side_mm, row * self.side_mm)
+            for row in range(self.down)
+            for column in range(row % 2, self.across, 2)
+        ]
+
+    @property
+    def ruler_lines_mm(self) -> list[tuple[float, float, float, float]]:
+        """The ruler and its divisions, from its left end: where each begins, and its way."""
+        marks = range(0, self.ruler_mm + 1, RULER_STEP_MM)
+        ticks = [(float(at), 0.0, 0.0, 2.5 if at % 50 else 4.0) for at in marks]
+        return [(0.0, 0.0, float(self.ruler_mm), 0.0), *ticks]
+
 
 def board_svg(board: Board, caption: str = "") -> str:
     """The board as SVG at true scale, on a white sheet with a margin of one square and a ruler.
 
     The caption follows the ruler's length, in letters that need no escaping.
     """
-    side, across, down = board.side_mm, board.across, board.down
-    width, height = (across + 2) * side, (down + 2) * side + FOOT_MM
+    side, below = board.side_mm, (board.down + 2) * board.side_mm
+    width, height = (board.across + 2) * side, below + FOOT_MM
     squares = "".join(
-        f"M{_mm((column + 1) * side)} {_mm((row + 1) * side)}h{_mm(side)}v{_mm(side)}h{_mm(-side)}z"
-        for row in range(down)
-        for column in range(row % 2, across, 2)
+        f"M{_mm(side + x)} {_mm(side + y)}h{_mm(side)}v{_mm(side)}h{_mm(-side)}z"
+        for x, y in board.dark_mm
     )
-    left, top = side, (down + 2) * side
-    ticks = "".join(
-        f"M{_mm(left + at)} {_mm(top)}v{_mm(4.0 if at % 50 == 0 else 2.5)}"
-        for at in range(0, board.ruler_mm + 1, RULER_STEP_MM)
+    lines = "".join(
+        f"M{_mm(side + x)} {_mm(below + y)}{f'h{_mm(across)}' if across else f'v{_mm(down)}'}"
+        for x, y, across, down in board.ruler_lines_mm
     )
     words = f"{board.ruler_mm} mm" + (f" · {caption}" if caption else "")
     return (
@@ -80,11 +97,52 @@ def board_svg(board: Board, caption: str = "") -> str:
         f' viewBox="0 0 {_mm(width)} {_mm(height)}">'
         f'<rect width="100%" height="100%" fill="#fff"/>'
         f'<path d="{squares}" fill="#000" shape-rendering="crispEdges"/>'
-        f'<path d="M{_mm(left)} {_mm(top)}h{board.ruler_mm}{ticks}" stroke="#000"'
-        f' stroke-width="0.2" fill="none"/>'
-        f'<text x="{_mm(left)}" y="{_mm(top + 9)}" font-family="sans-serif" font-size="4">{words}'
-        "</text></svg>"
+        f'<path d="{lines}" stroke="#000" stroke-width="{RULER_STROKE_MM}" fill="none"/>'
+        f'<text x="{_mm(side)}" y="{_mm(below + WORDS_DOWN_MM)}" font-family="sans-serif"'
+        f' font-size="{_mm(WORDS_MM)}">{words}</text></svg>'
     )
+
+
+def board_pdf(
+    board: Board, paper_mm: tuple[float, float], corner_mm: tuple[float, float], caption: str = ""
+) -> str:
+    """The board as PDF 1.4 on paper of this width and height, which programs print unscaled.
+
+    ``corner_mm`` is the board's upper left corner on the paper. The caption is of ASCII letters
+    without brackets, as is the file.
+    """
+    side, (left, top) = board.side_mm, corner_mm
+    width, height = (f"{POINTS * length:.4f}" for length in paper_mm)
+    below = top + (board.down + 1) * side
+    squares = (
+        f"{_mm(left + x)} {_mm(top + y)} {_mm(side)} {_mm(side)} re" for x, y in board.dark_mm
+    )
+    lines = (
+        f"{_mm(left + x)} {_mm(below + y)} m {_mm(left + x + across)} {_mm(below + y + down)} l"
+        for x, y, across, down in board.ruler_lines_mm
+    )
+    words = f"{board.ruler_mm} mm" + (f", {caption}" if caption else "")
+    at = f"{POINTS * left:.4f} {POINTS * (paper_mm[1] - below - WORDS_DOWN_MM):.4f} Td"
+    drawn = "\n".join((
+        f"q {POINTS:.9f} 0 0 {-POINTS:.9f} 0 {height} cm",  # millimetres, downwards
+        *squares, "f", f"{RULER_STROKE_MM} w", *lines, "S Q",
+        f"BT /F {POINTS * WORDS_MM:.4f} Tf {at} ({words}) Tj ET",
+    ))  # fmt: skip
+    objects = (
+        "<</Type/Catalog/Pages 2 0 R/ViewerPreferences<</PrintScaling/None>>>>",
+        "<</Type/Pages/Kids[3 0 R]/Count 1>>",
+        f"<</Type/Page/Parent 2 0 R/MediaBox[0 0 {width} {height}]/Contents 4 0 R"
+        "/Resources<</Font<</F<</Type/Font/Subtype/Type1/BaseFont/Helvetica>>>>>>>>",
+        f"<</Length {len(drawn)}>>stream\n{drawn}\nendstream",
+    )
+    text, places = "%PDF-1.4\n", []
+    for number, content in enumerate(objects, 1):
+        places.append(f"{len(text):010d} 00000 n \n")
+        text += f"{number} 0 obj\n{content}\nendobj\n"
+    count = len(objects) + 1
+    table = f"xref\n0 {count}\n0000000000 65535 f \n{''.join(places)}"
+    end = f"trailer<</Size {count}/Root 1 0 R>>\nstartxref\n{len(text)}\n%%EOF\n"
+    return text + table + end
 
 
 def _mm(length: float) -> str:
