@@ -5,11 +5,8 @@ from math import cos, degrees, pi, radians
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.engine.stages import StageCache
 from simulations.models.light.brdf import Material, reflected
-from simulations.models.light.interreflection import edge_factor
 from simulations.models.light.reflectance import lambert, phong
-from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
 
 CHAPTER = "05-lighting-and-reflectance"
 FRONT = np.array((0.0, 0, 1))
@@ -50,10 +47,3 @@ def the_peak_lies_beyond_the_mirror() -> Says:
     yield f"With a lamp at 60° and a constant $F = 1$ the peak is already at {constant:.0f}°"
     assert where_facets_shine_most(60, Material(0.0, 0.04, 0.25)) > 89.5
     yield "the highlight at that lamp rises all the way to the horizon"
-
-
-def near_the_edge_of_two_white_planes() -> Says:
-    given = {"light_angle": 45, "wall": "white", "place": 0.01}
-    planes = BOUNCE.run(BOUNCE.check(given), "", StageCache()).outputs["planes"]
-    lamp, red, _ = planes.at(0.01)
-    yield f"a factor of {red / lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"

@@ -271,7 +271,7 @@ KINDS: dict[str, Kind] = {
     "steady": some(lambda time: np.ones(np.shape(time))),
     "flat lens": some(np.ones_like),
     "turn": interval(True, -np.pi, np.pi, True),
-    "opening": interval(False, 0.0, np.pi, False),
+    "opening": interval(True, 0.0, np.pi, False),
     "acute": interval(False, 0.0, np.pi / 2, False),
     "slant": interval(True, -np.pi / 4, np.pi / 4, True),
     "fisheye model": one_of(*fisheye.IDEAL_MODELS),

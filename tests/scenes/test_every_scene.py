@@ -32,7 +32,7 @@ DRAFTS = [
     for draft in dict.fromkeys(drafts.values())
     if name != "photon-transfer"  # it draws other cells, of the same noise
 ]
-FAR_CODES = {"second-bounce": 5.0, "stability": 15.0}
+FAR_CODES = {"stability": 15.0}
 """Mean difference of a draft from its picture; 1.5 codes elsewhere. Near trouble both are noise."""
 
 

@@ -1,14 +1,17 @@
-"""Light between two matte planes that meet in an edge: shadows, and bounce after bounce.
+"""Light between the six matte walls of a closed room: bounce after bounce.
 
-The planes are strips of width 1, infinite along their common edge, so that the problem is
-two-dimensional. ``opening_rad`` is the angle between them, on the lit side. Positions are distances
-from the edge, 0 to 1. Brightness is radiosity: 1 for a perfect white that faces the lamp.
+The room is a cube of side 1. Its faces are x = 0, x = 1, y = 0, y = 1, z = 0 and z = 1, in this
+order, cut into `CELLS`² square patches; a patch [face, i, j] counts along the other two axes, in
+alphabetical order. Brightness is radiosity: 1 for a perfect white with an irradiance of 1.
 
 Szeliski, 2nd ed., section 2.2.2; Goral et al., "Modeling the Interaction of Light Between Diffuse
-Surfaces", SIGGRAPH 1984; Hottel and Sarofim, Radiative Transfer, 1967 (crossed strings).
+Surfaces", SIGGRAPH 1984; Ehlert and Smith, "View factors for perpendicular and parallel rectangular
+plates", Journal of Thermophysics and Heat Transfer 7(1), 1993.
 """
 
 import math
+from functools import cache
+from itertools import product
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,109 +19,100 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats, as_array
 from simulations.models.require import as_whole, require
 
-CELLS = 40
-"""Strips per plane, narrower towards the edge."""
-EDGES: Floats = np.linspace(0.0, 1.0, CELLS + 1) ** 2
-"""(CELLS + 1,) their borders."""
+CELLS = 8
+"""Patches along a side of a wall."""
+SHAPE = (6, CELLS, CELLS)
+SERIES = 32
+"""Bounces after which each is taken for the same share of the one before."""
 
 
-def lamp_light(places: ArrayLike, light_rad: float, opening_rad: float) -> Floats:
-    """Irradiance (...) of one plane by a distant lamp, with the shadow of the other plane.
+@cache
+def exchange() -> Floats:
+    """(6 · CELLS², 6 · CELLS²) form factors: the share of a patch's view that another one fills.
 
-    ``light_rad`` counts from the plane, on the side of the other: 0 grazes it, π/2 stands over it,
-    and above ``opening_rad`` the lamp is behind the other plane. 0 where it is below this one.
+    Each row has the sum 1: a closed room has nothing else to see.
     """
-    _check_opening(opening_rad)
-    at = np.asarray(places, float)
-    return _over(light_rad) * (at >= shadow_end(light_rad, opening_rad))
+    factors = np.zeros((6, 6, *[CELLS] * 4))
+    aside, facing = _perpendicular(), _parallel()
+    for one, other in product(range(6), repeat=2):
+        (i, at_one), (j, at_other) = divmod(one, 2), divmod(other, 2)
+        if one == other:
+            continue
+        if i == j:
+            factors[one, other] = facing
+            continue
+        k = 3 - i - j  # the axis of their common edge
+        turned = aside[:: -1 if at_other else 1, :, :: -1 if at_one else 1]
+        turned = turned.swapaxes(0, 1) if j > k else turned
+        factors[one, other] = turned.swapaxes(2, 3) if i > k else turned
+    return factors.transpose(0, 2, 3, 1, 4, 5).reshape(6 * CELLS**2, 6 * CELLS**2)
 
 
-def shadow_end(light_rad: float, opening_rad: float) -> float:
-    """Distance from the edge to the end of the other plane's shadow; 0 without one, at most ∞."""
-    if light_rad <= opening_rad or _over(light_rad) == 0.0:
-        return 0.0
-    return float(np.sin(light_rad - opening_rad) / np.sin(light_rad))
+def _corners() -> tuple[Floats, Floats, Floats, Floats]:
+    """The borders of the patches, along four axes."""
+    a, b, c, d = np.meshgrid(*[np.linspace(0.0, 1.0, CELLS + 1)] * 4, indexing="ij", sparse=True)
+    return a, b, c, d
 
 
-def mean_lamp_light(light_rad: float, opening_rad: float) -> Floats:
-    """(CELLS,) irradiance of each strip; the strip at the shadow's border is partly lit."""
-    end = np.clip(shadow_end(light_rad, opening_rad), 0.0, 1.0)
-    lit = (EDGES[1:] - np.clip(end, EDGES[:-1], EDGES[1:])) / np.diff(EDGES)
-    return _over(light_rad) * lit
+def _parallel() -> Floats:
+    """(CELLS, CELLS, CELLS, CELLS) between two walls that face each other."""
+    x, y, there_x, there_y = _corners()
+    p, q = x - there_x, y - there_y
+    far, high = np.hypot(p, 1.0), np.hypot(q, 1.0)
+    whole = q * far * np.arctan(q / far) + p * high * np.arctan(p / high)
+    return _patches(whole - 0.5 * np.log(1.0 + p * p + q * q))
 
 
-def seen_of(places: ArrayLike, opening_rad: float) -> Floats:
-    """Form factors (..., CELLS) of the strips of the other plane, seen from places on one plane.
-
-    They are weighted by the cosine to the normal, with sum 1 over all directions: half the
-    difference of the sines at which the borders of a strip are seen; at the edge itself, the limit.
-    """
-    _check_opening(opening_rad)
-    at = np.maximum(np.asarray(places, float), 1e-9)[..., None]
-    along = EDGES * np.cos(opening_rad) - at
-    sines = along / np.hypot(along, EDGES * np.sin(opening_rad))
-    return np.maximum(0.5 * np.diff(sines, axis=-1), 0.0)
+def _perpendicular() -> Floats:
+    """(CELLS, CELLS, CELLS, CELLS) between two walls with an edge: off it and along it, twice."""
+    off, along, there_off, there_along = _corners()
+    s, t = np.hypot(off, there_off), along - there_along
+    square = np.maximum(s * s + t * t, np.finfo(float).tiny)
+    return _patches(s * t * np.arctan2(t, s) - 0.25 * (s * s - t * t) * np.log(square))
 
 
-def exchange(opening_rad: float) -> Floats:
-    """(CELLS, CELLS) mean form factors from the strips of one plane to those of the other.
-
-    Hottel's crossed strings: the crossed ones minus the uncrossed ones, over twice the width.
-    """
-    _check_opening(opening_rad)
-    here, there = EDGES[:, None], EDGES
-    square = here**2 + there**2 - 2.0 * here * there * np.cos(opening_rad)
-    strings = np.sqrt(np.maximum(square, 0.0))
-    crossed = strings[:-1, 1:] + strings[1:, :-1] - strings[:-1, :-1] - strings[1:, 1:]
-    return 0.5 * crossed / np.diff(EDGES)[:, None]
+def _patches(whole: Floats) -> Floats:
+    """From a fourfold integral, known at the corners of the patches."""
+    for axis in range(4):
+        whole = np.diff(whole, axis=axis)
+    return np.asarray(whole * CELLS**2 / (2.0 * math.pi))
 
 
-def bounced(
-    direct: ArrayLike, albedos: ArrayLike, opening_rad: float, bounces: int | None
-) -> Floats:
-    """Brightness (2, CELLS) of both planes after some bounces between them, or after infinitely
-    many.
+def bounced(direct: ArrayLike, albedos: ArrayLike, bounces: int | None) -> Floats:
+    """Brightness (6, CELLS, CELLS) of the patches after some bounces, or after infinitely many.
 
     Parameters
     ----------
-    direct : (2, CELLS) irradiance by the lamp of either plane
-    albedos : (2,) from 0 to 1
-    bounces : count of passages of light from one plane to the other; ``None`` for infinitely many,
-        by a linear system.
+    direct : (6, CELLS, CELLS) irradiance by the lamps
+    albedos : (6,) of the walls, from 0 to 1
+    bounces : count of passages of light from wall to wall; ``None`` for infinitely many. Their sum
+        is refused in a room without any losses.
     """
-    lamp = as_array("direct", direct, 2, CELLS)
-    share = as_array("albedos", albedos, 2)
+    share = as_array("albedos", albedos, 6)
     require("albedos", share, ((share >= 0) & (share <= 1)).all(), "0 to 1")
-    across = exchange(opening_rad)
-    first = share[:, None] * lamp
-    if bounces is not None:
-        light = first
-        for _ in range(as_whole("bounces", bounces, 0)):
-            light = first + share[:, None] * (light[::-1] @ across.T)
-        return light
-    # Light returns to the floor by way of the wall.
-    twice = share.prod() * across @ across
-    floor = np.linalg.solve(np.eye(CELLS) - twice, first[0] + share[0] * across @ first[1])
-    return np.stack([floor, first[1] + share[1] * across @ floor])
+    endless = bounces is None
+    require("albedos", share, not endless or share.min() < 1, "one below 1, for endless bounces")
+    albedo = np.repeat(share, CELLS**2)
+    step = albedo * as_array("direct", direct, *SHAPE).ravel()
+    light, across, before = step.copy(), exchange(), 0.0
+    for _ in range(SERIES if bounces is None else as_whole("bounces", bounces, 0)):
+        before = float(step.sum())
+        step = albedo * (across @ step)
+        light += step
+    if endless and before > 0.0:
+        kept = float(step.sum()) / before
+        light += step * (kept / (1.0 - kept) if kept < 1.0 else math.inf)
+    return light.reshape(SHAPE)
 
 
 def edge_factor(albedo: float, opening_rad: float) -> float:
-    """Brightness of the edge relative to the lamp's light alone, for equal and lit planes.
+    """Brightness of the edge of two planes relative to the lamp's light alone, if both are alike.
 
     Next to the edge the other plane fills the share V = (1 + cos φ)/2 of each point's view, and is
-    as bright as the point itself: B = I + ρVB, which is I/(1 − ρV).
+    as bright as the point itself: B = I + ρVB, which is I/(1 − ρV). A closed room is an edge with
+    φ = 0: V = 1.
     """
-    _check_opening(opening_rad)
+    require("opening_rad", opening_rad, 0.0 <= opening_rad < np.pi, "0 or more, below π")
     require("albedo", albedo, 0 <= albedo <= 1, "0 to 1")
     lost = 1.0 - albedo * 0.5 * (1.0 + math.cos(opening_rad))
     return 1.0 / lost if lost > 0.0 else math.inf
-
-
-def _over(light_rad: float) -> float:
-    """Cosine to the plane's normal; 0 below it."""
-    require("light_rad", light_rad, -np.pi <= light_rad <= np.pi, "-π to π")
-    return float(np.sin(light_rad)) if 0.0 < light_rad < np.pi else 0.0
-
-
-def _check_opening(opening_rad: float) -> None:
-    require("opening_rad", opening_rad, 0.0 < opening_rad < np.pi, "above 0, below π")

@@ -1,189 +1,209 @@
-"""The room of the second-bounce figure: floor, wall, a ball on the floor, and a camera.
+"""The room of the second-bounce figure: a closed cube with a white ball and a lamp that turns.
 
-The axis x runs along the floor from the edge, y upwards, and z along the edge. Lengths are in
-widths of a plane. The planes are infinitely long; the picture shows a part. The ball is small, so
-it is left out of the light between the planes; the light that it keeps from these or adds to them
-is computed from its form factors.
+The axis x runs to the right, y upwards and z towards the camera, from 0 to 1. The camera stands
+outside and looks through the near wall, which reflects light like the others. The ball is small:
+it is left out of the light between the walls, but gets light from them, and hides some from them.
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.arrays import Floats, Mask
+from simulations.models.arrays import Floats
+from simulations.models.light.interreflection import CELLS
 
-WIDTH, HEIGHT = 400, 320
-RADIUS = 0.17
-CENTRE: Floats = np.array([0.5, RADIUS, -0.15], np.float32)
-"""The ball. Neither it nor its shadow touches the line of the curves."""
-LINE = 0.3  # the z of the line on which the curves and the chosen point are
-BACK, FRONT = -1.35, 0.8  # the z of the ends of what is visible of the planes
-EYE: Floats = np.array([2.2, 1.0, 1.75], np.float32)
-TARGET: Floats = np.array([0.42, 0.37, -0.1], np.float32)
-FOCAL = 420.0  # in units of the view box
-PARTS = 800  # steps along a plane in a table of brightness
-NOTHING = 2 * (PARTS + 1)  # index in such a table of what is neither floor nor wall
-NORMALS = 240  # of the ball
-WAYS = 8  # directions per normal: `WAYS` squared
-DEGREE = 5  # in x, y and z, of the polynomial that is fitted to the light of the normals
+SIZE = 340  # of the picture, in view box units
+EYE: Floats = np.array([0.5, 0.56, 2.3])  # the near wall fills the picture
+LAMP: Floats = np.array([0.5, 0.9, 0.5])
+RADIUS = 0.15
+CENTRE: Floats = np.array([0.64, RADIUS, 0.36])
+LINE = 0.74  # the z of the line on which the curves and the chosen point are
+BRIGHT, DARK = math.cos(math.radians(15)), math.cos(math.radians(24))
+"""Within the first angle around its axis the lamp has its full light, beyond the second none."""
+SAMPLES = 4  # along a patch's side, for the mean of the lamp's light, or of the ball's view
+FINER = 72  # steps along a wall between which the walls' own light is not interpolated
 
 
 @dataclass(frozen=True, slots=True)
-class Surface:
-    """Places on floor and wall."""
+class Places:
+    """Points of walls or ball, and what the lamp does there."""
 
-    index: NDArray[np.intp]  # (...) indices into tables: of the floor, of the wall, then `NOTHING`
-    floor: Mask  # (...) whether they are on the floor, or beyond its end
-    places: Floats  # (..., 3) where they are; anything where there is nothing
+    lit: Floats  # (N,) irradiance by the lamp if it pointed at them
+    ways: Floats  # (N, 3) unit vectors from the lamp
+
+    def by_lamp(self, light_angle: float) -> Floats:
+        """(N,) irradiance by the lamp: 1 at a distance of 1, for a surface that faces it."""
+        turn = math.radians(light_angle)
+        inward = self.ways[:, :2] @ np.array([-math.cos(turn), -math.sin(turn)], np.float32)
+        share = np.clip((inward - DARK) / (BRIGHT - DARK), 0.0, 1.0)
+        return np.asarray(self.lit * share * share * (3.0 - 2.0 * share))
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """What the camera sees in each pixel."""
+
+    places: Places
+    wall: NDArray[np.intp]  # (N,) number of the wall; 6 for the ball
+    index: NDArray[np.intp]  # (N,) of the place in the finer tables of the walls
+    hidden: Floats  # (N, 1) form factor of the ball
+    ball: NDArray[np.intp]  # the pixels of the ball
+    basis: Floats  # (M, 9) polynomial of their normals
+    borders: NDArray[np.intp]  # the pixels between two walls, or at the ball's rim
+    around: NDArray[np.intp]  # (5, borders) these and their neighbours
+
+
+def places_of(points: Floats, normals: Floats) -> Places:
+    """The ball's shadow is part of it: the lamp turns, but stays in its place."""
+    ways = points - LAMP
+    distance = np.linalg.norm(ways, axis=-1)
+    ways /= distance[:, None]
+    facing = -np.einsum("ni,ni->n", ways, normals)
+    middle = CENTRE - LAMP
+    ahead = ways @ middle
+    off = np.sqrt(np.maximum(middle @ middle - ahead * ahead, 0.0))
+    past = distance > ahead + 1e-9  # on the far side of the ball, or on its own dark side
+    shadow = np.clip((RADIUS - off) / 0.006 + 0.5, 0.0, 1.0) * past
+    lit = np.maximum(facing, 0.0) / (distance * distance) * (1.0 - shadow)
+    return Places(lit.astype(np.float32), ways.astype(np.float32))
+
+
+def of_wall(wall: int, first: Floats, second: Floats) -> tuple[Floats, Floats]:
+    """Points (N, 3) of a wall at two coordinates, and its normals."""
+    axis, end = divmod(wall, 2)
+    points = np.insert(np.stack([first, second], axis=-1), axis, float(end), axis=-1)
+    return points, np.tile(np.eye(3)[axis] * (1 - 2 * end), (len(points), 1))
 
 
 @cache
-def camera_axes() -> Floats:
-    """(3, 3) right, up and forward of the camera, in rows."""
-    forward = (TARGET - EYE) / np.linalg.norm(TARGET - EYE)
-    right = np.cross(forward, (0.0, 1.0, 0.0))
-    right /= np.linalg.norm(right)
-    return np.stack([right, np.cross(right, forward), forward])
+def samples(side: int) -> tuple[Floats, Floats]:
+    """Midpoints (6 · side², 3) of ``side``² squares on each wall, and the normals there."""
+    middles = (np.arange(side) + 0.5) / side
+    first, second = (each.ravel() for each in np.meshgrid(middles, middles, indexing="ij"))
+    walls = [of_wall(wall, first, second) for wall in range(6)]
+    points, normals = zip(*walls, strict=True)
+    return np.concatenate(points), np.concatenate(normals)
+
+
+@cache
+def sampled() -> Places:
+    """`SAMPLES`² points of each patch."""
+    return places_of(*samples(CELLS * SAMPLES))
+
+
+@cache
+def line(count: int) -> tuple[Places, NDArray[np.intp]]:
+    """Down the left wall and along the floor at `LINE`, and their indices in the finer tables."""
+    along = np.linspace(0.0, 1.0, count)
+    depth = np.full(count, LINE)
+    ends = ((0, along[::-1]), (2, along))  # the wall, by y and z; the floor, by x and z
+    walls = [of_wall(wall, place, depth) for wall, place in ends]
+    points, normals = (np.concatenate(each) for each in zip(*walls, strict=True))
+    return places_of(points, normals), np.concatenate([index_of(w, p, depth) for w, p in ends])
+
+
+def index_of(wall: int | NDArray[np.intp], first: Floats, second: Floats) -> NDArray[np.intp]:
+    """Index of a place of a wall in the finer tables (6 · (FINER + 1)²)."""
+    row, column = (np.rint(FINER * each).astype(np.intp) for each in (first, second))
+    return np.asarray((wall * (FINER + 1) + row) * (FINER + 1) + column)
+
+
+@cache
+def finer_weights() -> Floats:
+    """(FINER + 1, CELLS) from the patches along a wall to its finer steps: quadratic splines."""
+    steps = CELLS * np.linspace(0.0, 1.0, FINER + 1)[:, None]
+    off = np.abs(steps - 0.5 - np.arange(-1, CELLS + 1))
+    weights = np.where(off < 0.5, 0.75 - off**2, 0.5 * np.maximum(1.5 - off, 0.0) ** 2)
+    for end, next_one, beyond in ((1, 2, 0), (-2, -3, -1)):  # a straight line beyond the ends
+        weights[:, end] += 2.0 * weights[:, beyond]
+        weights[:, next_one] -= weights[:, beyond]
+    return weights[:, 1:-1]
 
 
 def project(place: tuple[float, float, float]) -> tuple[float, float]:
     """The place in the picture of a place in the room."""
-    right, up, depth = (camera_axes() @ (np.array(place) - EYE)).tolist()
-    return WIDTH / 2 + FOCAL * right / depth, HEIGHT / 2 - FOCAL * up / depth
+    share = (EYE[2] - 1.0) / (EYE[2] - place[2])
+    x, y = (float(EYE[k] + share * (place[k] - EYE[k])) for k in (0, 1))
+    return SIZE * x, SIZE * (1.0 - y)
 
 
 @cache
-def rays(fine: float) -> Floats:
-    """(H, W, 3) unit vectors from the camera through the pixels, ``fine`` to a unit."""
-    high, wide = round(HEIGHT * fine), round(WIDTH * fine)
-    across = (np.arange(wide) + 0.5) / fine - WIDTH / 2
-    up = HEIGHT / 2 - (np.arange(high) + 0.5) / fine
-    right_axis, up_axis, forward = camera_axes()
-    found = FOCAL * forward + across[:, None] * right_axis + up[:, None, None] * up_axis
-    return np.asarray(found / np.linalg.norm(found, axis=-1, keepdims=True), np.float32)
-
-
-def wall_axes(opening_rad: float) -> tuple[Floats, Floats]:
-    """Unit vectors up the wall, and from it towards the floor."""
-    along = np.array([math.cos(opening_rad), math.sin(opening_rad), 0.0], np.float32)
-    return along, np.array([along[1], -along[0], 0.0], np.float32)
-
-
-def struck(starts: Floats, ways: Floats, opening_rad: float) -> Surface:
-    """What rays (..., 3) from places between floor and wall, or on these, meet first."""
-    along, off = wall_axes(opening_rad)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        down, aside = ways[..., 1], ways @ off
-        to_floor = np.where(down < 0, -starts[..., 1] / down, np.float32(np.inf))
-        to_wall = np.where(aside < 0, -(starts @ off) / aside, np.float32(np.inf))
-    floor = to_floor <= to_wall
-    way = np.minimum(to_floor, to_wall)
-    places = starts + np.where(np.isfinite(way), way, np.float32(0.0))[..., None] * ways
-    share = np.where(floor, places[..., 0], places @ along)
-    index = np.rint(PARTS * np.clip(share, 0.0, 1.0)).astype(np.intp)
-    index += np.where(floor, 0, PARTS + 1)
-    return Surface(np.where(np.isfinite(way) & (share <= 1.0), index, NOTHING), floor, places)
-
-
-def shaded(places: Floats, light_rad: float, softness: float = 0.004) -> Floats:
-    """Share (...) of the lamp's light that the ball keeps from places (..., 3)."""
-    light = np.array([math.cos(light_rad), math.sin(light_rad), 0.0], np.float32)
-    away = CENTRE - places
-    ahead = away @ light
-    off = np.sqrt(np.maximum((away * away).sum(axis=-1) - ahead * ahead, 0.0))
-    return np.clip((RADIUS - off) / softness + 0.5, 0.0, 1.0) * (ahead > 0)
-
-
-def behind_wall(places: Floats, light_rad: float, opening_rad: float) -> Mask:
-    """Whether the wall stands between places (..., 3) in front of it and the lamp."""
-    light = np.array([math.cos(light_rad), math.sin(light_rad), 0.0])
-    along, off = wall_axes(opening_rad)
-    towards = float(light @ off)
-    if towards >= 0.0:
-        return np.zeros(places.shape[:-1], bool)
-    up = (places - (places @ off / towards)[..., None] * light) @ along
-    return np.asarray(up < 1.0)
-
-
-@cache
-def ball_normals() -> Floats:
-    """(NORMALS, 3) unit vectors, evenly over the sphere."""
-    step = np.arange(NORMALS) + 0.5
-    up, turn = 1.0 - 2.0 * step / NORMALS, math.pi * (1.0 + math.sqrt(5.0)) * step
-    flat = np.sqrt(1.0 - up * up)
-    return np.stack([flat * np.cos(turn), up, flat * np.sin(turn)], axis=-1).astype(np.float32)
-
-
-@cache
-def ball_ways() -> Floats:
-    """(NORMALS, WAYS², 3) directions from each point, weighted by the cosine to its normal."""
-    share = (np.arange(WAYS) + 0.5) / WAYS
-    square, turn = (each.ravel() for each in np.meshgrid(share, 2.0 * math.pi * share))
-    flat, up = np.sqrt(square), np.sqrt(1.0 - square)
-    normal = ball_normals()[:, None]
-    aside = np.cross(normal, np.where(np.abs(normal[..., 1:2]) < 0.9, [0.0, 1, 0], [1.0, 0, 0]))
-    aside /= np.linalg.norm(aside, axis=-1, keepdims=True)
-    over = np.cross(normal, aside)
-    turned = np.cos(turn)[:, None] * aside + np.sin(turn)[:, None] * over
-    return np.asarray(flat[:, None] * turned + up[:, None] * normal, np.float32)
-
-
-def surroundings(opening: float) -> Surface:
-    """(NORMALS, WAYS²) what the points of the ball see."""
-    starts = np.broadcast_to((CENTRE + RADIUS * ball_normals())[:, None], ball_ways().shape)
-    return struck(starts, ball_ways(), math.radians(opening))
-
-
-def lamp_on_ball(normal: Floats, light_rad: float, opening_rad: float) -> Floats:
-    """(...) irradiance by the lamp of the points with normals (..., 3)."""
-    cosine = normal[..., 0] * math.cos(light_rad) + normal[..., 1] * math.sin(light_rad)
-    hidden = behind_wall(CENTRE + RADIUS * normal, light_rad, opening_rad)
-    return np.where(hidden, 0.0, np.maximum(cosine, 0.0))
-
-
-def polynomial_basis(normal: Floats) -> Floats:
-    """(..., terms) the powers of x, y and z up to `DEGREE`."""
-    x, y, z = np.moveaxis(normal, -1, 0)
-    return np.stack(
-        [
-            x**i * y**j * z**k
-            for i in range(DEGREE + 1)
-            for j in range(DEGREE + 1 - i)
-            for k in range(min(2, DEGREE + 1 - i - j))  # z² is 1 − x² − y²
-        ],
-        axis=-1,
+def view(fine: float) -> View:
+    """The picture with ``fine`` pixels to a unit, found once."""
+    side = round(SIZE * fine)
+    steps = (np.arange(side) + 0.5) / side
+    x, y = (each.ravel() for each in np.meshgrid(steps, 1.0 - steps))
+    ways = np.stack([x, y, np.ones_like(x)], axis=-1) - EYE
+    with np.errstate(divide="ignore"):
+        reach = (np.where(ways < 0, 0.0, 1.0) - EYE) / ways
+    reach[:, 2] = EYE[2] / -ways[:, 2]
+    axis = reach.argmin(axis=-1)
+    points = np.clip(EYE + reach.min(axis=-1)[:, None] * ways, 0.0, 1.0)
+    ends = np.take_along_axis(ways, axis[:, None], 1)[:, 0] > 0
+    normals = np.eye(3)[axis] * np.where(ends, -1.0, 1.0)[:, None]
+    others = np.array([[1, 2], [0, 2], [0, 1]])[axis]
+    first, second = np.take_along_axis(points, others, 1).T
+    wall = 2 * axis + ends
+    index = index_of(wall, first, second)
+    ways /= np.linalg.norm(ways, axis=-1, keepdims=True)
+    middle = CENTRE - EYE
+    along = ways @ middle
+    inside = RADIUS**2 - (middle @ middle - along * along)
+    ball = np.flatnonzero(inside > 0)
+    points[ball] = EYE + (along[ball] - np.sqrt(inside[ball]))[:, None] * ways[ball]
+    normals[ball] = (points[ball] - CENTRE) / RADIUS
+    wall[ball] = 6
+    away = CENTRE - points
+    square = np.maximum((away * away).sum(axis=-1), RADIUS**2)
+    hidden = RADIUS**2 * np.maximum((away * normals).sum(axis=-1), 0.0) / square**1.5
+    hidden[ball] = 0.0
+    borders, around = border_of(wall.reshape(side, side))
+    return View(
+        places_of(points, normals),
+        wall,
+        index,
+        hidden[:, None].astype(np.float32),
+        ball,
+        polynomial(normals[ball]).astype(np.float32),
+        borders,
+        around,
     )
 
 
+def border_of(wall: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """The pixels with a neighbour on another wall, and each of them with its four neighbours."""
+    number = np.pad(np.arange(wall.size).reshape(wall.shape), 1, mode="edge")
+    around = np.stack([np.roll(number, step, axis).ravel() for step, axis in neighbours()])
+    around = around.reshape(5, *number.shape)[:, 1:-1, 1:-1].reshape(5, -1)
+    borders = np.flatnonzero((wall.ravel()[around] != wall.ravel()).any(axis=0))
+    return borders, around[:, borders]
+
+
+def neighbours() -> Iterator[tuple[int, int]]:
+    yield from ((0, 0), (1, 0), (-1, 0), (1, 1), (-1, 1))
+
+
+def polynomial(normals: Floats) -> Floats:
+    """(N, 9) the terms of second degree of unit vectors, by which soft light is described."""
+    one_and = np.concatenate([np.ones((len(normals), 1)), normals], axis=-1)
+    rows, columns = np.triu_indices(4)
+    return np.asarray(one_and[:, rows[:-1]] * one_and[:, columns[:-1]])  # z² is 1 − x² − y²
+
+
 @cache
-def polynomial_fit() -> Floats:
-    """(terms, NORMALS) from light at the normals to its polynomial."""
-    return np.linalg.pinv(polynomial_basis(ball_normals()))
-
-
-def ball_form_factor(places: Floats, off: Floats) -> Floats:
-    """(...) share of the view from places (..., 3) that the ball fills.
-
-    ``off`` is the normal there; the ball lies wholly above the horizon.
-    """
-    away = CENTRE - places
-    square = (away * away).sum(axis=-1)
-    return np.asarray(np.minimum(RADIUS**2 * (away @ off) / square**1.5, 1.0))
-
-
-def through_ball(places: Floats) -> Floats:
-    """(N, 16, 3) unit vectors from places (N, 3) to points inside the ball."""
-    inside = CENTRE + 0.85 * RADIUS * ball_normals()[:: NORMALS // 16]
-    away = inside - places[:, None]
-    return np.asarray(away / np.linalg.norm(away, axis=-1, keepdims=True))
-
-
-def seen_side(places: Floats) -> Floats:
-    """(N, NORMALS) weights of the points of the ball in its view from places (N, 3)."""
-    away = places - CENTRE
-    distance = np.linalg.norm(away, axis=-1, keepdims=True)
-    weights = np.maximum(away @ ball_normals().T / distance - 0.95 * RADIUS / distance, 0.0)
-    return np.asarray(weights / weights.sum(axis=-1, keepdims=True))
+def light_on_ball() -> Floats:
+    """(9, 6 · CELLS²) from the brightness of the patches to the polynomial of its irradiance."""
+    points, facing = samples(CELLS * SAMPLES)
+    ways = points - CENTRE
+    distance = np.linalg.norm(ways, axis=-1)
+    ways /= distance[:, None]
+    size = np.abs(np.einsum("ni,ni->n", ways, facing)) / (CELLS * SAMPLES * distance) ** 2
+    some, _ = samples(4)
+    normals = (some - 0.5) / np.linalg.norm(some - 0.5, axis=-1, keepdims=True)
+    seen = np.maximum(normals @ ways.T, 0.0) * (size / math.pi)
+    patches = seen.reshape(-1, 6, CELLS, SAMPLES, CELLS, SAMPLES).sum(axis=(3, 5))
+    return np.linalg.pinv(polynomial(normals)) @ patches.reshape(len(normals), -1)

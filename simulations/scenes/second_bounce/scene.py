@@ -1,142 +1,207 @@
-"""A floor, a wall and a ball: light that bounces between them, also into the lamp's shadow.
+"""A closed room with red walls: light that bounces from wall to wall, and deepens.
 
-The computation is in `simulations.scenes.second_bounce.picture`.
+There are two kinds of light: red, for which all surfaces have the same albedo, and blue, for which
+what is red has a tenth of it. Floor, ceiling and ball are white, unless everything is red.
 """
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
-from simulations.engine.drawing import arrow, circle, dot, line, polygon, text
-from simulations.engine.frame import Frame, Panel, format_number, readout
+from simulations.engine.drawing import circle, line, text
+from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
 from simulations.engine.handles import Handle
 from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.engine.plotting.legend import Entry, legend
+from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
-from simulations.engine.stages import Outputs
+from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.light.interreflection import bounced, edge_factor, shadow_end
+from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.light.interreflection import CELLS, bounced, exchange
 from simulations.scenes._ball import lamp, named, outlined_dot
 from simulations.scenes.second_bounce import room
-from simulations.scenes.second_bounce.picture import DRAFT, PLACES, STAGES, Planes
-from simulations.scenes.second_bounce.room import HEIGHT, WIDTH
 
-WALLS = {"red": "Red", "white": "White, as the floor"}
-BOUNCES = {"0": "None: the lamp alone", "1": "One", "2": "Two", "4": "Four", "all": "All"}
-LAMP = (1.12, -0.7)
-"""Drawn distance of the lamp from the edge in the room, which it has in a vertical plane, and
-its z."""
-
-EDGE = (192.0, 262.0)
-LENGTH = 172.0  # of each plane in the section, in units of the view box
-SECTION_LAMP = 180.0  # drawn distance of the lamp from the edge; it is far away
+WALLS = {"red": "Red", "white": "White, as the floor", "all": "Red, with floor and ceiling"}
+BOUNCES = {
+    "0": "None: the lamp alone",
+    "1": "The first",
+    "2": "First and second",
+    "4": "The first four",
+    "all": "All",
+}
+RED = 0.1  # share of the white's albedo that red paint has in green and blue
+DRAFT = "coarse"  # the draft while lamp or albedo is dragged
+FINE, DRAFT_FINE = 1.5, 0.75  # raster pixels per unit of the view box
+PLACES: Floats = np.linspace(0.0, 1.0, room.FINER + 1)  # distances from the edge on the line
 
 PLOT = Plot(Axis(-1.0, 1.0, 42.0, 386.0), Axis(0.0, 1.2, 262.0, 44.0))
 """Places along the wall from −1 to 0, along the floor from 0 to 1."""
 FROM_EDGE = Scale(ticks=[(place, f"{abs(place):g}") for place in (-1, 0, 1)])
-BRIGHTNESS = Scale(ticks=(0, 1))
 LEGEND = (
     Entry("lamp alone", "light dashed"),
-    Entry("all: red light", "ray bold"),
-    Entry("all: blue light", "image"),
+    Entry("red light", "ray bold"),
+    Entry("blue light", "image"),
 )
-ALONG = np.concatenate([-PLACES[::-1], PLACES])
+ALONG = np.concatenate([PLACES - 1.0, PLACES])
 
 
 @dataclass(frozen=True, slots=True)
 class Settings:
     bounces: str = choice("Bounces", BOUNCES, "all")
     light_angle: float = slider("Lamp above the floor", 55, 10, 170, 1, unit="°")
-    opening: float = slider("Opening angle φ", 90, 40, 150, 1, unit="°")
     albedo: float = slider("Albedo ρ", 0.8, 0, 0.95, 0.01)
-    wall: str = choice("Wall", WALLS)
+    wall: str = choice("Walls", WALLS)
     place: float = slider("Point on the floor", 0.15, 0.01, 0.99, 0.01)
+
+
+@dataclass(frozen=True, slots=True)
+class Light:
+    """What the walls send to each other, in red light and in blue."""
+
+    arriving: Floats  # (6 · (FINER + 1)², 2) irradiance by the other walls, at the finer places
+    on_ball: Floats  # (9, 2) polynomial of the ball's irradiance by them
+    mean: tuple[float, float]  # brightness of the walls in red: by the lamp alone, and with bounces
+
+
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """Brightness down the wall and along the floor; 1 is a perfect white that faces the lamp."""
+
+    lamp: Floats  # (2 · (FINER + 1),) by the lamp alone, in red light
+    all_light: Floats  # (2 · (FINER + 1), 2) in red light and in blue
+
+    def at(self, place: float) -> tuple[float, float, float]:
+        """On the floor, interpolated: by the lamp alone, then in red and in blue."""
+        curves = (self.lamp, *self.all_light.T)
+        lamp, red, blue = (float(np.interp(place, PLACES, each[-len(PLACES) :])) for each in curves)
+        return lamp, red, blue
+
+
+def direct(light_angle: float) -> Floats:
+    """(6, CELLS, CELLS) irradiance of the patches by the lamp: means of `room.SAMPLES`² points."""
+    found = room.sampled().by_lamp(light_angle)
+    return found.reshape(6, CELLS, room.SAMPLES, CELLS, room.SAMPLES).mean(axis=(2, 4))
+
+
+def albedos_of(albedo: float, wall: str) -> Floats:
+    """(7, 2) of the walls and the ball, in red light and in blue."""
+    reds = {"red": [0, 1, 4, 5], "white": [], "all": range(6)}[wall]
+    found = np.full((7, 2), albedo)
+    found[list(reds), 1] *= RED
+    return found
+
+
+def light_of(direct: Floats, bounces: str, albedo: float, wall: str) -> Light:
+    """What arrives is what the walls sent one bounce earlier."""
+    colours, count = albedos_of(albedo, wall)[:6].T, None if bounces == "all" else int(bounces)
+    before = [np.zeros_like(direct)] * 2
+    if count != 0:
+        fewer = None if count is None else count - 1
+        before = [bounced(direct, albedos, fewer) for albedos in colours]
+    sent = np.stack([each.ravel() for each in before], axis=-1)
+    arriving = (exchange() @ sent).reshape(6, CELLS, CELLS, 2)
+    spread = room.finer_weights()
+    finer = np.einsum("ai,fijc,bj->fabc", spread, arriving, spread, optimize=True)
+    of_lamp = float(albedo * direct.mean())
+    return Light(
+        np.maximum(finer, 0.0).reshape(-1, 2).astype(np.float32),
+        (room.light_on_ball() @ sent).astype(np.float32),
+        (of_lamp, of_lamp + float(albedo * arriving[..., 0].mean())),
+    )
+
+
+def first_of(direct: Floats, albedo: float, wall: str) -> Light:
+    return light_of(direct, "1", albedo, wall)
+
+
+def profile_of(light: Light, light_angle: float, albedo: float, wall: str) -> Profile:
+    places, index = room.line(len(PLACES))
+    lit = places.by_lamp(light_angle)
+    shares = np.repeat(albedos_of(albedo, wall)[[0, 2]], len(PLACES), axis=0)
+    return Profile(albedo * lit, shares * (lit[:, None] + light.arriving[index]))
+
+
+def fineness(tier: str) -> float:
+    return DRAFT_FINE if tier == DRAFT else FINE
+
+
+def by_lamp(light_angle: float, tier: str) -> Floats:
+    """(N, 1) irradiance by the lamp, in each pixel."""
+    return room.view(fineness(tier)).places.by_lamp(light_angle)[:, None]
+
+
+def picture(light: Light, by_lamp: Floats, albedo: float, wall: str, tier: str) -> Raster:
+    """The room: bytes (H, W, 4)."""
+    view = room.view(fineness(tier))
+    albedos = albedos_of(albedo, wall).astype(np.float32)
+    arriving = light.arriving[view.index]
+    on_ball = np.maximum(view.basis @ light.on_ball, 0.0)
+    of_ball = albedos[6] * (on_ball.mean(axis=0) + by_lamp[view.ball].mean())
+    arriving += view.hidden * (of_ball - arriving)
+    arriving[view.ball] = on_ball
+    seen = albedos[view.wall] * (by_lamp + arriving)
+    seen[view.borders] = seen[view.around].mean(axis=0)
+    side = round(math.sqrt(len(seen)))
+    return to_rgba8(encode_srgb_table(seen)[:, [0, 1, 1]].reshape(side, side, 3))
+
+
+def first_picture(first: Light, by_lamp: Floats, albedo: float, wall: str, tier: str) -> Raster:
+    return picture(first, by_lamp, albedo, wall, tier)
+
+
+STAGES = (
+    Stage("direct", direct),
+    Stage("light", light_of, ("direct",)),
+    Stage("first", first_of, ("direct",)),
+    Stage("profile", profile_of, ("light",)),
+    Stage("by_lamp", by_lamp),
+    Stage("picture", picture, ("light", "by_lamp")),
+    Stage("first picture", first_picture, ("first", "by_lamp")),
+)
+
+
+def lamp_in_room(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
+    """Where the lamp's axis meets floor or wall."""
+    turn = math.radians(settings.light_angle)
+    across, down = -math.cos(turn), -math.sin(turn)
+    reach = min(-room.LAMP[1] / down, 0.5 / max(abs(across), 1e-9))
+    x, y, z = room.LAMP + reach * np.array([across, down, 0.0])
+    return room.project((float(x), float(y), float(z)))
 
 
 def point_in_room(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
     return room.project((settings.place, 0.0, room.LINE))
 
 
-def lamp_in_room(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
-    turn = math.radians(settings.light_angle)
-    return room.project((LAMP[0] * math.cos(turn), LAMP[0] * math.sin(turn), LAMP[1]))
-
-
 def marks(settings: Settings) -> str:
-    """The lamp, dashed behind the wall, and the chosen point."""
-    here, source = point_in_room(settings, {}), lamp_in_room(settings, {})
-    hidden = settings.light_angle > settings.opening
+    """The lamp with its axis, and the chosen point."""
+    source = room.project((0.5, float(room.LAMP[1]), float(room.LAMP[2])))
+    spot, here = lamp_in_room(settings, {}), point_in_room(settings, {})
     return "".join(
         (
-            circle(source, 9, "light dashed") if hidden else lamp(source),
+            line(source, spot, "casing"),
+            line(source, spot, "light dashed"),
+            lamp(source),
+            circle(spot, 6, "casing"),
+            circle(spot, 6, "light"),
             outlined_dot(here, "image", 5),
-            named(here, "point", "image"),
+            named(here, "point", "image", above=True),
         )
     )
 
 
-def towards(angle_deg: float, length: float) -> tuple[float, float]:
-    """The place in the section at an angle above the floor and a distance from the edge."""
-    turn = math.radians(angle_deg)
-    return EDGE[0] + length * math.cos(turn), EDGE[1] - length * math.sin(turn)
-
-
-def section(settings: Settings) -> str:
-    """Planes, lamp, shadow, and the chosen point's view of the wall."""
-    rim, floor = towards(settings.opening, LENGTH), towards(0, LENGTH)
-    here, source = towards(0, LENGTH * settings.place), towards(settings.light_angle, SECTION_LAMP)
-    middle = EDGE[0] + LENGTH * float(room.CENTRE[0]), EDGE[1] - LENGTH * room.RADIUS
-    under = (EDGE[0], EDGE[1] + 48)
-    beside = rim[0] > 90.0
-    spot = (rim[0] - 20, rim[1] + 5) if beside else (max(rim[0], 32.0), rim[1] + 34)
-    name = towards(settings.opening, 0.3 * LENGTH)
-    parts = [
-        polygon((here, EDGE, rim), "ray fill thin"),
-        circle(middle, room.RADIUS * LENGTH, "world thin"),
-        *shadow(settings),
-        line(EDGE, floor, "world bold"),
-        line(EDGE, rim, "world bold"),
-        arrow(source, towards(settings.light_angle, SECTION_LAMP - 62.0), "light bold"),
-        lamp(source),
-        dot(EDGE, "world", 3.5),
-        outlined_dot(here, "image", 5),
-        text((floor[0], floor[1] - 8), "floor", "world ground", "end"),
-        text(under, "tinted: what the point sees of the wall", "ray small", "middle"),
-        text(spot, "opening", "world small ground", "end" if beside else "middle"),
-        text((name[0] - 9, name[1]), "wall", "world ground", "end"),
-    ]
-    return "".join(parts)
-
-
-def shadow(settings: Settings) -> Iterator[str]:
-    """The ray past the wall's rim, or the floor's, and the shadow."""
-    light = math.radians(settings.light_angle)
-    end = shadow_end(light, math.radians(settings.opening))
-    if end <= 0.0:
-        return
-    reach, rim = towards(0, LENGTH * min(end, 1.0)), towards(settings.opening, LENGTH)
-    yield polygon((EDGE, reach, rim), "muted fill thin faint")
-    if end <= 1.0:
-        start = (rim[0] + 40.0 * math.cos(light), rim[1] - 40.0 * math.sin(light))
-        yield line(start, reach, "light dashed")
-    yield line(EDGE, reach, "error bold")
-    yield text((EDGE[0] + 6, EDGE[1] + 26), "in the lamp’s shadow", "error small ground")
-
-
-def profile(planes: Planes, place: float) -> str:
-    """The lamp's part, and all of the light, in red and blue, along the wall and the floor."""
-    red, blue = planes.all_light
-    _, red_here, blue_here = planes.at(place)
+def curves(profile: Profile, place: float) -> str:
+    red, blue = profile.all_light.T
+    _, red_here, blue_here = profile.at(place)
+    drawn = ((profile.lamp, "light dashed"), (blue, "image"), (red, "ray bold"))
     return "".join(
         (
-            profile_axes(),
-            profile_curve(planes.lamp, "light dashed"),
-            profile_curve(blue, "image"),
-            profile_curve(red, "ray bold"),
+            axes(),
+            *(PLOT.curve(ALONG, np.minimum(each, PLOT.y.high), style) for each, style in drawn),
             PLOT.drop(place, red_here, "muted thin"),
             PLOT.mark(place, blue_here, "image", radius=4.0),
             PLOT.mark(place, red_here, "ray"),
@@ -144,20 +209,14 @@ def profile(planes: Planes, place: float) -> str:
     )
 
 
-def profile_curve(brightness: Floats, style: str) -> str:
-    """(2, 201) of floor and wall, from the wall's rim over the edge to the floor's."""
-    floor, wall = brightness
-    return PLOT.curve(ALONG, np.minimum(np.concatenate([wall[::-1], floor]), PLOT.y.high), style)
-
-
 @cache
-def profile_axes() -> str:
+def axes() -> str:
     (wall, foot), (edge, _), (floor, _) = (PLOT.at(place, 0) for place in (-0.5, 0, 0.5))
     return "".join(
         (
-            PLOT.frame(FROM_EDGE, BRIGHTNESS),
+            PLOT.frame(FROM_EDGE, Scale(ticks=(0, 1))),
             PLOT.upright(0.0, "world thin dashed"),
-            text((wall, foot + 38), "← along the wall", "world small", "middle"),
+            text((wall, foot + 38), "← up the left wall", "world small", "middle"),
             text((floor, foot + 38), "along the floor →", "world small", "middle"),
             text((edge, foot + 38), "edge", "world small", "middle"),
             legend((PLOT.x.start, 22), LEGEND, "small", PLOT.x.end - PLOT.x.start),
@@ -166,69 +225,58 @@ def profile_axes() -> str:
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    planes: Planes = outputs["planes"]
-    by_lamp, red, blue = planes.at(settings.place)
-    factor = edge_factor(settings.albedo, math.radians(settings.opening))
-    size, curves = (WIDTH, HEIGHT), profile(planes, settings.place)
-    shown = outputs["picture"], marks(settings)
+    profile: Profile = outputs["profile"]
+    by_lamp, red, blue = profile.at(settings.place)
+    alone, together = outputs["light"].mean
+    size = (room.SIZE, room.SIZE)
+    title = f"Bounces: {BOUNCES[settings.bounces].lower()}"
     return Frame(
         (
-            Panel("picture", "What the camera sees", *size, *shown, lead=True),
-            Panel("section", "From the side", *size, overlay=section(settings)),
-            Panel("profile", "Brightness of wall and floor", *size, overlay=curves),
+            Panel("first", "The first bounce only", *size, outputs["first picture"]),
+            Panel("picture", title, *size, outputs["picture"], marks(settings)),
+            Panel(
+                "profile",
+                "Brightness along a line",
+                400,
+                320,
+                overlay=curves(profile, settings.place),
+            ),
         ),
         (
             readout("lamp", "Point, lamp alone", by_lamp, digits=3, role="light"),
             readout("red", "Point, red light", red, digits=3, role="ray"),
             readout("blue", "Point, blue light", blue, digits=3, role="image"),
-            readout("bounced", "Point, red light from the wall", red - by_lamp, digits=3),
-            readout("factor", "Edge of two alike: times brighter", factor, digits=2),
+            readout("bounced", "Point, red light from the walls", red - by_lamp, digits=3),
+            readout(
+                "factor",
+                "Room, red light: times the lamp’s",
+                together / alone if alone else 1.0,
+                digits=2,
+            ),
         ),
         describe(settings, red, blue),
     )
 
 
 def describe(settings: Settings, red: float, blue: float) -> str:
-    end = shadow_end(math.radians(settings.light_angle), math.radians(settings.opening))
-    shadow = (
-        f"the wall’s shadow covers {100 * min(end, 1.0):.0f}\u00a0% of the floor"
-        if end > 0
-        else "no part of the floor is shaded"
-    )
-    count = BOUNCES[settings.bounces].lower().replace("none: the lamp alone", "no")
-    times = "bounce" if settings.bounces == "1" else "bounces"
+    paint = {"red": "red walls", "white": "white walls", "all": "red walls, floor and ceiling"}
     return (
-        f"A white ball on a white floor, before a {settings.wall} wall at "
-        f"{settings.opening:.0f}° to it, with the lamp {settings.light_angle:.0f}° above the "
-        f"floor: {shadow}, and with {count} {times} a point {100 * settings.place:.0f}\u00a0% out "
-        f"from the edge has the brightness {format_number(red)} in red light and "
+        f"A white ball in a closed room with {paint[settings.wall]}, under a lamp that shines from "
+        f"{settings.light_angle:.0f}° above the floor. Bounces of its light: "
+        f"{BOUNCES[settings.bounces].lower()}. A point {100 * settings.place:.0f}\u00a0% of the "
+        f"way along the floor has the brightness {format_number(red)} in red light and "
         f"{format_number(blue)} in blue."
     )
 
 
-def lamp_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
-    return towards(settings.light_angle, SECTION_LAMP)
-
-
-def wall_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
-    return towards(settings.opening, LENGTH)
-
-
-def point_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
-    return towards(0, LENGTH * settings.place)
-
-
 def plotted_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
-    return PLOT.clamped(settings.place, outputs["planes"].at(settings.place)[1])
+    return PLOT.clamped(settings.place, outputs["profile"].at(settings.place)[1])
 
 
-LIGHT, OPENING, PLACE = ("light_angle",), ("opening",), ("place",)
+LIGHT, PLACE = ("light_angle",), ("place",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("lamp-in-room", "picture", "Lamp", LIGHT, lamp_in_room, role="light", reversed=LIGHT),
+    Handle("lamp-in-room", "picture", "Lamp", LIGHT, lamp_in_room, role="light"),
     Handle("point-in-room", "picture", "Point on the floor", PLACE, point_in_room, role="image"),
-    Handle("lamp", "section", "Lamp", LIGHT, lamp_at, role="light", reversed=LIGHT),
-    Handle("wall", "section", "Top of the wall", OPENING, wall_at, role="world", reversed=OPENING),
-    Handle("point", "section", "Point on the floor", PLACE, point_at, role="image"),
     Handle("plotted", "profile", "Point on the floor", PLACE, plotted_at, role="ray"),
 )
 SCENE = Scene(
@@ -238,6 +286,6 @@ SCENE = Scene(
     draw,
     STAGES,
     HANDLES,
-    own_drafts={DRAFT: ("opening", "light_angle", "albedo")},
+    own_drafts={DRAFT: ("light_angle", "albedo")},
     formula=bounced,
 )

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from scipy.integrate import dblquad, quad
+from scipy.integrate import dblquad
 
 from simulations.models.arrays import Floats
 from simulations.models.light.brdf import (
@@ -18,12 +18,10 @@ from simulations.models.light.brdf import (
 )
 from simulations.models.light.interreflection import (
     CELLS,
-    EDGES,
+    SHAPE,
     bounced,
     edge_factor,
-    lamp_light,
-    seen_of,
-    shadow_end,
+    exchange,
 )
 from simulations.models.light.reflectance import (
     PointLight,
@@ -134,55 +132,37 @@ def test_what_is_sent_back_is_scipys_integral(model: str, roughness: float, angl
     assert sent_back(model, material, light) == pytest.approx(whole, abs=1e-3)
 
 
-OPENINGS = [np.radians(angle) for angle in (40.0, 90.0, 140.0)]
-PLACES = np.array([0.02, 0.3, 1.0])
+def test_form_factors_are_integrals_of_both_cosines_over_the_squared_distance() -> None:
+    """Between two patches of walls that meet, and of walls that face each other."""
+    whole, middles = exchange().reshape(6, CELLS**2, 6, CELLS**2), (np.arange(40) + 0.5) / 40
+    u, v, s, t = np.meshgrid(*[middles / CELLS] * 4, indexing="ij", sparse=True)
+    far = 1.0 + (u - s) ** 2 + (v - t - 2 / CELLS) ** 2
+    facing = np.mean(1.0 / (np.pi * far**2)) / CELLS**2
+    assert whole[0, 0, 1, 2] == pytest.approx(facing, rel=1e-4)
+    apart = 5 / CELLS  # from the edge
+    square = (u + apart) ** 2 + (s + apart) ** 2 + (v - t) ** 2
+    aside = np.mean((u + apart) * (s + apart) / (np.pi * square**2)) / CELLS**2
+    # x = 0 at (y, z) and y = 0 at (x, z), both as far from their edge.
+    assert whole[0, 5 * CELLS + 1, 2, 5 * CELLS + 1] == pytest.approx(aside, rel=1e-4)
+    np.testing.assert_allclose(exchange().sum(axis=1), 1.0)
+    np.testing.assert_allclose(exchange(), exchange().T, atol=1e-14)
 
 
-@pytest.mark.parametrize("opening", OPENINGS)
-def test_form_factors_are_integrals_of_both_cosines_over_the_distance(opening: float) -> None:
-    """Form factor of endless strips: cos θ cos θ′ / (2 r) per length."""
-
-    def kernel(there: float, here: float) -> float:
-        square = here**2 + there**2 - 2 * here * there * np.cos(opening)
-        return float(np.sin(opening) ** 2 * here * there / (2 * square**1.5))
-
-    for i, place in enumerate(PLACES):
-        for j in (0, 7, CELLS - 1):
-            whole = quad(kernel, EDGES[j], EDGES[j + 1], args=(place,))[0]
-            assert seen_of(PLACES, opening)[i, j] == pytest.approx(whole, rel=1e-8, abs=1e-13)
-
-
-@pytest.mark.parametrize("opening", OPENINGS)
-@pytest.mark.parametrize("albedo", [0.0, 0.5, 0.9])
-def test_the_edge_of_two_planes_alike_is_brighter_by_the_closed_form(
-    opening: float, albedo: float
-) -> None:
-    lit = bounced(np.ones((2, CELLS)), [albedo, albedo], opening, None)
-    expected = albedo * edge_factor(albedo, opening)
-    np.testing.assert_allclose(lit[:, 0], expected, rtol=0.03)
-    np.testing.assert_allclose(lit[0], lit[1])
+@pytest.mark.parametrize("albedo", [0.0, 0.5, 0.95])
+def test_a_closed_room_is_brighter_by_the_closed_form(albedo: float) -> None:
+    lamp = np.random.default_rng(3).random(SHAPE)
+    lit = bounced(lamp, np.full(6, albedo), None)
+    assert lit.mean() == pytest.approx(albedo * lamp.mean() * edge_factor(albedo, 0.0))
 
 
 def test_bounce_after_bounce_comes_to_what_the_linear_system_says() -> None:
-    lamp = np.random.default_rng(3).random((2, CELLS))
-    for opening in OPENINGS:
-        endless = bounced(lamp, [0.8, 0.6], opening, None)
-        np.testing.assert_allclose(bounced(lamp, [0.8, 0.6], opening, 60), endless, rtol=1e-8)
-        alone = bounced(lamp, [0.8, 0.6], opening, 0)
-        np.testing.assert_allclose(alone, np.array([[0.8], [0.6]]) * lamp)
-        before = bounced(lamp, [0.8, 0.6], opening, 3)
-        after = bounced(lamp, [0.8, 0.6], opening, 4)
-        assert (before < after).all()
-        assert (after < endless).all()
-
-
-def test_the_lamps_light_goes_as_the_cosine_and_stops_at_the_shadow() -> None:
-    places, opening = np.linspace(0.0, 1.0, 11), np.radians(90.0)
-    np.testing.assert_allclose(lamp_light(places, np.radians(30.0), opening), 0.5)
-    light = np.radians(135.0)
-    assert shadow_end(light, opening) == pytest.approx(1.0)
-    assert shadow_end(np.radians(110.0), opening) == pytest.approx(1 / np.tan(np.radians(70.0)))
-    found = lamp_light(places, np.radians(110.0), opening)
-    np.testing.assert_allclose(found, np.where(places > 0.364, np.sin(np.radians(110.0)), 0.0))
-    for beneath in (0.0, -0.5, -3.0):
-        assert not lamp_light(places, beneath, opening).any()
+    lamp, albedos = np.random.default_rng(3).random(SHAPE), np.array([0.95, 0.9, 0.6, 0.1, 1, 0.8])
+    share = np.repeat(albedos, CELLS**2)
+    system = np.eye(6 * CELLS**2) - share[:, None] * exchange()
+    solved = np.linalg.solve(system, share * lamp.ravel()).reshape(SHAPE)
+    endless = bounced(lamp, albedos, None)
+    np.testing.assert_allclose(endless, solved, rtol=1e-9)
+    before, after = (bounced(lamp, albedos, count) for count in (3, 4))
+    assert (before < after).all()
+    assert (after < endless).all()
+    np.testing.assert_allclose(bounced(lamp, albedos, 0).ravel(), share * lamp.ravel())
