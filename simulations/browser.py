@@ -15,7 +15,7 @@ from simulations.editing.shared import restore_modules
 from simulations.engine.frame import Frame, Raster, Readout, Samples, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.photograph import Photograph, photograph_from_page
-from simulations.engine.raster import opaque
+from simulations.engine.raster import opaque, png
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
@@ -201,6 +201,11 @@ def read(scene_id: str, picture: Any) -> str:
     except UnfitError as error:
         return json.dumps({"unfit": str(error)}, ensure_ascii=False)
     return json.dumps({"data": data}, ensure_ascii=False, allow_nan=False)
+
+
+def sample(scene_id: str, name: str) -> bytes:
+    """PNG of a simulated photograph to try a scene with. Raises `KeyError` for an unknown name."""
+    return png(opaque(load_scene(scene_id).samples[name]()))
 
 
 def readings(figure: str, kept: str) -> None:

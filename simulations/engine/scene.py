@@ -46,6 +46,9 @@ class Scene[S]:
     """Finds in one photograph of up to 24 megapixels what is kept of it: JSON values, which stages
     get as ``readings``. Raises `simulations.engine.reading.UnfitError` for one that cannot be used.
     It runs in an interpreter of its own and may take seconds."""
+    samples: Mapping[str, Callable[[], Codes]] = field(default_factory=dict)
+    """Simulated photographs to try an instrument with, (H, W, 3) or grey (H, W, 1) sRGB, by the
+    names of their files, which may state the truth."""
     develop: Callable[[Photograph, S, Outputs], Codes] | None = None
     """Makes the reader's photograph anew, at full resolution, to be saved: (H, W, 3) sRGB, of the
     size of its codes."""

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Dialog, Locator, expect
 from support.dng import dng
 from support.edges import gaussian_edge, gaussian_half
 from support.engines import ENGINES, open_engine
@@ -186,7 +186,11 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     photographs, said = instrument.photographs, instrument.said
     before = instrument.readout("per_px").inner_text()
     files = edge_files(tmp_path)
-    instrument.add(files)
+    with reader.next_frame(figure):
+        box.get_by_role("button", name="Try with samples").press("Enter")
+    expect(said).to_have_text("6 of 6 photographs are ready.")
+    expect(box.get_by_label("Keep on this device")).to_be_hidden()
+    instrument.add(files)  # the samples make room
     assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
     expect(photographs.nth(2)).to_contain_text("it needs at least 16 each way")
     expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
@@ -238,6 +242,16 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     expect(instrument.readout("per_px")).to_have_text(soft)
     keep.uncheck()
     wait_stored(reader, 0)
+    asked = list[str]()
+
+    def leave(dialog: Dialog) -> None:
+        asked.append(dialog.type)
+        dialog.accept()
+
+    reader.page.once("dialog", leave)
+    reader.page.locator("a", has_text="The Digital Sensor").first.click()
+    reader.page.wait_for_url("**/digital-sensor/")
+    assert asked == ["beforeunload"]
     reader.open(PAGE)
     expect(photographs).to_have_count(0)
     reader.page.evaluate(SLOW_TO_OPEN)

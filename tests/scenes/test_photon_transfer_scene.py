@@ -13,12 +13,13 @@ from support.flat_fields import FILE_GAIN, SENSOR, as_srgb, light_of, pairs_of
 from support.frames import frame_of, outputs_of, texts_at
 
 from simulations.engine.photograph import Mosaic, Photograph
+from simulations.engine.raster import opaque
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.stages import Outputs, StageCache
 from simulations.models.arrays import Floats
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic
-from simulations.scenes.photon_transfer.frames import read
+from simulations.scenes.photon_transfer.frames import SAMPLED, read
 from simulations.scenes.photon_transfer.results import sheet
 from simulations.scenes.photon_transfer.scene import SCENE
 
@@ -72,6 +73,7 @@ GREY = [
     for k, level in enumerate((0.0, *LEVELS))
     for i in (0, 1)
 ]
+SAMPLES = [photograph(k, opaque(make())[..., :3]) for k, make in enumerate(SCENE.samples.values())]
 RAW = [raw(2 * k + i, pair[i]) for k, pair in enumerate(pairs_of(256, 7)) for i in (0, 1)]
 
 
@@ -80,6 +82,7 @@ RAW = [raw(2 * k + i, pair[i]) for k, pair in enumerate(pairs_of(256, 7)) for i 
     [
         (levels_of(as_srgb), ["red", "green", "blue"], FILE_GAIN, None),
         (GREY, None, 5.0, 5.0),
+        (SAMPLES, None, SAMPLED.gain_e_per_dn, SAMPLED.read_noise_e),
         (
             RAW,
             ["red", "green, row 0", "green, row 1", "blue"],
@@ -87,7 +90,7 @@ RAW = [raw(2 * k + i, pair[i]) for k, pair in enumerate(pairs_of(256, 7)) for i 
             SENSOR.read_noise_e,
         ),
     ],
-    ids=["colour", "grey", "raw"],
+    ids=["colour", "grey", "samples", "raw"],
 )
 def test_a_file_gives_another_gain_or_read_noise(
     photographs: list[Photograph], planes: list[str] | None, gain: float, read_noise: float | None

@@ -59,6 +59,7 @@ WHOLE: dict[str, Any] = {
     "stages": STAGES,
     "photograph": Whole(),
     "read": mean_of,
+    "samples": {"grey.png": lambda: np.array([[[7], [9]]], np.uint8)},
     "develop": lambda photograph, s, _outputs: (photograph.codes * s.gain).astype(np.uint8),
     "exports": (Export("mean", "Text", ".txt", as_text),),
     "sheet": lambda _settings, outputs: (readout("mean", "Mean", outputs["mean"], "codes"),),
@@ -120,6 +121,11 @@ def test_a_raw_file_brings_its_facts_and_its_cells(use: Callable[..., None]) -> 
     assert photograph.mosaic is not None
     assert photograph.mosaic.codes.tolist() == [[0x0100, 0x0302], [0x0504, 0x0706]]
     assert photograph.mosaic.black == (1, 2, 3, 4)
+
+
+def test_a_sample_is_a_file_with_the_codes_of_the_scene() -> None:
+    with Image.open(io.BytesIO(browser.sample("s", "grey.png"))) as file:
+        np.testing.assert_array_equal(file.convert("RGB"), [[[7] * 3, [9] * 3]])
 
 
 def test_readings_replace_the_books_pictures_in_all_results() -> None:

@@ -5,6 +5,7 @@ It also makes files for other programs, the data sheet, and the undistorted phot
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -37,7 +38,7 @@ from simulations.models.calibration.undistorted import undistorted
 from simulations.scenes._wipe import wiped
 from simulations.scenes.calibration import drawing
 from simulations.scenes.calibration.board_drawing import board_drawing, board_words
-from simulations.scenes.calibration.boards import LEAST, MOST, Boards, read
+from simulations.scenes.calibration.boards import LEAST, MOST, TRUTH, Boards, read, rendered
 from simulations.scenes.calibration.stages import (
     DRAFT,
     STAGES,
@@ -394,6 +395,10 @@ SCENE = Scene(
     ),
     photograph=Whole(1.0),
     read=read,
+    samples={
+        f"true {TRUTH.fx:.0f} px, board {index + 1}.png": partial(rendered, index)
+        for index in range(12)
+    },
     develop=develop,
     exports=(
         Export("camera", "OpenCV YAML", ".yaml", _file(exports.opencv_yaml)),

@@ -49,6 +49,8 @@ FULL_WELL_E, GAIN_E_PER_DN = 15_000.0, 4.0
 BRIGHTEST_PERCENT = 110
 BRIGHTEST_E = BRIGHTEST_PERCENT / 100 * FULL_WELL_E
 PRNU, DSNU_E = 0.01, 4.0
+SAMPLED = Sensor(1800.0, read_noise_e=10.0, gain_e_per_dn=8.0, bits=8, black_level_dn=8.0)
+"""The sensor of the photographs to try."""
 SIMULATED = "simulated"  # name of the only plane of the simulated sensor, which sees no colour
 
 KEPT_SIDE = 256  # of the square in the middle, in px; a smaller photograph is kept whole
@@ -261,6 +263,14 @@ def read_out(electrons: tuple[Floats, ...], cells: Cells, read_noise: float) -> 
         read_pair(counted, cells, sensor, np.random.default_rng((2, k)))
         for k, counted in enumerate(electrons)
     )
+
+
+def sample(percent: int, which: int) -> Codes:
+    """(256, 256, 1) one of two photographs by `SAMPLED`, of light in % of its full well."""
+    cells = unequal_cells((KEPT_SIDE, KEPT_SIDE), PRNU, 0.0, np.random.default_rng(0))
+    rng = np.random.default_rng((3, percent))
+    counted = counted_pair(0.01 * percent * SAMPLED.full_well_e, cells, SAMPLED, rng)
+    return read_pair(counted, cells, SAMPLED, rng)[which, ..., None].astype(np.uint8)
 
 
 def pair_up(codes: tuple[Pair, ...], readings: Readings) -> Frames:

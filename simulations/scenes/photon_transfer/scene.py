@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from textwrap import wrap
 
 import numpy as np
@@ -23,12 +24,14 @@ from simulations.models.sensor.photon_transfer_fit import SensorEstimate, charac
 from simulations.models.sensor.photon_transfer_pair import Level
 from simulations.scenes.photon_transfer.frames import (
     DRAFT,
+    SAMPLED,
     STAGES,
     Frames,
     Measured,
     Pair,
     Settings,
     read,
+    sample,
 )
 from simulations.scenes.photon_transfer.results import EXPORTS, measured, readouts, sheet, value_of
 
@@ -219,6 +222,13 @@ SCENE = Scene(
     (Handle("end", "transfer", "End of the fit", ("most",), end_at, None, "press", "camera"),),
     Whole(SMALL, mosaic=True),
     read,
+    samples={
+        f"true {SAMPLED.gain_e_per_dn:g} e⁻ per DN, {percent} % {'ab'[which]}.png": partial(
+            sample, percent, which
+        )
+        for percent in (0, 3, 8, 18, 35, 60, 90)
+        for which in (0, 1)
+    },
     own_drafts={DRAFT: ("pairs",)},
     exports=EXPORTS,
     sheet=sheet,

@@ -218,6 +218,7 @@ SCENE = Scene(
         Handle("clear", "loupe", "All lines", ("lines",), lambda *_: None, cleared, reach="aim"),
     ),
     photograph=Whole(24),
+    samples={f"true f {FOCAL_PX:.0f} px, room.png": partial(photo, "corner", None)},
     sheet=measuring.sheet,
     exports=(
         Export("distances", "Distances as JSON", ".json", files.as_json),

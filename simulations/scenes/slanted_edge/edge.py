@@ -158,15 +158,17 @@ def lens_factor(frequency: Floats, aperture: float, pitch: float) -> Floats:
     return lens_transfer(1000.0 / pitch * frequency, WAVELENGTH_UM, aperture)
 
 
-def light(angle: float, aperture: float, pitch: float) -> Floats:
-    """(120, 160) light in each pixel, without noise."""
+def light(
+    angle: float, aperture: float, pitch: float, size: tuple[int, int] = (ROWS, COLUMNS)
+) -> Floats:
+    """(H, W) light in each pixel of a picture of this height and width, without noise."""
     slant = math.radians(angle)
-    edge = edge_picture(ROWS, COLUMNS, slant, lambda f: lens_factor(f, aperture, pitch))
+    edge = edge_picture(*size, slant, lambda f: lens_factor(f, aperture, pitch))
     return DARK + STEP * edge
 
 
 def simulated(light: Floats, noise: float, sharpening: float) -> Codes:
-    """(120, 160, 3) the file, with the same noise each time."""
+    """(H, W, 3) the file, with the same noise each time."""
     taken = light + np.random.default_rng(0).normal(0.0, 0.01 * noise * STEP, light.shape)
     soft = filter_and_sample(taken, 1, gaussian_kernel(HALO_PX))
     taken += sharpening * (taken - soft)

@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from textwrap import wrap
 
 from simulations.engine.controls import PointLists, Value
 from simulations.engine.drawing import dot, line, rectangle, text
 from simulations.engine.frame import Frame, Panel, format_number, value_with_error
 from simulations.engine.handles import Handle, Point
-from simulations.engine.photograph import MOST_MEGAPIXELS, Photograph, Whole
+from simulations.engine.photograph import MOST_MEGAPIXELS, Codes, Photograph, Whole
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import centred
@@ -26,6 +27,8 @@ from simulations.scenes.slanted_edge.edge import (
     Settings,
     Sharpness,
     found_rectangle,
+    light,
+    simulated,
 )
 from simulations.scenes.slanted_edge.plots import (
     FREQUENCY,
@@ -230,6 +233,11 @@ def forget(_settings: Settings, _place: Point) -> Mapping[str, Value]:
     return {"kept": ""}
 
 
+def sample(aperture: float, sharpening: float) -> Codes:
+    """(480, 640, 3) a photograph of an edge with pixels of 4 µm."""
+    return simulated(light(5.0, aperture, 4.0, size=(480, 640)), 1.0, sharpening)
+
+
 CORNER, MIDDLE = ("width", "height"), ("x", "y")
 SCENE = Scene(
     "slanted-edge",
@@ -249,6 +257,11 @@ SCENE = Scene(
         Handle("forget", "waves", "All places", ("kept",), nowhere, forget, "aim"),
     ),
     Whole(MOST_MEGAPIXELS),
+    samples={
+        f"at f-{aperture}, {what}.png": partial(sample, float(aperture), sharpening)
+        for aperture in (4, 8, 16)
+        for what, sharpening in (("as taken", 0.0), ("sharpened", 1.0))
+    },
     exports=EXPORTS,
     sheet=sheet,
     sets={"find": found},

@@ -24,6 +24,9 @@ export function install() {
     add(box, files);
   });
   document.addEventListener("painted", refreshSheet, true);
+  addEventListener("beforeunload", (event) => {
+    if (maybe(document, "[data-unsaved]", HTMLElement)) event.preventDefault(); // the browser asks
+  });
 }
 
 /** Called for each page. */
@@ -58,6 +61,7 @@ async function pressed(box: HTMLElement, { classList }: HTMLButtonElement) {
     return;
   }
   const instrument = await instrumentOf(box);
+  if (classList.contains("intake-try")) await instrument.addSamples();
   if (classList.contains("intake-stop")) instrument.stop();
   if (classList.contains("intake-go-on")) await instrument.work();
   if (classList.contains("intake-clear")) instrument.remove(instrument.photos);

@@ -18,8 +18,10 @@ import {
   keepSession,
   keptPhotos,
   type Photo,
+  isWanted,
   restoreSession,
   type State,
+  want,
 } from "./keeping.ts";
 import { PhotoList } from "./list.ts";
 import { Reader, ReaderEnded } from "./reader.ts";
@@ -32,7 +34,7 @@ export class Instrument {
   #isStopped = false;
   /** What is said beside the state of the work, until photographs come or go. */
   #remark = "";
-  #keeps = false;
+  #keeps = isWanted();
   /** What the control that counts photographs last followed. */
   #counted = 0;
   #lens = "";
@@ -49,16 +51,21 @@ export class Instrument {
   ) {
     const { runtime = "" } = document.body.dataset;
     this.scene = figure.dataset.simulation ?? "";
-    const reads = "reads" in box.dataset ? this.scene : "";
     this.url = new URL(runtime, location.href).href;
-    this.#reader = new Reader(this.url, reads, "mosaic" in box.dataset);
+    this.#reader = new Reader(
+      this.url,
+      this.scene,
+      "reads" in box.dataset,
+      "mosaic" in box.dataset,
+    );
+    one(box, ".intake-keep", HTMLInputElement).checked = this.#keeps;
     this.list = new PhotoList(box, {
       look: (photo) => this.look(photo),
       remove: (photo) => this.remove([photo]),
     });
     figure.addEventListener("figure-leave", () => this.#leave(), { once: true });
     figure.addEventListener("painted", () => {
-      if (this.#keeps) keepSession(this.scene, figure);
+      if (this.#keeps && this.#own.length > 0) keepSession(this.scene, figure);
       setTimeout(() => this.#showWork()); // the figure rests, or goes on
     });
     figure.addEventListener("figure-rest", () => setTimeout(() => this.#showWork()));
@@ -77,11 +84,19 @@ export class Instrument {
   }
 
   add(files: Iterable<File>) {
-    this.#remark = "";
+    this.remove(this.photos.filter(({ isSample }) => isSample));
     for (const file of files) {
       if (this.photos.some(({ name, file: { size } }) => name === file.name && size === file.size))
         this.#remark = words("instrument.twice", { name: file.name });
       else this.#take({ id: `${Date.now()}-${nextNumber()}`, name: file.name, file, ...WAITING });
+    }
+    return this.work();
+  }
+
+  /** Simulated photographs, which Python makes as they are read. */
+  addSamples() {
+    for (const name of JSON.parse(this.box.dataset.samples ?? "[]")) {
+      this.#take({ id: name, name, file: new Blob(), isSample: true, ...WAITING });
     }
     return this.work();
   }
@@ -130,7 +145,9 @@ export class Instrument {
     this.photos = this.photos.filter((photo) => !photos.includes(photo));
     for (const photo of photos) this.list.remove(photo);
     if (this.chosen && photos.includes(this.chosen)) this.chosen = null;
-    if (this.#keeps) erase(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
+    if (this.#own.length === 0) forgetSession(this.scene);
+    if (this.#keeps && photos.length > 0)
+      erase(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
     if (photos.some(({ state }) => state === "reading")) this.#reader.close();
     this.#use();
   }
@@ -138,6 +155,7 @@ export class Instrument {
   /** Keep all photographs on this device from now on, or none any more. */
   async keep(wanted: boolean) {
     this.#keeps = wanted;
+    want(wanted);
     if (wanted) {
       keepSession(this.scene, this.figure);
       await this.#keep(this.photos);
@@ -145,10 +163,15 @@ export class Instrument {
       forgetSession(this.scene);
       await erase(this.photos).catch(() => {}); // there are none
     }
+    this.#showWork();
   }
 
   get #next() {
     return this.photos.find(({ state }) => state === "waiting");
+  }
+
+  get #own() {
+    return this.photos.filter(({ isSample }) => !isSample);
   }
 
   get #used() {
@@ -222,9 +245,10 @@ export class Instrument {
   }
 
   async #keep(photos: Photo[]) {
-    if (!this.#keeps) return;
+    const own = photos.filter(({ isSample }) => !isSample);
+    if (!this.#keeps || own.length === 0) return;
     try {
-      await keep(this.scene, photos, this.photos);
+      await keep(this.scene, own, this.photos);
     } catch (error) {
       const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
       this.#stopKeeping(isFull ? words("instrument.full") : words("instrument.not_kept"));
@@ -243,7 +267,11 @@ export class Instrument {
     const count = this.photos.length;
     const done = this.#done;
     const waits = done < count;
+    this.box.toggleAttribute("data-unsaved", !this.#keeps && this.#own.length > 0);
     one(this.box, ".intake-foot", HTMLElement).hidden = count === 0;
+    one(this.box, ".intake-foot label", HTMLElement).hidden = this.#own.length === 0;
+    const trial = maybe(this.box, ".intake-try", HTMLElement);
+    if (trial) trial.hidden = count > 0;
     one(this.box, ".intake-work", HTMLElement).hidden = !waits;
     const bar = one(this.box, "progress", HTMLProgressElement);
     [bar.max, bar.value] = [Math.max(count, 1), done];

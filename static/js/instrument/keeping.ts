@@ -24,6 +24,8 @@ export interface Photo extends Source {
   thumbnail: Blob | null;
   /** What its scene keeps of it. */
   data: unknown;
+  /** Whether it is simulated; its file is made when it is read, and not kept. */
+  isSample?: boolean;
 }
 
 /** Key in storage of the settings of a scene's figure whose photographs are kept. */
@@ -32,6 +34,16 @@ export function keyOf(scene: string) {
 }
 
 const STORE = "photographs";
+const WANTED = "instruments-keep";
+
+/** Whether photographs are to be kept: phones end pages that are not looked at. */
+export function isWanted() {
+  return recall(WANTED) !== false;
+}
+
+export function want(wanted: boolean) {
+  remember(WANTED, wanted ? null : false);
+}
 
 /** `order` in which they were added; `sources` of the Python that read it. */
 type Kept = Omit<Photo, "number"> & { scene: string; order: number; sources: string };

@@ -22,12 +22,13 @@ export class Reader {
 
   /**
    * @param url Absolute address of the runtime folder.
-   * @param scene What reads; empty where photographs are only looked at.
+   * @param reads Whether the scene reads photographs, or only looks at them.
    * @param mosaic Whether it reads the cells of raw files.
    */
   constructor(
     readonly url: string,
     readonly scene: string,
+    readonly reads: boolean,
     readonly mosaic: boolean,
   ) {}
 
@@ -52,19 +53,29 @@ export class Reader {
 
   /** @param ends How often the interpreter had been ended when the photograph was to be read. */
   async #read(photo: Photo, ends: number, say: (text: string) => void) {
-    const megapixels = this.scene ? MOST_MEGAPIXELS : 0;
+    if (photo.isSample && photo.file.size === 0) photo.file = await this.#sample(photo.name);
+    const megapixels = this.reads ? MOST_MEGAPIXELS : 0;
     const wanted = { mosaic: this.mosaic, megapixels, measured: true, say };
     const opened = await open(photo, wanted);
     photo.thumbnail ??= await thumbnailOf(opened.bitmap);
-    if (this.scene && ends === this.#ends) {
+    if (this.reads && ends === this.#ends) {
       const picture = await take(photo, opened, photo.number, MOST_MEGAPIXELS);
-      this.#runtime ??= new Runtime(this.url, () => [this.scene]);
-      const { data, unfit } = await this.#runtime.call("read", { scene: this.scene, picture });
+      const { data, unfit } = await this.#started().call("read", { scene: this.scene, picture });
       if (unfit) throw new Error(unfit);
       photo.data = data;
     }
     opened.bitmap.close();
     if (ends !== this.#ends) throw closed();
+  }
+
+  async #sample(name: string) {
+    const { rasters } = await this.#started().call("sample", { scene: this.scene, name });
+    return new Blob(rasters, { type: "image/png" });
+  }
+
+  #started() {
+    this.#runtime ??= new Runtime(this.url, () => [this.scene]);
+    return this.#runtime;
   }
 }
 

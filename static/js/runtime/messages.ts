@@ -195,6 +195,12 @@ export const CALLS = {
     JSON.parse,
     { unfit: isOptional(isText) },
   ),
+  /** PNG of one of a scene's samples. */
+  sample: call<{ scene: string; name: string }, { rasters: ArrayBuffer[] }>(
+    ["scene", "name"],
+    (file) => ({ rasters: [takeArray(file)] }),
+    { rasters: isListOf(isBuffer, 1) },
+  ),
   /** The text of one of a scene's files. */
   export: call<FrameRequest & { name: string }, { text: string }>(
     [...FRAME, "name"],
