@@ -96,6 +96,7 @@ def book_context(book: Book) -> dict[str, object]:
 @cache
 def template_environment() -> Environment:
     environment = Environment(
+        auto_reload=False,
         bytecode_cache=CompiledTemplates(cache_folder() / "compiled"),
         loader=FileSystemLoader(FOLDERS),
         autoescape=True,
