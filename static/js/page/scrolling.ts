@@ -19,6 +19,7 @@ let asked = false;
 export function install() {
   addEventListener("scroll", ask, { passive: true });
   addEventListener("resize", ask);
+  addEventListener("hashchange", () => openContents()?.hidePopover());
 }
 
 function ask() {
@@ -32,7 +33,8 @@ function follow() {
   const header = maybe(document, ".site-header", HTMLElement);
   if (!header) return;
   header.style.setProperty("--read", read().toFixed(4));
-  const stays = !SMALL.matches || scrollY < 200 || header.matches(":focus-within") || isOpen();
+  const stays =
+    !SMALL.matches || scrollY < 200 || header.matches(":focus-within") || openContents() !== null;
   header.classList.toggle("away", !stays && isAway(header.classList.contains("away")));
 }
 
@@ -53,8 +55,8 @@ function read() {
   return way > 0 ? Math.min(Math.max(scrollY / way, 0), 1) : 1;
 }
 
-function isOpen() {
-  return document.querySelector("#contents:popover-open") !== null;
+function openContents() {
+  return maybe(document, "#contents:popover-open", HTMLElement);
 }
 
 /** Called for each page. */
