@@ -29,7 +29,9 @@ def drawn(place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.P
     """
     parts = []
     for thing in ROOM:
-        corners = clip_to_rectangle(place(footprint(thing)), low, high, closed=True)
+        corners = place(footprint(thing))
+        if (corners < low).any() or (corners > high).any():
+            corners = clip_to_rectangle(corners, low, high, closed=True)
         if len(corners) > 2:
             parts.append(swatch_polygon(corners.tolist(), encode_srgb(thing.albedo).tolist()))
     for line, style in ((WALLS[[0, 3, 2, 1]], "world thin"), (CHART_EDGE, "world bold")):

@@ -22,7 +22,7 @@ from simulations.models.light.raycasting import Box, Sphere, Vector, intersect
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import bounding_radius
 from simulations.models.projection.pinhole import invert_pose, pixel_rays
-from simulations.pictures.patterns import band_about, pixel_width, stripes
+from simulations.pictures.patterns import band, pixel_width, stripes
 from simulations.world import light, surfaces
 from simulations.world.things import THINGS, WALL_DISTANCE, Thing, resting
 
@@ -186,26 +186,36 @@ def _ceiling(points: Floats, area: bool) -> Planes:
     return surfaces.mixed(LIME, BEAM, beams)
 
 
-def _opening(points: Floats, bounds: tuple[float, float, float, float], area: bool) -> Floats:
-    """Share (H, W) of each pixel inside a rectangle of a side wall: y from, to, z from, to."""
-    left, right, bottom, top = bounds
-    across = band_about(points[..., 1] - (left + right) / 2, (right - left) / 2, area)
-    up = band_about(points[..., 2] - (bottom + top) / 2, (top - bottom) / 2, area)
-    return across * up
+@dataclass(frozen=True, slots=True)
+class _Side:
+    """Places on a side wall: y and z of each pixel, and how far it reaches in both."""
+
+    y: Floats
+    z: Floats
+    wide: Floats
+    high: Floats
+
+    def opening(self, bounds: tuple[float, float, float, float]) -> Floats:
+        """Share (H, W) of each pixel inside a rectangle: y from, to, z from, to."""
+        left, right, bottom, top = bounds
+        return band(self.y, left, right, self.wide) * band(self.z, bottom, top, self.high)
 
 
-def _framed(
-    points: Floats, bounds: tuple[float, float, float, float], pictures: int, area: bool
-) -> Planes:
+def _side(points: Floats, area: bool) -> _Side:
+    y, z = points[..., 1], points[..., 2]
+    return _Side(y, z, pixel_width(y, area), pixel_width(z, area))
+
+
+def _framed(side: _Side, bounds: tuple[float, float, float, float], pictures: int) -> Planes:
     """A plastered wall with skirting, the first ``pictures``, and the frame of an opening."""
-    skirting = band_about(points[..., 2], 0.15, area)
-    wall = surfaces.laid_over(_plain(points, area), surfaces.SKIRTING, skirting)
+    skirting = band(side.z, -0.15, 0.15, side.high)
+    wall = surfaces.mixed(PLASTER, surfaces.SKIRTING, skirting)
     for edges, sky, land in PICTURES[:pictures]:
         left, right, bottom, top = edges
         low = (left, right, bottom, bottom + 0.4 * (top - bottom))
         for colour, part in ((WOOD, _wider(edges, 0.07)), (sky, edges), (land, low)):
-            wall = surfaces.laid_over(wall, np.array(colour), _opening(points, part, area))
-    return surfaces.laid_over(wall, FRAME, _opening(points, _wider(bounds, 0.09), area))
+            wall = surfaces.laid_over(wall, np.array(colour), side.opening(part))
+    return surfaces.laid_over(wall, FRAME, side.opening(_wider(bounds, 0.09)))
 
 
 def _wider(
@@ -217,27 +227,26 @@ def _wider(
 
 def _door_wall(points: Floats, area: bool) -> Planes:
     left, right, top = DOORWAY
-    bounds = (left, right, 0.0, top)
-    door = surfaces.laid_over(
-        _framed(points, bounds, 3, area), DOOR, _opening(points, bounds, area)
-    )
+    side, bounds = _side(points, area), (left, right, 0.0, top)
+    door = surfaces.laid_over(_framed(side, bounds, 3), DOOR, side.opening(bounds))
     for low, high in ((0.2, 0.9), (1.05, 1.85)):
         panel = (left + 0.14, right - 0.14, low, high)
-        door = surfaces.laid_over(door, 0.7 * DOOR, _opening(points, panel, area))
+        door = surfaces.laid_over(door, 0.7 * DOOR, side.opening(panel))
     return door
 
 
-def panes(points: Floats, area: bool = True) -> Floats:
+def _panes(side: _Side) -> Floats:
     """Share (H, W) of each pixel of the left wall through which the sky is seen."""
     left, right, bottom, top = WINDOW
-    bars = band_about(points[..., 1] - (left + right) / 2, 0.03, area)
-    sill = band_about(points[..., 2] - (0.6 * top + 0.4 * bottom), 0.03, area)
-    return _opening(points, WINDOW, area) * (1 - np.maximum(bars, sill))
+    middle, sill = (left + right) / 2, 0.6 * top + 0.4 * bottom
+    bars = band(side.y, middle - 0.03, middle + 0.03, side.wide)
+    across = band(side.z, sill - 0.03, sill + 0.03, side.high)
+    return side.opening(WINDOW) * (1 - np.maximum(bars, across))
 
 
 def _window_wall(points: Floats, area: bool) -> Planes:
-    wall = _framed(points, WINDOW, 2, area)
-    return surfaces.laid_over(wall, np.zeros(3), panes(points, area))
+    side = _side(points, area)
+    return surfaces.laid_over(_framed(side, WINDOW, 2), np.zeros(3), _panes(side))
 
 
 def _pixels(
@@ -280,7 +289,9 @@ def shade(view: View, light_angle: float = 40.0, lamp: float = 1.0, around: floa
         picture[:, *window] += light.tinted(lamp * light.LAMP, shining)
     where = view.identity == WALLS.index("left wall")
     if (part := surfaces.window_of(where)) is not None:
-        picture[:, *part] += light.tinted(around * SKY, panes(view.points[part]) * where[part])
+        picture[:, *part] += light.tinted(
+            around * SKY, _panes(_side(view.points[part], True)) * where[part]
+        )
     return picture
 
 

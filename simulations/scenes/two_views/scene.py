@@ -2,13 +2,12 @@
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
-from simulations.engine import drawing
 from simulations.engine.frame import (
     Frame,
-    Panel,
     Raster,
     Readout,
     format_number,
@@ -16,23 +15,20 @@ from simulations.engine.frame import (
     readout,
 )
 from simulations.engine.handles import Handle, Point
-from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
+from simulations.engine.space.orbit import turning
+from simulations.engine.space.view import View
 from simulations.engine.stages import Outputs, Stage
-from simulations.models.arrays import Floats
-from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.projection.two_views import (
     depth_error,
     depth_from_disparity,
     essential_matrix,
 )
+from simulations.scenes.two_views.space import axis_end, lamp_pulled, space, space_panel
 from simulations.scenes.two_views.view import (
     COLUMNS,
     DRAFT_COLUMNS,
-    EYE,
-    FROM_ROOM,
-    HALF_WIDTH_PX,
     LampView,
     Pair,
     by_turns_panel,
@@ -43,20 +39,9 @@ from simulations.scenes.two_views.view import (
     place,
     right_panel,
 )
-from simulations.world import plan
 
 DRAFT = "draft"  # the photographs while a camera moves
 NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
-
-WIDTH, HEIGHT = 400.0, 300.0  # of the view from above
-CENTRE = np.array([28.0, 133.0])
-"""The left camera, seen from above: depth to the right, X downwards."""
-UNITS_PER_M = 28.0
-AXIS_ROW = HEIGHT - 24.0  # of the axis of depths, whose ticks are named below it
-LIMIT_ROW = AXIS_ROW - 8.0  # lower border of the drawing
-FAR_M = 60.0  # length of drawn rays, beyond the panel
-INSIDE = Rectangle(4.0, 4.0, WIDTH - 4.0, AXIS_ROW - 4.0)  # room for labels
-AXIS_M = 3.0  # distance of the handle on the right camera's axis
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +55,8 @@ class Settings:
     left_x: float = slider("Left picture, right", 30.0, -75.0, 75.0, 1.0, unit="px")
     left_up: float = slider("Left picture, up", 20.0, 0.0, 40.0, 1.0, unit="px")
     look: float = slider("Look (odd: left, even: right)", 1, 0, 13, 1)
+    azimuth: float = slider("View azimuth", 112, -180, 180, 1, unit="°")
+    elevation: float = slider("View elevation", 44, -90, 90, 1, unit="°")
 
 
 def pair_of(settings: Settings) -> Pair:
@@ -84,132 +71,14 @@ def right_photograph(focal_length: float, baseline: float, toe_in: float, column
     return photograph(Pair(focal_length, baseline, math.radians(toe_in)), columns, right=True)
 
 
+@lru_cache(maxsize=4)  # drawing and handles ask for it several times a frame
 def view_of(settings: Settings) -> LampView:
     left = np.array([settings.left_x, -settings.left_up])
     return lamp_view(pair_of(settings), settings.depth, left, settings.matching_error)
 
 
-def above(Z: float, X: float) -> Floats:
-    """Metres to the view box from above."""
-    return CENTRE + UNITS_PER_M * np.array([Z, X])
-
-
-def metres_at(spot: Point) -> Floats:
-    """Z and X at a place of the view from above."""
-    return (np.asarray(spot, float) - CENTRE) / UNITS_PER_M
-
-
-def axis_end(baseline: float, toe_in_rad: float) -> Floats:
-    """The handle on the right camera's axis, in the view box."""
-    return above(AXIS_M * math.cos(toe_in_rad), baseline - AXIS_M * math.sin(toe_in_rad))
-
-
-def within(points: Floats, *, closed: bool = True) -> Floats:
-    """A line or an area clipped to the panel."""
-    return clip_to_rectangle(points, (0.0, 0.0), (WIDTH, LIMIT_ROW), closed)
-
-
-def segment(start: Floats, end: Floats, style: str) -> str:
-    points = within(np.array([start, end]), closed=False)
-    return drawing.line(points[0], points[1], style) if len(points) > 1 else ""
-
-
-def plan_panel(view: LampView) -> Panel:
-    """The views from above: centres, baseline, the rays that meet in the lamp, and the uncertainty
-    of the depth."""
-    origin, right, far = above(0.0, 0.0), above(0.0, view.pair.baseline), view.at(FAR_M)
-    parts = (
-        plan.drawn(from_above, (0.0, 0.0), (WIDTH, LIMIT_ROW)),
-        depth_axis(),
-        cameras(view),
-        doubt(view),
-        segment(origin, above(far[2], far[0]), "ray"),
-        segment(right, above(view.point[2], view.point[0]), "ray"),
-        drawing.dot(above(view.depth, float(view.point[0])), "world", 5.0),
-        names(view),
-    )
-    return Panel("plan", "From above", WIDTH, HEIGHT, overlay="".join(parts))
-
-
-def from_above(corners: Floats) -> Floats:
-    """Places (n, 2) of the room's plan in the view box."""
-    X, _, Z = ((np.insert(corners, 2, EYE[2], axis=1) - EYE) @ FROM_ROOM.T).T
-    return CENTRE + UNITS_PER_M * np.stack([Z, X], axis=-1)
-
-
-def depth_axis() -> str:
-    columns = [(Z, above(Z, 0.0)[0]) for Z in (2, 4, 6, 8, 10, 12)]
-    ticks = "".join(
-        drawing.line((x, AXIS_ROW - 3), (x, AXIS_ROW + 3), "muted")
-        + drawing.text((x, AXIS_ROW + 18.0), f"{Z}", "muted small", "middle")
-        for Z, x in columns
-    )
-    start, end = (CENTRE[0], AXIS_ROW), (WIDTH - 4.0, AXIS_ROW)
-    name = drawing.text((CENTRE[0], AXIS_ROW + 18.0), "Z, m", "muted small")
-    return drawing.arrow(start, end, "muted thin") + name + ticks
-
-
-def cameras(view: LampView) -> str:
-    """Both centres, the baseline, and the fields of view."""
-    pair = view.pair
-    slope = HALF_WIDTH_PX / pair.focal_px
-    left, right = above(0.0, 0.0), above(0.0, pair.baseline)
-    parts = []
-    for X, turn in ((0.0, 0.0), (pair.baseline, pair.toe_in_rad)):
-        for side in (-slope, slope):
-            angle = math.atan(side) - turn
-            end = above(FAR_M * math.cos(angle), X + FAR_M * math.sin(angle))
-            parts.append(segment(above(0.0, X), end, "camera thin faint dashed"))
-    low = min(right[1] + 24.0, HEIGHT - 40.0)
-    parts += [
-        segment(right, axis_end(pair.baseline, pair.toe_in_rad), "camera thin"),
-        drawing.line(left, right, "camera bold"),
-        drawing.dot(left, "camera", 4.5),
-        drawing.dot(right, "camera", 4.5),
-        drawing.text((4.0, left[1] - 12.0), "left", "camera small ground"),
-        drawing.text((4.0, low), "right", "camera small ground"),
-    ]
-    return "".join(parts)
-
-
-def doubt(view: LampView) -> str:
-    """The part of the left ray that is consistent with the match and its error, with the
-    directions of the right camera that lead to it, and its depths on the axis."""
-    if view.nearest == view.farthest:
-        return ""
-    near, far = view.at(view.nearest), view.at(min(view.farthest, FAR_M))
-    ends = np.array([above(near[2], near[0]), above(far[2], far[0])])
-    wedge = within(np.array([above(0.0, view.pair.baseline), *ends]))
-    parts = [drawing.polygon(wedge, "error thin fill")] if len(wedge) > 2 else []
-    parts.append(segment(ends[0], ends[1], "error bold"))
-    for x, y in ends[ends[:, 0] <= WIDTH]:
-        start = min(max(y, 0.0), LIMIT_ROW)
-        parts.append(drawing.line((x, start), (x, AXIS_ROW), "error thin dashed"))
-    left, right = np.minimum(ends[:, 0], WIDTH)
-    if left < right:
-        parts.append(drawing.line((left, AXIS_ROW), (right, AXIS_ROW), "error bold"))
-    return "".join(parts)
-
-
-def names(view: LampView) -> str:
-    """The names of the lamp, of the handle on the right camera's axis and of the range of depths,
-    clear of the rays."""
-    right = above(0.0, view.pair.baseline)
-    axis = axis_end(view.pair.baseline, view.pair.toe_in_rad)
-    spot = above(view.depth, float(view.point[0]))
-    labels = [
-        Label(spot, "lamp", "world small ground", "above", 14.0),
-        Label(axis, "turn", "camera small ground", "below", 14.0),
-    ]
-    if view.nearest < view.farthest:
-        depths = (view.nearest, view.farthest)
-        near, far = (min(float(above(depth, 0.0)[0]), WIDTH) for depth in depths)
-        bar, others = (far, AXIS_ROW - 10.0), [(near, AXIS_ROW - 10.0)]
-        labels.append(Label(bar, "depths that fit", "error small ground", "right", others=others))
-    below = spot + np.array([0.0, 30.0])
-    rays = [(above(0.0, 0.0), spot), (right, spot), (right, axis), (spot, below)]
-    curves: list[list[drawing.Point]] = [list(ends) for ends in rays]
-    return place_labels(labels, INSIDE, curves)
+def space_of(settings: Settings) -> View:
+    return space(settings.azimuth, settings.elevation)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -226,7 +95,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 view, outputs["right" if looks_right(settings) else "left"], looks_right(settings)
             ),
             right_panel(view, outputs["right"]),
-            plan_panel(view),
+            space_panel(view, space_of(settings)),
         ),
         (
             readout("d", "d, disparity", view.disparity, "px", digits=1, role="image"),
@@ -274,19 +143,25 @@ def describe(settings: Settings, view: LampView, off: float) -> str:
 
 
 def lamp_at(settings: Settings, _outputs: Outputs) -> Point:
-    X = settings.left_x / settings.focal_length * settings.depth
-    return tuple(above(settings.depth, X).tolist())
+    return space_of(settings).at(*view_of(settings).point)
 
 
-def lamp_pulled(settings: Settings, spot: Point) -> dict[str, float]:
+def lamp_moved(settings: Settings, spot: Point) -> dict[str, float]:
     """Its height in the world changes with it; its height in the left picture does not."""
-    Z, X = metres_at(spot).tolist()
-    depth = max(Z, NEAREST_M)
-    return {"depth": depth, "left_x": settings.focal_length * X / depth}
+    rise = -settings.left_up / settings.focal_length
+    found = lamp_pulled(space_of(settings), rise, spot)
+    if found is None:
+        return {}
+    depth = max(found[1], NEAREST_M)
+    return {"depth": depth, "left_x": settings.focal_length * found[0] / depth}
+
+
+def camera_at(settings: Settings, _outputs: Outputs) -> Point:
+    return space_of(settings).at(settings.baseline, 0.0, 0.0)
 
 
 def axis_at(settings: Settings, _outputs: Outputs) -> Point:
-    return tuple(axis_end(settings.baseline, math.radians(settings.toe_in)).tolist())
+    return space_of(settings).at(*axis_end(pair_of(settings)))
 
 
 def looks_right(settings: Settings) -> bool:
@@ -324,26 +199,10 @@ SCENE = Scene(
     draw,
     (Stage("left", left_photograph), Stage("right", right_photograph)),
     handles=(
-        Handle(
-            "lamp",
-            "plan",
-            "Lamp",
-            ("depth", "left_x"),
-            lamp_at,
-            lamp_pulled,
-            role="world",
-            reversed=("left_x",),
-        ),
-        Handle(
-            "camera",
-            "plan",
-            "Right camera",
-            ("baseline",),
-            lambda settings, _: tuple(above(0.0, settings.baseline).tolist()),
-            role="camera",
-            reversed=("baseline",),
-        ),
+        Handle("lamp", "plan", "Lamp", ("depth", "left_x"), lamp_at, lamp_moved, role="world"),
+        Handle("camera", "plan", "Right camera", ("baseline",), camera_at, role="camera"),
         Handle("axis", "plan", "Axis of the right camera", ("toe_in",), axis_at, role="camera"),
+        turning("plan"),
         Handle(
             "left",
             "turns",

@@ -32,7 +32,7 @@ EYE = np.array([-0.25, -1.2, 1.2])
 FROM_ROOM = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 """Rotation (3, 3) from the room's axes to the left camera's."""
 CEILING_Y = float(EYE[2] - HIGH[2])
-COLUMNS, DRAFT_COLUMNS = 800, 150  # rays across a photograph, at rest four to a drawn pixel
+COLUMNS, DRAFT_COLUMNS = 800, 120  # rays across a photograph, at rest four to a drawn pixel
 
 WIDTH, HEIGHT = 400.0, 300.0
 MIDDLE, UNITS_PER_PX = np.array([200.0, 150.0]), 2.0
