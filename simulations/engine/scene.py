@@ -55,7 +55,8 @@ class Scene[S]:
     exports: tuple[Export[S], ...] = ()
     """Files to save, a button each."""
     sheet: Callable[[S, Outputs], tuple[Readout, ...]] | None = None
-    """The lines of the data sheet: what was measured of the reader's camera, with errors."""
+    """The lines of the data sheet, what was measured of the reader's camera, with errors: first the
+    main one, then three that say how it was measured."""
     measured: Callable[[Outputs], Sequence[int]] | None = None
     """Numbers of the readings that the lines are of, for a scene that may leave some out."""
     parameters: Callable[[S, str], Mapping[str, Value] | None] | None = None

@@ -13,6 +13,7 @@ import pytest
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 from playwright.sync_api import Dialog, Locator, expect
+from pypdf import PdfReader
 from support.dng import dng
 from support.edges import gaussian_edge, gaussian_half
 from support.engines import ENGINES, open_engine
@@ -197,7 +198,7 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     expect(photographs.nth(4)).to_contain_text("20000")  # known before it is decoded
     expect(photographs.nth(5)).to_contain_text("20001")
     expect(said).to_contain_text("4 are refused")
-    expect(reader.page.locator(".data-sheet tbody")).to_contain_text("soft.png")
+    expect(reader.page.locator(".data-sheet-files")).to_have_text("soft.png")
     instrument.click(figure.get_by_role("button", name="Keep this place"))
     part = instrument.sheet()
     assert part["photographs"] == ["soft.png"]
@@ -351,7 +352,7 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     expect(transfer.said).to_contain_text(f"{len(EVEN)} of {len(files)}")
     expect(transfer.photographs.last).to_contain_text("not evenly lit")
     expect(transfer.readout("gain_true")).to_contain_text("unknown")
-    expect(page.locator(".data-sheet tbody")).to_contain_text("Conversion gain")
+    expect(page.locator(".data-sheet-parts")).to_contain_text("Conversion gain")
     assert transfer.sheet()["lines"] == sheet_of_even_light()
     assert not any("libraw" in url for url in requests)
     transfer.clear()
@@ -360,10 +361,16 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     transfer.give(saved(tmp_path, {f"{k}.dng": data for k, data in enumerate(cut)}))
     expect(transfer.said).to_contain_text(f"{len(RAW)} of {len(cut)} photographs are ready")
     expect(transfer.photographs.last).to_contain_text("damaged or cut off")
-    expect(page.locator(".data-sheet tbody")).to_contain_text("green, row 0")
+    expect(page.locator(".data-sheet-parts")).to_contain_text("green, row 0")
     reader.settle(transfer.figure)
     assert any("libraw" in url for url in requests)
     assert transfer.sheet()["lines"] == sheet_of_raw()
+    page.evaluate("window.print = () => { window.is_printing = true; }")
+    page.locator(".data-sheet").get_by_role("button", name="Print").click()
+    page.wait_for_function("() => window.is_printing")
+    paper = PdfReader(io.BytesIO(page.pdf(format="A4")))
+    assert len(paper.pages) == 1
+    assert "green, row 0" in paper.pages[0].extract_text()
 
     # The other instruments get the developed picture, which clips no white.
     light = 0.05 + 0.85 * gaussian_edge(360, 480, 5.0, 1.0)
@@ -478,9 +485,10 @@ CHOOSE = f"""(files) => {{
   input.dispatchEvent(new Event('change', {{bubbles: true}}));
 }}"""
 READS = """(lines) => {
-  const rows = [...document.querySelectorAll('.data-sheet tbody tr:not(:first-child)')];
-  return rows.length === lines.length && rows.every(({cells}, index) =>
-    cells[0].textContent === lines[index][0] && cells[1].textContent.startsWith(lines[index][1]));
+  const rows = [...document.querySelectorAll('.data-sheet tr')].map(({cells}) => [...cells]);
+  rows.unshift(['what', 'number'].map((part) => document.querySelector(`.data-sheet-${part}`)));
+  return rows.length === lines.length && rows.every(([what, value], index) =>
+    what?.textContent === lines[index][0] && value.textContent.startsWith(lines[index][1]));
 }"""
 """Whether these are the lines of the sheet, whose units follow the values."""
 

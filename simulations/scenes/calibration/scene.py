@@ -290,11 +290,13 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     degrees = float(np.degrees(2.0 * np.arctan(0.5 * width / trial.fit.camera.fx)))
     each = rms_of_each(outputs["trials"].views, trial.fit)
     worst = f"{format_number(float(each.max()), 3)} px, {given.names[int(each.argmax())]}"
+    main, *parameters = _parameters(result)
     return (
-        Readout("size", "Size of the photographs", f"{width} × {height}", "px"),
+        main,
         Readout("photographs", "Photographs used", str(len(trial.fit.poses.t))),
+        Readout("size", "Size of the photographs", f"{width} × {height}", "px"),
         Readout("lens", "Model of the lens", LENSES[trial.lens]),
-        *_parameters(result),
+        *parameters,
         *(
             [readout("stated", "Focal length, by the file", given.focal_px, "px", digits=0)]
             if given.focal_px is not None

@@ -105,9 +105,17 @@ def measured(outputs: Outputs) -> tuple[int, ...]:
 
 
 def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
-    """The lines of the data sheet: all numbers of the plane shown, and the gains of the others."""
+    """The lines of the data sheet: all numbers of the plane shown, and the gains of the others.
+
+    The main one is the read noise, or where that cannot be told, the noise of one picture.
+    """
     frames: Frames = outputs["frames"]
-    return tuple(lines(frames, outputs)) if frames.names else ()
+    if not frames.names:
+        return ()
+    main = "noise" if outputs["sensor"][frames.main].read_noise.reason else "read"
+    first = (main, "gain", "pairs", "taken")
+    of = {line.name: line for line in lines(frames, outputs)}
+    return tuple(of[name] for name in dict.fromkeys((*first, *of)) if name in of)
 
 
 def lines(frames: Frames, outputs: Outputs) -> Iterator[Readout]:

@@ -258,7 +258,7 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     shown = {each.name: each for each in readouts(outputs)}
     named = tuple(
         shown[name]
-        for name in ("focal", "pitch", "roll", "distance", "length", "height")
+        for name in ("length", "height", "distance", "focal", "pitch", "roll")
         if shown[name].text not in (NONE, MISSING)
     )
     named += _by_the_file(lines, outputs["photograph"])

@@ -95,7 +95,8 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         for line in lines_of(number, place, settings, outputs)
     ]
     photograph = outputs["photograph"]
-    return (*lines, *taken_with(photograph), *pitch_by_file(photograph)) if lines else ()
+    taken = (*taken_with(photograph), *pitch_by_file(photograph))
+    return (*lines[:2], *taken, *lines[2:]) if lines else ()
 
 
 def lines_of(

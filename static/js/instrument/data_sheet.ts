@@ -1,6 +1,6 @@
-/** What the instruments of a page have measured of the reader's camera, gathered in one table. */
+/** What the instruments of a page have measured of the reader's camera, gathered on one sheet. */
 
-import { download, element, one } from "../page/dom.ts";
+import { all, download, one } from "../page/dom.ts";
 import { recall, remember } from "../page/storage.ts";
 import { withUnit } from "../page/text.ts";
 import { numeral } from "../page/words.ts";
@@ -19,6 +19,9 @@ interface Part {
 const CAMERA = "instrument-camera";
 /** Whose file of a camera is a lens that other instruments measure with. */
 const LENS = { scene: "calibration", file: "camera-and-poses", users: ["single-view"] };
+/** Lines after the main one that say how it was measured, and letters of a value that is large. */
+const CONDITIONS = 3;
+const LONGEST = 24;
 /** Milliseconds for which a figure rests before its results are asked for. */
 const PAUSE = 250;
 
@@ -55,10 +58,14 @@ export class DataSheet {
   }
 
   #show(parts: Part[]) {
-    const table = one(this.box, "table", HTMLTableElement);
-    for (const body of [...table.tBodies]) body.remove();
-    for (const part of parts) table.append(bodyOf(part));
-    table.hidden = parts.length === 0;
+    const { content } = one(this.box, "template", HTMLTemplateElement);
+    const shown = one(this.box, ".data-sheet-parts", HTMLElement);
+    const isOpen = all(shown, "details", HTMLDetailsElement).map(({ open }) => open);
+    shown.replaceChildren(...parts.map((part) => filled(content, part)));
+    for (const [at, fold] of all(shown, "details", HTMLDetailsElement).entries()) {
+      fold.open = isOpen[at] ?? false;
+    }
+    shown.hidden = parts.length === 0;
     one(this.box, ".data-sheet-empty", HTMLElement).hidden = parts.length > 0;
     one(this.box, ".data-sheet-tools", HTMLElement).hidden = parts.length === 0;
     one(this.box, "time", HTMLTimeElement).textContent = new Date().toLocaleDateString();
@@ -66,6 +73,7 @@ export class DataSheet {
 
   /** Nothing of the page but the sheet. */
   #print() {
+    for (const fold of all(this.box, "details", HTMLDetailsElement)) fold.open = true;
     document.body.classList.add("printing-sheet");
     addEventListener("afterprint", () => document.body.classList.remove("printing-sheet"), {
       once: true,
@@ -105,17 +113,29 @@ async function partOf(instrument: Instrument): Promise<Part | null> {
   return { scene, title: live.schema.title, photographs, settings, lines };
 }
 
-function bodyOf({ title, photographs, lines }: Part) {
-  const [body, name] = [element("tbody"), element("th", "", title)];
-  [name.colSpan, name.scope] = [2, "rowgroup"];
-  name.append(" ", element("span", "data-sheet-files fine", photographs.join(", ")));
-  body.insertRow().append(name);
-  for (const [number, { label, text, unit }] of lines.entries()) {
-    const [row, what] = [body.insertRow(), element("th", "", label)];
-    row.classList.toggle("data-sheet-main", number === 0);
-    what.scope = "row";
+/** The section of an instrument, copied from the template's. */
+function filled(content: DocumentFragment, { title, photographs, lines }: Part) {
+  const section = content.cloneNode(true) as DocumentFragment;
+  const [main, ...others] = lines;
+  const number = one(section, ".data-sheet-number", HTMLElement);
+  number.textContent = shownValue(main);
+  number.classList.toggle("data-sheet-words", shownValue(main).length > LONGEST);
+  one(section, "h3", HTMLElement).textContent = title;
+  one(section, ".data-sheet-what", HTMLElement).textContent = main.label;
+  const ends = new Set([photographs[0], photographs.at(-1)]);
+  one(section, ".data-sheet-files", HTMLElement).textContent = [...ends].join(" … ");
+  const [conditions, rest] = all(section, "table", HTMLTableElement);
+  for (const [at, line] of others.entries()) {
+    const row = (at < CONDITIONS ? conditions : rest).insertRow();
+    const what = document.createElement("th");
+    [what.scope, what.textContent] = ["row", line.label];
     row.append(what);
-    row.insertCell().textContent = withUnit(numeral(text), unit);
+    row.insertCell().textContent = shownValue(line);
   }
-  return body;
+  one(section, "details", HTMLElement).hidden = rest.rows.length === 0;
+  return section;
+}
+
+function shownValue({ text, unit }: Readout) {
+  return withUnit(numeral(text), unit);
 }
