@@ -32,7 +32,7 @@ def which_model_of_the_lens_photographs_support() -> Says:
     yield f"so {SITTINGS} such sittings were computed"
     yield f"In {best['k1k2']} of the {SITTINGS} sittings $k_1$ and $k_2$ predict best"
     yield f"predict best, in {best['k3']} all"
-    yield f"all five and in {best['p1p2']} the four that the lens has"
+    yield f"all five, in {best['p1p2']} the four that the lens has and in {best['fisheye']} those"
     yield f"chooses the four coefficients of the lens in {cheapest['p1p2']} of {SITTINGS} sittings"
     _, six, _ = judged(6)
     _, twelve, cheapest = judged(12)

@@ -32,7 +32,7 @@ from simulations.models.arrays import Floats
 from simulations.models.calibration.camera import Camera, Poses, predicted
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import TILT, UndeterminedError
-from simulations.models.distortion.decentring import DecentredLens
+from simulations.models.distortion.lens import by_coefficients, linearised
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,8 +54,7 @@ def linearise(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...])
     ahead = Z > 0.0
     Z = np.where(ahead, Z, 1.0)
     x, y = X / Z, Y / Z
-    lens = camera.lens
-    xd, yd, xx, xy, yy = DecentredLens(lens.radial, lens.p1, lens.p2).linearised(x, y)
+    xd, yd, xx, xy, yy = linearised(x, y, camera.lens)
     fx, fy = camera.fx, camera.fy
     off = np.stack((fx * xd + camera.cx, fy * yd + camera.cy), 1) - np.moveaxis(views.pixels, -1, 1)
     seen = np.repeat(views.found[:, None], 2, axis=1)
@@ -95,16 +94,8 @@ def _by_camera(
     x: Floats, y: Floats, xd: Floats, yd: Floats, camera: Camera, free: tuple[str, ...]
 ) -> Floats:
     """(P, 2, N, m) derivatives by the free parameters of the camera."""
-    r2 = x * x + y * y
     none, one = np.zeros_like(x), np.ones_like(x)
-    across, twice = 2.0 * x * y, r2 * r2
-    moved = {  # of the distorted point
-        "k1": (x * r2, y * r2),
-        "k2": (x * twice, y * twice),
-        "p1": (across, r2 + 2.0 * y * y),
-        "p2": (r2 + 2.0 * x * x, across),
-        "k3": (x * twice * r2, y * twice * r2),
-    }
+    moved = by_coefficients(x, y, camera.lens)  # the distorted point
     columns = {
         "fx": (xd, none),
         "fy": (none, yd),
@@ -227,7 +218,8 @@ def refine(
     except np.linalg.LinAlgError:
         raise UndeterminedError(TILT) from None
     last = steps[-1]
-    if not draft and not last.settled and steps[-2].cost - last.cost > CREEPING * last.cost:
+    slope = not draft and not last.settled and len(steps) > 1
+    if np.isinf(last.cost) or (slope and steps[-2].cost - last.cost > CREEPING * last.cost):
         raise UndeterminedError(TILT)
     return last
 
@@ -245,6 +237,8 @@ def descend(
     """
     now = Adjusted(camera, poses, cost_of(views, camera, poses))
     yield now
+    if np.isinf(now.cost):
+        return  # a corner is behind the camera
     guarded, blocks = damping > 0.0, _blocks(views, now, free)
     while damping <= MOST_DAMPING:
         by_camera, by_pose = solve(damped(blocks, damping) if guarded else blocks)

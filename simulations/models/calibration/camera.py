@@ -1,4 +1,4 @@
-"""A camera as calibration describes it: four intrinsic numbers, five of the lens, and poses.
+"""A camera as calibration describes it: four intrinsic numbers, those of the lens, and poses.
 
 The conventions are OpenCV's: x right, y down, z forward; a pose maps board to camera.
 """
@@ -10,9 +10,11 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, Mask
 from simulations.models.calibration.board_shape import FLAT, Shape
-from simulations.models.distortion.lens_model import Distortion, distort
+from simulations.models.distortion import lens as lenses
+from simulations.models.distortion.lens import Lens
+from simulations.models.distortion.lens_model import Distortion
 from simulations.models.geometry import rotations
 from simulations.models.projection.pinhole import intrinsics
 
@@ -25,9 +27,11 @@ LENSES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "k1k2": ("k1", "k2"),
         "p1p2": ("k1", "k2", "p1", "p2"),
         "k3": ("k1", "k2", "p1", "p2", "k3"),
+        "fisheye": ("k1", "k2", "k3", "k4"),
     }
 )
-"""The models of the lens, from simple to rich, each with its free coefficients."""
+"""The models of the lens, from simple to rich, each with its free coefficients; those of the
+fisheye are of powers of the angle."""
 
 IDEAL = Distortion()
 """A lens that moves no point."""
@@ -43,7 +47,7 @@ class Camera:
     cx: float
     cy: float
     """Principal point in px."""
-    lens: Distortion = IDEAL
+    lens: Lens = IDEAL
 
     @property
     def matrix(self) -> Floats:
@@ -68,8 +72,19 @@ class Camera:
 
     def pixels(self, points: Floats) -> Floats:
         """Pixels (..., 2) of points (..., 3) in the camera frame, all in front of it."""
-        image = distort(points[..., :2] / points[..., 2:], self.lens)
+        image = lenses.seen(points[..., :2] / points[..., 2:], self.lens)
         return image * (self.fx, self.fy) + (self.cx, self.cy)
+
+    def ideal(self, pixels: Floats) -> tuple[Floats, Mask]:
+        """The points (..., 2) at z = 1 seen at pixels (..., 2), and where there are any."""
+        return lenses.ideal((pixels - (self.cx, self.cy)) / (self.fx, self.fy), self.lens)
+
+    def field_rad(self, width: int) -> float:
+        """Angle between the directions of the two ends of the row through the principal point; of
+        the part that a plane in front of the camera has, if the picture shows more."""
+        ends = np.array([(-0.5, self.cy), (width - 0.5, self.cy)])
+        (left, right), _ = self.ideal(ends)
+        return float(np.arctan(right[0]) - np.arctan(left[0]))
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,7 @@
 Lensfun's model ``poly5`` is r_d = r (1 + k₁ r² + k₂ r⁴), from undistorted to distorted radii as
 ours, but its unit of length is half the shorter side of the picture, from the centre of the
 outermost pixel to that of the opposite one, and not the focal length. It has no tangential terms.
+Behind a lens of the type ``fisheye`` its undistorted radius is that of an equidistant lens.
 Source: Lensfun, ``lensfun.h`` and ``modifier.cpp``.
 """
 
@@ -16,6 +17,8 @@ import numpy as np
 from simulations.models.arrays import Floats
 from simulations.models.calibration.camera import Camera, Poses
 from simulations.models.distortion import radial_profile
+from simulations.models.distortion.fisheye import Fisheye
+from simulations.models.distortion.lens import WIDEST_RAD, Lens
 
 FULL_FRAME_MM = (36.0, 24.0)
 """Crop factors compare the diagonals of sensors with this one's."""
@@ -37,9 +40,10 @@ class Report:
 
 
 def opencv_yaml(report: Report) -> str:
-    """For ``cv::FileStorage``; the names are those of OpenCV's own sample."""
+    """For ``cv::FileStorage``; the names are those of OpenCV's own sample. The coefficients of a
+    fisheye are for the functions of ``cv2.fisheye``."""
     width, height = report.size
-    lens = np.array([report.camera.lens.opencv[:5]])
+    lens = np.array([[*coefficients(report.camera.lens).values()]])
     poses = np.hstack((report.poses.rotation_vectors, report.poses.t))
     return "\n".join(
         (
@@ -48,6 +52,7 @@ def opencv_yaml(report: Report) -> str:
             f"image_width: {width}",
             f"image_height: {height}",
             f"nframes: {len(poses)}",
+            f"fisheye_model: {int(isinstance(report.camera.lens, Fisheye))}",
             *_matrix("camera_matrix", report.camera.matrix),
             *_matrix("distortion_coefficients", lens),
             f"avg_reprojection_error: {report.rms_px:.17g}",
@@ -55,6 +60,13 @@ def opencv_yaml(report: Report) -> str:
             "",
         )
     )
+
+
+def coefficients(lens: Lens) -> dict[str, float]:
+    """By name, in OpenCV's order."""
+    fisheye = isinstance(lens, Fisheye)
+    names = ("k1", "k2", "k3", "k4") if fisheye else ("k1", "k2", "p1", "p2", "k3")
+    return dict(zip(names, lens.opencv, strict=False))
 
 
 def _matrix(name: str, values: Floats) -> tuple[str, ...]:
@@ -74,12 +86,12 @@ def as_json(report: Report) -> str:
     camera = report.camera
     turns, shifts = report.poses.rotation_vectors.tolist(), report.poses.t.tolist()
     values = {n: getattr(camera, n) for n in ("fx", "fy", "cx", "cy")}
-    values |= {n: getattr(camera.lens, n) for n in ("k1", "k2", "p1", "p2", "k3")}
     return json.dumps(
         {
             "width": report.size[0],
             "height": report.size[1],
-            "camera": values,
+            "model": "fisheye" if isinstance(camera.lens, Fisheye) else "brown",
+            "camera": values | coefficients(camera.lens),
             "standard_errors": dict(report.errors),
             "rms_px": report.rms_px,
             "photographs": [
@@ -121,6 +133,7 @@ def lensfun_xml(report: Report, maker: Maker = Maker()) -> str:
     <model>{_escaped(maker.lens)}</model>
     <mount>{_escaped(maker.model)}</mount>
     <cropfactor>{maker.crop:.4g}</cropfactor>
+    <type>{"fisheye" if isinstance(report.camera.lens, Fisheye) else "rectilinear"}</type>
     <aspect-ratio>{sides[0] // common}:{sides[1] // common}</aspect-ratio>
     <center x="{x:.6g}" y="{y:.6g}" />
     <calibration>
@@ -141,6 +154,8 @@ def lensfun_poly5(camera: Camera, size: tuple[int, int]) -> tuple[float, float]:
     """k₁ and k₂ of ``poly5``: ours in its unit, or with k₃ those closest within the picture."""
     unit = half_side_px(size) / math.sqrt(camera.fx * camera.fy)
     corner = math.hypot(*size) / (min(size) - 1)
+    if isinstance(camera.lens, Fisheye):
+        corner = min(corner, min(radial_profile.fold_radius(camera.lens.radial), WIDEST_RAD) / unit)
     s = np.linspace(0.0, corner, 101)[1:] ** 2
     wanted = radial_profile.scale(camera.lens.radial, s * unit * unit) - 1.0
     r = np.sqrt(s)[:, None]  # least squares of shifts and not of factors

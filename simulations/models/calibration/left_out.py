@@ -65,9 +65,16 @@ class Growth:
 
 
 def growth(
-    views: Views, fit: Adjusted, free: tuple[str, ...], sigma_px: float, name: str, least: int
+    views: Views,
+    fit: Adjusted,
+    free: tuple[str, ...],
+    sigma_px: float,
+    name: str,
+    least: int,
+    choice: float = 0.0,
 ) -> Growth:
-    """The parameter ``name`` from the first ``least``, ``least`` + 1, … photographs."""
+    """The parameter ``name`` from the first ``least``, ``least`` + 1, … photographs; ``choice`` is
+    its error by the choice of the model."""
     S, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, free)))
     index = free.index(name)
     first = getattr(fit.camera, name)
@@ -83,5 +90,6 @@ def growth(
         except np.linalg.LinAlgError:
             continue
         if variance > 0.0:
-            error[place] = max(sigma_px * np.sqrt(variance), spread(S_n, g_n)[index])
+            larger = max(sigma_px * np.sqrt(variance), spread(S_n, g_n)[index])
+            error[place] = np.hypot(larger, choice)
     return Growth(counts, value, error)

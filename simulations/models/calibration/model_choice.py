@@ -7,6 +7,7 @@ parameter. H. Akaike, *A new look at the statistical model identification*, 1974
 """
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,14 +18,19 @@ from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.left_out import left_out_px
 from simulations.models.calibration.standard_errors import Uncertainty, rms_px, uncertainty
 from simulations.models.calibration.views import Views
-from simulations.models.calibration.zhang import UndeterminedError, closed_form
+from simulations.models.calibration.zhang import TILT, UndeterminedError, closed_form, poses_seen
+from simulations.models.distortion.fisheye import Fisheye
 
-ALIKE, ALIKE_BOARDS = 0.005, 0.001
+ALIKE = 0.005
 """Relative difference of errors below which the simpler model of the lens, or of the board, is
-preferred. A shape that is left out moves the focal length by several standard errors at once."""
+preferred."""
 
 ENOUGH_STEPS = 25
 """Steps that tell models apart: those that fit need ten, and those that do not creep on."""
+FISHEYE = "fisheye"
+EQUIDISTANT, START_STEPS = (0.25, 0.32, 0.4, 0.55), 6
+"""Focal lengths that a fisheye is tried with, as shares of the picture's longer side, and how many
+steps decide between them."""
 DRAFT_STEPS = 3
 """Steps to within a standard error, mostly a hundredth, from results for more photographs."""
 
@@ -57,9 +63,12 @@ class Trial:
 
 
 def shapes(views: Views, flat: tuple[Trial, ...]) -> tuple[Trial, ...]:
-    """The richest of the models of the lens, with each shape of the board that the photographs
-    determine; from the results for a flat board."""
-    richest = flat[-1]
+    """The best of the three richest models of the lens, with each shape of the board that the
+    photographs determine; from the results for a flat board.
+
+    A fisheye must be plainly better: a shape would make up for the decentring that it lacks.
+    """
+    richest = min(flat[-3:], key=lambda t: t.left_out_px * (1 + (t.lens == FISHEYE)))
     found = [richest]
     for name in list(SHAPES)[1:] if shown_whole(views) else ("bent",):
         last = found[-1].fit
@@ -85,7 +94,7 @@ def with_shape(views: Views, trials: tuple[Trial, ...], shape: Trial) -> tuple[T
 
 def best_shape(tried: tuple[Trial, ...]) -> Trial:
     """The simplest shape whose error on photographs left out is nearly the least."""
-    return _simplest(tried, ALIKE_BOARDS)
+    return _simplest(tried)
 
 
 def compare(views: Views, size: tuple[int, int]) -> tuple[Trial, ...]:
@@ -98,6 +107,8 @@ def compare(views: Views, size: tuple[int, int]) -> tuple[Trial, ...]:
     problem: UndeterminedError | None = None
     for lens in LENSES:
         try:
+            if lens == FISHEYE:
+                camera, poses = fisheye_start(views, size, camera, poses)
             trials.append(fitted(views, camera, poses, lens))
         except UndeterminedError as found:
             problem = found
@@ -106,6 +117,27 @@ def compare(views: Views, size: tuple[int, int]) -> tuple[Trial, ...]:
     if problem and not trials:
         raise problem
     return tuple(trials)
+
+
+def fisheye_start(
+    views: Views, size: tuple[int, int], camera: Camera, poses: Poses
+) -> tuple[Camera, Poses]:
+    """A start for the fisheye: whichever of some equidistant lenses, and of the camera found with
+    another model, is nearest after a few steps. Raises `UndeterminedError` if none can be tried."""
+    starts = [(replace(camera, lens=Fisheye()), poses)]
+    x, y = (0.5 * (side - 1.0) for side in size)
+    for share in EQUIDISTANT:
+        guess = Camera(share * max(size), share * max(size), x, y, Fisheye())
+        with suppress(UndeterminedError):
+            starts.append((guess, poses_seen(views, guess)))
+    found, free = [], PINHOLE + LENSES[FISHEYE]
+    for start in starts:
+        with suppress(UndeterminedError):
+            found.append(refine(views, *start, free, START_STEPS, draft=True))
+    best = min(found, key=lambda fit: fit.cost, default=None)
+    if best is None or not np.isfinite(best.cost):
+        raise UndeterminedError(TILT)
+    return best.camera, best.poses
 
 
 def compare_first(
@@ -153,9 +185,19 @@ def akaike(numbers: int, squares: float, parameters: int) -> float:
 
 def supported(trials: tuple[Trial, ...]) -> Trial:
     """The simplest model whose error on photographs left out is within `ALIKE` of the least."""
-    return _simplest(trials, ALIKE)
+    return as_chosen(_simplest(trials), trials)
 
 
-def _simplest(trials: tuple[Trial, ...], alike: float) -> Trial:
+def as_chosen(trial: Trial, trials: tuple[Trial, ...]) -> Trial:
+    """With errors that count how far away the richest model of the same kind of lens puts
+    focal lengths and principal point."""
+    kind = type(trial.fit.camera.lens)
+    richest = [other for other in trials if isinstance(other.fit.camera.lens, kind)][-1]
+    off = np.zeros(len(trial.uncertainty.names))
+    off[: len(PINHOLE)] = richest.fit.camera.values(PINHOLE) - trial.fit.camera.values(PINHOLE)
+    return replace(trial, uncertainty=replace(trial.uncertainty, choice=off))
+
+
+def _simplest(trials: tuple[Trial, ...]) -> Trial:
     least = min(trial.left_out_px for trial in trials)
-    return next(trial for trial in trials if trial.left_out_px <= (1.0 + alike) * least)
+    return next(trial for trial in trials if trial.left_out_px <= (1.0 + ALIKE) * least)

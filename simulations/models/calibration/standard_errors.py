@@ -10,6 +10,10 @@ as one more witness. So the spread between photographs is asked as well: by how 
 parameters move without each of them? That is the jackknife, which needs no more than that
 photographs are independent. B. Efron and C. Stein, *The jackknife estimate of variance*, 1981. The
 larger of the two is the standard error.
+
+A model that was chosen from several leaves out what the photographs cannot tell from zero, such as
+a small decentring, which then moves the principal point. So the square of the difference from the
+richest model is added. K. P. Burnham and D. R. Anderson, *Multimodel inference*, 2004.
 """
 
 import math
@@ -48,12 +52,14 @@ class Uncertainty:
     """(m) standard errors by the spread between photographs."""
     sigma_px: float
     """Estimated standard deviation of a corner's x and of its y."""
+    choice: Floats
+    """(m) how far away the richest model puts each, if this one was chosen from several."""
 
     @property
     def errors(self) -> dict[str, float]:
-        """Standard error of each free parameter: the larger of the two."""
+        """Standard error of each free parameter."""
         larger = np.maximum(np.sqrt(np.diagonal(self.covariance)), self.spread)
-        return dict(zip(self.names, larger.tolist(), strict=True))
+        return dict(zip(self.names, np.hypot(larger, self.choice).tolist(), strict=True))
 
 
 def uncertainty(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Uncertainty:
@@ -77,7 +83,7 @@ def uncertainty(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Uncertain
     unsure = np.sqrt(np.abs(np.diagonal(covariance))[focal]) > UNSURE * fit.camera.fx
     if not known.all() or np.any(unsure):
         raise UndeterminedError(TILT)
-    return Uncertainty(free, covariance, spread(each, g), sigma)
+    return Uncertainty(free, covariance, spread(each, g), sigma, np.zeros(len(free)))
 
 
 def _parallel(normals: Floats) -> bool:

@@ -107,6 +107,13 @@ def _from_b(b: Floats) -> tuple[float, float, float, float]:
     return float(scale / b[0]), float(scale / b[2]), float(x), float(y)
 
 
+def poses_seen(views: Views, camera: Camera) -> Poses:
+    """The poses of boards by corners that the camera's lens is taken out of."""
+    ideal, valid = camera.ideal(views.pixels)
+    straight = Views(views.board, ideal, views.found & valid)
+    return poses_of(homographies(straight), np.eye(3))
+
+
 def poses_of(H: Floats, K: Floats) -> Poses:
     """The poses (P) of boards, all in front of the camera, from homographies (P, 3, 3)."""
     columns = np.linalg.solve(K, H)

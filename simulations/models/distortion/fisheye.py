@@ -57,10 +57,20 @@ class Fisheye:
     k4: float = 0.0
 
     def __post_init__(self) -> None:
-        _ = self.profile  # rejects coefficients that are not finite
+        _ = self.radial  # rejects coefficients that are not finite
 
     @property
-    def profile(self) -> RadialProfile:
+    def neutral(self) -> bool:
+        """Never: even an equidistant lens moves points."""
+        return False
+
+    @property
+    def opencv(self) -> tuple[float, ...]:
+        """The coefficients in the order of ``cv2.fisheye``."""
+        return (self.k1, self.k2, self.k3, self.k4)
+
+    @property
+    def radial(self) -> RadialProfile:
         """The same odd polynomial as radial distortion, in the angle instead of the radius."""
         return RadialProfile((self.k1, self.k2, self.k3, self.k4))
 
@@ -97,8 +107,8 @@ def project_fisheye(directions: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]
     Invalid as in `project_ideal`, and past the fold, where the polynomial turns back.
     """
     angle, azimuth, valid = _angles(directions)
-    valid &= angle < min(np.pi, radial_profile.fold_radius(lens.profile))
-    return _on_image(radial_profile.evaluate(lens.profile, angle), azimuth, valid), valid
+    valid &= angle < min(np.pi, radial_profile.fold_radius(lens.radial))
+    return _on_image(radial_profile.evaluate(lens.radial, angle), azimuth, valid), valid
 
 
 def _angles(directions: ArrayLike) -> tuple[Floats, Floats, Mask]:

@@ -1,7 +1,7 @@
 """The distortion of a picture's lens: known, or found from edges that are straight in the world.
 
 Lengths in the plane of the picture are in a unit of pixels about the centre of distortion, in which
-`simulations.models.distortion.lens_model` holds. Plumb lines: D. C. Brown, *Close-range camera
+`simulations.models.distortion.lens` holds. Plumb lines: D. C. Brown, *Close-range camera
 calibration*, 1971; F. Devernay and O. Faugeras, *Straight lines have to be straight*, 2001;
 Szeliski, 2nd ed., §2.1.5.
 """
@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats, quantile_of
-from simulations.models.distortion.lens_model import Distortion, distort, undistort_clamped
+from simulations.models.distortion.lens import Lens, ideal, seen
+from simulations.models.distortion.lens_model import Distortion
 
 ORDINARY = 0.04
 """Standard deviation of k₁ among lenses, in units of half the diagonal: 4 % at the corners."""
@@ -38,7 +39,7 @@ class PictureLens:
     """Centre of distortion, in pixels."""
     unit: tuple[float, float] = (1.0, 1.0)
     """Pixels of a length of 1, across and down."""
-    distortion: Distortion = NONE
+    distortion: Lens = NONE
     error: float = 0.0
     """Standard error of k₁; 0 if it is known."""
 
@@ -46,11 +47,11 @@ class PictureLens:
         """Where an ideal lens would put points (..., 2) of the picture."""
         if self.distortion == NONE:
             return pixels
-        return self._within(undistort_clamped(self._apart(pixels), self.distortion)[0])
+        return self._within(ideal(self._apart(pixels), self.distortion)[0])
 
     def bent(self, pixels: Floats) -> Floats:
         """Where the lens puts points (..., 2) of an ideal picture."""
-        return self._within(distort(self._apart(pixels), self.distortion))
+        return self._within(seen(self._apart(pixels), self.distortion))
 
     def straight_with_growth(self, points: Floats, across: Floats) -> tuple[Floats, Floats]:
         """`straight` (..., 2), and how much larger (...) it makes the noise of the points along

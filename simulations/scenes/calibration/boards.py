@@ -31,7 +31,8 @@ from simulations.pictures.chequerboard import Look, View, photograph_of
 
 LEAST, MOST = 3, 20  # photographs of a calibration
 SIZE = (640, 480)
-TRUTH = Camera(520.0, 520.0, 322.0, 238.0, Distortion(k1=-0.25, k2=0.08, p1=2e-4, p2=-1.5e-4))
+LENS = Distortion(k1=-0.25, k2=0.08, p1=2e-4, p2=-1.5e-4)
+TRUTH = Camera(520.0, 520.0, 322.0, 238.0, LENS)
 """The simulated camera. Its lens elements are a little off centre."""
 BOARD = Board()
 SIGMA_PX = 0.03
@@ -147,5 +148,5 @@ def rendered(index: int, scale: float = 1.0) -> NDArray[np.uint8]:
     camera = simulated.camera.scaled(scale)
     width, height = (round(scale * side) for side in simulated.size)
     look = replace(LOOK, blur_px=scale * LOOK.blur_px, seed=index)
-    view = View(width, height, camera.matrix, camera.lens, pose)
+    view = View(width, height, camera.matrix, LENS, pose)
     return photograph_of(BOARD, view, look)[..., None]

@@ -17,7 +17,7 @@ from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.calibration.camera import LENSES
 from simulations.models.calibration.left_out import Growth
-from simulations.models.calibration.model_choice import Trial
+from simulations.models.calibration.model_choice import FISHEYE, Trial
 from simulations.scenes.calibration.boards import LEAST, MOST
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the plots; a photograph is as wide
@@ -32,8 +32,8 @@ LINE_AT = 0.9
 LEFT, RIGHT, TOP, FOOT, FOOT_GROWN = 46.0, 388.0, 40.0, 190.0, 214.0
 ACROSS = Axis(0.0, float(len(LENSES)), LEFT, RIGHT)
 COUNTS = Axis(LEAST, MOST, 58.0, RIGHT)  # of photographs
-TICKS = ("none", "k₁", "+ k₂", "+ p₁p₂", "+ k₃")
-"""Each model has the coefficients of those before it."""
+TICKS = ("none", "k₁", "+ k₂", "+ p₁p₂", "+ k₃", "fisheye")
+"""Each model has the coefficients of those before it, but the fisheye, which has its own four."""
 SETTLED_FROM = 5
 """Count from which errors must fit into the plot; with fewer they may be huge."""
 LEAST_REACH = 0.01
@@ -118,6 +118,7 @@ def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
     plot, middle = error_plot(trials), place_of(chosen.lens)
     x = [place_of(trial.lens) for trial in trials]
     used, left_out = [t.rms_px for t in trials], [t.left_out_px for t in trials]
+    series = sum(trial.lens != FISHEYE for trial in trials)  # what a line may join
     round_errors = _ticks(plot.y)
     entries = (Entry("photographs used", "image", "dot"), Entry("left out", "error", "dot"))
     parts = [
@@ -126,8 +127,8 @@ def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
             Scale(ticks=[(index + 0.5, name) for index, name in enumerate(TICKS)], style="small"),
             Scale("RMS error", "px", round_errors, round_errors, "small", "muted small"),
         ),
-        plot.curve(x, used, "image"),
-        plot.curve(x, left_out, "error bold"),
+        plot.curve(x[:series], used[:series], "image"),
+        plot.curve(x[:series], left_out[:series], "error bold"),
         *(plot.mark(at, error, "image", 3.0) for at, error in zip(x, used, strict=True)),
         *(
             plot.mark(at, min(error, plot.y.high), "error", 4.0)

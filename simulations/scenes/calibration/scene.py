@@ -55,6 +55,7 @@ LENSES = {
     "k1k2": "k₁ and k₂",
     "p1p2": "k₁, k₂, p₁, p₂",
     "k3": "k₁, k₂, p₁, p₂, k₃",
+    "fisheye": "fisheye, k₁ to k₄ of the angle",
 }
 """The models of the lens by their names in `models.calibration.camera.LENSES`."""
 BOARDS = {"flat": "flat", "bent": "bent alike everywhere", "warped": "any smooth shape"}
@@ -71,6 +72,7 @@ LABELS = {
     "p1": ("p₁", ""),
     "p2": ("p₂", ""),
     "k3": ("k₃", ""),
+    "k4": ("k₄", ""),
 }
 """Label and unit of each parameter of the camera."""
 OPEN = "This model of the lens needs more photographs, or more tilted ones"
@@ -287,7 +289,7 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         return (Readout("problem", "Calibration", problem), *notes)
     result: Result = outputs["result"]
     trial, (width, height) = result.trial, given.size
-    degrees = float(np.degrees(2.0 * np.arctan(0.5 * width / trial.fit.camera.fx)))
+    degrees = float(np.degrees(trial.fit.camera.field_rad(width)))
     each = rms_of_each(outputs["trials"].views, trial.fit)
     worst = f"{format_number(float(each.max()), 3)} px, {given.names[int(each.argmax())]}"
     main, *parameters = _parameters(result)

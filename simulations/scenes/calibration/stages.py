@@ -13,6 +13,7 @@ from simulations.models.calibration.bundle_adjustment import refine, residuals
 from simulations.models.calibration.left_out import Growth, growth
 from simulations.models.calibration.model_choice import (
     Trial,
+    as_chosen,
     best_shape,
     compare,
     compare_first,
@@ -23,7 +24,7 @@ from simulations.models.calibration.model_choice import (
 from simulations.models.calibration.shape_size import Measured, measure_shape
 from simulations.models.calibration.undistorted import undistorted
 from simulations.models.calibration.views import Views
-from simulations.models.calibration.zhang import UndeterminedError, homographies, poses_of
+from simulations.models.calibration.zhang import UndeterminedError, poses_seen
 from simulations.models.chequerboard.board_search import NoBoardError
 from simulations.models.chequerboard.find_board import find_board
 from simulations.scenes.calibration.boards import LEAST, Boards, boards, rendered
@@ -130,9 +131,11 @@ def _result(given: Boards, every: Trials, trials: Trials, lens: str) -> Result |
     if trial is None:
         return None
     of_all = every.of(trial.lens)
+    if of_all and lens == SUPPORTED:
+        of_all = as_chosen(of_all, every.found)
     if of_all is not None:
-        sigma = of_all.uncertainty.sigma_px
-        grown = growth(every.views, of_all.fit, of_all.free, sigma, "fx", LEAST)
+        sigma, choice = of_all.uncertainty.sigma_px, float(of_all.uncertainty.choice[0])
+        grown = growth(every.views, of_all.fit, of_all.free, sigma, "fx", LEAST, choice)
     best = supported(trials.found)
     covered = coverage(trials.views, best.fit, given.size)
     board = measure_shape(trials.views, trial)
@@ -168,9 +171,11 @@ def _errors(found: Views | None, result: Result | None) -> Errors | None:
     if result is None or found is None:
         return None
     camera = result.trial.fit.camera
-    start = poses_of(homographies(found), camera.matrix)
-    start = replace(start, shape=result.trial.fit.poses.shape)
-    off = residuals(found, camera, refine(found, camera, start, ()).poses)
+    try:
+        start = replace(poses_seen(found, camera), shape=result.trial.fit.poses.shape)
+        off = residuals(found, camera, refine(found, camera, start, ()).poses)
+    except UndeterminedError:
+        return None  # it is beyond what this lens can see
     return Errors(found.pixels[found.found], off[found.found])
 
 

@@ -11,6 +11,8 @@ from simulations.engine.frame import Readout, format_number, value_with_error
 from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.reading import Readings
 from simulations.engine.stages import Outputs
+from simulations.models.calibration.camera import PINHOLE
+from simulations.models.distortion.fisheye import Fisheye
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.projection.picture_lens import (
     IDEAL,
@@ -100,8 +102,9 @@ def calibrated(data: Mapping[str, Any], size: tuple[int, int]) -> PictureLens | 
     if abs(data["height"] * scale - size[1]) > 0.005 * size[1]:
         return None
     cx, cy = (scale * (camera[name] + 0.5) - 0.5 for name in ("cx", "cy"))
-    named = {name: camera.get(name, 0.0) for name in ("k1", "k2", "k3", "p1", "p2")}
-    return PictureLens((cx, cy), (scale * camera["fx"], scale * camera["fy"]), Distortion(**named))
+    kind = Fisheye if data.get("model") == "fisheye" else Distortion
+    lens = kind(**{name: value for name, value in camera.items() if name not in PINHOLE})
+    return PictureLens((cx, cy), (scale * camera["fx"], scale * camera["fy"]), lens)
 
 
 def camera_of(

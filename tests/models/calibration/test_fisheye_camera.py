@@ -1,0 +1,79 @@
+"""A fisheye that sees 106° to 170°: found beside OpenCV's, and its files."""
+
+import json
+import xml.etree.ElementTree as ET
+
+import cv2
+import numpy as np
+import pytest
+from support.bent_boards import BOARD, SIZE
+
+from simulations.models.calibration.camera import LENSES, PINHOLE, Camera
+from simulations.models.calibration.exports import (
+    Report,
+    as_json,
+    half_side_px,
+    lensfun_poly5,
+    lensfun_xml,
+    opencv_yaml,
+)
+from simulations.models.calibration.model_choice import compare, supported
+from simulations.models.calibration.simulated import Sitting, sitting
+from simulations.models.distortion import radial_profile
+from simulations.models.distortion.fisheye import Fisheye
+
+FREE = PINHOLE + LENSES["fisheye"]
+LENS = Fisheye(-0.01, 0.003, -0.002, 0.0002)
+
+
+def sat(focal_px: float) -> Sitting:
+    return sitting(Camera(focal_px, 1.001 * focal_px, 806.0, 595.0, LENS), SIZE, 12, BOARD, 1)
+
+
+@pytest.mark.parametrize("focal_px", [470.0, 600.0, 840.0])
+def test_a_fisheye_is_supported_and_found_within_its_errors(focal_px: float) -> None:
+    truth, views = sat(focal_px).camera, sat(focal_px).views(0.05, 1)
+    found = supported(compare(views, SIZE))
+    assert found.lens == "fisheye"
+    errors = np.array([found.uncertainty.errors[name] for name in FREE])
+    off = np.abs(found.fit.camera.values(FREE) - truth.values(FREE)) / errors
+    assert off.max() < 3.5
+    assert found.fit.camera.field_rad(SIZE[0]) == pytest.approx(truth.field_rad(SIZE[0]), abs=1e-3)
+    if focal_px < 500:
+        return  # theirs does not arrive
+    board = [np.c_[b, np.zeros(len(b))][None] for b in views.board]
+    rms, K, lens, *_ = cv2.fisheye.calibrate(
+        board,
+        [seen[None] for seen in views.pixels],
+        SIZE,
+        np.array([[focal_px, 0, 800], [0, focal_px, 600], [0, 0, 1.0]]),
+        np.zeros((4, 1)),
+        flags=cv2.CALIB_RECOMPUTE_EXTRINSIC | cv2.CALIB_FIX_SKEW | cv2.CALIB_USE_INTRINSIC_GUESS,
+        criteria=(3, 300, 1e-14),
+    )
+    theirs = np.array([K[0, 0], K[1, 1], K[0, 2], K[1, 2], *lens.ravel()])
+    assert found.fit.camera.values(FREE) == pytest.approx(theirs, rel=1e-4, abs=1e-5)
+    assert found.rms_px == pytest.approx(rms, rel=1e-6)
+
+
+def test_pixels_are_those_of_the_directions_that_they_come_from() -> None:
+    camera = sat(600.0).camera
+    pixels = np.random.default_rng(0).uniform((0, 0), SIZE, (500, 2))
+    ideal, valid = camera.ideal(pixels)
+    assert valid.mean() > 0.9
+    assert camera.pixels(np.c_[ideal, np.ones(500)])[valid] == pytest.approx(pixels[valid])
+
+
+def test_files_name_the_fisheye() -> None:
+    truth = sat(600.0)
+    report = Report(truth.camera, SIZE, {}, 0.1, truth.poses, [(str(n), 0.1) for n in range(12)])
+    assert "fisheye_model: 1" in opencv_yaml(report)
+    saved = json.loads(as_json(report))
+    assert (saved["model"], saved["camera"]["k4"]) == ("fisheye", 0.0002)
+    lens = ET.fromstring(lensfun_xml(report)).find("lens")
+    assert lens is not None
+    assert lens.findtext("type") == "fisheye"
+    (k1, k2), unit = lensfun_poly5(truth.camera, SIZE), half_side_px(SIZE) / truth.camera.fx
+    angle = np.linspace(0.1, 1.4, 9)
+    theirs = 1 + k1 * (angle / unit) ** 2 + k2 * (angle / unit) ** 4
+    assert theirs == pytest.approx(radial_profile.scale(LENS.radial, angle**2), abs=1e-3)
