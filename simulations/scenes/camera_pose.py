@@ -13,12 +13,10 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, matrix_readout
 from simulations.engine.handles import Handle, Point
-from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.geometry.rotations import from_axis_angle
 from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.projection.pinhole import (
@@ -29,12 +27,12 @@ from simulations.models.projection.pinhole import (
     world_to_camera,
 )
 from simulations.world import plan
-from simulations.world.room import HIGH, NAMES, ROOM, halve, look, shade
+from simulations.world.room import COLUMNS, DRAFT_COLUMNS, HIGH, NAMES, ROOM, photograph
 
 LAMP = np.array([2.0, -1.0, 5.0])  # 1 m above the camera
 ROOM_TO_WORLD = rigid_pose([(0, -1, 0), (0, 0, -1), (1, 0, 0)], (7.5, 1.5, 2.0))
 """From the axes of the room, right, ahead and up, to this scene's world."""
-DRAFT, DRAFT_COLUMNS, COLUMNS = "draft", 200, 800  # rays across the picture
+DRAFT = "draft"  # the picture while the camera moves
 FIELD_RAD = math.radians(60.0)  # the camera's field of view
 AXIS_M = 2.5  # drawn length of axes
 
@@ -148,11 +146,9 @@ def to_camera(here: Standpoint) -> ToPanel:
 
 def picture(standpoint: Standpoint, columns: int) -> Raster:
     """The room as the camera sees it."""
-    rows = columns * 3 // 4
-    K = intrinsics(columns / 2 / math.tan(FIELD_RAD / 2), ((columns - 1) / 2, (rows - 1) / 2))
-    light = shade(look(K, standpoint.pose @ ROOM_TO_WORLD, columns, rows))
-    fine = halve(light) if columns == COLUMNS else light
-    return to_rgba8(encode_srgb_table(fine.transpose(1, 2, 0)))
+    return photograph(
+        columns / 2 / math.tan(FIELD_RAD / 2), standpoint.pose @ ROOM_TO_WORLD, columns
+    )
 
 
 def picture_panel(here: Standpoint, raster: Raster) -> Panel:

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 
@@ -29,9 +30,7 @@ def drawn(place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.P
     """
     parts = []
     for thing in ROOM:
-        corners = place(footprint(thing))
-        if (corners < low).any() or (corners > high).any():
-            corners = clip_to_rectangle(corners, low, high, closed=True)
+        corners = clip_to_rectangle(place(footprint(thing)), low, high, closed=True)
         if len(corners) > 2:
             parts.append(swatch_polygon(corners.tolist(), encode_srgb(thing.albedo).tolist()))
     for line, style in ((WALLS[[0, 3, 2, 1]], "world thin"), (CHART_EDGE, "world bold")):
@@ -41,6 +40,7 @@ def drawn(place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.P
     return "".join(parts)
 
 
+@cache
 def footprint(thing: Thing) -> Floats:
     """Corners (n, 2) of a thing from above, metres: x and y."""
     centre = np.asarray(thing.solid.centre[:2])

@@ -17,16 +17,22 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.engine.frame import Raster
+from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats, Planes
+from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.light.raycasting import Box, Sphere, Vector, intersect
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import bounding_radius
-from simulations.models.projection.pinhole import invert_pose, pixel_rays
+from simulations.models.projection.pinhole import intrinsics, invert_pose, pixel_rays
 from simulations.pictures.patterns import band, pixel_width, stripes
 from simulations.world import light, surfaces
 from simulations.world.things import THINGS, WALL_DISTANCE, Thing, resting
 
 type Identity = NDArray[np.uint8]
+
+COLUMNS, DRAFT_COLUMNS = 800, 160
+"""Rays across a `photograph`, at rest and while something moves."""
 
 LOW, HIGH = (-4.5, -5.0, 0.0), (4.5, WALL_DISTANCE, 3.4)
 """Corners of the room, metres."""
@@ -134,6 +140,16 @@ def look(K: ArrayLike, world_to_camera: ArrayLike, width: int, height: int) -> V
             colours = surfaces.thing_albedo(thing, hit.normals, area=min(nearer.shape) > 1)
             albedo[:, *window][:, nearer] = colours[:, nearer]
     return View(distance / length, points, normals, -directions, albedo, identity)
+
+
+def photograph(focal: float, world_to_camera: ArrayLike, columns: int) -> Raster:
+    """A picture, 4 : 3, with the principal point in its middle, and with so many rays across; one
+    of `COLUMNS` is smooth, from means of four. ``focal`` is in rays."""
+    rows = columns * 3 // 4
+    K = intrinsics(focal, ((columns - 1) / 2, (rows - 1) / 2))
+    light = shade(look(K, world_to_camera, columns, rows))
+    smooth = halve(light) if columns == COLUMNS else light
+    return to_rgba8(encode_srgb_table(smooth.transpose(1, 2, 0)))
 
 
 def _walls(eye: Floats, directions: Floats) -> tuple[Floats, Floats, Floats, Identity]:

@@ -18,7 +18,8 @@ from simulations.scenes.rotation_3d import orientation, paths, turned_deg
 from simulations.scenes.tiled_floor.scene import SCENE as FLOOR
 from simulations.scenes.two_views.scene import SCENE as TWO_VIEWS
 from simulations.scenes.two_views.scene import view_of
-from simulations.scenes.two_views.view import Pair, seen
+from simulations.scenes.two_views.view import Pair, pose_of
+from simulations.world.room import look
 
 
 @pytest.mark.parametrize("pan", [-180, -90, -55, 0, 33, 90])
@@ -177,8 +178,9 @@ def test_the_essential_matrix_is_the_baseline_crossed_with_the_turn() -> None:
 @pytest.mark.parametrize("toe_in", [0, 12])
 def test_both_photographs_show_a_place_where_the_pair_projects_it(toe_in: float) -> None:
     pair, columns = Pair(160.0, 0.5, math.radians(toe_in)), 200
-    left, right = seen(pair, columns, right=False), seen(pair, columns, right=True)
-    rays = pixel_rays(intrinsics(160.0, (99.5, 74.5)), columns, 150)
+    K = intrinsics(160.0, (99.5, 74.5))
+    left, right = (look(K, pose_of(pair, side), columns, 150) for side in (False, True))
+    rays = pixel_rays(K, columns, 150)
     pixels = np.rint(99.5 + pair.right(rays * left.depth[..., None]) - (0.0, 25.0)).astype(int)
     inside = np.all((pixels >= 0) & (pixels < (columns, 150)), axis=-1)
     x, y = pixels[inside].T

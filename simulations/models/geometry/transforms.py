@@ -161,7 +161,9 @@ def clip_to_rectangle(
     as `clip_half_plane`.
     """
     (left, low), (right, high) = as_vectors("lowest", lowest, 2), as_vectors("highest", highest, 2)
-    inside = np.asarray(polygon, float)
+    inside = _in_range("polygon", _vertices(polygon))
+    if np.all((inside >= (left, low)) & (inside <= (right, high))):
+        return inside.copy()
     for line in ((1, 0, -left), (-1, 0, right), (0, 1, -low), (0, -1, high)):
         inside = clip_half_plane(inside, line, closed)
     return inside

@@ -242,10 +242,13 @@ def _matte(albedo: ArrayLike, n_dot_l: Floats, ambient: float) -> Floats:
 
 
 def _highlight(cosines: Floats, lit: Mask, specular: float, shininess: float) -> Floats:
-    """The power where ``lit``, else 0: the cosine is 0 there, whose power 0 would be 1."""
+    """The power where ``lit``, else 0: the cosine is 0 there, whose power 0 would be 1. Powers
+    below the normal numbers, which take long, are 0 as well."""
     for name, value in (("shininess", shininess), ("specular", specular)):
         require(name, value, 0 <= value < np.inf, "0 or more, finite")
-    return np.where(lit, specular * cosines**shininess, 0)
+    least = float(np.finfo(cosines.dtype).tiny) ** (1.0 / shininess) if shininess > 0 else -1.0
+    shines = lit & (cosines >= least)
+    return specular * np.power(cosines, shininess, out=np.zeros_like(cosines), where=shines)
 
 
 def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Floats:

@@ -136,7 +136,8 @@ def _waves(frequency: tuple[float, ...], reach: float) -> NDArray[np.complex128]
     cycles, rises = np.array(frequency), _rises(reach)
     middles = (np.arange(len(rises)) + 0.5 * (1 - len(rises))) / STEPS
     turns = np.exp(-2j * np.pi * cycles[:, None] * middles)
-    return np.asarray(turns / np.sinc(cycles / STEPS)[:, None] @ rises, complex)
+    turns /= np.sinc(cycles / STEPS)[:, None]
+    return np.asarray(turns.real @ rises + 1j * (turns.imag @ rises))  # faster than at once
 
 
 @lru_cache(maxsize=16)

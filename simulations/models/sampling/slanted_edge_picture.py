@@ -31,8 +31,9 @@ def edge_picture(
     x, y = centred(width), centred(height)[:, None]
     distance = np.cos(angle_rad) * x + np.sin(angle_rad) * y
     frequency, edge = _edge_waves()
-    left = edge * lens(frequency) * edge_transfer(frequency, angle_rad)
-    rise = np.fft.irfft(left)[: STRIPE * FINENESS // 2]
+    left = np.zeros(2 * frequency.size, complex)  # stripes have waves of odd order alone
+    left[1::2] = edge * lens(frequency) * edge_transfer(frequency, angle_rad)
+    rise = np.fft.irfft(left, 2 * STRIPE * FINENESS)[: STRIPE * FINENESS // 2]
     beyond = np.interp(np.abs(distance), np.arange(rise.size) / FINENESS, rise)
     return 0.5 + np.copysign(beyond, distance)
 
@@ -48,7 +49,5 @@ def edge_transfer(frequency: ArrayLike, angle_rad: float) -> Floats:
 def _edge_waves() -> tuple[Floats, NDArray[np.complex128]]:
     """Frequencies (F,) and coefficients (F,) of stripes of −½ and ½, by their Fourier series."""
     count = 2 * STRIPE * FINENESS
-    order = np.arange(count // 2 + 1)
-    coefficients = np.zeros(order.size, complex)
-    coefficients[1::2] = -1j * count / (np.pi * order[1::2])
-    return order / (2 * STRIPE), coefficients
+    order = np.arange(1, count // 2, 2)
+    return order / (2 * STRIPE), -1j * count / (np.pi * order)

@@ -9,14 +9,12 @@ from simulations.engine import drawing
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
-from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.geometry.transforms import clip_to_rectangle
-from simulations.models.projection.pinhole import intrinsics, project
+from simulations.models.projection.pinhole import project
 from simulations.scenes.perspective_projection import top_view
 from simulations.scenes.perspective_projection.view import (
     HALF_HEIGHT_PX,
@@ -29,12 +27,11 @@ from simulations.scenes.perspective_projection.view import (
     projection_of,
     room_axes,
 )
-from simulations.world.room import halve, look, shade
+from simulations.world.room import COLUMNS, DRAFT_COLUMNS, photograph
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the picture's view box
 IMAGE_SCALE = 2.0  # view box units per pixel
-COLUMNS, DRAFT_COLUMNS = 800, 200  # rays across the picture, at rest and while it moves
-DRAFT = "draft"
+DRAFT = "draft"  # the picture while anything moves
 ALMOST_PARALLEL = 1e-4  # perspective of the picture at 0 %: to a hundredth of a pixel the same
 CENTRE = np.array([200.0, 150.0])  # the principal point in the picture's view box
 LETTER_LEAST = 14.0  # side of a rectangle, in view box units, from which it is named
@@ -71,16 +68,10 @@ def picture(
     """The room through the camera."""
     camera = Camera(focal_length, max(perspective / 100.0, ALMOST_PARALLEL))
     view = projection_of(point_x, point_y, depth, camera)
-    rows = columns * 3 // 4
     pose = room_axes(view)
     pose[2, 3] -= camera.centre_m
     rays_per_px = columns / (2.0 * HALF_WIDTH_PX)
-    K = intrinsics(
-        rays_per_px * focal_length / camera.perspective, ((columns - 1) / 2, (rows - 1) / 2)
-    )
-    light = shade(look(K, pose, columns, rows))
-    fine = halve(light) if columns == COLUMNS else light
-    return to_rgba8(encode_srgb_table(fine.transpose(1, 2, 0)))
+    return photograph(rays_per_px * focal_length / camera.perspective, pose, columns)
 
 
 def place(x: float, y: float) -> Floats:

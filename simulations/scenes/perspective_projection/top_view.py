@@ -101,7 +101,7 @@ def plan(view: Projection) -> str:
 
     def place(flat: Floats) -> Floats:
         points = world_to_camera(np.insert(flat, 2, 0.0, axis=1), room_axes(view))
-        return np.array([above(Z, X) for X, _, Z in points])
+        return AXIS + points[:, [2, 0]] * (DEPTH_SCALE, SIDE_SCALE)
 
     return drawn(place, *DRAWN)
 

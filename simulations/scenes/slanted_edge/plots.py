@@ -85,10 +85,10 @@ def line_and_wave(sharpness: Sharpness, frequency: float, x: Axis) -> Iterator[s
 
 def specks(plot: Plot, distance: Floats, value: Floats) -> str:
     some = slice(None, None, max(1, math.ceil(distance.size / MOST_SPECKS)))
-    x = plot.x.position(distance[some]).tolist()
-    y = plot.y.position(np.clip(value[some], plot.y.low, plot.y.high)).tolist()
-    half = SPECK / 2
-    return path([[(u - half, v), (u + half, v)] for u, v in zip(x, y, strict=True)], "image bold")
+    x = plot.x.position(distance[some])
+    y = plot.y.position(np.clip(value[some], plot.y.low, plot.y.high))
+    ends = np.stack([x - SPECK / 2, y, x + SPECK / 2, y], axis=-1)
+    return path(ends.reshape(-1, 2, 2), "image bold")
 
 
 def contrast_plot(sharpness: Sharpness) -> Plot:

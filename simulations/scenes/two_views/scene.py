@@ -27,18 +27,17 @@ from simulations.models.projection.two_views import (
 )
 from simulations.scenes.two_views.space import axis_end, lamp_pulled, space, space_panel
 from simulations.scenes.two_views.view import (
-    COLUMNS,
-    DRAFT_COLUMNS,
     LampView,
     Pair,
     by_turns_panel,
     in_picture,
     lamp_view,
-    photograph,
+    photo,
     pixel_at,
     place,
     right_panel,
 )
+from simulations.world.room import COLUMNS, DRAFT_COLUMNS
 
 DRAFT = "draft"  # the photographs while a camera moves
 NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
@@ -64,11 +63,11 @@ def pair_of(settings: Settings) -> Pair:
 
 
 def left_photograph(focal_length: float, columns: int) -> Raster:
-    return photograph(Pair(focal_length, 1.0, 0.0), columns, right=False)
+    return photo(Pair(focal_length, 1.0, 0.0), columns, right=False)
 
 
 def right_photograph(focal_length: float, baseline: float, toe_in: float, columns: int) -> Raster:
-    return photograph(Pair(focal_length, baseline, math.radians(toe_in)), columns, right=True)
+    return photo(Pair(focal_length, baseline, math.radians(toe_in)), columns, right=True)
 
 
 @lru_cache(maxsize=4)  # drawing and handles ask for it several times a frame
@@ -222,7 +221,9 @@ SCENE = Scene(
             role="image",
         ),
     ),
-    parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
+    parameters=lambda _, tier: {
+        "columns": 3 * DRAFT_COLUMNS // 4 if tier == DRAFT else COLUMNS  # of two photographs
+    },
     own_drafts={DRAFT: ("focal_length", "baseline", "toe_in")},
     formula=depth_from_disparity,
 )

@@ -12,9 +12,7 @@ from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, Raster, format_number
-from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.projection.pinhole import intrinsics, project, rigid_pose
@@ -23,7 +21,7 @@ from simulations.models.projection.two_views import (
     epipolar_lines,
     fundamental_matrix,
 )
-from simulations.world.room import HIGH, View, halve, look, shade
+from simulations.world.room import HIGH, photograph
 
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
 """Half of each photograph, in pixels from the principal point."""
@@ -32,7 +30,6 @@ EYE = np.array([-0.25, -1.2, 1.2])
 FROM_ROOM = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 """Rotation (3, 3) from the room's axes to the left camera's."""
 CEILING_Y = float(EYE[2] - HIGH[2])
-COLUMNS, DRAFT_COLUMNS = 800, 120  # rays across a photograph, at rest four to a drawn pixel
 
 WIDTH, HEIGHT = 400.0, 300.0
 MIDDLE, UNITS_PER_PX = np.array([200.0, 150.0]), 2.0
@@ -144,21 +141,15 @@ def pixel_at(spot: drawing.Point) -> Floats:
     return (np.asarray(spot, float) - MIDDLE) / UNITS_PER_PX
 
 
-def seen(pair: Pair, columns: int, right: bool) -> View:
+def photo(pair: Pair, columns: int, right: bool) -> Raster:
     """The room through one of the cameras."""
-    pose = rigid_pose(FROM_ROOM, -FROM_ROOM @ EYE)
-    if right:
-        pose = rigid_pose(pair.R, pair.t) @ pose
-    rows = columns * 3 // 4
-    focal_px = pair.focal_px * columns / (2 * HALF_WIDTH_PX)
-    K = intrinsics(focal_px, ((columns - 1) / 2, (rows - 1) / 2))
-    return look(K, pose, columns, rows)
+    return photograph(pair.focal_px * columns / (2 * HALF_WIDTH_PX), pose_of(pair, right), columns)
 
 
-def photograph(pair: Pair, columns: int, right: bool) -> Raster:
-    light = shade(seen(pair, columns, right))
-    smooth = halve(light) if columns == COLUMNS else light
-    return to_rgba8(encode_srgb_table(smooth.transpose(1, 2, 0)))
+def pose_of(pair: Pair, right: bool) -> Floats:
+    """From the room to one of the cameras, (4, 4)."""
+    left = rigid_pose(FROM_ROOM, -FROM_ROOM @ EYE)
+    return rigid_pose(pair.R, pair.t) @ left if right else left
 
 
 def by_turns_panel(view: LampView, photo: Raster, right: bool) -> Panel:
