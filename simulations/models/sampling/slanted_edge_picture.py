@@ -50,4 +50,4 @@ def _edge_waves() -> tuple[Floats, NDArray[np.complex128]]:
     """Frequencies (F,) and coefficients (F,) of stripes of −½ and ½, by their Fourier series."""
     count = 2 * STRIPE * FINENESS
     order = np.arange(1, count // 2, 2)
-    return order / (2 * STRIPE), -1j * count / (np.pi * order)
+    return order / (2 * STRIPE), np.asarray(-1j * count / (np.pi * order), complex)
