@@ -86,6 +86,10 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             from site_builder.scaffold.pieces import make_new  # needed only here
 
             print(make_new(ROOT, given.kind, given.name, given.like))
+        case "rename":
+            from site_builder.scaffold.rename import rename
+
+            print(rename(ROOT, given.old, given.new))
         case "pdf" | "epub":
             # Readers of pages and printers are needed only here.
             from site_builder.editions.compose import compose
@@ -210,6 +214,9 @@ def _parser() -> argparse.ArgumentParser:
     new.add_argument("kind", choices=NEW)
     new.add_argument("name", help="such as falling-ball; of a book, its folder")
     new.add_argument("--like", default="", help="for a scene: a figure of the guide's gallery")
+    rename = add("rename", "give a chapter or a section another id; old addresses lead to it")
+    rename.add_argument("old", help="such as falling-ball or falling-ball#a-section")
+    rename.add_argument("new", help="the new id")
     for name, purpose in (
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),

@@ -51,7 +51,7 @@ from site_builder.files.text import Sources
 from site_builder.output.writer import write_site
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.page import Site
-from site_builder.pages.render import render_pages, render_translation
+from site_builder.pages.render import redirections, render_pages, render_translation
 from site_builder.pages.views.question import catalogue
 from site_builder.photographs import credits_of
 from site_builder.publishing.hosting import (
@@ -242,7 +242,7 @@ def render(
     pages = render_pages(site, _licences(root, parts, book))
     for translation in translations:
         pages |= render_translation(replace(site, book=translation), book)
-    files = {**assets.files, **parts.runtime_files}
+    files = {**assets.files, **parts.runtime_files, **dict(redirections(book, pages))}
     return RenderedSite(checked, options, parts, assets.folder, pages, files, search_index)
 
 

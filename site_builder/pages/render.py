@@ -1,6 +1,6 @@
 """All pages of the site, and of its translations."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,11 +16,11 @@ from site_builder.files.engine import own_or_engine
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.pages.back_matter import back_matter_pages, card, titled
-from site_builder.pages.environment import FOLDERS
+from site_builder.pages.environment import FOLDERS, render_template
 from site_builder.pages.licences import Licence
 from site_builder.pages.page import Site, render_page
 from site_builder.pages.policy import json_for_html
-from site_builder.pages.versions import embeds
+from site_builder.pages.versions import EMBED_FOLDER, embeds
 from site_builder.pages.views.question import class_data
 from site_builder.pages.views.simulation import thumbnail
 from site_builder.references.bibliography import NO_WORKS
@@ -69,6 +69,19 @@ def render_translation(site: Site, original: Book) -> dict[str, bytes]:
             path = f"{chapter.url}index.html"
             pages[path] = render("chapter.html", path, **context)
     return pages
+
+
+def redirections(book: Book, pages: Iterable[str]) -> Iterator[tuple[str, bytes]]:
+    """Pages at the former addresses of chapters, of their translations and of their figures, which
+    lead on with all that an address ends in."""
+    for path in sorted(pages):
+        folders = path.split("/")
+        for former, chapter in book.settings.redirects.items():
+            if chapter in folders[: 2 + (folders[0] == EMBED_FOLDER.strip("/"))]:
+                at = folders.index(chapter)
+                place = "/".join([*folders[:at], former, *folders[at + 1 :]])
+                to = "../" * place.count("/") + path.removesuffix("index.html")
+                yield place, render_template("moved.html", book, to=to).encode()
 
 
 def _title_page(site: Site) -> dict[str, Any]:

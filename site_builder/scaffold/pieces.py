@@ -183,7 +183,7 @@ def with_ids(markdown: str) -> str:
     """The chapter with the id of each section behind its heading."""
     lines, tokens = markdown.split("\n"), make_parser().parse(markdown)
     for opening, inline in pairwise(tokens):
-        if opening.type == "heading_open" and opening.map and "id" not in opening.meta:
+        if opening.type == "heading_open" and opening.map and "given" not in opening.meta:
             lines[opening.map[0]] += f" {{#{slug(plain_text(inline))}}}"
     return "\n".join(lines)
 

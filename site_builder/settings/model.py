@@ -200,6 +200,12 @@ class Settings:
         without="the first chapter",
     )
     path: ReadingPath = key(table(ReadingPath), "a way through the book", ReadingPath())
+    redirects: Mapping[str, str] = key(
+        entries('a table of former addresses with chapters, before = "chapter"'),
+        "addresses that chapters had once, written by `rename`",
+        MappingProxyType({}),
+        without="none",
+    )
     publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
     runtime: Runtime = key(table(Runtime), "what figures are computed with", Runtime())
     trust: Trust = key(table(Trust), "what goes into the pages unchecked", Trust())

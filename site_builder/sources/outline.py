@@ -18,6 +18,7 @@ from site_builder.document.places import Position, Target, Targets, chapter_id
 from site_builder.files.text import Sources, Toml
 from site_builder.formulae.temml import Macros
 from site_builder.languages.words import Words, languages, load_words
+from site_builder.markdown.numbering import slug
 from site_builder.settings.declared import Key, Reader, texts
 from site_builder.settings.model import FILE_NAME, Settings, read_settings
 
@@ -100,7 +101,11 @@ def read_outline(sources: Sources) -> Outline:
 
 
 def link_lines(settings: Settings, toml: Toml) -> dict[str, int]:
-    tables = {("starts",): settings.starts, ("path", "stops"): settings.path.stops}
+    tables = {
+        ("starts",): settings.starts,
+        ("path", "stops"): settings.path.stops,
+        ("redirects",): settings.redirects,
+    }
     return {words: toml.line(*at, words) for at, links in tables.items() for words in links}
 
 
@@ -130,11 +135,18 @@ def check_addresses(outline: Outline, problems: Diagnostics) -> None:
     own = (*OWN_FOLDERS, *languages())
     taken = dict.fromkeys(own, "a folder of the site's own")
     for name, line, _ in outline.chapters:
-        slug = chapter_id(name)
-        if slug in taken:
-            message = f"chapter {name!r} has the address {slug}/, as {taken[slug]} has"
+        address = chapter_id(name)
+        if address in taken:
+            message = f"chapter {name!r} has the address {address}/, as {taken[address]} has"
             problems.add(OUTLINE, line, f"{message}; legal: one of its own")
-        taken.setdefault(slug, f"chapter {name!r}")
+        taken.setdefault(address, f"chapter {name!r}")
+    chapters = [chapter_id(name) for name, _, _ in outline.chapters]
+    for former, chapter in outline.settings.redirects.items():
+        line = outline.link_lines[former]
+        if chapter not in chapters:
+            problems.add(OUTLINE, line, unknown("chapter", chapter, chapters))
+        if former in taken or slug(former) != former:
+            problems.add(OUTLINE, line, f"redirect from {former!r}; legal: a former chapter's id")
 
 
 LECTURE_PLAN = "content/lecture-plan.toml"
