@@ -12,7 +12,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.drawing import circle, dot, line, rectangle, text
-from simulations.engine.frame import Frame, Panel, Readout, format_number, readout, value_with_error
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Readout,
+    Sound,
+    format_number,
+    readout,
+    value_with_error,
+)
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
@@ -23,6 +31,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.sensor.photon_counting import SHOT_MODELS, Sensor, shot_noise_from_normal
 from simulations.scenes.sensor_noise.sensor import (
+    CLICKS,
     COLUMNS,
     PHOTOGRAPH_PX,
     ROWS,
@@ -41,6 +50,9 @@ SIZE = WIDTH, HEIGHT = 396.0, 264.0
 PATCH_WIDTH, PATCH_HEIGHT = WIDTH / COLUMNS, HEIGHT / ROWS
 DECADES = 4.5  # of the mean axis, below twice the saturation level
 LOWEST_DN2 = 0.01  # lower end of the variance axis; smaller variances are drawn at it
+SOUND_HZ, SOUND_S = 8000, 4
+CLICK = 0.7 * np.exp(-np.arange(24) / 5.0) * np.cos(0.5 * np.pi * np.arange(24))
+HISSING = 200.0  # clicks a second from which they grow softer, as they run together
 
 
 @dataclass(frozen=True, slots=True)
@@ -217,7 +229,16 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             readout("range", "Dynamic range", span, "stops", digits=1),
         ),
         describe(settings, outputs, ratio),
+        sound=clicks(mean_e, settings.new_noise),
     )
+
+
+def clicks(mean_e: float, take: int) -> Sound:
+    """A click for each photon that one cell counts, if the exposure lasts a second."""
+    rng = np.random.default_rng((take, CLICKS))
+    counted = rng.poisson(mean_e / SOUND_HZ, SOUND_HZ * SOUND_S)
+    wave = np.convolve(counted, CLICK / math.sqrt(1.0 + mean_e / HISSING))[: counted.size]
+    return Sound(np.clip(wave, -1.0, 1.0).astype(np.float32), SOUND_HZ)
 
 
 def measured_ratio(transfer: Transfer, patch: int) -> str:

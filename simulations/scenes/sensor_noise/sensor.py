@@ -27,8 +27,8 @@ from simulations.world.room import finer, halve, look, shade
 
 type Codes = NDArray[np.uint16]
 
-SHOT, READ, CELLS, ROOM = 1, 2, 4, 5
-"""Streams of random numbers: electrons, amplifier, cells' pattern, and those of the room."""
+SHOT, READ, CELLS, ROOM, CLICKS = 1, 2, 4, 5, 6
+"""Streams of random numbers: electrons, amplifier, cells' pattern, the room and the sound."""
 FRAMES = 2  # exposures of the same light; both share the pattern of the cells, which is not noise
 FULL_WELL_E = 20_000.0
 BRIGHTEST_E = 2 * FULL_WELL_E  # mean of the first patch at 0 EV: one stop above the full well
