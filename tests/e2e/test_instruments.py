@@ -365,7 +365,7 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     reader.settle(transfer.figure)
     assert any("libraw" in url for url in requests)
     assert transfer.sheet()["lines"] == sheet_of_raw()
-    page.evaluate("window.print = () => { window.is_printing = true; }")
+    page.evaluate("() => { window.print = () => { window.is_printing = true; }; }")
     page.locator(".data-sheet").get_by_role("button", name="Print").click()
     page.wait_for_function("() => window.is_printing")
     paper = PdfReader(io.BytesIO(page.pdf(format="A4")))

@@ -19,9 +19,10 @@ interface Part {
 const CAMERA = "instrument-camera";
 /** Whose file of a camera is a lens that other instruments measure with. */
 const LENS = { scene: "calibration", file: "camera-and-poses", users: ["single-view"] };
-/** Lines after the main one that say how it was measured, and letters of a value that is large. */
+/** Lines after the main one that say how it was measured. */
 const CONDITIONS = 3;
-const LONGEST = 24;
+/** Letters of a value; what is longer is a sentence on why there is none. */
+const LONGEST = 30;
 /** Milliseconds for which a figure rests before its results are asked for. */
 const PAUSE = 250;
 
@@ -61,10 +62,7 @@ export class DataSheet {
     const { content } = one(this.box, "template", HTMLTemplateElement);
     const shown = one(this.box, ".data-sheet-parts", HTMLElement);
     const isOpen = all(shown, "details", HTMLDetailsElement).map(({ open }) => open);
-    shown.replaceChildren(...parts.map((part) => filled(content, part)));
-    for (const [at, fold] of all(shown, "details", HTMLDetailsElement).entries()) {
-      fold.open = isOpen[at] ?? false;
-    }
+    shown.replaceChildren(...parts.map((part, at) => filled(content, part, isOpen[at] ?? false)));
     shown.hidden = parts.length === 0;
     one(this.box, ".data-sheet-empty", HTMLElement).hidden = parts.length > 0;
     one(this.box, ".data-sheet-tools", HTMLElement).hidden = parts.length === 0;
@@ -91,12 +89,9 @@ export class DataSheet {
 /** The lens that was calibrated, JSON; "" for none. */
 async function lensOf(instrument: Instrument | undefined): Promise<string> {
   const live = instrument?.figure.live;
-  if (!live) return "";
-  const request = { ...live.request(), name: LENS.file };
-  return live.runtime.call("export", request).then(
-    ({ text }) => text,
-    () => "",
-  );
+  const request = live && { ...live.request(), name: LENS.file };
+  const made = request && (await live.runtime.call("export", request).catch(() => null));
+  return made?.text ?? "";
 }
 
 /** What one instrument measured; null where it cannot say. */
@@ -114,16 +109,16 @@ async function partOf(instrument: Instrument): Promise<Part | null> {
 }
 
 /** The section of an instrument, copied from the template's. */
-function filled(content: DocumentFragment, { title, photographs, lines }: Part) {
+function filled(content: DocumentFragment, { title, photographs, lines }: Part, isOpen: boolean) {
   const section = content.cloneNode(true) as DocumentFragment;
   const [main, ...others] = lines;
-  const number = one(section, ".data-sheet-number", HTMLElement);
-  number.textContent = shownValue(main);
-  number.classList.toggle("data-sheet-words", shownValue(main).length > LONGEST);
-  one(section, "h3", HTMLElement).textContent = title;
-  one(section, ".data-sheet-what", HTMLElement).textContent = main.label;
-  const ends = new Set([photographs[0], photographs.at(-1)]);
-  one(section, ".data-sheet-files", HTMLElement).textContent = [...ends].join(" … ");
+  const ends = [...new Set([photographs[0], photographs.at(-1)])].join(" … ");
+  const parts = ["h3", ".data-sheet-number", ".data-sheet-what", ".data-sheet-files"];
+  const value = shownValue(main);
+  const measured = value.length > LONGEST ? ["–", `${main.label}: ${value}`] : [value, main.label];
+  for (const [at, text] of [title, ...measured, ends].entries()) {
+    one(section, parts[at], HTMLElement).textContent = text;
+  }
   const [conditions, rest] = all(section, "table", HTMLTableElement);
   for (const [at, line] of others.entries()) {
     const row = (at < CONDITIONS ? conditions : rest).insertRow();
@@ -132,7 +127,8 @@ function filled(content: DocumentFragment, { title, photographs, lines }: Part) 
     row.append(what);
     row.insertCell().textContent = shownValue(line);
   }
-  one(section, "details", HTMLElement).hidden = rest.rows.length === 0;
+  const fold = one(section, "details", HTMLDetailsElement);
+  [fold.open, fold.hidden] = [isOpen, rest.rows.length === 0];
   return section;
 }
 

@@ -1,7 +1,7 @@
 /** Instruments: what does the work is fetched when the first photograph comes in. */
 
 import { SimulationFigure } from "../figure/element.ts";
-import { all, maybe, within } from "../page/dom.ts";
+import { all, maybe, one, within } from "../page/dom.ts";
 import { recall } from "../page/storage.ts";
 import type { DataSheet } from "./data_sheet.ts";
 import type { Instrument } from "./instrument.ts";
@@ -61,6 +61,7 @@ async function pressed(box: HTMLElement, { classList }: HTMLButtonElement) {
     return;
   }
   const instrument = await instrumentOf(box);
+  if (/intake-(try|clear)/.test(classList.value)) one(box, ".intake-choose", HTMLElement).focus();
   if (classList.contains("intake-try")) await instrument.addSamples();
   if (classList.contains("intake-stop")) instrument.stop();
   if (classList.contains("intake-go-on")) await instrument.work();

@@ -8,6 +8,7 @@ import { moveControls, named } from "../figure/controls.ts";
 import { settingsOf } from "../figure/permalink.ts";
 import { nextNumber } from "../figure/photograph.ts";
 import { maybe, one } from "../page/dom.ts";
+import { recall, remember } from "../page/storage.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { closed } from "../runtime/runtime.ts";
@@ -18,10 +19,9 @@ import {
   keepSession,
   keptPhotos,
   type Photo,
-  isWanted,
   restoreSession,
   type State,
-  want,
+  WANTED,
 } from "./keeping.ts";
 import { PhotoList } from "./list.ts";
 import { Reader, ReaderEnded } from "./reader.ts";
@@ -34,7 +34,7 @@ export class Instrument {
   #isStopped = false;
   /** What is said beside the state of the work, until photographs come or go. */
   #remark = "";
-  #keeps = isWanted();
+  #keeps = recall(WANTED) !== false;
   /** What the control that counts photographs last followed. */
   #counted = 0;
   #lens = "";
@@ -155,7 +155,7 @@ export class Instrument {
   /** Keep all photographs on this device from now on, or none any more. */
   async keep(wanted: boolean) {
     this.#keeps = wanted;
-    want(wanted);
+    remember(WANTED, wanted ? null : false);
     if (wanted) {
       keepSession(this.scene, this.figure);
       await this.#keep(this.photos);

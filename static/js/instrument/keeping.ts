@@ -34,16 +34,8 @@ export function keyOf(scene: string) {
 }
 
 const STORE = "photographs";
-const WANTED = "instruments-keep";
-
-/** Whether photographs are to be kept: phones end pages that are not looked at. */
-export function isWanted() {
-  return recall(WANTED) !== false;
-}
-
-export function want(wanted: boolean) {
-  remember(WANTED, wanted ? null : false);
-}
+/** Key of `false` where photographs are not to be kept; phones end pages that are not looked at. */
+export const WANTED = "instruments-keep";
 
 /** `order` in which they were added; `sources` of the Python that read it. */
 type Kept = Omit<Photo, "number"> & { scene: string; order: number; sources: string };
