@@ -63,7 +63,6 @@ export class DataSheet {
     const shown = one(this.box, ".data-sheet-parts", HTMLElement);
     const isOpen = all(shown, "details", HTMLDetailsElement).map(({ open }) => open);
     shown.replaceChildren(...parts.map((part, at) => filled(content, part, isOpen[at] ?? false)));
-    shown.hidden = parts.length === 0;
     one(this.box, ".data-sheet-empty", HTMLElement).hidden = parts.length > 0;
     one(this.box, ".data-sheet-tools", HTMLElement).hidden = parts.length === 0;
     one(this.box, "time", HTMLTimeElement).textContent = new Date().toLocaleDateString();

@@ -95,14 +95,11 @@ async function makeFile(button: HTMLButtonElement) {
 async function instrumentOf(box: HTMLElement): Promise<Instrument> {
   const figure = figureOf(box);
   if (!figure) throw new Error("an intake without a figure");
-  const found = instruments.get(figure) ?? create(figure, box);
+  const made = () =>
+    import("./instrument.ts").then(({ Instrument }) => new Instrument(figure, box));
+  const found = instruments.get(figure) ?? made();
   instruments.set(figure, found);
   return found;
-}
-
-async function create(figure: SimulationFigure, box: HTMLElement) {
-  const { Instrument } = await import("./instrument.ts");
-  return new Instrument(figure, box);
 }
 
 async function sheet(): Promise<DataSheet | null> {

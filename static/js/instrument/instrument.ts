@@ -14,10 +14,10 @@ import { words } from "../page/words.ts";
 import { closed } from "../runtime/runtime.ts";
 import {
   erase,
-  forgetSession,
   keep,
   keepSession,
   keptPhotos,
+  keyOf,
   type Photo,
   restoreSession,
   type State,
@@ -145,7 +145,7 @@ export class Instrument {
     this.photos = this.photos.filter((photo) => !photos.includes(photo));
     for (const photo of photos) this.list.remove(photo);
     if (this.chosen && photos.includes(this.chosen)) this.chosen = null;
-    if (this.#own.length === 0) forgetSession(this.scene);
+    if (this.#own.length === 0) remember(keyOf(this.scene), null);
     if (this.#keeps && photos.length > 0)
       erase(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
     if (photos.some(({ state }) => state === "reading")) this.#reader.close();
@@ -160,7 +160,7 @@ export class Instrument {
       keepSession(this.scene, this.figure);
       await this.#keep(this.photos);
     } else {
-      forgetSession(this.scene);
+      remember(keyOf(this.scene), null);
       await erase(this.photos).catch(() => {}); // there are none
     }
     this.#showWork();
@@ -191,7 +191,9 @@ export class Instrument {
     this.#showWork();
     this.list.show(photo);
     try {
-      await this.#reader.read(photo, (text) => this.list.say(photo, text));
+      await this.#reader.read(photo, (said) => {
+        if (this.photos.includes(photo)) this.list.show(photo, said);
+      });
     } catch (error) {
       photo.state = "waiting";
       if (!(error instanceof ReaderEnded)) throw error;
@@ -257,7 +259,7 @@ export class Instrument {
 
   #stopKeeping(why: string) {
     this.#keeps = false;
-    forgetSession(this.scene);
+    remember(keyOf(this.scene), null);
     one(this.box, ".intake-keep", HTMLInputElement).checked = false;
     this.#remark = why;
     this.#showWork();

@@ -110,10 +110,6 @@ export function keepSession(scene: string, figure: SimulationFigure) {
   remember(keyOf(scene), readValues(form, controls));
 }
 
-export function forgetSession(scene: string) {
-  remember(keyOf(scene), null);
-}
-
 /** Put a figure to the settings that were kept, unless the address of its page has some. */
 export function restoreSession(scene: string, figure: SimulationFigure) {
   const { form, controls } = settingsOf(figure);

@@ -19,23 +19,17 @@ export class PhotoList {
     this.template = one(box, "template", HTMLTemplateElement);
   }
 
-  /** Show a photograph as it is now. */
-  show(photo: Photo) {
+  /** Show a photograph as it is now; `said` of what takes time. */
+  show(photo: Photo, said: string = photo.said || stateOf(photo)) {
     const item = this.#items.get(photo) ?? this.#add(photo);
     item.dataset.state = photo.state;
-    setText(one(item, ".intake-state", HTMLElement), photo.said || stateOf(photo));
+    setText(one(item, ".intake-state", HTMLElement), said);
     const image = one(item, "img", HTMLImageElement);
     if (photo.thumbnail && image.hidden) {
       image.src = URL.createObjectURL(photo.thumbnail);
       image.hidden = false;
     }
     one(item, ".intake-look", HTMLButtonElement).disabled = !photo.thumbnail;
-  }
-
-  /** Say what takes time, until it is shown again. */
-  say(photo: Photo, text: string) {
-    const item = this.#items.get(photo);
-    if (item) setText(one(item, ".intake-state", HTMLElement), text);
   }
 
   /** Mark the one that is looked at. */

@@ -2,8 +2,7 @@
  * Turning to another chapter without leaving the page, so that the interpreter stays alive.
  * The next page is fetched and its body takes the place of this one. On any doubt the browser
  * loads the page itself; where the host does not answer, this one stays. A page is fetched early when
- * a link to it is pointed at, unless the reader pays for what is fetched. From a page with what would
- * be lost, `data-unsaved`, the browser turns, as it asks first.
+ * a link to it is pointed at, unless the reader pays for what is fetched.
  */
 
 import { isMetered } from "./data_saver.ts";
@@ -63,7 +62,7 @@ export function begin(pageParts: Part[]) {
   document.addEventListener("click", (event) => {
     const link = within(event, "a[href]", HTMLAnchorElement);
     const url = link && !event.defaultPrevented && isPlain(event) ? linkedPage(link) : null;
-    if (!url || document.querySelector("[data-unsaved]")) return;
+    if (!url || document.querySelector("[data-unsaved]")) return; // of which the browser asks
     event.preventDefault();
     // In another language, the figures are as they were left.
     if (link?.matches(".other-language")) url.search = location.search;
