@@ -7,8 +7,8 @@ place draw the same markup.
 """
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -113,6 +113,11 @@ def rectangle(corner: Point, width: float, height: float, style: str = "") -> st
 def dot(centre: Point, style: str = "", radius: float = 4.0) -> str:
     """A filled point."""
     return circle(centre, radius, f"{style} solid".strip())
+
+
+def cased(shape: Callable[..., str], *place: Any, style: str) -> str:
+    """A shape over its outline in the colour of paper, so that it is seen on any picture."""
+    return shape(*place, "casing") + shape(*place, style)
 
 
 def escaped(content: str) -> str:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.engine.drawing import Point, circle, dot, line, polyline, text
+from simulations.engine.drawing import Point, cased, circle, dot, line, polyline, text
 from simulations.engine.frame import Panel, Raster, Readout, format_magnitude
 from simulations.engine.handles import Handle
 from simulations.engine.raster import to_rgba8
@@ -262,4 +262,4 @@ def shadow_edge(light_rad: float, shape: Shape = SPHERE) -> str:
     else:
         radii = -math.copysign(1.0, math.sin(light_rad)) * math.cos(light_rad) * radii
     edge = list(zip(CENTRE[0] + RADIUS * radii, CENTRE[1] - RADIUS * heights, strict=True))
-    return polyline(edge, "casing") + polyline(edge, "light dashed")
+    return cased(polyline, edge, style="light dashed")

@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from simulations.engine.controls import Value
-from simulations.engine.drawing import path
+from simulations.engine.drawing import cased, path
 from simulations.models.arrays import Floats, Mask, Planes
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -245,4 +245,4 @@ def line_on_floor(
     edges = np.flatnonzero(np.diff(hidden, prepend=True, append=True)) / columns
     ends = np.clip((edges - 0.5) * enlarged + 0.5, 0.0, 1.0) * width
     pieces = [[(start, row), (end, row)] for start, end in ends.reshape(-1, 2) if end > start]
-    return path(pieces, "casing") + path(pieces, "ray")
+    return cased(path, pieces, style="ray")

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.drawing import line, polygon, rectangle, text
+from simulations.engine.drawing import cased, line, polygon, rectangle, text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.photograph import Codes, Photograph
@@ -156,13 +156,13 @@ STAGES = (
 def loupe(row: int, column: int) -> str:
     """The enlarged part of the picture."""
     corner, size = (column * PIXEL, row * PIXEL), (COLUMNS * PIXEL, ROWS * PIXEL)
-    return rectangle(corner, *size, "casing") + rectangle(corner, *size, "camera bold")
+    return cased(rectangle, corner, *size, style="camera bold")
 
 
 def quad() -> str:
     """A frame around one quad of the enlarged mosaic, with the letter of each filter."""
     x, y = corner = (QUAD_COLUMN * CELL, QUAD_ROW * CELL)
-    frame = [rectangle(corner, 2 * CELL, 2 * CELL, role) for role in ("casing", "camera bold")]
+    frame = [cased(rectangle, corner, 2 * CELL, 2 * CELL, style="camera bold")]
     letters = [
         text((x + (k % 2 + 0.5) * CELL, y + (k // 2 + 0.5) * CELL + 4), letter, "ground", "middle")
         for k, letter in enumerate(PATTERN)

@@ -127,16 +127,15 @@ def rings_of(pan: float, tilt: float, roll: float) -> tuple[Ring, Ring, Ring]:
     )
 
 
-def on_screen(points: Floats, view: Floats) -> Floats:
-    """World points (..., 3) in the panel: view box x, y, and depth."""
-    return View(view, CENTRE).place(points)
+def view_of(azimuth: float, elevation: float) -> View:
+    return View(view_from(azimuth, elevation), CENTRE)
 
 
-def draw_rings(view: Floats, pan: float, tilt: float, roll: float) -> str:
+def draw_rings(view: View, pan: float, tilt: float, roll: float) -> str:
     """The camera in its rings, seen from a side: `view_from`; angles in degrees."""
     three = rings_of(pan, tilt, roll)
     C = euler.to_matrix("YXZ", [ring.angle_rad for ring in three])
-    circles = [on_screen(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1)), view) for ring in three]
+    circles = [view.place(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1))) for ring in three]
     together = abs(float(three[0].axis @ three[2].axis))
     widths = ["bold" if together > NEARLY and ring.name != "tilt" else "thin" for ring in three]
     parts = []
@@ -150,7 +149,9 @@ def draw_rings(view: Floats, pan: float, tilt: float, roll: float) -> str:
             for ring, circle, width in zip(three, circles, widths, strict=True)
         ]
         ends = [_axis(ring, view, front=front) for ring in three]
-        parts += [*ends, *halves] if front else [*halves, *ends, draw_body(C, view, CENTRE, 100.0)]
+        parts += (
+            [*ends, *halves] if front else [*halves, *ends, draw_body(C, view.axes, CENTRE, 100.0)]
+        )
     parts += [mark for ring in three for mark in _angle(ring, view)]
     for row, ring in enumerate(three):
         y, degrees = 22.0 + 18.0 * row, format_number(math.degrees(ring.angle_rad), 0)
@@ -161,23 +162,23 @@ def draw_rings(view: Floats, pan: float, tilt: float, roll: float) -> str:
     return "".join(parts)
 
 
-def _axis(ring: Ring, view: Floats, *, front: bool) -> str:
+def _axis(ring: Ring, view: View, *, front: bool) -> str:
     """One end of the axis, from near the camera to just outside the ring."""
-    depth = on_screen(ring.axis, view)[2]
+    depth = view.place(ring.axis)[2]
     end = 1.0 if (depth < 0) == front else -1.0
     lengths = (112.0, ring.radius + 8.0)
-    inner, outer = (on_screen(end * length * ring.axis, view) for length in lengths)
+    inner, outer = (view.place(end * length * ring.axis) for length in lengths)
     if end > 0:
         return drawing.arrow(inner, outer, ring.role, head=8)
     return drawing.line(inner, outer, f"{ring.role} thin dashed")
 
 
-def _angle(ring: Ring, view: Floats) -> Iterator[str]:
+def _angle(ring: Ring, view: View) -> Iterator[str]:
     """The arc from zero to the angle, with a bead at its end."""
     count = max(2, round(abs(ring.angle_rad) * 12))
-    arc = on_screen(ring.at(np.linspace(0.0, ring.angle_rad, count + 1)), view)[:, :2].tolist()
+    arc = view.all(ring.at(np.linspace(0.0, ring.angle_rad, count + 1))).tolist()
     yield drawing.polyline(arc, f"{ring.role} bold")
-    inner, outer = on_screen(np.stack([ring.at(0.0) * 0.965, ring.at(0.0) * 1.035]), view)
+    inner, outer = view.place(np.stack([ring.at(0.0) * 0.965, ring.at(0.0) * 1.035]))
     yield drawing.line(inner, outer, ring.role)
     yield drawing.dot(arc[-1], ring.role, 5.0)
 
@@ -302,18 +303,18 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 def bead(index: int, settings: Settings, _outputs: Outputs) -> Point:
     ring = rings_of(settings.pan, settings.tilt, settings.roll)[index]
-    view = view_from(settings.azimuth, settings.elevation)
-    return tuple(on_screen(ring.at(ring.angle_rad), view)[:2].tolist())
+    view = view_of(settings.azimuth, settings.elevation)
+    return tuple(view.all(ring.at(ring.angle_rad)).tolist())
 
 
 def bead_pulled(index: int, settings: Settings, place: Point) -> dict[str, float]:
     ring = rings_of(settings.pan, settings.tilt, settings.roll)[index]
     limit = 90 if ring.name == "tilt" else 180
     degrees = np.arange(-limit, limit + 1)
-    view = view_from(settings.azimuth, settings.elevation)
+    view = view_of(settings.azimuth, settings.elevation)
     present = round(math.degrees(ring.angle_rad))
     distances = np.abs(np.remainder(degrees - present + 180, 360) - 180)
-    track = on_screen(ring.at(np.radians(degrees)), view)
+    track = view.place(ring.at(np.radians(degrees)))
     return {ring.name: float(degrees[nearest(track, place, distances)])}
 
 
@@ -328,7 +329,7 @@ SCENE = Scene(
     Settings,
     draw,
     (
-        Stage("view", view_from),
+        Stage("view", view_of),
         Stage("rings", draw_rings, ("view",)),
         Stage("sky", draw_sky),
         Stage("sight", draw_sight),

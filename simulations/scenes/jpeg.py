@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.drawing import dot, path, rectangle, text
+from simulations.engine.drawing import cased, dot, path, rectangle, text
 from simulations.engine.frame import (
     Frame,
     Panel,
@@ -145,7 +145,7 @@ STAGES = (
 
 
 def framed(corner: Point, side: float) -> str:
-    return "".join(rectangle(corner, side, side, style) for style in ("casing", "image bold"))
+    return cased(rectangle, corner, side, side, style="image bold")
 
 
 def close_up(picture: Raster, row: int, column: int) -> tuple[Raster, tuple[int, int]]:

@@ -87,7 +87,7 @@ def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
     parts += picture_rays(light_rad)
     if math.cos(light_rad) > 0.05:
         brightest = _ball.on_equator(light_rad)
-        parts += [drawing.circle(brightest, 7, "casing"), drawing.circle(brightest, 7, "light")]
+        parts.append(drawing.cased(drawing.circle, brightest, 7, style="light"))
         parts.append(_ball.named(brightest, "brightest point", "light"))
     probed = _ball.on_equator(probe_rad)
     parts.append(_ball.outlined_dot(probed, "ray"))

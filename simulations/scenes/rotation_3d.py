@@ -107,9 +107,9 @@ def turned_deg(matrices: Floats) -> Floats:
     return np.degrees(np.arctan2(sine, cosine))
 
 
-def traces_of(all_paths: Mapping[str, Path], view: Floats) -> dict[str, Floats]:
+def traces_of(all_paths: Mapping[str, Path], view: View) -> dict[str, Floats]:
     """The places (n, 3) of the line of sight along each path: view box x, y, and depth."""
-    return {name: on_screen(way(SHARES)[:, :, 2], view) for name, way in all_paths.items()}
+    return {name: view.place(way(SHARES)[:, :, 2]) for name, way in all_paths.items()}
 
 
 def curves_of(all_paths: Mapping[str, Path]) -> dict[str, Floats]:
@@ -117,9 +117,8 @@ def curves_of(all_paths: Mapping[str, Path]) -> dict[str, Floats]:
     return {name: turned_deg(way(SHARES)) for name, way in all_paths.items()}
 
 
-def on_screen(points: Floats, view: Floats) -> Floats:
-    """World points (..., 3) in the panel: view box x, y, and depth."""
-    return View(view, CENTRE, RADIUS).place(points)
+def view_of(azimuth: float, elevation: float) -> View:
+    return View(view_from(azimuth, elevation), CENTRE, RADIUS)
 
 
 def sphere(settings: Settings, outputs: Outputs) -> str:
@@ -134,10 +133,10 @@ def sphere(settings: Settings, outputs: Outputs) -> str:
         for near in (False, True)
     )
     beads = [
-        dot(on_screen(blend[:, 2], view), ROLES[name], 6.0 if name == chosen else 3.5)
+        dot(view.place(blend[:, 2]), ROLES[name], 6.0 if name == chosen else 3.5)
         for name, blend in blends.items()
     ]
-    foot, end = on_screen(np.stack([np.zeros(3), blends[chosen][:, 2]]), view)
+    foot, end = view.place(np.stack([np.zeros(3), blends[chosen][:, 2]]))
     parts = (
         *_globe(view),
         *behind,
@@ -154,13 +153,13 @@ def sphere(settings: Settings, outputs: Outputs) -> str:
     return "".join(parts)
 
 
-def _globe(view: Floats) -> Iterator[str]:
+def _globe(view: View) -> Iterator[str]:
     """Outline, horizon and two meridians; only the near half of each."""
     yield circle(CENTRE, RADIUS, "muted thin")
     turns = np.linspace(0, 2 * math.pi, 73)
     cosine, sine, flat = np.cos(turns), np.sin(turns), np.zeros_like(turns)
     rings = ((cosine, flat, sine), (cosine, sine, flat), (flat, cosine, sine))
-    places = [on_screen(np.stack(ring, axis=-1), view) for ring in rings]
+    places = [view.place(np.stack(ring, axis=-1)) for ring in rings]
     yield path([run for ring in places for run in runs(ring, front=True)], "muted thin faint")
 
 
@@ -172,10 +171,10 @@ def _ends(start: Floats, end: Floats) -> Iterator[str]:
         yield text((point[0], row), label, "camera small ground", "middle")
 
 
-def _cameras(blends: Mapping[str, Floats], view: Floats, chosen: str) -> Iterator[str]:
+def _cameras(blends: Mapping[str, Floats], view: View, chosen: str) -> Iterator[str]:
     """The camera on each of the three ways, side by side."""
     for name, (x, y) in CAMERAS.items():
-        yield draw_body(blends[name], view, (x, y), BODY)
+        yield draw_body(blends[name], view.axes, (x, y), BODY)
         yield line((x - 13, y + 58), (x + 13, y + 58), STYLES[name])
         weight = " strong" if name == chosen else ""
         yield text((x, y + 77), LABELS[name], f"{ROLES[name]}{weight}", "middle")
@@ -237,14 +236,14 @@ def _sight_line(pan: float, tilt: float, roll: float, blend: str, tier: str) -> 
 
 
 def sight(settings: Settings, outputs: Outputs) -> Point:
-    view = view_from(settings.azimuth, settings.elevation)
+    view = view_of(settings.azimuth, settings.elevation)
     blend = outputs["paths"][settings.blend](settings.t)
-    return tuple(on_screen(blend[:, 2], view)[:2].tolist())
+    return tuple(view.all(blend[:, 2]).tolist())
 
 
 def sight_pulled(settings: Settings, place: Point, tier: str) -> dict[str, float]:
     way = _sight_line(settings.pan, settings.tilt, settings.roll, settings.blend, tier)
-    track = on_screen(way, view_from(settings.azimuth, settings.elevation))
+    track = view_of(settings.azimuth, settings.elevation).place(way)
     index = nearest(track, place, np.abs(np.arange(len(way)) - round(100 * settings.t)))
     return {"t": index / 100}
 
@@ -265,7 +264,7 @@ SCENE = Scene(
     draw,
     (
         Stage("orientation", orientation),
-        Stage("view", view_from),
+        Stage("view", view_of),
         Stage("paths", paths, ("orientation",)),
         Stage("traces", traces_of, ("paths", "view")),
         Stage("curves", curves_of, ("paths",)),

@@ -138,7 +138,7 @@ def test_ball_lobe_and_readouts_show_one_brdf(model: str, light: int, view: int)
 def in_room(at: tuple[float, float, float], **given: object) -> Floats:
     """Linear RGB of the picture at a place in the room."""
     x, y = (int(FINE * each) for each in room.project(at))
-    red, green, blue, _ = pixels_of(frame_of(BOUNCE, **given), 1)[y, x].tolist()
+    red, green, blue, _ = pixels_of(frame_of(BOUNCE, **given))[y, x].tolist()
     return decode_srgb(np.array([red, green, blue]) / 255.0)
 
 

@@ -6,7 +6,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.drawing import arrow, circle, dot, line, polygon, polyline, rectangle, text
+from simulations.engine.drawing import (
+    arrow,
+    cased,
+    circle,
+    dot,
+    line,
+    polygon,
+    polyline,
+    rectangle,
+    text,
+)
 from simulations.engine.frame import format_number
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
@@ -62,7 +72,7 @@ def shown_pixels(own: Own, rate: float) -> str:
 
 def framed(left: float, top: float, width: float, height: float) -> str:
     corner, size = (left + 1.0, top - 2.0), (width - 2.0, height + 4.0)
-    return rectangle(corner, *size, "casing") + rectangle(corner, *size, "ray")
+    return cased(rectangle, corner, *size, style="ray")
 
 
 def ring(pattern: Pattern) -> tuple[float, float] | None:

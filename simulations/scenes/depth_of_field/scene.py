@@ -108,9 +108,7 @@ def readouts(sharp: stages.Sharpness | None, hyperfocal_m: float) -> tuple[Reado
         (sharp.image_mm, sharp.near_limit_m, sharp.far_limit_m) if sharp else (0.0, 0.0, 0.0)
     )
     rows = (
-        ("near_mm", "Blur of the red ball", near, 3, "mm", "error"),
         ("near_px", "Blur of the red ball", near / PITCH_MM, 1, "px", "error"),
-        ("far_mm", "Blur of the wall", far, 3, "mm", "world"),
         ("far_px", "Blur of the wall", far / PITCH_MM, 1, "px", "world"),
         ("sensor", "Lens to sensor", image, 2, "mm", "camera"),
         ("near_limit", "Sharp from", limits[0], 2, "m", "ray"),

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.drawing import dot, ellipse, line, path, polygon, rectangle, text
+from simulations.engine.drawing import cased, dot, ellipse, line, path, polygon, rectangle, text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.photograph import Photograph
@@ -190,7 +190,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         stages.CLOSE_TOP / stages.HEIGHT_PX * HEIGHT,
     )
     size, rest = (WIDTH, HEIGHT), (WIDTH - corner[0] - 1, HEIGHT - corner[1] - 1)
-    frame = "".join(rectangle(corner, *rest, style) for style in ("casing", "camera"))
+    frame = cased(rectangle, corner, *rest, style="camera")
     side, title = section(settings), "The corner of the picture, enlarged"
     return Frame(
         (
@@ -200,10 +200,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         ),
         (
             readout("lateral", "Red to blue, corner", shifts[2] - shifts[0], "px", role="error"),
-            readout("red_disc", "Red disc", discs[0], "px"),
-            readout("blue_disc", "Blue disc", discs[2], "px"),
             readout("natural_stops", "Natural vignetting", stops(natural), "stops", role="light"),
-            readout("rim_stops", "Cut by the rim", stops(cut), "stops", role="camera"),
             readout("corner_stops", "Corner in all", stops(natural * cut), "stops"),
         ),
         describe(settings, shifts[2] - shifts[0], discs, natural * cut, outputs["photograph"]),

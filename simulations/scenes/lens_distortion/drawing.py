@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.engine.drawing import arrow, circle, dot, line, path, rectangle, text
+from simulations.engine.drawing import arrow, cased, circle, dot, line, path, rectangle, text
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
@@ -129,7 +129,7 @@ def _moved(ideal: tuple[float, float], name: str, lens: Distortion) -> str:
     x, y = ends[1]
     row = min(max(y + (14.0 if ideal[1] > 0.0 else -5.0), 16.0), VIEW_HEIGHT - 8.0)
     label = text((x - 14.0, row), name, "image small strong ground", "end")
-    return line(*ends, "casing") + line(*ends, "image bold") + dot(ends[1], "image") + label
+    return cased(line, *ends, style="image bold") + dot(ends[1], "image") + label
 
 
 def _limits(lens: Distortion, *, fold: bool, image: bool) -> str:

@@ -7,7 +7,7 @@ from textwrap import wrap
 
 import numpy as np
 
-from simulations.engine.drawing import circle, path, text
+from simulations.engine.drawing import cased, circle, path, text
 from simulations.engine.frame import Frame, Panel, Raster, format_number
 from simulations.engine.handles import Handle, Point
 from simulations.engine.photograph import Whole
@@ -70,7 +70,7 @@ def transfer(
     yield from points(plot, mean, noise, bars, estimate.fitted, "image", shown if simulated else -1)
     if shown >= 0:  # a ring around the pair of the second panel
         place = plot.clamped(float(mean[shown]), float(noise[shown]))
-        yield circle(place, 8.0, "casing") + circle(place, 8.0, "image bold")
+        yield cased(circle, place, 8.0, style="image bold")
     if not reason:
         words = f"{value_of(estimate.gain)} e⁻/DN"
         yield text((LEFT + 14, TOP + 34), words, "ray large strong ground")

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.drawing import circle, dot, line, path, rectangle, text
+from simulations.engine.drawing import cased, circle, dot, line, path, rectangle, text
 from simulations.engine.frame import Frame, Panel, format_number, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.letters import width_of
@@ -77,7 +77,7 @@ def star_overlay(settings: Settings) -> str:
     ]
     parts = []
     for radius, _, role in rings:
-        parts += [circle(MIDDLE, radius, "casing"), circle(MIDDLE, radius, f"{role} dashed")]
+        parts.append(cased(circle, MIDDLE, radius, style=f"{role} dashed"))
     (inner, *inside), (outer, *around) = sorted(rings)
     below = MIDDLE[1] + (5 if inner > ROOM_FOR_NAME else outer + 16)
     for row, (name, role) in ((below, inside), (MIDDLE[1] - outer - 7, around)):
@@ -101,10 +101,8 @@ def spot_overlay(settings: Settings) -> str:
     return "".join(
         (
             path(grid, "camera thin faint"),
-            rectangle(corner, step, step, "casing"),
-            rectangle(corner, step, step, "camera"),
-            circle(MIDDLE, radius, "casing"),
-            circle(MIDDLE, radius, "ray dashed"),
+            cased(rectangle, corner, step, step, style="camera"),
+            cased(circle, MIDDLE, radius, style="ray dashed"),
             dot(spot_at(settings), "ray", 5),
             *length_scale(10.0 * PER_UM, "10 µm"),
         )
@@ -167,9 +165,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture of a star, the spot on the pixels, and the transfer functions."""
     lens: Lens = outputs["lens"]
     factors = links(settings, lens, settings.frequency)
-    each = factors.lens, factors.pixel, factors.plate, factors.together
-    of_lens, of_pixel, of_plate, together = (abs(float(factor)) for factor in each)
-    at_nyquist = abs(float(links(settings, lens, settings.nyquist).together))
+    each = factors.lens, factors.pixel, factors.together
+    of_lens, of_pixel, together = (abs(float(factor)) for factor in each)
     half = mtf50(settings, lens)
     star, over_star = outputs["picture"], star_overlay(settings)
     close, over_spot = outputs["close"], spot_overlay(settings)
@@ -187,12 +184,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         (
             readout("lens", "Contrast at f: lens", of_lens, role="ray"),
             readout("pixel", "Contrast at f: pixel", of_pixel, role="camera"),
-            readout("plate_leaves", "Contrast at f: plate", of_plate),
             readout("together", "Contrast at f: together", together, role="image"),
             readout(
                 "nyquist", "Nyquist frequency", settings.nyquist, unit, digits=1, role="camera"
             ),
-            readout("at_nyquist", "Contrast at Nyquist", at_nyquist, role="image"),
             readout("cutoff", "Cut-off frequency", settings.cutoff, unit, digits=1, role="ray"),
             readout("mtf50", "Half contrast at (MTF50)", half, unit, digits=1, role="image"),
             readout("spot", "Diameter of the spot", settings.spot_um, "µm", role="ray"),

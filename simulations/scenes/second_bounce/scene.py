@@ -10,7 +10,7 @@ from functools import cache
 
 import numpy as np
 
-from simulations.engine.drawing import circle, line, text
+from simulations.engine.drawing import cased, circle, line, text
 from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
 from simulations.engine.handles import Handle
 from simulations.engine.plotting import Axis, Plot, Scale
@@ -183,11 +183,9 @@ def marks(settings: Settings) -> str:
     spot, here = lamp_in_room(settings, {}), point_in_room(settings, {})
     return "".join(
         (
-            line(source, spot, "casing"),
-            line(source, spot, "light dashed"),
+            cased(line, source, spot, style="light dashed"),
             lamp(source),
-            circle(spot, 6, "casing"),
-            circle(spot, 6, "light"),
+            cased(circle, spot, 6, style="light"),
             outlined_dot(here, "image", 5),
             named(here, "point", "image", above=True),
         )
@@ -232,8 +230,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     title = f"Bounces: {BOUNCES[settings.bounces].lower()}"
     return Frame(
         (
-            Panel("first", "The first bounce only", *size, outputs["first picture"]),
             Panel("picture", title, *size, outputs["picture"], marks(settings)),
+            Panel("first", "The first bounce only", *size, outputs["first picture"]),
             Panel(
                 "profile",
                 "Brightness along a line",

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.drawing import circle, dot, line, rectangle, text
+from simulations.engine.drawing import cased, circle, dot, line, rectangle, text
 from simulations.engine.frame import (
     Frame,
     Panel,
@@ -94,7 +94,7 @@ def over_wedge(patch: int) -> str:
     """A frame around the chosen patch."""
     corner = (patch % COLUMNS * PATCH_WIDTH + 2, patch // COLUMNS * PATCH_HEIGHT + 2)
     size = PATCH_WIDTH - 4, PATCH_HEIGHT - 4
-    return "".join(rectangle(corner, *size, style) for style in ("casing", "image bold"))
+    return cased(rectangle, corner, *size, style="image bold")
 
 
 def transfer_plot(
@@ -130,7 +130,7 @@ def transfer_plot(
     if level_dn is not None:
         foot = plot.clamped(level_dn, plot.y.low)
         parts += [line(foot, chosen, "image thin"), dot(foot, "image", 5)]
-    parts += [circle(chosen, 8, "casing"), circle(chosen, 8, "image bold")]
+    parts.append(cased(circle, chosen, 8, style="image bold"))
     return "".join((*parts, names(plot, curve, chosen, crosses)))
 
 

@@ -245,7 +245,7 @@ def in_loupe(lines: Lines, settings: Settings) -> str:
     unit = WIDTH / LOUPE_COLUMNS
     (x, y), (u, v) = ((ends[[touched, touched ^ 1]] - corner + 0.5) * unit).tolist()
     at, other, style = (x, y), (u, v), STYLES[number]
-    parts = [drawing.circle(at, 12.0, "casing"), drawing.circle(at, 12.0, style)]
+    parts = [drawing.cased(drawing.circle, at, 12.0, style=style)]
     if (part := clipped(at, other, *PANEL)) is not None:
         parts.append(drawing.line(*part, style))
     return "".join((*parts, drawing.dot(at, style, 2.5)))

@@ -6,7 +6,7 @@ from functools import partial
 from textwrap import wrap
 
 from simulations.engine.controls import PointLists, Value
-from simulations.engine.drawing import dot, line, rectangle, text
+from simulations.engine.drawing import cased, dot, line, rectangle, text
 from simulations.engine.frame import Frame, Panel, format_number, value_with_error
 from simulations.engine.handles import Handle, Point
 from simulations.engine.photograph import MOST_MEGAPIXELS, Codes, Photograph, Whole
@@ -60,19 +60,20 @@ def over_picture(
     frame = ((left, top), right - left, bottom - top)
     found = pixels.line if isinstance(pixels, EdgePixels) else None
     if simulated:
-        ends = (edge_at(settings.angle, HEIGHT), edge_at(settings.angle, 0.0))
-        yield from cased(ends, "world dashed")
+        ends = [edge_at(settings.angle, HEIGHT), edge_at(settings.angle, 0.0)]
+        yield cased(line, *ends, style="world dashed")
     elif found:
         y = centred(found.picture.shape[0])[found.rows[[0, -1]]]
         points = zip(found.column(y), y, strict=True)
-        yield from cased([in_panel(found, box, *point) for point in points], "world dashed")
-    yield rectangle(*frame, "casing")
-    yield rectangle(*frame, "error" if refusal else "image")
+        ends = [in_panel(found, box, *point) for point in points]
+        yield cased(line, *ends, style="world dashed")
+    yield cased(rectangle, *frame, style="error" if refusal else "image")
     if found:  # the row, or column, in the middle
         end = 0.5 * found.picture.shape[1]
         middle = found.rows[len(found.rows) // 2]
         row = float(centred(found.picture.shape[0])[middle])
-        yield from cased([in_panel(found, box, x, row) for x in (-end, end)], "camera")
+        ends = [in_panel(found, box, x, row) for x in (-end, end)]
+        yield cased(line, *ends, style="camera")
     yield dot(settings.centre, "image", 4)
     yield dot(settings.corner, "image", 5)
     if simulated:
@@ -101,14 +102,8 @@ def kept_places(places: Sequence[KeptEdge]) -> Iterator[str]:
         x, y = box.at(0.5 * wide, 0.5 * high)
         frame = box.at(0, 0), wide / box.per_unit, high / box.per_unit
         words = "no MTF" if place.sharpness.refusal else format_number(half, 3)
-        yield rectangle(*frame, "casing")
-        yield rectangle(*frame, "image thin")
+        yield cased(rectangle, *frame, style="image thin")
         yield text((x, y + 5.0), words, "image small ground", "middle")
-
-
-def cased(ends: Sequence[Point], style: str) -> Iterator[str]:
-    yield line(ends[0], ends[1], "casing")
-    yield line(ends[0], ends[1], style)
 
 
 def in_panel(edge: EdgeLine, box: Box, x: float, y: float) -> Point:
