@@ -65,11 +65,12 @@ from simulations.models.calibration.model_choice import (
     with_shape,
 )
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.tone_curve import TYPICAL, tone_curve
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.projection.picture_lens import PictureLens, lens_by_lines, unknown_lens
 from simulations.models.sampling.slanted_edge import read_edge
 from simulations.models.sampling.slanted_edge_file import light_of_codes
-from simulations.models.sampling.slanted_edge_tone import tone_curve, tone_error
+from simulations.models.sampling.slanted_edge_tone import tone_error
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic
 from simulations.models.sensor.photon_transfer_fit import BEND, black_of_dark, characterise
@@ -166,7 +167,7 @@ def edge(rng: np.random.Generator, world: dict[str, float], side: int) -> Scores
         codes = np.asarray(Image.open(file))
     reading = read_edge(light_of_codes(codes, srgb=True))
     half = reading.half_contrast()
-    error = math.hypot(half.error, tone_error(reading) if "tone" in world else 0.0)
+    error = math.hypot(half.error, tone_error(reading, TYPICAL) if "tone" in world else 0.0)
     if reading.is_sharpened():
         return {}
     return {"MTF50": (half.frequency - gaussian_half(spot)) / error}

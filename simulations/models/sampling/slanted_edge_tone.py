@@ -1,6 +1,5 @@
 """How far an unknown tone curve of a camera may have changed an MTF50.
 
-Cameras raise the contrast of the middle tones of their JPEGs on top of sRGB, each by its own curve.
 A steeper curve makes an edge steeper, so it reads as sharpness, the more the farther the edge's two
 sides are apart. ISO 12233:2017 therefore asks for an edge of 4 : 1.
 """
@@ -9,21 +8,15 @@ import numpy as np
 
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.color.tone_curve import without_tone_curve
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading
 
-TYPICAL = 0.5
-"""Standard deviation among cameras of how much steeper a curve is than sRGB in middle tones."""
 STEPS = 8
 """Per pixel, of the sum over the edge."""
 
 
-def tone_curve(codes: Floats, strength: float) -> Floats:
-    """Codes (...) from 0 to 1, steeper by ``strength`` in the middle tones, flatter at the ends."""
-    return codes - strength / (2 * np.pi) * np.sin(2 * np.pi * codes)
-
-
-def tone_error(reading: EdgeReading, strength: float = TYPICAL) -> float:
+def tone_error(reading: EdgeReading, strength: float) -> float:
     """Standard error of MTF50 that is due to an unknown curve, in cycles per pixel.
 
     The edge is straightened as if a curve of this strength had been applied to it.
@@ -32,8 +25,7 @@ def tone_error(reading: EdgeReading, strength: float = TYPICAL) -> float:
     place = np.arange(-round(STEPS * reach), round(STEPS * reach) + 1) / STEPS
     dark, light = reading.pixels.levels
     seen = dark + (light - dark) * reading.curve.spread(place)
-    codes = np.linspace(0.0, 1.0, 513)
-    straight = np.interp(encode_srgb(np.clip(seen, 0.0, 1.0)), tone_curve(codes, strength), codes)
+    straight = without_tone_curve(encode_srgb(np.clip(seen, 0.0, 1.0)), strength)
     halves = [_half(place, each) for each in (seen, decode_srgb(straight))]
     return abs(halves[0] - halves[1]) if np.isfinite(halves).all() else 0.0
 

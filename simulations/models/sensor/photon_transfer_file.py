@@ -120,7 +120,12 @@ def _are_alike(first: Taken, second: Taken) -> bool:
     return near and (unknown or math.isclose(*times, rel_tol=0.01))
 
 
+def model_of(facts: Mapping[str, float | str]) -> str:
+    """Maker and model by the file, in words; empty if it does not say."""
+    return ", ".join(str(facts[name]) for name in ("make", "model") if name in facts)
+
+
 def camera_of(facts: Mapping[str, float | str]) -> str:
     """Maker, model and ISO by the file, in words; empty if it does not say."""
-    iso = [f"ISO {float(facts['iso']):.0f}"] if "iso" in facts else []
-    return ", ".join([str(facts[name]) for name in ("make", "model") if name in facts] + iso)
+    iso = f"ISO {float(facts['iso']):.0f}" if "iso" in facts else ""
+    return ", ".join(filter(None, (model_of(facts), iso)))

@@ -137,6 +137,7 @@ def facts_of(middle: Codes, mean_code: float, facts: Facts) -> dict[str, Any]:
         "shape": list(middle.shape),
         "mean_code": round(mean_code, 4),
         "camera": files.camera_of(facts),
+        "model": files.model_of(facts),
         "exposure_s": float(facts["exposure_s"]) if "exposure_s" in facts else None,
     }
 
@@ -195,6 +196,8 @@ class Frames:
     """Seconds of each pair, NaN where the files do not say; any unit if they are simulated."""
     camera: str = ""
     """Maker, model and ISO by the files."""
+    model: str = ""
+    """Maker and model."""
 
     @property
     def is_simulated(self) -> bool:
@@ -301,6 +304,7 @@ def pair_up(codes: tuple[Pair, ...], readings: Readings) -> Frames:
         },
         exposures=tuple(taken[i].exposure_s for i, _ in pairs),
         camera=str(readings[pairs[0][0]].data["camera"]) if pairs else "",
+        model=str(readings[pairs[0][0]].data["model"]) if pairs else "",
     )
 
 

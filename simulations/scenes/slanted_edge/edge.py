@@ -14,10 +14,12 @@ from simulations.engine.frame import Raster
 from simulations.engine.handles import Point
 from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.raster import to_rgba8
+from simulations.engine.reading import Readings
 from simulations.engine.settings import action, choice, points, slider
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.color.tone_curve import TYPICAL
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, HalfContrast, measure
@@ -27,6 +29,7 @@ from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_
 from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge
 from simulations.models.sampling.slanted_edge_search import edge_near
 from simulations.models.sampling.slanted_edge_tone import tone_error
+from simulations.models.sensor.photon_transfer_file import model_of
 from simulations.models.sensor.resolution import pixel_pitch_um
 from simulations.scenes._cat import blurred, sharp
 from simulations.scenes._wipe import wiped
@@ -228,22 +231,37 @@ def chosen_box(codes: Codes, x: float, y: float, width: float, height: float) ->
     return box_in((codes.shape[1], codes.shape[0]), (x, y), (width, height))
 
 
+@dataclass(frozen=True, slots=True)
+class Tone:
+    """A camera's tone curve on top of sRGB."""
+
+    strength: float = 0.0
+    error: float = 0.0
+
+
+def tone_of(photograph: Photograph | None, response: str, readings: Readings) -> Tone:
+    """The curve of the same camera that exposures told on this page, or an unknown one; none in raw
+    files, developed by the page."""
+    if photograph is None or response != "srgb" or "raw" in photograph.facts:
+        return Tone()
+    for reading in readings:
+        told = reading.data["tone_curve"]
+        if "value" in told and reading.data["model"] == model_of(photograph.facts):
+            return Tone(told["value"], told["standard_error"])
+    return Tone(error=TYPICAL)
+
+
 def edge_pixels(
-    codes: Codes, box: Box, response: str, photograph: Photograph | None
+    codes: Codes, box: Box, tone: Tone, response: str, photograph: Photograph | None
 ) -> EdgePixels | str:
     """The pixels of the edge in the rectangle, or the fault of the picture or the rectangle."""
     if photograph is not None and photograph.is_scaled:
         return SCALED
     cut = codes[box.top : box.bottom, box.left : box.right]
     try:
-        return locate_edge(light_of_codes(cut, srgb=response == "srgb"))
+        return locate_edge(light_of_codes(cut, srgb=response == "srgb", tone=tone.strength))
     except UnfitEdgeError as problem:
         return str(problem)
-
-
-def has_tone_curve(photograph: Photograph | None, response: str) -> bool:
-    """Whether a camera may have changed the contrast: not in raw files, developed by the page."""
-    return photograph is not None and response == "srgb" and "raw" not in photograph.facts
 
 
 def most_contrast(aperture: float, pitch: float, photograph: Photograph | None) -> Floats | float:
@@ -267,7 +285,7 @@ def pitch_um(photograph: Photograph | None) -> float | None:
 
 def sharpness(
     pixels: EdgePixels | str,
-    response: str,
+    tone: Tone,
     aperture: float,
     pitch: float,
     photograph: Photograph | None,
@@ -281,18 +299,19 @@ def sharpness(
     except UnfitEdgeError as problem:
         return replace(nothing, refusal=str(problem))
     half = reading.half_contrast()
-    tone = tone_error(reading) if has_tone_curve(photograph, response) else 0.0
+    by_tone = tone_error(reading, tone.error) if tone.error else 0.0
     return Sharpness(
         reading,
-        replace(half, error=math.hypot(half.error, tone)),
+        replace(half, error=math.hypot(half.error, by_tone)),
         *reading.transfer(FREQUENCIES),
-        tone=tone,
+        tone=by_tone,
         sharpened=reading.is_sharpened(most_contrast(aperture, pitch, photograph)),
     )
 
 
 def kept_edges(
     codes: Codes,
+    tone: Tone,
     kept: str,
     response: str,
     aperture: float,
@@ -305,8 +324,8 @@ def kept_edges(
     for (left, top), (right, bottom) in zip(corners[::2], corners[1::2], strict=False):
         centre = 50.0 * (left + right), 0.5 * tall * (top + bottom)
         box = chosen_box(codes, *centre, 100.0 * (right - left), tall * (bottom - top))
-        pixels = edge_pixels(codes, box, response, photograph)
-        found.append(KeptEdge(box, sharpness(pixels, response, aperture, pitch, photograph)))
+        pixels = edge_pixels(codes, box, tone, response, photograph)
+        found.append(KeptEdge(box, sharpness(pixels, tone, aperture, pitch, photograph)))
     return tuple(found)
 
 
@@ -340,9 +359,10 @@ STAGES = (
     Stage("codes", own, neutral=none_given, passes_on="simulated"),
     Stage("shown", shown, ("codes",)),
     Stage("box", chosen_box, ("codes",)),
-    Stage("pixels", edge_pixels, ("codes", "box")),
-    Stage("sharpness", sharpness, ("pixels",)),
-    Stage("places", kept_edges, ("codes",)),
+    Stage("tone", tone_of),
+    Stage("pixels", edge_pixels, ("codes", "box", "tone")),
+    Stage("sharpness", sharpness, ("pixels", "tone")),
+    Stage("places", kept_edges, ("codes", "tone")),
     Stage("crop", through, ("sharpness",)),
     Stage("true", true_transfer),
 )

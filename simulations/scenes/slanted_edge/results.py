@@ -13,9 +13,9 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.reading import UnfitError
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import decode_srgb
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, measure
+from simulations.models.sampling.slanted_edge_file import light_of_code
 from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
 from simulations.models.sampling.slanted_edge_pixels import pixels_beside
 from simulations.models.sensor.photon_transfer_file import camera_of, is_grey
@@ -116,7 +116,8 @@ def lines_of(
         dark, light = reading.pixels.levels
         apart = format_number(light / max(dark, 1e-3), 1)
         words = format_number(100.0 * place.sharpness.tone / half.frequency, 1)
-        label = f"Of its error, the unknown tone curve of the file, with an edge of {apart} : 1"
+        known = "found by exposures" if outputs["tone"].strength else "unknown"
+        label = f"Of its error, the tone curve, {known}, with an edge of {apart} : 1"
         yield Readout(f"tone_{number}", label, words, "%")
     if place.sharpness.sharpened:
         yield replace(halos(place.sharpness), name=f"overshoot_{number}")
@@ -131,8 +132,8 @@ def colours(
     cut = outputs["codes"][box.top : box.bottom, box.left : box.right]
     if reading is None or outputs["photograph"] is None or is_grey(cut):
         return
-    line, codes = reading.pixels.line, np.linspace(0.0, 1.0, 256)
-    light: Floats = decode_srgb(codes) if settings.response == "srgb" else codes
+    line = reading.pixels.line
+    light = light_of_code(srgb=settings.response == "srgb", tone=outputs["tone"].strength)
     try:
         each = [measure(pixels_beside(line.on(light[cut[..., k]]))) for k in range(3)]
     except UnfitEdgeError:

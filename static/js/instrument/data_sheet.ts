@@ -17,8 +17,11 @@ interface Part {
 }
 
 const CAMERA = "instrument-camera";
-/** Whose file of a camera is a lens that other instruments measure with. */
-const LENS = { scene: "calibration", file: "camera-and-poses", users: ["single-view"] };
+/** Instruments whose file another one measures with: the lens, and the tone curve. */
+const GIVEN = [
+  { from: "calibration", file: "camera-and-poses", to: "single-view" },
+  { from: "photon-transfer", file: "sensor", to: "slanted-edge" },
+];
 /** Lines after the main one that say how it was measured. */
 const CONDITIONS = 3;
 /** Letters of a value; what is longer is a sentence on why there is none. */
@@ -53,8 +56,16 @@ export class DataSheet {
 
   async #parts(): Promise<Part[]> {
     const used = this.instruments.filter(({ isUsed }) => isUsed);
-    const lens = await lensOf(used.find(({ scene }) => scene === LENS.scene));
-    for (const one of used) if (LENS.users.includes(one.scene)) one.useLens(lens);
+    for (const { from, file, to } of GIVEN) {
+      const user = used.find(({ scene }) => scene === to);
+      if (user)
+        user.useFile(
+          await fileOf(
+            file,
+            used.find(({ scene }) => scene === from),
+          ),
+        );
+    }
     return (await Promise.all(used.map(partOf))).filter((part) => part !== null);
   }
 
@@ -85,10 +96,10 @@ export class DataSheet {
   }
 }
 
-/** The lens that was calibrated, JSON; "" for none. */
-async function lensOf(instrument: Instrument | undefined): Promise<string> {
+/** What an instrument found, JSON; "" for nothing. */
+async function fileOf(name: string, instrument: Instrument | undefined): Promise<string> {
   const live = instrument?.figure.live;
-  const request = live && { ...live.request(), name: LENS.file };
+  const request = live && { ...live.request(), name };
   const made = request && (await live.runtime.call("export", request).catch(() => null));
   return made?.text ?? "";
 }

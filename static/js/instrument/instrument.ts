@@ -37,8 +37,8 @@ export class Instrument {
   #keeps = recall(WANTED) !== false;
   /** What the control that counts photographs last followed. */
   #counted = 0;
-  #lens = "";
-  #lensNumber = 0;
+  #given = "";
+  #givenNumber = 0;
   readonly scene: string;
   /** Absolute address of the runtime folder. */
   readonly url: string;
@@ -208,11 +208,11 @@ export class Instrument {
     this.#use();
   }
 
-  /** Measure with this lens of another instrument, JSON, or with none: "". */
-  useLens(lens: string) {
-    if (lens === this.#lens) return;
-    this.#lens = lens;
-    this.#lensNumber = nextNumber();
+  /** Measure with what another instrument found, JSON, or with nothing: "". */
+  useFile(given: string) {
+    if (given === this.#given) return;
+    this.#given = given;
+    this.#givenNumber = nextNumber();
     this.#use();
   }
 
@@ -222,12 +222,12 @@ export class Instrument {
     this.list.mark(this.chosen);
     const readings = this.#used.map(({ number, name, data }) => ({ number, name, data }));
     const isRead = "reads" in this.box.dataset;
-    const lens = this.#lens && {
-      number: this.#lensNumber,
-      name: "lens",
-      data: JSON.parse(this.#lens),
+    const given = this.#given && {
+      number: this.#givenNumber,
+      name: "given",
+      data: JSON.parse(this.#given),
     };
-    this.figure.live?.own.use(this.chosen, isRead ? readings : lens ? [lens] : []);
+    this.figure.live?.own.use(this.chosen, isRead ? readings : given ? [given] : []);
     if (isRead) this.#showCount(readings.length);
     if (this.figure.dataset.state === "waiting" && this.photos.length) this.figure.begin();
     this.#showWork();

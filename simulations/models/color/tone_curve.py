@@ -1,0 +1,59 @@
+"""The tone curve that a camera lays over sRGB, and its strength by several exposures.
+
+Cameras raise the contrast of the middle tones of their JPEGs, each by its own curve. Light that is
+exposed twice as long is twice as much: so exposures of one thing tell the curve (S. Mann and R. W.
+Picard, "On being 'undigital' with digital cameras", IS&T 48th Annual Conference, 1995). One number
+describes it here.
+"""
+
+import math
+
+import numpy as np
+
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+
+TYPICAL = 0.5
+"""Standard deviation of the strength among cameras."""
+STRENGTHS = np.linspace(-0.95, 0.95, 381)
+"""That are tried; at 1 a curve is flat at its ends."""
+FEWEST = 4
+"""Exposures of which the strength is told."""
+USABLE = (0.02, 0.97)
+"""Codes, from 0 to 1, that are neither lost in black nor clipped."""
+LEAST_STOPS = 0.05
+"""Standard deviation at least of exposures from what the files say."""
+
+
+def tone_curve(codes: Floats, strength: float) -> Floats:
+    """Codes (...) from 0 to 1, steeper by ``strength`` in the middle tones, flatter at the ends."""
+    return codes - strength / (2 * np.pi) * np.sin(2 * np.pi * codes)
+
+
+def without_tone_curve(codes: Floats, strength: float) -> Floats:
+    """Codes (...) from 0 to 1 before a curve of this strength, which must be below 1."""
+    before = np.linspace(0.0, 1.0, 4097)
+    return np.interp(codes, tone_curve(before, strength), before)
+
+
+def tone_by_exposures(light: Floats, exposures: Floats) -> tuple[float, float] | None:
+    """Strength of a camera's curve and its standard error; ``None`` if there are too few frames.
+
+    ``light`` (N,) is what the codes of evenly lit frames mean in sRGB, 1 for white; ``exposures``
+    (N,) are in any unit, NaN where they are not known. The error follows from how far the frames
+    are from one curve.
+    """
+    codes = encode_srgb(np.clip(light, 0.0, 1.0))
+    used = (codes > USABLE[0]) & (codes < USABLE[1]) & (exposures > 0)
+    stops = np.log2(exposures[used])
+    if len(np.unique(stops)) < FEWEST:
+        return None
+    found = [np.log2(decode_srgb(without_tone_curve(codes[used], each))) for each in STRENGTHS]
+    off = np.array(found) - stops
+    off -= off.mean(axis=1, keepdims=True)  # stops by which each frame differs from their mean
+    best = int(np.argmin((off**2).sum(axis=1)))
+    slope = np.gradient(off, STRENGTHS, axis=0)[best]
+    strength = STRENGTHS[best] - (slope @ off[best]) / (slope @ slope)
+    scatter = math.sqrt((off[best] @ off[best]) / (len(stops) - 2))
+    error = max(scatter, LEAST_STOPS) / math.sqrt(slope @ slope)
+    return float(strength), error

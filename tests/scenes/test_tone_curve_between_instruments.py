@@ -1,0 +1,90 @@
+"""Exposures of a wall in the one instrument tell the tone curve under which the other one measures
+an edge."""
+
+import json
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from support.edges import gaussian_edge, gaussian_half, grain
+
+from simulations.engine.photograph import Photograph
+from simulations.engine.reading import Reading
+from simulations.engine.stages import StageCache
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.color.tone_curve import tone_by_exposures, tone_curve
+from simulations.scenes.photon_transfer.frames import read
+from simulations.scenes.photon_transfer.results import json_file
+from simulations.scenes.photon_transfer.scene import SCENE as NOISE
+from simulations.scenes.slanted_edge.scene import SCENE as SHARPNESS
+
+CAMERA: dict[str, float | str] = {"make": "A", "model": "B"}
+SECONDS = 2.0 ** np.arange(-5.0, 1.0)
+SEEDS = range(16)
+
+
+def developed(light: Floats, strength: float) -> NDArray[np.uint8]:
+    codes = tone_curve(encode_srgb(np.clip(light, 0, 1)), strength)
+    return np.repeat(np.rint(255 * codes).astype(np.uint8)[..., None], 3, axis=2)
+
+
+def sensor_file(strength: float) -> dict[str, object]:
+    """What the noise instrument saves of pairs of a white wall, in colours that differ a little."""
+    wall = [
+        Photograph(
+            2 * k + i,
+            developed(0.7 * seconds + grain((160, 160), 0.01, 2 * k + i), strength)
+            + np.array([0, 0, 1], np.uint8),
+            f"{k}{i}.jpg",
+            {**CAMERA, "exposure_s": float(seconds), "iso": 100.0},
+        )
+        for k, seconds in enumerate(SECONDS)
+        for i in (0, 1)
+    ]
+    readings = tuple(Reading(each.number, each.name, read(each)) for each in wall)
+    settings = NOISE.check({})
+    outputs = NOISE.run(settings, "", StageCache(), None, readings).outputs
+    return dict(json.loads(json_file(settings, outputs)))
+
+
+@pytest.mark.parametrize("strength", [-0.3, 0.2, 0.5, 0.8])
+def test_a_measured_tone_curve_leaves_the_sharpness_wrong_or_unsure(strength: float) -> None:
+    """MTF50 misses by more than three errors, or its error is no smaller than with a curve that is
+    unknown."""
+    given = sensor_file(strength)
+    for seed in SEEDS:
+        light = 0.05 + 0.7 * gaussian_edge(300, 400, 5.0, 1.0 + 0.05 * seed)
+        codes = developed(light + grain(light.shape, 0.004, seed), strength)
+        edge = Photograph(1, codes, "edge.jpg", {**CAMERA, "iso": 800.0})
+        known, unknown = (
+            SHARPNESS.run(SHARPNESS.check({}), "", StageCache(), edge, readings)
+            .outputs["sharpness"]
+            .half
+            for readings in ((Reading(1, "given", given),), ())
+        )
+        true = gaussian_half(1.0 + 0.05 * seed)
+        assert abs(known.frequency - true) < 3 * known.error
+        assert known.error < 0.5 * unknown.error
+
+
+def test_the_curve_of_another_camera_counts() -> None:
+    given = {**sensor_file(0.8), "model": "A, C"}
+    edge = Photograph(1, developed(0.05 + 0.7 * gaussian_edge(300, 400, 5.0), 0.0), "", CAMERA)
+    readings = (Reading(1, "given", given),)
+    outputs = SHARPNESS.run(SHARPNESS.check({}), "", StageCache(), edge, readings).outputs
+    assert outputs["tone"].strength == 0
+
+
+@pytest.mark.parametrize("frames", [4, 6, 12])
+def test_the_strength_misses_by_more_than_two_errors_in_one_of_ten(frames: int) -> None:
+    """Cameras of 64 strengths, whose shutters are off by a twentieth of a stop."""
+    hits = 0
+    for seed in range(64):
+        rng = np.random.default_rng((frames, seed))
+        strength, stops = rng.uniform(-0.5, 0.9), np.linspace(-3, 0, frames)
+        seen = decode_srgb(tone_curve(encode_srgb(0.6 * 2**stops), strength))
+        found = tone_by_exposures(seen, 2 ** (stops + rng.normal(0, 0.05, frames)))
+        assert found is not None
+        hits += abs(found[0] - strength) < 2 * found[1]
+    assert hits >= 0.9 * 64
