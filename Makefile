@@ -105,6 +105,7 @@ bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.twins || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.drag || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.slow_phone || :)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.coverage)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.costs)
 
 # Needs a quiet machine.

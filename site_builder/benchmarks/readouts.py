@@ -70,7 +70,7 @@ def _find(scene_id: str, name: str, frame: Frame) -> Readout:
 
 
 DATA = Path("content") / "costs.json"
-UNITS = {"ms": "ms", "kb": "KB", "mb": "MB", "s": "s"}
+UNITS = {"ms": "ms", "kb": "KB", "mb": "MB", "s": "s", "pct": "%"}
 """What a name may end in, and the unit as the book writes it. 1 KB is 1000 bytes."""
 
 

@@ -6,7 +6,7 @@ import json
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
@@ -26,6 +26,7 @@ from simulations.models.error_measures import root_mean_square
 from simulations.pictures.chequerboard import Look, photograph_of, true_corners
 from simulations.scenes.calibration import boards
 from simulations.scenes.calibration.boards import SIGMA_PX, read, rendered, simulated_sitting
+from simulations.scenes.calibration.contact_sheet import middle_of, number_at
 from simulations.scenes.calibration.scene import ERRORS, SCENE, Settings, measured, sheet
 from simulations.scenes.chequerboard import SCENE as CHEQUERBOARD
 
@@ -108,7 +109,7 @@ def test_corners_and_facts_of_a_photograph_are_kept_as_json() -> None:
         read(Photograph(1, np.full((40, 30, 3), 200, np.uint8)))
 
 
-@pytest.mark.parametrize("count", [5, 20])
+@pytest.mark.parametrize("count", [5, 40])
 def test_the_right_model_gives_the_true_focal_length(count: int) -> None:
     """Within three standard errors."""
     shown = texts_of(frame_of(SCENE, photographs=count, lens="p1p2"))
@@ -147,6 +148,26 @@ def test_corners_of_the_reader_replace_the_simulated_ones() -> None:
     assert float(texts_of(out)["rms_shown"]) < 0.2
 
 
+def test_a_press_on_a_photograph_leaves_it_out() -> None:
+    given = readings(8)
+    bad = np.array(given[4].data["corners"]) + np.random.default_rng(0).normal(0, 2, (54, 2))
+    given = (*given[:4], replace(given[4], data={**given[4].data, "corners": bad}), *given[5:])
+    settings = Settings(photographs=8, lens="p1p2", detail="sheet")
+    outputs = outputs_of(settings, given)
+    assert outputs["each"].argmax() == 4
+    at = [
+        place for place in frame_from(given, **asdict(settings)).handles if place.name == "left-out"
+    ]
+    assert [number_at((each.x, each.y)) for each in at] == [0]
+    pressed = SCENE.pull(settings, "left-out", middle_of(5))
+    assert pressed == {"without": 5}
+    kept = replace(settings, without=5)
+    found, all_of_them = outputs_of(kept, given)["result"].trial, outputs["result"].trial
+    assert found.rms_px < 0.1 < all_of_them.rms_px
+    assert measured(outputs_of(kept, given)) == (0, 1, 2, 3, 5, 6, 7)
+    assert SCENE.pull(kept, "left-out", middle_of(0)) == {"without": 0}
+
+
 ONE, TWO = {"make": "Maker", "model": "One"}, {"make": "Maker", "model": "Two"}
 OTHERS = readings(3, size=(480, 640), first=50)
 
@@ -156,11 +177,11 @@ OTHERS = readings(3, size=(480, 640), first=50)
     [
         (readings(5) + OTHERS, ["3 of another size are left out"]),
         (readings(5) + OTHERS[:1], ["1 of another size is left out"]),
-        (readings(3) * 8, ["The first 20 are used"]),
-        (readings(3) * 8 + with_facts(readings(1), {"focal_mm": 8.0}), ["The first 20 are used"]),
+        (readings(3) * 14, ["The first 40 are used"]),
+        (readings(3) * 14 + with_facts(readings(1), {"focal_mm": 8.0}), ["The first 40 are used"]),
         (
-            with_facts(readings(1), {"focal_mm": 8.0}) + readings(3) * 8,
-            ["The first 20 are used", "They were taken at 4 to 8 mm"],
+            with_facts(readings(1), {"focal_mm": 8.0}) + readings(3) * 14,
+            ["The first 40 are used", "They were taken at 4 to 8 mm"],
         ),
         (
             with_facts(readings(4), ONE, TWO, TWO, {}),

@@ -7,6 +7,8 @@ from simulations.models.calibration.camera import Camera
 from simulations.models.calibration.simulated import sitting
 from simulations.models.calibration.views import Views
 from simulations.models.chequerboard.board import Board
+from simulations.models.distortion.fisheye import Fisheye
+from simulations.models.distortion.lens import Lens
 from simulations.models.distortion.lens_model import Distortion
 
 SIZE = (1600, 1200)
@@ -22,6 +24,7 @@ LENSES: dict[str, World] = {
     "squares 2 % too high": {"aspect": 1.02},
     "buckled by 2 mm": {"buckle_mm": 1.0},
     "lens of higher order": {"order": 1.0},
+    "fisheye": {"fisheye": 1.0},
     "correlated noise": {"correlated": 1.0},
 }
 
@@ -51,7 +54,11 @@ def bent_views(world: World, rng: np.random.Generator, count: int = 12) -> tuple
         terms |= {"k3": 0.03, "k4": rng.normal(0.0, 0.02), "k5": rng.normal(0.0, 0.01)}
     middle = rng.normal((799.5, 599.5), 15.0)
     x, y = middle.tolist()
-    camera = Camera(focal, focal * rng.normal(1.0, 1e-3), x, y, Distortion(**terms))
+    lens: Lens = Distortion(**terms)
+    if "fisheye" in world:  # sees 110° to 160° across
+        focal *= 0.55
+        lens = Fisheye(*rng.normal((0.0, 0.0, 0.0, 0.0), (0.03, 0.01, 3e-3, 1e-3)))
+    camera = Camera(focal, focal * rng.normal(1.0, 1e-3), x, y, lens)
     poses = sitting(camera, SIZE, count, BOARD, int(rng.integers(10**9))).poses
     corners = corners_of(world, rng)
     pixels = camera.pixels(corners @ np.swapaxes(poses.R, -1, -2) + poses.t[:, None])

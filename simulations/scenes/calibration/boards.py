@@ -29,7 +29,9 @@ from simulations.models.chequerboard.find_board import find_board
 from simulations.models.distortion.lens_model import Distortion
 from simulations.pictures.chequerboard import Look, View, photograph_of
 
-LEAST, MOST = 3, 20  # photographs of a calibration
+LEAST, MOST = 3, 40
+"""Photographs of a calibration. Of 40 all models and shapes are fitted in two seconds, in a browser
+in six; the search for the corners of so many takes longer."""
 SIZE = (640, 480)
 LENS = Distortion(k1=-0.25, k2=0.08, p1=2e-4, p2=-1.5e-4)
 TRUTH = Camera(520.0, 520.0, 322.0, 238.0, LENS)
@@ -60,6 +62,18 @@ class Boards:
     """Sentences on the photographs, for the reader."""
     focal_px: float | None = None
     """Focal length that the files state, as an equivalent on full frame."""
+
+    def without(self, number: int) -> "Boards":
+        """All but the photograph of this number, counted from 1; all if there is none."""
+        if not 0 < number <= len(self.views):
+            return self
+        rest = [index for index in range(len(self.views)) if index != number - 1]
+        return replace(
+            self,
+            views=self.views.take(rest),
+            names=self.names[: number - 1] + self.names[number:],
+            numbers=self.numbers[: number - 1] + self.numbers[number:],
+        )
 
 
 def read(photograph: Photograph) -> Mapping[str, Any]:

@@ -2,7 +2,6 @@
 lens, and the focal length by the photographs."""
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 
@@ -29,9 +28,12 @@ MARGIN = 10.0
 LINE_AT = 0.9
 """Place of the handle on the dividing line, as a share of the height from the top."""
 
-LEFT, RIGHT, TOP, FOOT, FOOT_GROWN = 46.0, 388.0, 40.0, 190.0, 214.0
+LEFT, RIGHT, TOP, FOOT = 46.0, 388.0, 40.0, 220.0
+TOP_GROWN, FOOT_GROWN = 84.0, 222.0
+NUMBER = (16.0, 34.0)  # place of the one large number
 ACROSS = Axis(0.0, float(len(LENSES)), LEFT, RIGHT)
-COUNTS = Axis(LEAST, MOST, 58.0, RIGHT)  # of photographs
+COUNTS = Axis(LEAST, MOST, 58.0, RIGHT, log=True)  # of photographs
+COUNTED = (3, 5, 10, 20, 40)
 TICKS = ("none", "k₁", "+ k₂", "+ p₁p₂", "+ k₃", "fisheye")
 """Each model has the coefficients of those before it, but the fisheye, which has its own four."""
 SETTLED_FROM = 5
@@ -114,7 +116,7 @@ def error_plot(trials: tuple[Trial, ...]) -> Plot:
 
 
 def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
-    """The error of each model on the photographs used and left out, and its AIC."""
+    """The error of each model on the photographs used and left out."""
     plot, middle = error_plot(trials), place_of(chosen.lens)
     x = [place_of(trial.lens) for trial in trials]
     used, left_out = [t.rms_px for t in trials], [t.left_out_px for t in trials]
@@ -135,7 +137,6 @@ def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
             for at, error in zip(x, left_out, strict=True)
         ),
         text((plot.x.place(middle), TOP - 8.0), "supported", "small", "middle"),
-        *_akaike(plot, x, [trial.aic for trial in trials]),
         legend((LEFT, 282.0), entries, "small", RIGHT - LEFT),
     ]
     return "".join(parts)
@@ -150,15 +151,6 @@ def _ticks(axis: Axis) -> list[float]:
     return sorted({axis.low, *powers, axis.high} & {*inside})
 
 
-def _akaike(plot: Plot, x: list[float], values: list[float]) -> Iterator[str]:
-    """The excess of each AIC over the least."""
-    row = FOOT + 44.0
-    yield text((2.0, row), "ΔAIC", "muted small")
-    for at, value in zip(x, values, strict=True):
-        words = format_number(value - min(values), 0)
-        yield text((plot.x.place(at), row), words, "muted small", "middle")
-
-
 def growth_plot(grown: Growth, truth: float | None) -> Plot:
     """The focal length with its errors, from `SETTLED_FROM` photographs on or of all, if these are
     fewer, and the truth."""
@@ -169,11 +161,11 @@ def growth_plot(grown: Growth, truth: float | None) -> Plot:
     if truth is not None:
         ends.append(truth)
     spare = 0.1 * (max(ends) - min(ends))
-    return Plot(COUNTS, Axis(min(ends) - spare, max(ends) + spare, FOOT_GROWN, TOP))
+    return Plot(COUNTS, Axis(min(ends) - spare, max(ends) + spare, FOOT_GROWN, TOP_GROWN))
 
 
-def growth(grown: Growth, count: int, truth: float | None) -> str:
-    """The focal length ± its standard error from the first photographs."""
+def growth(grown: Growth, count: int, truth: float | None, focal: str) -> str:
+    """The focal length ± its standard error, large, and how it grew with the photographs."""
     plot = growth_plot(grown, truth)
     counts = np.array(grown.counts, float)
     error = np.where(np.isfinite(grown.error), grown.error, 1e6)
@@ -183,9 +175,10 @@ def growth(grown: Growth, count: int, truth: float | None) -> str:
     if truth is not None:
         entries.append(Entry("the truth", "world dashed"))
     parts = (
+        text(NUMBER, f"{focal} px", "large image"),
         plot.between(counts, value + error, value - error, "image fill faint"),
         plot.frame(
-            Scale("photographs", style="small", tick_style="muted small"),
+            Scale("photographs", ticks=COUNTED, style="small", tick_style="muted small"),
             Scale("f_x", "px", style="small", tick_style="muted small"),
         ),
         plot.curve(counts, value, "image bold"),
@@ -204,6 +197,11 @@ def grown_at(grown: Growth, count: int) -> tuple[float, float]:
     value = float(grown.value[index])
     determined = math.isfinite(value) and value > 0.0
     return float(grown.counts[index]), value if determined else float(grown.value[-1])
+
+
+def count_of(place: float) -> float:
+    """The count of photographs at a place across its plot."""
+    return COUNTS.value(min(max(place, COUNTS.start), COUNTS.end))
 
 
 def in_words(sentence: str) -> str:

@@ -39,8 +39,10 @@ from simulations.scenes._wipe import wiped
 from simulations.scenes.calibration import drawing
 from simulations.scenes.calibration.board_drawing import board_drawing, board_words
 from simulations.scenes.calibration.boards import LEAST, MOST, TRUTH, Boards, read, rendered
+from simulations.scenes.calibration.contact_sheet import contact_sheet, middle_of, number_at
 from simulations.scenes.calibration.stages import (
     DRAFT,
+    SHEET,
     STAGES,
     SUPPORTED,
     Errors,
@@ -62,6 +64,12 @@ BOARDS = {"flat": "flat", "bent": "bent alike everywhere", "warped": "any smooth
 """The shapes of the board by their names in `models.calibration.board_shape.SHAPES`."""
 ERRORS = {"shown": "Of the photograph shown", "all": "Of all photographs used"}
 """The photographs whose errors are drawn."""
+DETAILS = {
+    "models": "Error by the model of the lens",
+    SHEET: "Error of each photograph",
+    "board": "Shape of the board",
+}
+"""What the last panel shows."""
 LABELS = {
     "fx": ("Focal length, across", "px"),
     "fy": ("Focal length, down", "px"),
@@ -85,6 +93,8 @@ class Settings:
     photographs: int = slider("Photographs", 5, LEAST, MOST, 1)
     lens: str = choice("Model of the lens", LENSES | {SUPPORTED: "the supported one"}, default="k1")
     shown: int = slider("Photograph shown", 3, 1, MOST, 1)
+    detail: str = choice("Details", DETAILS)
+    without: int = slider("Photograph left out (0: none)", 0, 0, MOST, 1)
     arrows: str = choice("Arrows", ERRORS)
     share: float = slider("Dividing line", 1, 0, 1, 0.01)
     shape: str = choice("Board", BOARDS | {SUPPORTED: "the supported shape"}, default="flat")
@@ -101,24 +111,47 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     given: Boards = outputs["boards"]
     trials: Trials = outputs["trials"]
     result: Result | None = outputs["result"]
-    models = grown = board = drawing.in_words(". ".join((trials.problem or OPEN, *given.notes)))
+    grown = detail = drawing.in_words(". ".join((trials.problem or OPEN, *given.notes)))
     if result:
-        models = drawing.model_errors(trials.found, result.supported)
-        board = board_drawing(result.board, trials.tried, settings.side)
+        detail = _detail(settings, outputs, result)
     if result and result.grown:
-        grown = drawing.growth(result.grown, settings.photographs, true_focal(given))
+        focal, truth = focal_words(result), true_focal(given)
+        grown = drawing.growth(result.grown, settings.photographs, truth, focal)
     size, picture = (drawing.WIDTH, drawing.HEIGHT), drawing.view_box(given.size)
     raster, over, title = _raster(settings, outputs), _over(settings, outputs), "photograph"
     return Frame(
         (
             Panel(title, "A photograph of the board", *picture, raster, over, lead=True),
-            Panel("models", "Error by the model of the lens", *size, overlay=models),
-            Panel("growth", "Focal length by the photographs", *size, overlay=grown),
-            Panel("board", "Shape of the board", *size, overlay=board),
+            Panel("growth", "Focal length", *size, overlay=grown),
+            Panel("detail", DETAILS[settings.detail], *size, overlay=detail),
         ),
-        _readouts(settings, result, outputs["errors"]),
+        _readouts(settings, trials, result, outputs["errors"]),
         describe(settings, given, trials, result),
     )
+
+
+def _detail(settings: Settings, outputs: Outputs, result: Result) -> str:
+    """The last panel."""
+    trials: Trials = outputs["trials"]
+    if settings.detail == "models":
+        return drawing.model_errors(trials.found, result.supported)
+    if settings.detail == "board":
+        return board_drawing(result.board, trials.tried, settings.side)
+    given: Boards = outputs["boards"]
+    used = [is_used(index, settings, trials) for index in range(len(given.views))]
+    return contact_sheet(given, outputs["each"], used, settings.without, outputs["looked"].index)
+
+
+def is_used(index: int, settings: Settings, trials: Trials) -> bool:
+    """Whether the camera was fitted to a photograph, counted from 0."""
+    before = 0 < settings.without <= index
+    return index + 1 != settings.without and index - before < len(trials.views)
+
+
+def focal_words(result: Result) -> str:
+    """The focal length ± its standard error, px."""
+    trial = result.trial
+    return value_with_error(trial.fit.camera.fx, trial.uncertainty.errors["fx"])
 
 
 def _raster(settings: Settings, outputs: Outputs) -> Raster | None:
@@ -142,7 +175,7 @@ def _over(settings: Settings, outputs: Outputs) -> str:
         times = drawing.enlargement(errors.rms_px, size, length)
         left = errors.found[:, 0] <= settings.share * size[0]
         found, off = errors.found[left], errors.off[left]
-        used = every or looked.index < len(outputs["trials"].views)
+        used = every or is_used(looked.index, settings, outputs["trials"])
         parts.append(drawing.error_arrows(found, off, size, times, many=every))
         parts.append(drawing.enlarged(times, used))
     if outputs["developed"] is not None:
@@ -151,7 +184,7 @@ def _over(settings: Settings, outputs: Outputs) -> str:
 
 
 def _readouts(
-    settings: Settings, result: Result | None, errors: Errors | None
+    settings: Settings, trials: Trials, result: Result | None, errors: Errors | None
 ) -> tuple[Readout, ...]:
     """The measured numbers, where the photographs determine them."""
     numbers, words = {}, dict.fromkeys(("supported", "board", "advice"), UNKNOWN)
@@ -173,6 +206,7 @@ def _readouts(
             "k1": camera.lens.k1,
             "k2": camera.lens.k2,
             "covered": 100.0 * result.covered.share,
+            "aic": trial.aic - min(other.aic for other in trials.found),
         }
 
     def number(name: str, label: str, unit: str, digits: int, role: str = "") -> Readout:
@@ -190,6 +224,7 @@ def _readouts(
         number("rms_shown", "Error, photograph shown", "px", 4),
         number("k1", "k₁", "", 4),
         number("k2", "k₂", "", 4),
+        number("aic", "ΔAIC", "", 0),
         number("covered", "Covered by corners", "%", 0),
         Readout("supported", "Model supported", words["supported"]),
         Readout("board", "Board", words["board"]),
@@ -203,7 +238,7 @@ def describe(settings: Settings, given: Boards, trials: Trials, result: Result |
     if result is None:
         return f"{trials.problem or OPEN}.{notes}"
     trial = result.trial
-    focal = value_with_error(trial.fit.camera.fx, trial.uncertainty.errors["fx"])
+    focal = focal_words(result)
     truth = f" (true: {format_number(given.truth.fx, 0)} px)" if given.truth else ""
     board = ". ".join(line for line in board_words(result.board, settings.side) if line)
     return (
@@ -229,7 +264,7 @@ def _determined(outputs: Outputs) -> Result:
 
 
 def _report(outputs: Outputs) -> Report:
-    given: Boards = outputs["boards"]
+    given: Boards = outputs["used"]
     trial = _determined(outputs).trial
     each = rms_of_each(outputs["trials"].views, trial.fit).tolist()
     return Report(
@@ -273,13 +308,13 @@ def develop(photograph: Photograph, _settings: Settings, outputs: Outputs) -> Co
 
 def measured(outputs: Outputs) -> tuple[int, ...]:
     """Numbers of the photographs that the camera was fitted to."""
-    given: Boards = outputs["boards"]
+    given: Boards = outputs["used"]
     return given.numbers[: len(outputs["trials"].views)]
 
 
 def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     """The camera's parameters with standard errors, and how well they predict corners."""
-    given: Boards = outputs["boards"]
+    given: Boards = outputs["used"]
     notes = [
         Readout(f"note{n}", "Note", note)
         for n, note in enumerate(_notes(given, outputs["result"]), 1)
@@ -337,9 +372,9 @@ def line_at(settings: Settings, outputs: Outputs) -> Point | None:
     return min(settings.share * width, width - INSIDE), drawing.LINE_AT * height
 
 
-def model_at(_settings: Settings, outputs: Outputs) -> Point | None:
+def model_at(settings: Settings, outputs: Outputs) -> Point | None:
     result: Result | None = outputs["result"]
-    if result is None:
+    if result is None or settings.detail != "models":
         return None
     plot = drawing.error_plot(outputs["trials"].found)
     return plot.clamped(drawing.place_of(result.trial.lens), result.trial.left_out_px)
@@ -350,6 +385,12 @@ def model_pulled(_settings: Settings, place: Point) -> dict[str, str]:
     lenses = list(LENSES)
     index = int(drawing.ACROSS.value(float(place[0])) // 1)
     return {"lens": lenses[min(max(index, 0), len(lenses) - 1)]}
+
+
+def left_out_at(settings: Settings, outputs: Outputs) -> Point | None:
+    if outputs["each"] is None:
+        return None
+    return middle_of(settings.without if settings.without <= len(outputs["each"]) else 0)
 
 
 def count_at(settings: Settings, outputs: Outputs) -> Point | None:
@@ -378,11 +419,20 @@ SCENE = Scene(
         ),
         Handle(
             "model",
-            "models",
+            "detail",
             "Model of the lens",
             ("lens",),
             model_at,
             model_pulled,
+            role="error",
+        ),
+        Handle(
+            "left-out",
+            "detail",
+            "Photograph left out",
+            ("without",),
+            left_out_at,
+            lambda _, place: {"without": number_at(place)},
             "press",
             "error",
         ),
@@ -392,7 +442,7 @@ SCENE = Scene(
             "Count of photographs",
             ("photographs",),
             count_at,
-            lambda _, place: {"photographs": drawing.COUNTS.value(float(place[0]))},
+            lambda _, place: {"photographs": drawing.count_of(float(place[0]))},
             "press",
             "image",
         ),
@@ -411,6 +461,6 @@ SCENE = Scene(
     ),
     sheet=sheet,
     measured=measured,
-    own_drafts={DRAFT: ("photographs", "shown")},
+    own_drafts={DRAFT: ("photographs", "shown", "without")},
     formula=descend,
 )

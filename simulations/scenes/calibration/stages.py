@@ -9,7 +9,7 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
-from simulations.models.calibration.bundle_adjustment import refine, residuals
+from simulations.models.calibration.bundle_adjustment import Adjusted, refine, residuals
 from simulations.models.calibration.left_out import Growth, growth
 from simulations.models.calibration.model_choice import (
     Trial,
@@ -22,9 +22,15 @@ from simulations.models.calibration.model_choice import (
     with_shape,
 )
 from simulations.models.calibration.shape_size import Measured, measure_shape
+from simulations.models.calibration.standard_errors import rms_of_each
 from simulations.models.calibration.undistorted import undistorted
 from simulations.models.calibration.views import Views
-from simulations.models.calibration.zhang import UndeterminedError, poses_seen
+from simulations.models.calibration.zhang import (
+    UndeterminedError,
+    homographies,
+    poses_of,
+    poses_seen,
+)
 from simulations.models.chequerboard.board_search import NoBoardError
 from simulations.models.chequerboard.find_board import find_board
 from simulations.scenes.calibration.boards import LEAST, Boards, boards, rendered
@@ -35,6 +41,7 @@ DRAFT = "quick"
 """The draft while the count of photographs or the choice of one is dragged: a small photograph,
 no search for corners, and fits of few steps."""
 DRAFT_SCALE = 0.375
+SHEET = "sheet"  # the detail that shows all photographs
 SUPPORTED = "supported"  # the model of the lens that the photographs support
 
 
@@ -96,12 +103,16 @@ class Errors:
         return float(np.sqrt((self.off * self.off).sum(axis=-1).mean()))
 
 
-def _every(given: Boards, shape: str) -> Trials:
-    """The models from all photographs that there are, with a shape of the board or with that which
-    they support."""
-    views = given.views
+def _used(given: Boards, without: int) -> Boards:
+    return given.without(without)
+
+
+def _every(used: Boards, shape: str) -> Trials:
+    """The models from all photographs but the one left out, with a shape of the board or with that
+    which they support."""
+    views = used.views
     try:
-        flat = compare(views, given.size)
+        flat = compare(views, used.size)
     except UndeterminedError as problem:
         return Trials(views, problem=str(problem))
     if shape == "flat":
@@ -125,7 +136,7 @@ def _trials(every: Trials, photographs: int, tier: str) -> Trials:
         return Trials(views, problem=str(problem))
 
 
-def _result(given: Boards, every: Trials, trials: Trials, lens: str) -> Result | None:
+def _result(used: Boards, every: Trials, trials: Trials, lens: str) -> Result | None:
     """The chosen model; none if the photographs do not determine it."""
     trial, grown = trials.of(lens), None
     if trial is None:
@@ -137,7 +148,7 @@ def _result(given: Boards, every: Trials, trials: Trials, lens: str) -> Result |
         sigma, choice = of_all.uncertainty.sigma_px, float(of_all.uncertainty.choice[0])
         grown = growth(every.views, of_all.fit, of_all.free, sigma, "fx", LEAST, choice)
     best = supported(trials.found)
-    covered = coverage(trials.views, best.fit, given.size)
+    covered = coverage(trials.views, best.fit, used.size)
     board = measure_shape(trials.views, trial)
     return Result(trial, best, grown, board, covered, next_photograph(covered))
 
@@ -170,13 +181,26 @@ def _errors(found: Views | None, result: Result | None) -> Errors | None:
     """Errors of the found corners, with the pose that fits them best."""
     if result is None or found is None:
         return None
-    camera = result.trial.fit.camera
-    try:
-        start = replace(poses_seen(found, camera), shape=result.trial.fit.poses.shape)
-        off = residuals(found, camera, refine(found, camera, start, ()).poses)
-    except UndeterminedError:
-        return None  # it is beyond what this lens can see
+    fit = _posed(found, result.trial)
+    off = residuals(found, fit.camera, fit.poses)
     return Errors(found.pixels[found.found], off[found.found])
+
+
+def _posed(views: Views, trial: Trial) -> Adjusted:
+    """These photographs by the camera of a trial, each with the pose that fits it best."""
+    camera = trial.fit.camera
+    try:
+        start = poses_seen(views, camera)
+    except UndeterminedError:  # a photograph is beyond what this lens can see
+        start = poses_of(homographies(views), camera.matrix)
+    return refine(views, camera, replace(start, shape=trial.fit.poses.shape), (), draft=True)
+
+
+def _each(given: Boards, result: Result | None, detail: str) -> Floats | None:
+    """(P,) the error of every photograph, used or not, with the pose that fits it best."""
+    if result is None or detail != SHEET:
+        return None
+    return rms_of_each(given.views, _posed(given.views, result.trial))
 
 
 def _map(trials: Trials, result: Result | None) -> Errors | None:
@@ -205,13 +229,15 @@ def _not_developed(share: float) -> str:
 
 STAGES = (
     Stage("boards", boards),
-    Stage("every", _every, ("boards",)),
+    Stage("used", _used, ("boards",)),
+    Stage("every", _every, ("used",)),
     Stage("trials", _trials, ("every",)),
-    Stage("result", _result, ("boards", "every", "trials")),
+    Stage("result", _result, ("used", "every", "trials")),
     Stage("looked", _shown, ("boards",)),
     Stage("found", _found, ("boards", "looked")),
     Stage("errors", _errors, ("found", "result")),
     Stage("map", _map, ("trials", "result")),
+    Stage("each", _each, ("boards", "result")),
     Stage("codes", _codes, ("looked",)),
     Stage("developed", _developed, ("codes", "boards", "result"), _not_developed),
 )

@@ -1,0 +1,34 @@
+"""How often the truth is within the errors that the instruments print: the shares of 200 simulated
+cameras in each world of `models.test_coverage_of_errors`, kept. ``python -m bench.coverage lens``
+measures one instrument only."""
+
+import sys
+
+from bench.costs import keep
+from models.test_coverage_of_errors import WORLDS, shares
+
+CAMERAS, SIDE = 200, 128
+
+
+def slug(name: str) -> str:
+    return name.replace(" ", "-")
+
+
+def main() -> None:
+    for kind in sys.argv[1:] or WORLDS:
+        found = {}
+        for world in WORLDS[kind][1]:
+            found[slug(world)] = {
+                slug(number): {
+                    "one_pct": round(100 * one),
+                    "two_pct": round(100 * two),
+                    "untold_pct": round(100 * untold),
+                }
+                for number, (one, two, untold) in shares(kind, world, CAMERAS, SIDE).items()
+            }
+            print(kind, world, found[slug(world)], flush=True)
+        keep(f"{kind}_coverage", found)
+
+
+if __name__ == "__main__":
+    main()
