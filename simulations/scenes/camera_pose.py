@@ -6,7 +6,7 @@ world's axes are right, down and ahead, in metres.
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from simulations.engine.frame import Frame, Panel, Raster, Readout, format_numbe
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
+from simulations.engine.space.orbit import turning
+from simulations.engine.space.view import View
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.geometry.rotations import from_axis_angle
@@ -26,6 +28,7 @@ from simulations.models.projection.pinhole import (
     rigid_pose,
     world_to_camera,
 )
+from simulations.scenes._turned_camera import view_from
 from simulations.world import plan
 from simulations.world.room import COLUMNS, DRAFT_COLUMNS, HIGH, NAMES, ROOM, photograph
 
@@ -34,12 +37,13 @@ ROOM_TO_WORLD = rigid_pose([(0, -1, 0), (0, 0, -1), (1, 0, 0)], (7.5, 1.5, 2.0))
 """From the axes of the room, right, ahead and up, to this scene's world."""
 DRAFT = "draft"  # the picture while the camera moves
 FIELD_RAD = math.radians(60.0)  # the camera's field of view
+FLOOR_Y = float(ROOM_TO_WORLD[1, 3])  # metres below the camera
 AXIS_M = 2.5  # drawn length of axes
 
 
 def in_axes(places: Floats) -> Floats:
-    """Places of the room's plan (n, 2) in this scene's world (n, 3), at the camera's height."""
-    return world_to_camera(np.insert(places, 2, ROOM_TO_WORLD[1, 3], axis=1), ROOM_TO_WORLD)
+    """Places of the room's plan (n, 2) in this scene's world (n, 3), on the floor."""
+    return world_to_camera(np.insert(places, 2, 0.0, axis=1), ROOM_TO_WORLD)
 
 
 WALLS, DOOR = in_axes(plan.WALLS), in_axes(plan.DOOR)
@@ -48,9 +52,11 @@ TABLE = FOOTPRINTS["table"][0]
 
 WIDTH, HEIGHT = 400.0, 350.0
 UNITS_PER_M = 20.0  # in both panels, so that equal lengths look equal
-WORLD_ORIGIN, CAMERA_ORIGIN = np.array([80.0, 215.0]), np.array([200.0, 242.0])
-"""The two origins in the view boxes; right is right, ahead or forward is up. The camera's is moved
-where the room would not fit."""
+MIDDLE, MIDDLE_M = (200.0, 175.0), (6.0, 0.0, 2.0)
+"""The world's place, metres, that stays in the middle of the first panel while it is turned. From
+above, right is right, and ahead is up."""
+CAMERA_ORIGIN = np.array([200.0, 242.0])
+"""The camera in the second panel; it is moved where the room would not fit."""
 MARGIN = 4.0  # least distance of the room from the border of the second panel, in view box units
 CAMERA_OUTLINE = np.array(
     [(-0.45, 0, -0.3), (-0.45, 0, 0.25), (-0.2, 0, 0.25), (-0.2, 0, 0.6), (0.2, 0, 0.6),
@@ -68,6 +74,8 @@ class Settings:
     pan: float = slider("Pan ψ", -90, -180, 180, 1, unit="°")
     camera_x: float = slider("Camera, right (X)", 10.0, 0, 12, 0.1, unit="m")
     camera_z: float = slider("Camera, ahead (Z)", 2.0, -2, 6, 0.1, unit="m")
+    azimuth: float = slider("View azimuth", 0, -180, 180, 1, unit="°")
+    elevation: float = slider("View elevation", 90, 0, 90, 1, unit="°")
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +108,7 @@ class Standpoint:
         wedge = np.array([(0.0, 0.0, 0.0), (-aside, 0.0, depth), (aside, 0.0, depth)])
         ahead = ((wedge - self.t) @ self.rotation)[:, [0, 2]]
         plan = clip_to_rectangle(ahead, *np.sort(WALLS[[0, 2]][:, [0, 2]], axis=0))
-        return np.insert(plan, 1, 0.0, axis=1)
+        return np.insert(plan, 1, FLOOR_Y, axis=1)
 
     def seen(self, points: Floats) -> Floats:
         """World points (..., 3) in camera coordinates."""
@@ -113,34 +121,30 @@ def standpoint(pan: float, camera_x: float, camera_z: float) -> Standpoint:
     return Standpoint(rigid_pose(R, -R @ np.array([camera_x, 0.0, camera_z])))
 
 
-def scaled(points: Floats) -> Floats:
-    """Points (..., 3) from above, in view box units (..., 2) from an origin."""
-    return np.asarray(UNITS_PER_M * np.asarray(points)[..., [0, 2]] * [1.0, -1.0])
+def space(azimuth: float, elevation: float) -> View:
+    """The world in the first panel; at 0° from behind, so that right is right."""
+    return View(view_from(azimuth + 180.0, elevation), MIDDLE, UNITS_PER_M, MIDDLE_M)
 
 
-def in_world(points: Floats) -> Floats:
-    """World points (..., 3) in the first panel's view box (..., 2)."""
-    return WORLD_ORIGIN + scaled(points)
-
-
-def in_camera(here: Standpoint) -> ToPanel:
+def in_camera(here: Standpoint, look: View) -> ToPanel:
     """Points (..., 3) in camera coordinates in the second panel's view box (..., 2), which shows
     the whole room."""
-    room = scaled(here.seen(WALLS))
+    own = replace(look, centre=(0.0, 0.0), target=(0.0, 0.0, 0.0))
+    room = own.all(here.seen(WALLS))
     least = MARGIN - room.min(axis=0)
     most = np.array([WIDTH, HEIGHT]) - MARGIN - room.max(axis=0)
-    origin = np.clip(CAMERA_ORIGIN, least, most)
-    return lambda points: origin + scaled(points)
+    x, y = np.clip(CAMERA_ORIGIN, least, most).tolist()
+    return replace(own, centre=(x, y)).all
 
 
-def from_camera(here: Standpoint) -> ToPanel:
+def from_camera(here: Standpoint, look: View) -> ToPanel:
     """Camera coordinates to the first panel."""
-    return lambda points: in_world((points - here.t) @ here.rotation)
+    return lambda points: look.all((points - here.t) @ here.rotation)
 
 
-def to_camera(here: Standpoint) -> ToPanel:
+def to_camera(here: Standpoint, look: View) -> ToPanel:
     """World coordinates to the second panel."""
-    place = in_camera(here)
+    place = in_camera(here, look)
     return lambda points: place(here.seen(points))
 
 
@@ -155,7 +159,7 @@ def picture_panel(here: Standpoint, raster: Raster) -> Panel:
     """What the camera sees, with the lamp if it is in view."""
     wide, high = 400.0, 300.0
     K = intrinsics(wide / 2 / math.tan(FIELD_RAD / 2), (wide / 2, high / 2))
-    ends = here.seen(np.stack([LAMP, LAMP * [1, 0, 1] + [0, ROOM_TO_WORLD[1, 3] - HIGH[2], 0]]))
+    ends = here.seen(np.stack([LAMP, LAMP * [1, 0, 1] + [0, FLOOR_Y - HIGH[2], 0]]))
     pixels, valid = project(ends, K)
     cord = clip_to_rectangle(pixels, (0.0, 0.0), (wide, high), False) if valid.all() else pixels[:0]
     overlay = drawing.polyline(cord, "light thin") if len(cord) else ""
@@ -166,25 +170,26 @@ def picture_panel(here: Standpoint, raster: Raster) -> Panel:
     return Panel("picture", "What the camera sees", wide, high, raster, overlay, lead=True)
 
 
-def world_panel(here: Standpoint) -> Panel:
+def world_panel(here: Standpoint, look: View) -> Panel:
     """The camera's place and its axes."""
-    origin, centre = in_world(np.zeros(3)), in_world(here.centre)
+    origin, centre, own = look.all(np.zeros(3)), look.all(here.centre), from_camera(here, look)
     apart = float(np.hypot(*(centre - origin))) > UNITS_PER_M
     parts = (
-        _furniture(in_world, here),
+        _furniture(look.all, here),
         drawing.line(origin, centre, "muted thin dashed") if apart else "",
-        _axes(in_world, "world", ("X", "Z"), here),
-        drawing.polygon(from_camera(here)(CAMERA_OUTLINE), "camera fill"),
-        _axes(from_camera(here), "camera", ("x", "z")),
-        *_handle_names(from_camera(here)),
-        _lamp(in_world, -1.0),
+        _drop(look.all, here.centre, "camera thin dashed"),
+        _axes(look.all, "world", ("X", "Y", "Z"), here),
+        drawing.polygon(own(CAMERA_OUTLINE), "camera fill"),
+        _axes(own, "camera", ("x", "y", "z")),
+        *_handle_names(own),
+        _lamp(look.all, -1.0),
     )
     return Panel("world", "The room in world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
 
 
-def camera_panel(here: Standpoint) -> Panel:
+def camera_panel(here: Standpoint, look: View) -> Panel:
     """The room in camera coordinates, and the arrow t to the world's origin."""
-    place, own = to_camera(here), in_camera(here)
+    place, own = to_camera(here, look), in_camera(here, look)
     centre, origin = own(np.zeros(3)), place(np.zeros(3))
     length = float(np.hypot(*(origin - centre)))
     apart = length > UNITS_PER_M
@@ -195,11 +200,11 @@ def camera_panel(here: Standpoint) -> Panel:
     t = _cut(np.stack([centre, origin]), closed=False) if apart else centre[:0]
     parts = (
         _furniture(place, here),
-        _axes(place, "world", ("X", "Z"), here),
+        _axes(place, "world", ("X", "Y", "Z"), here),
         drawing.arrow(t[0], t[1], "ray bold", 9) if len(t) == 2 else "",
         _name(name, "t", "ray strong") if apart else "",
         drawing.polygon(own(CAMERA_OUTLINE), "camera fill"),
-        _axes(own, "camera", ("x", "z")),
+        _axes(own, "camera", ("x", "y", "z")),
         _lamp(place, aside[0] * to_lamp if apart else 1.0),
     )
     title = "The same room in camera coordinates"
@@ -232,17 +237,21 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
 
 
 def _axes(
-    place: ToPanel, role: str, names: tuple[str, str], beside: Standpoint | None = None
+    place: ToPanel, role: str, names: tuple[str, str, str], beside: Standpoint | None = None
 ) -> str:
-    """The axes to the right and ahead, from their origin. The first one's name is behind it,
-    or ahead of it if the camera is behind the origin."""
+    """The axes to the right, down and ahead, from their origin; not those seen end on. The first
+    one's name is behind it, or ahead of it if the camera is behind the origin."""
     away = -1.0 if beside and beside.centre[2] < 0.0 else 1.0
     start = place(np.zeros(3))
     parts = []
-    right, ahead = np.eye(3)[[0, 2]]
+    right, down, ahead = np.eye(3)
     back, aside = NAME_M
-    for name, axis, other in zip(names, (right, ahead), (away * ahead, right), strict=True):
-        parts.append(drawing.arrow(start, place(AXIS_M * axis), role, 7))
+    others = (away * ahead, right, right)
+    for name, axis, other in zip(names, (right, down, ahead), others, strict=True):
+        tip = place(AXIS_M * axis)
+        if float(np.hypot(*(tip - start))) < UNITS_PER_M:
+            continue
+        parts.append(drawing.arrow(start, tip, role, 7))
         at = place((AXIS_M - back) * axis - aside * other)
         parts.append(_name(at, name, f"{role} italic"))
     return "".join(parts) + drawing.dot(start, role, 3.5)
@@ -251,7 +260,7 @@ def _axes(
 def _handle_names(place: ToPanel) -> Iterator[str]:
     """The effect of the two handles: behind the camera, and beyond the tip of its forward axis."""
     centre, tip = place(np.zeros(3)), place(np.array([0.0, 0.0, AXIS_M]))
-    along = (tip - centre) / (UNITS_PER_M * AXIS_M)
+    along = (tip - centre) / max(float(np.hypot(*(tip - centre))), 1.0)
     for spot, side, words, across in (
         (centre, -1.0, "camera", 38.0),
         (tip, 1.0, "direction", 45.0),
@@ -268,14 +277,19 @@ def _lamp(place: ToPanel, side: float) -> str:
         return ""
     right = spot[0] < 50.0 or (side >= 0.0 and spot[0] < WIDTH - 50.0)
     at = (spot[0] + (BESIDE if right else -BESIDE), spot[1] + 4.0)
-    return drawing.dot(spot, "light", 5.5) + drawing.text(
-        at, "lamp", "light small ground", "start" if right else "end"
-    )
+    name = drawing.text(at, "lamp", "light small ground", "start" if right else "end")
+    return _drop(place, LAMP, "light thin") + drawing.dot(spot, "light", 5.5) + name
+
+
+def _drop(place: ToPanel, point: Floats, style: str) -> str:
+    """A line down to the floor."""
+    foot = np.array([point[0], FLOOR_Y, point[2]])
+    return drawing.polyline(_cut(place(np.stack([point, foot])), closed=False), style)
 
 
 def _name(at: Floats, words: str, style: str) -> str:
     """A label centred at a place, if that is well inside the panel."""
-    inside = 12.0 < at[0] < WIDTH - 12.0 and 12.0 < at[1] < HEIGHT - 4.0
+    inside = 12.0 < at[0] < WIDTH - 12.0 and 12.0 < at[1] < HEIGHT - 10.0
     return drawing.text((at[0], at[1] + 4.0), words, f"{style} ground", "middle") if inside else ""
 
 
@@ -293,8 +307,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The room twice, the pose, and the lamp in camera coordinates."""
     here: Standpoint = outputs["standpoint"]
     t, lamp = triple(here.t), triple(here.seen(LAMP))
+    look = space(settings.azimuth, settings.elevation)
+    drawn = world_panel(here, look), camera_panel(here, look)
     return Frame(
-        (picture_panel(here, outputs["picture"]), world_panel(here), camera_panel(here)),
+        (picture_panel(here, outputs["picture"]), *drawn),
         (
             matrix_readout("R", "R", here.rotation.tolist(), role="camera"),
             Readout("t", "t", t, "m", "ray"),
@@ -310,17 +326,25 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 def on_axis(forward: float) -> Callable[[Settings, Outputs], Point]:
     """The place of a point so many metres ahead of the camera."""
     point = np.array([0.0, 0.0, forward])
-    return lambda _, outputs: tuple(from_camera(outputs["standpoint"])(point).tolist())
+
+    def at(settings: Settings, outputs: Outputs) -> Point:
+        look = space(settings.azimuth, settings.elevation)
+        return tuple(from_camera(outputs["standpoint"], look)(point).tolist())
+
+    return at
 
 
-def camera_pulled(_settings: Settings, place: Point) -> dict[str, float]:
-    X, Z = (np.asarray(place, float) - WORLD_ORIGIN) / (UNITS_PER_M, -UNITS_PER_M)
-    return {"camera_x": X, "camera_z": Z}
+def camera_pulled(settings: Settings, place: Point) -> dict[str, float]:
+    look = space(settings.azimuth, settings.elevation)
+    found = look.on_plane(place, (0, 0, 0), [(1, 0, 0), (0, 0, 1)])
+    return dict(zip(MOVES, found, strict=True)) if found else {}
 
 
 def tip_pulled(settings: Settings, place: Point) -> dict[str, float]:
     """The camera looks to the place."""
     at = camera_pulled(settings, place)
+    if not at:
+        return {}
     right, ahead = at["camera_x"] - settings.camera_x, at["camera_z"] - settings.camera_z
     return {"pan": math.degrees(math.atan2(right, ahead))}
 
@@ -337,6 +361,7 @@ SCENE = Scene(
         Handle(
             "tip", "world", "Forward axis", ("pan",), on_axis(AXIS_M), tip_pulled, role="camera"
         ),
+        turning("world"),
     ),
     parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
     own_drafts={DRAFT: ("pan", *MOVES)},

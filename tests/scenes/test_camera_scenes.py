@@ -11,7 +11,7 @@ from support.frames import estimates_of, frame_of, outputs_of, texts_of
 from simulations.models.geometry import euler
 from simulations.models.projection.pinhole import intrinsics, look_at, pixel_rays
 from simulations.scenes._turned_camera import view_from
-from simulations.scenes.camera_pose import HEIGHT, WALLS, WIDTH, in_world, standpoint, to_camera
+from simulations.scenes.camera_pose import HEIGHT, WALLS, WIDTH, space, standpoint, to_camera
 from simulations.scenes.gimbal import FOCAL, MIDDLE, pictured, rings_of, towards
 from simulations.scenes.rotation_3d import SCENE as ROTATION
 from simulations.scenes.rotation_3d import orientation, paths, turned_deg
@@ -34,7 +34,8 @@ def test_the_pose_is_that_of_a_level_camera(pan: float, place: tuple[float, floa
     assert (np.abs(field[:, 0]) <= np.tan(np.radians(30)) * field[:, 2] + 1e-9).all()
     assert (here.field >= WALLS.min(axis=0) - 1e-9).all()
     assert (here.field <= WALLS.max(axis=0) + 1e-9).all()
-    for panel in (in_world, to_camera(here)):
+    above = space(0.0, 90.0)
+    for panel in (above.all, to_camera(here, above)):
         corners = panel(WALLS)
         assert (corners > 0.0).all(), "the whole room is shown"
         assert (corners < [WIDTH, HEIGHT]).all()

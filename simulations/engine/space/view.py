@@ -19,6 +19,8 @@ type Points = NDArray[np.floating]
 
 NEAREST = 0.05
 """Share of the eye's distance. Points closer to the eye than this, or behind it, are not seen."""
+EDGE_ON = 1e-3
+"""Share of its area that a plane shows at least, so that places on it can be told."""
 UP = (0.0, 0.0, 1.0)
 
 
@@ -59,6 +61,17 @@ class View:
         """One point in view box units."""
         x, y = self.all(point).tolist()
         return x, y
+
+    def on_plane(
+        self, place: Sequence[float], point: ArrayLike, directions: ArrayLike
+    ) -> tuple[float, float] | None:
+        """The coordinates of a place of the view box in a plane, in parallel projection; None if
+        the plane is seen on its edge. It leads through a point (3,) in two directions (2, 3)."""
+        across = self.unit * (np.asarray(directions, float) @ self.axes[:2].T).T
+        if abs(float(np.linalg.det(across))) < EDGE_ON * self.unit**2:
+            return None
+        u, v = np.linalg.solve(across, np.asarray(place, float) - self.all(point)).tolist()
+        return u, v
 
 
 def axes_towards(direction: ArrayLike, up: ArrayLike = UP) -> Points:

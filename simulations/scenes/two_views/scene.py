@@ -25,7 +25,7 @@ from simulations.models.projection.two_views import (
     depth_from_disparity,
     essential_matrix,
 )
-from simulations.scenes.two_views.space import axis_end, lamp_pulled, space, space_panel
+from simulations.scenes.two_views.space import axis_end, space, space_panel
 from simulations.scenes.two_views.view import (
     LampView,
     Pair,
@@ -147,8 +147,8 @@ def lamp_at(settings: Settings, _outputs: Outputs) -> Point:
 
 def lamp_moved(settings: Settings, spot: Point) -> dict[str, float]:
     """Its height in the world changes with it; its height in the left picture does not."""
-    rise = -settings.left_up / settings.focal_length
-    found = lamp_pulled(space_of(settings), rise, spot)
+    rise = -settings.left_up / settings.focal_length  # the lamp moves on the plane Y = rise · Z
+    found = space_of(settings).on_plane(spot, (0, 0, 0), [(1, 0, 0), (0, rise, 1)])
     if found is None:
         return {}
     depth = max(found[1], NEAREST_M)

@@ -5,7 +5,6 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel
-from simulations.engine.handles import Point
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.space.view import View
 from simulations.models.arrays import Floats
@@ -36,16 +35,6 @@ PICTURE: Floats = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * (HALF_WIDTH_P
 def space(azimuth: float, elevation: float) -> View:
     """The left camera's frame, from a distant eye: 0° is ahead of the cameras, 180° behind them."""
     return View(view_from(azimuth, elevation), (WIDTH / 2, HEIGHT / 2), 37.0, MIDDLE_M)
-
-
-def lamp_pulled(look: View, rise: float, spot: Point) -> tuple[float, float] | None:
-    """X and Z at a place, on the plane Y = rise · Z, in which the lamp moves; None on its edge."""
-    plane = np.array([(1.0, 0.0, 0.0), (0.0, rise, 1.0)])
-    across = look.unit * (plane @ look.axes[:2].T).T
-    if abs(np.linalg.det(across)) < 1.0:
-        return None
-    X, Z = np.linalg.solve(across, np.asarray(spot) - look.at(0.0, 0.0, 0.0)).tolist()
-    return X, Z
 
 
 def axis_end(pair: Pair) -> Floats:
