@@ -14,7 +14,6 @@ from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import ENGINE, static_files
 from site_builder.files.folders import file_hash, folder_files, integrity
 from site_builder.files.text import Sources
-from site_builder.languages.words import load_words
 from site_builder.markdown.content_files import PICTURES, picture_size
 from site_builder.markdown.directives.media import Media
 from site_builder.markdown.questions.kind import HERE as QUESTION_FOLDER
@@ -26,6 +25,7 @@ from site_builder.output.style_sheets import colour_rules, join_style_sheets, wi
 from site_builder.output.writer import Content, content_bytes, hashed_folder
 from site_builder.pages.views.simulation import CONTROL_KINDS as CONTROL_FOLDER
 from site_builder.settings.model import read_settings
+from site_builder.sources.outline import read_words
 
 
 def kind_files(book: Book | None = None) -> dict[str, bytes | Path]:
@@ -171,7 +171,7 @@ def _scripts(book: Book, static: Files) -> Bundle:
 
 def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
     """The sheet of all pages, and those that scripts load."""
-    others = [load_words(language) for language in [*book.languages][1:]]
+    others = [book.words_of[language] for language in [*book.languages][1:]]
     own = [
         book_css(book.words),
         *(book_css(words, f":root:lang({words.language})") for words in others),
@@ -216,7 +216,7 @@ def write_scripts(root: Path, site: Path, modules: Iterable[str]) -> None:
 
     Pages load them bundled; the bench and the tests load one alone."""
     settings, _ = read_settings(Sources(root))
-    book = book_script(settings, load_words(settings.language))
+    book = book_script(settings, read_words(Sources(root), settings.language))
     scripts = {**static_files(root), **kind_files()}
     sources = {name: file for name, file in scripts.items() if name.endswith((".ts", ".js"))}
     for module in modules:

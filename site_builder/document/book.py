@@ -200,6 +200,8 @@ class Book:
     """Newest first."""
     languages: Languages = field(default_factory=dict)
     """Languages that it can be read in."""
+    words_of: Mapping[str, Words] = field(default_factory=dict)
+    """The words of each, and of the original."""
     folder: str = ""
     """Where the pages of a translation lie below the site's root, ``de/``; chapters that are not
     translated are the original's."""

@@ -1,4 +1,5 @@
-"""Words of the interface in one language: ``LANGUAGE.toml`` in this folder.
+"""Words of the interface in one language: ``LANGUAGE.toml`` in this folder, or in
+``content/languages/`` of a book.
 
 A key is the name of its table and its own: ``search.close``. A text has placeholders,
 ``{count} of {most}``; one that depends on a number is a table with the forms ``one`` and ``other``,
@@ -14,6 +15,8 @@ from hashlib import blake2b
 from pathlib import Path
 
 from markupsafe import Markup
+
+from site_builder.diagnostics.diagnostic import unknown
 
 HERE = Path(__file__).parent
 FORMS = frozenset({"one", "other"})
@@ -97,8 +100,48 @@ def load_words(language: str) -> Words:
     return Words(language, dict(_flat(tomllib.loads(file.read_text(encoding="utf-8")), "")))
 
 
-def languages() -> tuple[str, ...]:
-    return tuple(sorted(file.stem for file in HERE.glob("*.toml")))
+FOLDER = "content/languages"
+"""Of a book's own languages. What they leave out is the engine's, or else English."""
+
+
+def languages(root: Path | None = None) -> tuple[str, ...]:
+    """The engine's, and those of the book at ``root``."""
+    folders = (HERE, root / FOLDER) if root else (HERE,)
+    return tuple(sorted({file.stem for folder in folders for file in folder.glob("*.toml")}))
+
+
+def book_words(language: str, table: Mapping[str, object]) -> tuple[Words, dict[str, str], int]:
+    """The words of a book's own file, what is wrong with them by key, and how many are missing."""
+    known = load_words(language if language in languages() else "en").texts
+    given, faults = dict(_flat(table, "")), dict[str, str]()
+    for key, text in given.items():
+        if key not in known:
+            faults[key] = unknown("text", key, known)
+        elif isinstance(text, str) != isinstance(known[key], str):
+            forms = "'one' and 'other'"
+            faults[key] = f"{key!r}; legal: {'a text' if isinstance(text, dict) else forms}"
+        elif (said := _named(text)) != (named := _named(known[key])):
+            legal = " ".join(f"{{{name}}}" for name in sorted(named)) or "no braces"
+            found = " ".join(f"{{{name}}}" for name in sorted(said)) or "none"
+            faults[key] = f"{key!r} has {found}; legal: {legal}"
+        elif '"' in "".join(_forms(text)):
+            faults[key] = f"""{key!r} has '"', which ends attributes; legal: other quotes"""
+    if given.get("language.direction", "ltr") not in DIRECTIONS:
+        faults["language.direction"] = "'language.direction'; legal: 'ltr' or 'rtl'"
+    sound = {key: text for key, text in given.items() if key not in faults}
+    return Words(language, {**known, **sound}), faults, len(known) - len(sound)
+
+
+DIRECTIONS = ("ltr", "rtl")
+
+
+def _forms(text: Text) -> list[str]:
+    return [text] if isinstance(text, str) else [*text.values()]
+
+
+def _named(text: Text) -> set[str]:
+    """The placeholders of a text."""
+    return {name for form in _forms(text) for name in re.findall(r"\{(.*?)\}", form)}
 
 
 def _flat(table: Mapping[str, object], prefix: str) -> Iterator[tuple[str, Text]]:

@@ -14,7 +14,7 @@ from markdown_it.token import Token
 from site_builder.document.blocks import Block, Simulation, walk
 from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Passage
-from site_builder.languages.words import load_words
+from site_builder.languages.words import Words
 from site_builder.sources.translations.files import folder_of
 
 ANOTHER_PAGE = re.compile(r'href="\.\./([^"/]+)/([^"]*)"')
@@ -25,6 +25,8 @@ class Version:
     language: str
     name: str
     """Name of the language, in itself."""
+    direction: str
+    """In which it is read, as the attribute ``dir``."""
     url: str
     """Relative to the site's root."""
 
@@ -32,21 +34,21 @@ class Version:
 def versions_of(book: Book, chapter: Chapter | None) -> tuple[Version, ...]:
     """Versions of a chapter, or of the title page, the original first; none of only one."""
     found = tuple(
-        _version(language, folder_of(language) if place else "", chapter)
+        _version(book.words_of[language], folder_of(language) if place else "", chapter)
         for place, (language, translated) in enumerate(book.languages.items())
         if chapter is None or chapter.id in translated
     )
     return found if len(found) > 1 else ()
 
 
-def _version(language: str, folder: str, chapter: Chapter | None) -> Version:
-    name = load_words(language)("language.name")
-    return Version(language, name, folder + (f"{chapter.id}/" if chapter else ""))
+def _version(words: Words, folder: str, chapter: Chapter | None) -> Version:
+    name, direction = words("language.name"), words("language.direction")
+    return Version(words.language, name, direction, folder + (f"{chapter.id}/" if chapter else ""))
 
 
 def original_of(book: Book) -> Version | None:
     """The original of a translation, for links to what is not translated; None in the original."""
-    return _version(next(iter(book.languages)), "", None) if book.folder else None
+    return _version(book.words_of[next(iter(book.languages))], "", None) if book.folder else None
 
 
 def original_page(book: Book, url: str) -> Version | None:

@@ -170,7 +170,7 @@ def translation(root: Path, text: str) -> tuple[dict[str, str], str]:
     language, _, name = text.partition("/")
     files = {chapter_id(file.name): file for file in sorted((root / "content").glob("[!.#]*.md"))}
     own = read_settings(Sources(root))[0].language
-    others = [tag for tag in languages() if tag != own]
+    others = [tag for tag in languages(root) if tag != own]
     if language not in others or name not in files:
         forms = f"{' or '.join(others)}, a slash, and one of {', '.join(files)}"
         raise ScaffoldError(f"translation {text!r}; legal: {forms}")

@@ -150,6 +150,8 @@ HERE = Path(__file__).parent
 SEARCH = "minisearch/dist/es/index.js"
 STEMMERS = {"en": "stemmer/index.js", "de": "@orama/stemmers/dist/de.js"}
 """Shipped modules of packages, by language; they import nothing."""
+PLAIN = "plain.mjs"
+"""In this folder, for languages without one."""
 LICENCES = {
     "minisearch": "LICENSE.txt",
     "stemmer": "license",
@@ -173,10 +175,10 @@ def fetch_library(*languages: str) -> SearchLibrary:
     stemmers = {language: f"stemmer-{language}.js" for language in languages}
     shipped = {
         "minisearch.js": SEARCH,
-        **{name: STEMMERS[language] for language, name in stemmers.items()},
+        **{name: STEMMERS.get(language, PLAIN) for language, name in stemmers.items()},
     }
     return SearchLibrary(
-        {name: packages / path for name, path in shipped.items()},
+        {name: HERE / path if path == PLAIN else packages / path for name, path in shipped.items()},
         tuple(
             read_package(packages / name, licence)
             for name, licence in LICENCES.items()

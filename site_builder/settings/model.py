@@ -8,12 +8,12 @@ from types import MappingProxyType
 from typing import Any
 
 from site_builder.files.text import Sources, Toml
-from site_builder.languages.words import languages
 from site_builder.settings.declared import (
     BOOLEAN,
     DAY,
     DOI,
     ISBN,
+    LANGUAGE,
     ORIGINS,
     PREFIX,
     SITE,
@@ -24,7 +24,6 @@ from site_builder.settings.declared import (
     entries,
     key,
     keys_of,
-    one_of,
     table,
     texts,
     whole_number,
@@ -165,7 +164,7 @@ class Settings:
         texts('["one", "another"]'), "what one may search for, as the search's card says it", ()
     )
     language: str = key(
-        one_of(languages()), "the language of text and interface, `site_builder/languages/`", "en"
+        LANGUAGE, "the language of text and interface, of the engine or `content/languages/`", "en"
     )
     first_number: int = key(whole_number(0), "the number of the first chapter", 0)
     first_pass: int = key(

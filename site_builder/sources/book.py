@@ -50,6 +50,7 @@ from site_builder.sources.outline import (
     read_asked,
     read_lecture_plan,
     read_outline,
+    read_words,
 )
 from site_builder.sources.translations.files import find_languages, folder_of
 
@@ -134,7 +135,7 @@ def read_book(
     pages = list(list_pages(outline, shared, sources))
     targets = find_targets([page.survey() for page in pages], problems)
     known = targets_state(targets)
-    check_addresses(outline, problems)
+    check_addresses(outline, sources.root, problems)
     _check_unlisted(sources, outline)
 
     glossary = ParseContext(GLOSSARY, shared, problems, targets=targets)
@@ -157,7 +158,8 @@ def read_book(
         asked=tuple(read_asked(sources, targets)),
         glossary=read_definitions(glossary),
         symbols=read_meanings(read_symbols(sources), symbols),
-        languages=find_languages(sources.root, settings),
+        languages=(found := find_languages(sources.root, settings)),
+        words_of={tag: read_words(sources, tag) for tag in [*found][1:]} | {words.language: words},
     )
 
 
@@ -240,7 +242,7 @@ OF_TRANSLATIONS = ("book.toml", "glossary.toml", "labels.toml")
 
 def _check_unlisted(sources: Sources, outline: Outline) -> None:
     content = sources.root / "content"
-    tags = [tag for tag in languages() if tag != outline.settings.language]
+    tags = [tag for tag in languages(sources.root) if tag != outline.settings.language]
     names = [name for name, _, _ in outline.chapters]
     listed = {
         f"content/{folder}{name}.md" for name in names for folder in ("", *map(folder_of, tags))

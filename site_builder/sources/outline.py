@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from itertools import takewhile
+from pathlib import Path
 from string import ascii_uppercase
 
 from site_builder.checks.frames import check_colours
@@ -17,7 +18,7 @@ from site_builder.document.book import OUTLINE, LecturePlan, Lesson, Taught
 from site_builder.document.places import Position, Target, Targets, chapter_id
 from site_builder.files.text import Sources, Toml
 from site_builder.formulae.temml import Macros
-from site_builder.languages.words import Words, languages, load_words
+from site_builder.languages.words import FOLDER, Words, book_words, languages, load_words
 from site_builder.markdown.numbering import slug
 from site_builder.settings.declared import Key, Reader, texts
 from site_builder.settings.model import FILE_NAME, Settings, read_settings
@@ -84,7 +85,11 @@ def read_outline(sources: Sources) -> Outline:
     """The outline of the original; mistakes are reported."""
     problems = sources.problems
     settings, toml = read_settings(sources)
-    words = load_words(settings.language).labelled(asdict(settings.labels))
+    own = settings.language
+    if own not in (known := languages(sources.root)):
+        problems.add(OUTLINE, toml.line("language"), unknown("language", own, known))
+        settings = replace(settings, language="en")
+    words = read_words(sources, settings.language).labelled(asdict(settings.labels))
     check_colours(settings.colours, sources, toml)
     check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
     return Outline(
@@ -98,6 +103,21 @@ def read_outline(sources: Sources) -> Outline:
         link_lines=link_lines(settings, toml),
         macros=_sound_macros(settings.macros, toml, problems),
     )
+
+
+def read_words(sources: Sources, language: str) -> Words:
+    """The words of a language, those of the book's own file first; its mistakes are reported."""
+    path = f"{FOLDER}/{language}.toml"
+    toml = sources.toml(path)
+    if toml is None:
+        return load_words(language if language in languages() else "en")
+    words, faults, missing = book_words(language, toml.table)
+    for key, fault in faults.items():
+        sources.problems.add(path, toml.line(*key.split(".")), fault)
+    if missing and language not in languages():
+        said = f"{missing} texts of the interface are missing, and English; better: all of them"
+        sources.problems.warn(path, 1, said)
+    return words
 
 
 def link_lines(settings: Settings, toml: Toml) -> dict[str, int]:
@@ -130,9 +150,9 @@ def positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]
         yield name, Position(number, letter, "Appendix", words.label("Appendix"), appended)
 
 
-def check_addresses(outline: Outline, problems: Diagnostics) -> None:
+def check_addresses(outline: Outline, root: Path, problems: Diagnostics) -> None:
     """Two pages at one address: one would silently take the other's place."""
-    own = (*OWN_FOLDERS, *languages())
+    own = (*OWN_FOLDERS, *languages(root))
     taken = dict.fromkeys(own, "a folder of the site's own")
     for name, line, _ in outline.chapters:
         address = chapter_id(name)

@@ -12,7 +12,7 @@ from site_builder.document.blocks import Simulation
 from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Position, Targets
 from site_builder.files.text import Sources
-from site_builder.languages.words import load_words
+from site_builder.languages.words import Words
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary import read_definitions
 from site_builder.markdown.parse_context import ParseContext, Shared
@@ -54,7 +54,7 @@ def read_translations(
     terms = read_glossary(known, original.words)
 
     def read(language: str) -> Book:
-        own = _outline(sources, language, outline)
+        own = _outline(sources, original.words_of[language], outline)
         glossary = translated_glossary(sources, own.words, terms)
         shared = read_shared(known, own, glossary, load_scene, measurements)
         pages = list(list_pages(own, shared, known))
@@ -83,10 +83,11 @@ def read_translations(
     return tuple(read(language) for language in list(original.languages)[1:])
 
 
-def _outline(sources: Sources, language: str, original: Outline) -> Outline:
+def _outline(sources: Sources, words: Words, original: Outline) -> Outline:
+    language = words.language
     settings, toml = translated_settings(sources, language, original.settings)
     words = replace(
-        load_words(language).labelled(asdict(settings.labels)),
+        words.labelled(asdict(settings.labels)),
         figures=read_labels(sources, language),
     )
     if toml.table.get("parts"):

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from markupsafe import Markup
 from support.html_outline import read_html
-from support.little_book import MakeBook, rendered
+from support.little_book import OUTLINE, MakeBook, diagnostics, rendered
 from support.places import ROOT
 
 from site_builder.languages.words import ENGLISH, SCRIPT, Words, languages, load_words
@@ -218,3 +218,37 @@ def test_labels_of_drawings_are_translated_with_the_decimal_sign() -> None:
     assert figure_markup("<text>(0.5, −2) px</text>", words) == "<text>(0,5; −2) px</text>"
     slider = '<div aria-label="1.5" aria-valuenow="1.5"></div>'
     assert figure_markup(slider, words) == '<div aria-label="1,5" aria-valuenow="1.5"></div>'
+
+
+def test_a_language_of_the_book_s_own_is_read_from_its_folder_and_from_right_to_left(
+    make_book: MakeBook,
+) -> None:
+    own = '[language]\nname = "עברית"\ndirection = "rtl"\n[labels]\nfigure = "איור"\n'
+    files = {
+        "content/languages/he.toml": own,
+        "content/he/00-first.md": FILES["content/de/00-first.md"].replace("{term}`Biegung`", "b"),
+    }
+    site = rendered(make_book(f"{ORIGINAL.replace('{term}`bend`', 'b')}{QUIZ}", files))
+    (page,) = read_html(site["he/first/index.html"]).all("html")
+    assert (page["lang"], page["dir"]) == ("he", "rtl")
+    assert read_html(site["first/index.html"]).all("html")[0]["dir"] == "ltr"
+    assert "איור 0.1" in site["he/first/index.html"].decode()
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ('[labels]\nfigur = "F"', "unknown text 'labels.figur'; did you mean 'labels.figure'"),
+        ('[labels]\nsection = "{titel}"', "'labels.section' has {titel}; legal: {title}"),
+        ('[chapter]\nminutes = "{count}"', "'chapter.minutes'; legal: 'one' and 'other'"),
+        ('[language]\ndirection = "left"', "'language.direction'; legal: 'ltr' or 'rtl'"),
+    ],
+)
+def test_a_wrong_word_of_the_book_s_own_is_reported_at_its_line(
+    line: str, message: str, make_book: MakeBook
+) -> None:
+    outline = OUTLINE + 'language = "xx"\n'
+    files = {"content/languages/xx.toml": f"{line}\n", "content/book.toml": outline}
+    (found,) = [one for one in diagnostics(make_book("Text.\n", files)) if one.fails]
+    assert (found.path, found.line) == ("content/languages/xx.toml", 2)
+    assert found.message.startswith(message)

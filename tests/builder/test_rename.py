@@ -7,7 +7,7 @@ import pytest
 from support.html_outline import read_html
 from support.little_book import OUTLINE, SECOND, MakeBook, diagnostics, rendered
 
-from site_builder.scaffold import rename as renaming
+from site_builder.build import load
 from site_builder.scaffold.rename import rename
 
 BODY = """\
@@ -38,8 +38,7 @@ FILES = {
 def book(make_book: MakeBook, monkeypatch: pytest.MonkeyPatch) -> MakeBook:
     """As its command reads it, with the scene of the tests."""
     options = make_book(BODY, FILES)
-    load = renaming.load
-    monkeypatch.setattr(renaming, "load", lambda _: load(options))
+    monkeypatch.setattr("site_builder.scaffold.rename.load", lambda _: load(options))
     return lambda: options
 
 

@@ -24,7 +24,7 @@ def find_languages(root: Path, settings: Settings) -> Languages:
         tag: frozenset(
             chapter_id(name) for name in names if (root / f"content/{tag}/{name}.md").is_file()
         )
-        for tag in languages()
+        for tag in languages(root)
         if tag != settings.language and (root / "content" / tag).is_dir()
     }
     return {settings.language: frozenset(map(chapter_id, names)), **found} if found else {}
