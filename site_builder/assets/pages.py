@@ -21,7 +21,12 @@ from site_builder.markdown.questions.kinds import KINDS as QUESTIONS
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.output.fonts import face_rules, fallback_rules, subset_fonts
 from site_builder.output.scripts import Bundle, book_css, book_script, bundle_scripts
-from site_builder.output.style_sheets import colour_rules, join_style_sheets, without_comments
+from site_builder.output.style_sheets import (
+    colour_rules,
+    join_style_sheets,
+    theme_rules,
+    without_comments,
+)
 from site_builder.output.writer import Content, content_bytes, hashed_folder
 from site_builder.pages.views.simulation import CONTROL_KINDS as CONTROL_FOLDER
 from site_builder.settings.model import read_settings
@@ -173,6 +178,7 @@ def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
     """The sheet of all pages, and those that scripts load."""
     others = [book.words_of[language] for language in [*book.languages][1:]]
     own = [
+        theme_rules(book.settings.theme),
         book_css(book.words),
         *(book_css(words, f":root:lang({words.language})") for words in others),
     ]

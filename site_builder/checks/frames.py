@@ -20,7 +20,7 @@ from site_builder.files.folders import data_of, folder_files
 from site_builder.files.text import Sources, Toml
 from site_builder.markdown.directives.media import DrawnIllustration
 from site_builder.markdown.roles import ROLES
-from site_builder.settings.model import FILE_NAME
+from site_builder.settings.model import FILE_NAME, Settings
 
 MOST_PIXELS, MOST_LETTERS = 4_000_000, 1_000_000
 """Limit for a panel, which a slider draws anew at every step."""
@@ -154,25 +154,27 @@ LEAST_CONTRAST = 4.5
 type Rgb = tuple[float, float, float]
 
 
-def check_colours(colours: Mapping[str, str], sources: Sources, toml: Toml) -> None:
+def check_colours(settings: Settings, sources: Sources, toml: Toml) -> None:
     """Report names that are taken, values that are no pairs, and pairs that are hard to read."""
-    if not colours:
+    if not settings.colours and not settings.theme.accent:
         return
     taken = known_classes(static_files(sources.root)) | {role.name for role in ROLES} | {"muted"}
     tokens = own_or_engine(sources.root, "static/css/tokens.css").read_text(encoding="utf-8")
     grounds = GROUND.findall(tokens)
-    for name, text in colours.items():
-        pair = PAIR.fullmatch(text)
-        if not NAME.fullmatch(name) or name in taken:
-            message = f"colour {name!r}; legal: small letters, not the name of a role or of a class"
-        elif not pair:
-            message = f"colour {name!r} is {text!r}; legal: two in small digits, '#125b9c #7fbaf2'"
-        elif (least := _least_contrast(pair.groups(), grounds)) < LEAST_CONTRAST:
-            legal = f"{LEAST_CONTRAST} with the light paper and with the dark"
-            message = f"colour {name!r} has a contrast of {least:.2f}; legal: {legal}"
-        else:
-            continue
-        sources.problems.add(FILE_NAME, toml.line("colours", name), message)
+    accent = {"accent": settings.theme.accent} if settings.theme.accent else {}
+    for table, colours in (("colours", settings.colours), ("theme", accent)):
+        for name, text in colours.items():
+            pair = PAIR.fullmatch(text)
+            if table == "colours" and (not NAME.fullmatch(name) or name in taken):
+                fault = "; legal: small letters, not the name of a role or of a class"
+            elif not pair:
+                fault = f" is {text!r}; legal: two in small digits, '#125b9c #7fbaf2'"
+            elif (least := _least_contrast(pair.groups(), grounds)) < LEAST_CONTRAST:
+                legal = f"{LEAST_CONTRAST} with the light paper and with the dark"
+                fault = f" has a contrast of {least:.2f}; legal: {legal}"
+            else:
+                continue
+            sources.problems.add(FILE_NAME, toml.line(table, name), f"colour {name!r}{fault}")
 
 
 def contrast(one: Rgb, other: Rgb) -> float:

@@ -9,9 +9,12 @@ from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Colours
 from site_builder.files.engine import own_or_engine
 from site_builder.output.writer import Content, content_bytes
+from site_builder.settings.model import Theme
 
 ENGINE_ROLES = (*ROLES[1:], "muted")
 """Roles whose colours are in ``tokens.css``."""
+MEASURE_REM = 31 / 66
+"""Width of a letter of the text, as in ``tokens.css``."""
 LIT_OTHERWISE = ".handle, .readout"
 """Selects what a lit idea marks in another way than by its ground."""
 
@@ -40,6 +43,22 @@ simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name}), tex
 """
         for name, variable in variables.items()
     )
+
+
+def theme_rules(theme: Theme) -> str:
+    """What a book has in place of the values of ``tokens.css``."""
+    light, _, dark = theme.accent.partition(" ")
+    values = {
+        "accent": theme.accent and f"light-dark({light}, {dark})",
+        "accent-wash": theme.accent and f"light-dark({light}14, {dark}1f)",
+        "serif": theme.text and f'{theme.text}, "Book Maths", serif',
+        "sans": theme.interface and f'{theme.interface}, "Book Maths", sans-serif',
+        "mono": theme.code and f"{theme.code}, monospace",
+        "measure": theme.width != 66 and f"{theme.width * MEASURE_REM:.2f}rem",
+    }
+    own = "".join(f"  --{name}: {value};\n" for name, value in values.items() if value)
+    headings = f"#main :is(h1, h2, h3, h4) {{ font-family: {theme.headings}; }}\n"
+    return f":root {{\n{own}}}\n" * bool(own) + headings * bool(theme.headings)
 
 
 TOKEN = re.compile(r"^  (--[\w-]+): light-dark\(([^,]+), [^)]+\);", re.MULTILINE)

@@ -107,6 +107,8 @@ def table(of: type[Any]) -> Kind:
 TEXT = text()
 PREFIX = text("small letters, digits and hyphens", r"^[a-z0-9]+(?:-[a-z0-9]+)*\Z")
 LANGUAGE = text('"en", "de", "pt-BR"', r"^[a-z]{2,3}(?:-[A-Za-z0-9]{2,8})*\Z")
+FACES = text("'Verdana, sans-serif'", r"^[\w\s,\"'-]*\w[\w\s,\"'-]*\Z")
+LETTERS = Kind("a whole number from 45 to 90", lambda value: value in range(45, 91))
 SITE = Kind('"https://host/path/"', TEXT.legal, site_address)
 SOURCE = Kind(f'"https://host/…/{PATH}"', TEXT.legal, source_address)
 ISBN = text('"978-3-16-148410-0"', r"^(?:[\dX]-?){10}\Z|^(?:\d-?){13}\Z")

@@ -12,8 +12,10 @@ from site_builder.settings.declared import (
     BOOLEAN,
     DAY,
     DOI,
+    FACES,
     ISBN,
     LANGUAGE,
+    LETTERS,
     ORIGINS,
     PREFIX,
     SITE,
@@ -132,6 +134,18 @@ class ReadingPath:
 
 
 @dataclass(frozen=True, slots=True)
+class Theme:
+    """How pages look."""
+
+    accent: str = key(TEXT, "links and controls on light and dark paper", "", without="teal")
+    text: str = key(FACES, "the faces of text", "", without="Source Serif")
+    headings: str = key(FACES, "those of headings", "", without="as text")
+    interface: str = key(FACES, "those of controls, tables and labels", "", without="Source Sans")
+    code: str = key(FACES, "those of code", "", without="the reader's")
+    width: int = key(LETTERS, "letters in a line of text", 66)
+
+
+@dataclass(frozen=True, slots=True)
 class Trust:
     """What goes from the sources into the pages unchecked."""
 
@@ -207,6 +221,7 @@ class Settings:
     )
     publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
     runtime: Runtime = key(table(Runtime), "what figures are computed with", Runtime())
+    theme: Theme = key(table(Theme), "how pages look", Theme())
     trust: Trust = key(table(Trust), "what goes into the pages unchecked", Trust())
 
 

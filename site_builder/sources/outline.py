@@ -90,7 +90,7 @@ def read_outline(sources: Sources) -> Outline:
         problems.add(OUTLINE, toml.line("language"), unknown("language", own, known))
         settings = replace(settings, language="en")
     words = read_words(sources, settings.language).labelled(asdict(settings.labels))
-    check_colours(settings.colours, sources, toml)
+    check_colours(settings, sources, toml)
     check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
     return Outline(
         settings,
