@@ -7,6 +7,7 @@ parameter. H. Akaike, *A new look at the statistical model identification*, 1974
 """
 
 import math
+from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
@@ -19,7 +20,7 @@ from simulations.models.calibration.left_out import left_out_px
 from simulations.models.calibration.standard_errors import Uncertainty, rms_px, uncertainty
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import TILT, UndeterminedError, closed_form, poses_seen
-from simulations.models.distortion.fisheye import Fisheye
+from simulations.models.distortion.fisheye import EQUIDISTANT, Fisheye
 
 ALIKE = 0.005
 """Relative difference of errors below which the simpler model of the lens, or of the board, is
@@ -28,9 +29,8 @@ preferred."""
 ENOUGH_STEPS = 25
 """Steps that tell models apart: those that fit need ten, and those that do not creep on."""
 FISHEYE = "fisheye"
-EQUIDISTANT, START_STEPS = (0.25, 0.32, 0.4, 0.55), 6
-"""Focal lengths that a fisheye is tried with, as shares of the picture's longer side, and how many
-steps decide between them."""
+START_STEPS = 6
+"""Steps that decide between the starts for a fisheye."""
 DRAFT_STEPS = 3
 """Steps to within a standard error, mostly a hundredth, from results for more photographs."""
 
@@ -82,14 +82,10 @@ def shapes(views: Views, flat: tuple[Trial, ...]) -> tuple[Trial, ...]:
 
 def with_shape(views: Views, trials: tuple[Trial, ...], shape: Trial) -> tuple[Trial, ...]:
     """The models of the lens with the shape of this trial."""
-    found = []
-    for trial in trials:
-        poses = replace(trial.fit.poses, shape=shape.fit.poses.shape)
-        try:
-            found.append(fitted(views, trial.fit.camera, poses, trial.lens))
-        except UndeterminedError:
-            continue
-    return tuple(found)
+    own = shape.fit.poses.shape
+    return _determined(
+        views, ((t.lens, t.fit.camera, replace(t.fit.poses, shape=own)) for t in trials)
+    )
 
 
 def best_shape(tried: tuple[Trial, ...]) -> Trial:
@@ -104,7 +100,7 @@ def compare(views: Views, size: tuple[int, int]) -> tuple[Trial, ...]:
     """
     camera, poses = closed_form(views, size)
     trials: list[Trial] = []
-    problem: UndeterminedError | None = None
+    problem = UndeterminedError(TILT)
     for lens in LENSES:
         try:
             if lens == FISHEYE:
@@ -114,7 +110,7 @@ def compare(views: Views, size: tuple[int, int]) -> tuple[Trial, ...]:
             problem = found
             continue
         camera, poses = trials[-1].fit.camera, trials[-1].fit.poses
-    if problem and not trials:
+    if not trials:
         raise problem
     return tuple(trials)
 
@@ -145,16 +141,25 @@ def compare_first(
 ) -> tuple[Trial, ...]:
     """The same for the first of the photographs, starting from the results for all of them; a
     draft takes `DRAFT_STEPS`."""
+    first = slice(len(views))
+    return _determined(
+        views, ((t.lens, t.fit.camera, t.fit.poses.take(first)) for t in trials), draft
+    )
+
+
+def _determined(
+    views: Views, starts: Iterable[tuple[str, Camera, Poses]], draft: bool = False
+) -> tuple[Trial, ...]:
+    """The models that the photographs determine, each from a start of its own; raises
+    `UndeterminedError` if there is none."""
     found: list[Trial] = []
-    problem: UndeterminedError | None = None
-    for trial in trials:
-        fit = trial.fit
+    problem = UndeterminedError(TILT)
+    for lens, camera, poses in starts:
         try:
-            poses = fit.poses.take(slice(len(views)))
-            found.append(fitted(views, fit.camera, poses, trial.lens, draft))
+            found.append(fitted(views, camera, poses, lens, draft))
         except UndeterminedError as open_:
             problem = open_
-    if problem and not found:
+    if not found:
         raise problem
     return tuple(found)
 

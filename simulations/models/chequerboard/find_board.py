@@ -33,6 +33,8 @@ from simulations.models.chequerboard.board_search import (
 from simulations.models.chequerboard.corner_windows import Picture
 from simulations.models.chequerboard.grid_recovery import corners_of
 from simulations.models.chequerboard.local_lattice import Lattice, Whole
+from simulations.models.distortion.fisheye import EQUIDISTANT, Fisheye
+from simulations.models.distortion.lens import ideal
 from simulations.models.error_measures import root_mean_square
 from simulations.models.geometry.homography_estimation import estimate_homography
 from simulations.models.geometry.transforms import apply_homography
@@ -104,8 +106,6 @@ BENT_PX, BENT = 0.4, 0.05
 """A board whose corners are farther than this from a plane's, in px and in squares, is no smooth
 board behind any lens. One that is bent by less is for the calibration to judge, which knows all
 photographs of it."""
-FISHEYES = (0.25, 0.32, 0.4, 0.55)
-"""Focal lengths of equidistant lenses that are tried, as shares of the picture's longer side."""
 NOISY_CODES = 25.0
 """Standard deviation of the noise from which on it is named as the cause."""
 TOLD = 20
@@ -217,14 +217,12 @@ def _without_outliers(places: Floats, indices: Whole, middle: Floats) -> tuple[F
 def _straightened(
     places: Floats, indices: Whole, middle: Floats
 ) -> Iterator[tuple[Floats, Whole, Floats]]:
-    """The corners as a pinhole would see them, if the lens is one of several `FISHEYES`."""
-    away = places - middle
-    radius = np.hypot(*away.T)
-    for share in FISHEYES:
+    """The corners as a pinhole would see them, if the lens is `EQUIDISTANT`."""
+    for share in EQUIDISTANT:
         focal = share * 2.0 * float(middle.max())
-        angle = np.maximum(radius / focal, 1e-9)
-        if angle.max() < 1.4:
-            yield middle + away * (np.tan(angle) / angle)[:, None], indices, middle
+        straight, valid = ideal((places - middle) / focal, Fisheye())
+        if valid.all():
+            yield middle + focal * straight, indices, middle
 
 
 def _noise_codes(picture: Picture) -> float:

@@ -75,6 +75,11 @@ class Fisheye:
         return RadialProfile((self.k1, self.k2, self.k3, self.k4))
 
 
+EQUIDISTANT = (0.25, 0.32, 0.4, 0.55)
+"""Focal lengths of equidistant lenses, as shares of the picture's longer side, from which a lens of
+which nothing is known is looked for."""
+
+
 def project_ideal(directions: ArrayLike, model: str) -> tuple[Floats, Mask]:
     """Image points (..., 2) of directions (..., 3) by one of `IDEAL_MODELS`; and validity.
 

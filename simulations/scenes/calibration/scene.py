@@ -71,18 +71,13 @@ DETAILS = {
 }
 """What the last panel shows."""
 LABELS = {
-    "fx": ("Focal length, across", "px"),
-    "fy": ("Focal length, down", "px"),
-    "cx": ("Principal point, across", "px"),
-    "cy": ("Principal point, down", "px"),
-    "k1": ("k₁", ""),
-    "k2": ("k₂", ""),
-    "p1": ("p₁", ""),
-    "p2": ("p₂", ""),
-    "k3": ("k₃", ""),
-    "k4": ("k₄", ""),
+    "fx": "Focal length, across",
+    "fy": "Focal length, down",
+    "cx": "Principal point, across",
+    "cy": "Principal point, down",
 }
-"""Label and unit of each parameter of the camera."""
+"""Label of each parameter in px; the others are coefficients."""
+LOWERED = str.maketrans("1234", "₁₂₃₄")
 OPEN = "This model of the lens needs more photographs, or more tilted ones"
 UNKNOWN = "not determined"
 INSIDE = 12.0  # least distance of the handle of the dividing line from the right border
@@ -360,9 +355,9 @@ def _parameters(result: Result) -> Iterator[Readout]:
     trial = result.trial
     names = PINHOLE + MODELS[trial.lens]
     for name, value in zip(names, trial.fit.camera.values(names).tolist(), strict=True):
-        label, unit = LABELS[name]
+        label = LABELS.get(name, name.translate(LOWERED))
         words = value_with_error(value, trial.uncertainty.errors[name])
-        yield Readout(name, label, words, unit)
+        yield Readout(name, label, words, "px" if name in LABELS else "")
 
 
 def line_at(settings: Settings, outputs: Outputs) -> Point | None:
