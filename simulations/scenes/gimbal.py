@@ -5,9 +5,9 @@ right, down and ahead. Each ring is perpendicular to its angle's axis. The pan r
 world, the tilt ring turns with the pan, the roll ring with both; at a tilt of ±90° the roll ring
 lies in the plane of the pan ring, just inside it.
 
-Beside it is what the camera sees: hills with trees, and a sky with stars. Straight up, the
-circles of the sky close around one point. There pan and roll both turn the picture about its
-middle, so the lock can be seen.
+Beside it is what the camera sees: a round terrace, hills with trees, and a sky with stars.
+Straight up and straight down, circles close around one point. There pan and roll both turn the
+picture about its middle, so the lock can be seen.
 """
 
 import math
@@ -80,7 +80,9 @@ SKYLINE_SINE = np.sin(
 ZENITH, GLOW, GROUND = np.array(
     [(0.006, 0.010, 0.030), (0.11, 0.085, 0.10), (0.004, 0.006, 0.008)], np.float32
 )
-"""Linear RGB straight up, added at the horizon, and below it."""
+"""Linear RGB straight up, added at the horizon, and of hills and trees."""
+PAVING = np.array([0.040, 0.052, 0.082], np.float32)
+"""Linear RGB of the terrace below, whose slabs lie in rings half an eye height wide."""
 GALAXY = np.array([0.48, -0.36, 0.80])
 """Pole of the Milky Way."""
 
@@ -230,7 +232,18 @@ def draw_sky(pan: float, tilt: float, roll: float, fine: float) -> Raster:
     azimuth = np.degrees(np.arctan2(right[low], ahead[low])) % 360.0
     low[low] = -down[low] < np.interp(azimuth, SKYLINE_AT, SKYLINE_SINE)
     light[low] = GROUND
+    paved = down > 0.04
+    light[paved] += _slabs(right[paved], down[paved], ahead[paved])[:, None] * PAVING
     return to_rgba8(encode_srgb_table(light))
+
+
+def _slabs(right: Floats, down: Floats, ahead: Floats) -> Floats:
+    """The light (n,) of the round terrace below the camera, from 0 to 1; it fades far away."""
+    away = np.hypot(right, ahead) / down  # in eye heights
+    sharp = 40.0 / (0.6 + away * away)
+    sectors = np.clip(sharp * away * np.sin(6.0 * np.arctan2(right, ahead)), -1.0, 1.0)
+    rings = np.clip(sharp * np.sin(2.0 * np.pi * away), -1.0, 1.0)
+    return np.exp(-0.22 * away) * (0.6 + 0.4 * sectors * rings)
 
 
 def draw_sight(pan: float, tilt: float, roll: float) -> str:
@@ -261,7 +274,8 @@ def _circles(C: Floats) -> str:
 def _names(C: Floats) -> Iterator[str]:
     quarters = zip(NAMES, (0.0, 90.0, 180.0, 270.0), strict=True)
     spots = [(name, towards(azimuth, -7.0)) for name, azimuth in quarters]
-    for name, direction in (*spots, ("straight up", towards(0.0, 90.0))):
+    ends = (("straight up", towards(0.0, 90.0)), ("straight down", towards(0.0, -90.0)))
+    for name, direction in (*spots, *ends):
         spot = pictured(C, direction).tolist()
         if _shown(spot, 45.0):
             yield drawing.text((spot[0], spot[1] + 18.0), name, "world small ground", "middle")

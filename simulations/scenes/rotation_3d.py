@@ -33,10 +33,10 @@ from simulations.models.geometry.rotations import slerp
 from simulations.scenes._turned_camera import draw_body, nearest, view_from
 
 HEIGHT = 486.0  # of the panel with the sphere, which is 400 wide
-CENTRE, RADIUS = (200.0, 322.0), 138.0  # of the sphere
-CAMERAS = {"slerp": (68.0, 60.0), "euler": (200.0, 60.0), "matrix": (332.0, 60.0)}
+CENTRE, RADIUS = (200.0, 333.0), 126.0  # of the sphere
+CAMERAS = {"slerp": (68.0, 73.0), "euler": (200.0, 73.0), "matrix": (332.0, 73.0)}
 """Places of the three cameras above it."""
-BODY = 62.0  # unit of length of their axes
+BODY = 76.0  # unit of length of their axes
 SHARES = np.linspace(0.0, 1.0, 61)
 MARK_EVERY = 6
 """Steps between marks on the quaternions' path: even marks show a constant speed."""
@@ -175,9 +175,9 @@ def _cameras(blends: Mapping[str, Floats], view: View, chosen: str) -> Iterator[
     """The camera on each of the three ways, side by side."""
     for name, (x, y) in CAMERAS.items():
         yield draw_body(blends[name], view.axes, (x, y), BODY)
-        yield line((x - 13, y + 58), (x + 13, y + 58), STYLES[name])
+        yield line((x - 13, y + 82), (x + 13, y + 82), STYLES[name])
         weight = " strong" if name == chosen else ""
-        yield text((x, y + 77), LABELS[name], f"{ROLES[name]}{weight}", "middle")
+        yield text((x, y + 101), LABELS[name], f"{ROLES[name]}{weight}", "middle")
 
 
 def progress(settings: Settings, outputs: Outputs) -> str:
