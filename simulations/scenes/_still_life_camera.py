@@ -222,12 +222,6 @@ def floor_tangent(depth: float) -> float:
     return float(-(still_life.EYE[2] / depth + UP[2]) / UP[1])
 
 
-def floor_depth(tangent: float) -> float:
-    """The inverse: the depth of the floor, metres; ∞ from the horizon upwards."""
-    falling = -UP[1] * tangent - UP[2]
-    return float(still_life.EYE[2] / falling) if falling > 0 else np.inf
-
-
 def line_on_floor(
     lit: LitScene, row: float, width: float, height: float, enlarged: float = 1.0
 ) -> str:

@@ -1,19 +1,15 @@
-"""Controls and handles of every figure answer hands and keys, in every engine."""
+"""Controls and handles of every figure answer hands and keys."""
 
 import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
-from support.engines import ENGINES, open_engine
-from support.engines.engine import Engine, drag, wait_for
 from support.frames import frame_of, texts_of
-from support.page_scripts import FOLLOW, GRASP, OFFER, PUT_BACK, SETTLE, TRY_CONTROLS
+from support.page_scripts import GRASP, TRY_CONTROLS
 from support.places import ROOT
-from support.reader import PULLS, Reader, chapter_of
-from support.static_server import StaticServer
+from support.reader import PULLS, Reader
 
 from simulations.registry import load_scene
 
@@ -238,78 +234,3 @@ STEPS = """async (figure, [slider, count]) => {
   play.click();
   return {places, rest: moves.at(-1) - moves[0]};
 }"""
-
-
-@dataclass
-class Walk:
-    """A reader who goes from figure to figure in another engine; Python stays alive."""
-
-    engine: Engine
-    root: str
-    complained: int = 0
-
-    def go_to(self, chapter: str, scene: str) -> None:
-        """Turn to a live figure, as its page has put it."""
-        address = self.root + chapter
-        if not self.engine.ask(HERE, address):
-            self.engine.ask(OFFER, address)
-            self.engine.ask(FOLLOW, address)
-            wait_for(self.engine, HERE, address)
-        wait_for(self.engine, LIVES, scene)
-        self.of_figure(PUT_BACK, scene)
-        self.of_figure(SETTLE, scene)
-
-    def of_figure(self, script: str, scene: str, /, *given: Any) -> Any:
-        """The answer of a script about a figure."""
-        return self.engine.ask(OF_FIGURE.replace("SCRIPT", script), scene, *given)
-
-    def follows(self, scene: str, handle: str) -> bool:
-        """Whether a handle, where it is shown, moves its settings when it is pulled."""
-        grasp = OF_HANDLE.replace("SCRIPT", GRASP)
-        start = pulled = self.of_figure(grasp, scene, handle)
-        width = self.engine.ask("() => innerWidth")
-        for right, down in PULLS if start["shown"] else ():
-            x, y = pulled["x"], pulled["y"]
-            drag(self.engine, (x, y), (min(x + right, width - 1), y + down))
-            pulled = self.of_figure(grasp, scene, handle)
-            if pulled["values"] != start["values"]:
-                return bool(pulled["frames"] > start["frames"])
-        return not start["shown"]
-
-    def complaints(self) -> list[str]:
-        """Complaints since the last call."""
-        known, complaints = self.complained, self.engine.complaints()
-        self.complained = len(complaints)
-        return complaints[known:]
-
-
-HERE = "(url) => location.href.split('?')[0] === url && document.activeElement.id === 'main'"
-LIVES = "(scene) => document.querySelector(`#figure-${scene} [data-state=live]`) !== null"
-OF_FIGURE = """(scene, ...given) =>
-  (SCRIPT)(document.querySelector(`#figure-${scene} simulation-figure`), ...given)"""
-OF_HANDLE = "(figure, handle) => (SCRIPT)(figure.querySelector(`[data-handle='${handle}']`))"
-
-
-@pytest.fixture(scope="module", params=ENGINES)
-def walk(
-    request: pytest.FixtureRequest,
-    site_server: StaticServer,
-    tmp_path_factory: pytest.TempPathFactory,
-) -> Iterator[Walk]:
-    with open_engine(request.param, tmp_path_factory.mktemp(request.param)) as engine:
-        engine.open(site_server.url + "lecture-plan/")  # the lightest page
-        yield Walk(engine, site_server.url)
-
-
-@pytest.mark.deep
-@pytest.mark.parametrize("scene", SHOWN)
-def test_every_control_and_every_handle_answers_in_other_engines(
-    walk: Walk, book: Any, scene: str
-) -> None:
-    walk.go_to(chapter_of(book, scene), scene)
-    answers = walk.of_figure(TRY_CONTROLS, scene, scene_of(book, scene)["controls"])
-    wrong = [f"{answer['name']}: {answer}" for answer in answers if is_dead(answer)]
-    walk.go_to(chapter_of(book, scene), scene)
-    names = [handle.name for handle in load_scene(scene).handles]
-    wrong += [f"{name} does not follow" for name in names if not walk.follows(scene, name)]
-    assert wrong + walk.complaints() == []

@@ -1,11 +1,12 @@
 """A reader's way through the book in the engines that the other tests do not use."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 from support.engines import open_engine
 from support.engines.engine import Engine, click, drag, press, wait_for
-from support.page_scripts import BRING, LIVE
+from support.page_scripts import BRING, LIVE, TRY_CONTROLS
 from support.static_server import serving
 
 pytestmark = pytest.mark.browser
@@ -23,13 +24,16 @@ WHOLE = [pytest.param("Firefox", True), pytest.param("WebKitGTK", True, marks=py
 
 @pytest.mark.parametrize(("name", "whole"), [*WHOLE, SPARING])
 def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goes_offline(
-    name: str, whole: bool, built_site: Path, tmp_path: Path
+    name: str, whole: bool, built_site: Path, book: Any, tmp_path: Path
 ) -> None:
     with open_engine(name, tmp_path) as engine, serving(built_site) as host:
         engine.open(host.url + CHAPTER)
         wait_for(engine, f"() => {LIVE}")
         moves_a_figure(engine)
+        (controls,) = (one["controls"] for one in book["simulations"] if one["id"] == SCENE)
         if whole:
+            tried = engine.ask(TRIED.replace("TRY", TRY_CONTROLS), FIGURE, controls)
+            assert all(one["hit"] and one["focused"] and one["frames"] for one in tried), tried
             edits_its_python(engine)
             writes_a_function(engine)
         answers(engine)
@@ -124,6 +128,8 @@ def middle(engine: Engine, selector: str) -> tuple[float, float]:
     return x, y
 
 
+TRIED = """(figure, controls) =>
+  (TRY)(document.querySelector(`${figure} simulation-figure`), controls)"""
 ONE_LIVES = "document.querySelector('simulation-figure[data-state=live]') !== null"
 HAS_TERMS = "() => document.querySelector('#circle-of-confusion') !== null"
 MIDDLE = f"""async (selector) => {{

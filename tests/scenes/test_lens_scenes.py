@@ -10,7 +10,6 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.pictures.balloon import balloon
 from simulations.pictures.resolution_chart import resolution_chart
-from simulations.scenes._still_life_camera import floor_depth, floor_tangent
 from simulations.scenes.lens_aberrations.scene import SCENE as ABERRATIONS
 from simulations.scenes.lens_aberrations.scene import passing
 from simulations.scenes.lens_aberrations.stages import (
@@ -146,8 +145,6 @@ def test_the_floor_has_another_depth_in_its_row() -> None:
     for wanted in (2.0, 3.0, 5.0):
         row = floor_row(wanted) * len(depth) / HEIGHT
         assert np.interp(row - 0.5, np.arange(len(depth)), depth) == pytest.approx(wanted, rel=0.01)
-        assert floor_depth(floor_tangent(wanted)) == pytest.approx(wanted)
-    assert floor_depth(-0.1) == np.inf
 
 
 @pytest.mark.parametrize("name", ["red ball", "striped ball", "green ball"])
