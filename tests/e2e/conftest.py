@@ -48,7 +48,10 @@ def figure(guest: Reader, book: Any) -> Iterator[Locator]:
 
 STEADY_CLOCK = """() => {
   const usual = requestAnimationFrame;
-  let now = 0;
+  let [now, last] = [0, 0];
   globalThis.usualFrame = usual;
-  requestAnimationFrame = (draw) => usual(() => draw((now += 40)));
+  requestAnimationFrame = (draw) => usual((time) => {
+    if (time > last) [now, last] = [now + 40, time];
+    draw(now);
+  });
 }"""

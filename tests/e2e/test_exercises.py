@@ -3,7 +3,6 @@ is written, the reader is told something and the page goes on."""
 
 import json
 import re
-from typing import Any
 
 import pytest
 from playwright.sync_api import Locator, expect
@@ -29,10 +28,6 @@ def form(reader: Reader) -> Locator:
 
 def form_of(reader: Reader) -> Locator:
     return reader.page.locator(f"form[data-quiz={NAME}]")
-
-
-def program_of(form: Locator) -> Any:
-    return json.loads(form.locator(".quiz-data").inner_text())
 
 
 def check(form: Locator, text: str) -> str:
@@ -73,40 +68,6 @@ def test_a_function_is_written_judged_used_in_a_figure_and_kept(
     expect(form.locator("[data-use]")).to_be_disabled()
 
 
-def test_code_without_end_is_stopped(form: Locator) -> None:
-    form.locator("textarea").evaluate(WRITE, "def image_of(H, points):\n    while True: pass")
-    form.locator("button[type=submit]").click()
-    form.locator("[data-stop]").click()
-    expect(form.locator("[data-results]")).not_to_be_empty()
-    expect(form.locator("[data-stop]")).to_be_disabled()
-    expect(form.locator(".feedback")).to_be_empty()
-    assert form.get_attribute("data-answered") is None
-
-
-def test_names_are_offered_and_the_editor_can_still_be_left_by_escape_and_tab(
-    form: Locator,
-) -> None:
-    keyboard, offered = form.page.keyboard, form.locator(".cm-tooltip-autocomplete li")
-    form.locator("textarea").focus()
-    expect(form.locator(".cm-content")).to_be_focused(timeout=limit_ms())
-    keyboard.press("Control+a")
-    keyboard.type("def image_of(H, points):\nshifted = points + 1\nreturn sh")
-    expect(offered).to_have_text(["shifted"])
-    keyboard.press("Enter")
-    expect(form.locator("textarea")).to_have_value(re.compile(r"return sh\n +$"))
-    keyboard.type("sh")
-    expect(offered).to_have_text(["shifted"])
-    keyboard.press("ArrowDown")
-    keyboard.press("Enter")
-    expect(form.locator("textarea")).to_have_value(re.compile(r"\n +shifted$"))
-    keyboard.type(" + np.n")
-    expect(offered).to_have_text(["nan"])
-    keyboard.press("Escape")
-    keyboard.press("Tab")
-    expect(offered).to_have_count(0)
-    expect(form.locator("[type=submit]")).to_be_focused()
-
-
 def test_forgetting_all_answers_forgets_what_was_written(reader: Reader, form: Locator) -> None:
     starter = form.locator("textarea").input_value()
     check(form, "def image_of(H, points):\n    return H")
@@ -138,20 +99,45 @@ BODIES = (
     "return (yield)", "lambda: 0", "eval('1/0')", "exec('return 1')", "return points,",
 )  # fmt: skip
 TEXTS = (
-    "",
-    "def",
-    "def image_of(",
-    "x = 1",
-    "class image_of: pass",
-    "image_of = 3",
-    "\0",
-    "\ud800",
+    *("", "def", "def image_of(", "x = 1", "class image_of: pass", "image_of = 3", "\0", "\ud800"),
 )
 
 
-def test_whatever_is_written_gets_an_answer_and_leaves_the_page_whole(
+def names_are_offered(form: Locator) -> None:
+    """And the editor can still be left by Escape and Tab."""
+    keyboard, offered = form.page.keyboard, form.locator(".cm-tooltip-autocomplete li")
+    form.locator("textarea").focus()
+    expect(form.locator(".cm-content")).to_be_focused(timeout=limit_ms())
+    keyboard.press("Control+a")
+    keyboard.type("def image_of(H, points):\nshifted = points + 1\nreturn sh")
+    expect(offered).to_have_text(["shifted"])
+    keyboard.press("Enter")
+    expect(form.locator("textarea")).to_have_value(re.compile(r"return sh\n +$"))
+    keyboard.type("sh")
+    expect(offered).to_have_text(["shifted"])
+    keyboard.press("ArrowDown")
+    keyboard.press("Enter")
+    expect(form.locator("textarea")).to_have_value(re.compile(r"\n +shifted$"))
+    keyboard.type(" + np.n")
+    expect(offered).to_have_text(["nan"])
+    keyboard.press("Escape")
+    keyboard.press("Tab")
+    expect(offered).to_have_count(0)
+    expect(form.locator("[type=submit]")).to_be_focused()
+
+
+def test_names_are_offered_and_whatever_is_written_is_stopped_or_answered(
     reader: Reader, form: Locator
 ) -> None:
+    """The page is whole after it."""
+    names_are_offered(form)
+    form.locator("textarea").evaluate(WRITE, "def image_of(H, points):\n    while True: pass")
+    form.locator("button[type=submit]").click()
+    form.locator("[data-stop]").click()
+    expect(form.locator("[data-results]")).not_to_be_empty()
+    expect(form.locator("[data-stop]")).to_be_disabled()
+    expect(form.locator(".feedback")).to_be_empty()
+    assert form.get_attribute("data-answered") is None
     for body in BODIES:
         said = check(form, f"def image_of(H, points):\n    {body}")
         assert len(said) > len("Not yet. Try again."), body

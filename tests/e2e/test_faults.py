@@ -129,7 +129,6 @@ SAMPLE = {
     ),
     "Firefox": (
         ("numpy.zip", "login"),
-        ("snapshot.wasm", "changed"),
         ("main.js", "missing"),
     ),
     "WebKitGTK": (),

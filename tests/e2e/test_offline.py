@@ -2,7 +2,7 @@
 
 import threading
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -44,7 +44,6 @@ ROWS = {
     for moment, cell in zip(MOMENTS, cells, strict=True)
     for update, shown in zip(UPDATES, cell.split(), strict=False)
 }
-IN_FIREFOX = list(ROWS)[2::9]
 SAMPLE = [
     (stored, moment, update)
     for stored, moment, update in ROWS
@@ -162,19 +161,15 @@ def test_a_release_is_there_whole_or_not_at_all_whatever_is_stored_and_arrives(
     turn_of_releases(row, tab, host, sites)
 
 
-@pytest.mark.parametrize(
-    "rows",
-    [IN_FIREFOX[:2], pytest.param(IN_FIREFOX[2:], marks=pytest.mark.deep)],
-    ids=["some", "others"],
-)
+@pytest.mark.deep
 def test_a_release_is_there_whole_or_not_at_all_in_firefox(
-    rows: Sequence[tuple[str, str, str]], sites: Mapping[str, Path], tmp_path: Path
+    sites: Mapping[str, Path], tmp_path: Path
 ) -> None:
     opened = ENGINES["Firefox"](tmp_path)
     if opened is None:
         pytest.skip(f"Firefox: {HOW_TO}")
     with opened as firefox:
-        for row in rows:
+        for row in list(ROWS)[2::9]:
             with serving(sites["1"]) as host:
                 turn_of_releases(row, firefox, host, sites)
 

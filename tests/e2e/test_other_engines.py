@@ -17,39 +17,36 @@ HANDLE, SLIDER = f"{FIGURE} [data-handle=point]", f"{FIGURE} input[name=k1]"
 PART, LINE = f"{FIGURE} .workshop-part", f"{FIGURE} .cm-line"
 QUESTION, PREDICTION = "#quiz-outward-bow", "#predict-corner-of-a-barrel"
 ARROW_LEFT, ENTER, ESCAPE, HOME = "\ue012", "\ue007", "\ue00c", "\ue011"
-SPARING = pytest.param("WebKitGTK", False)
-"""It runs WebAssembly ten times as slowly: one start of Python, in `make test`."""
-WHOLE = [pytest.param("Firefox", True), pytest.param("WebKitGTK", True, marks=pytest.mark.deep)]
+NAMES = ["Firefox", pytest.param("WebKitGTK", marks=pytest.mark.deep)]
+"""WebKitGTK runs WebAssembly ten times as slowly."""
 
 
-@pytest.mark.parametrize(("name", "whole"), [*WHOLE, SPARING])
+@pytest.mark.parametrize("name", NAMES)
 def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goes_offline(
-    name: str, whole: bool, built_site: Path, book: Any, tmp_path: Path
+    name: str, built_site: Path, book: Any, tmp_path: Path
 ) -> None:
     with open_engine(name, tmp_path) as engine, serving(built_site) as host:
         engine.open(host.url + CHAPTER)
         wait_for(engine, f"() => {LIVE}")
         moves_a_figure(engine)
         (controls,) = (one["controls"] for one in book["simulations"] if one["id"] == SCENE)
-        if whole:
-            tried = engine.ask(TRIED.replace("TRY", TRY_CONTROLS), FIGURE, controls)
-            assert all(one["hit"] and one["focused"] and one["frames"] for one in tried), tried
-            edits_its_python(engine)
-            writes_a_function(engine)
+        tried = engine.ask(TRIED.replace("TRY", TRY_CONTROLS), FIGURE, controls)
+        assert all(one["hit"] and one["focused"] and one["frames"] for one in tried), tried
+        edits_its_python(engine)
+        writes_a_function(engine)
         answers(engine)
         searches(engine)
         click(engine, middle(engine, ".pager a[rel=next]"))
         wait_for(engine, "(left) => !location.pathname.endsWith(left)", CHAPTER)
         wait_for(engine, f"() => document.activeElement.id === 'main' && {ONE_LIVES}")
-        if whole:
-            engine.open(host.url + CHAPTER)
-            wait_for(engine, f"() => {ONE_LIVES}")
-            wait_for(engine, ANSWERED, PREDICTION, "correct")
+        engine.open(host.url + CHAPTER)
+        wait_for(engine, f"() => {ONE_LIVES}")
+        wait_for(engine, ANSWERED, PREDICTION, "correct")
         assert not engine.complaints()
         wait_for(engine, "() => Boolean(navigator.serviceWorker.controller)")
         host.gone = True
-        engine.open(host.url + ("perspective-projection/" if whole else "glossary/"))
-        wait_for(engine, f"() => {ONE_LIVES}" if whole else HAS_TERMS)
+        engine.open(host.url + "perspective-projection/")
+        wait_for(engine, f"() => {ONE_LIVES}")
 
 
 def writes_a_function(engine: Engine) -> None:
@@ -131,7 +128,6 @@ def middle(engine: Engine, selector: str) -> tuple[float, float]:
 TRIED = """(figure, controls) =>
   (TRY)(document.querySelector(`${figure} simulation-figure`), controls)"""
 ONE_LIVES = "document.querySelector('simulation-figure[data-state=live]') !== null"
-HAS_TERMS = "() => document.querySelector('#circle-of-confusion') !== null"
 MIDDLE = f"""async (selector) => {{
   const element = document.querySelector(selector);
   await ({BRING})(element);
