@@ -90,6 +90,10 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             from site_builder.scaffold.rename import rename
 
             print(rename(ROOT, given.old, given.new))
+        case "import":
+            from site_builder.scaffold.importing import import_file
+
+            print(import_file(ROOT, given.file))
         case "pdf" | "epub":
             # Readers of pages and printers are needed only here.
             from site_builder.editions.compose import compose
@@ -217,6 +221,8 @@ def _parser() -> argparse.ArgumentParser:
     rename = add("rename", "give a chapter or a section another id; old addresses lead to it")
     rename.add_argument("old", help="such as falling-ball or falling-ball#a-section")
     rename.add_argument("new", help="the new id")
+    imported = add("import", "make a notebook, or a page of MyST, a chapter of this book")
+    imported.add_argument("file", help="NAME.ipynb or NAME.md")
     for name, purpose in (
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
