@@ -152,15 +152,10 @@ def test_a_site_without_an_address_has_nothing_for_other_sites(
     assert all((b"canonical" in page) is (b"og:" in page) is bool(address) for page in pages)
 
 
-def test_only_a_site_at_the_root_of_a_host_has_a_file_for_robots(
-    site: Mapping[str, bytes],
-) -> None:
-    assert "robots.txt" not in site
-
-
 def test_packed_copies_hold_the_same_and_are_no_part_of_the_release(
     site: Mapping[str, bytes],
 ) -> None:
+    assert "robots.txt" not in site, "which belongs to the root of a host"
     for ending, unpacked in ((".br", brotli.decompress), (".gz", gzip.decompress)):
         copies = {name for name in site if name.endswith(ending)}
         assert {"first/index.html" + ending, "offline.json" + ending} <= copies

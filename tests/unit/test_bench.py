@@ -12,9 +12,6 @@ import pytest
 from bench.costs import beyond, keep
 from bench.drag import row
 from bench.slow_phone import drag_summary
-from support.places import ROOT
-
-from site_builder.benchmarks.readouts import Cost, read_cost
 
 BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_time())"
 
@@ -54,8 +51,3 @@ def test_a_slider_is_late_if_its_median_move_is() -> None:
     quick, late = (row("one", "a", [100.0, middle, 900.0], [1.0]) for middle in (200.0, 300.0))
     found = drag_summary([quick, quick, late])
     assert (found["sliders"], found["late"], found["slowest_ms"]) == (3, 1, 300.0)
-
-
-@pytest.mark.parametrize("name", ["cold ratio", "first slider_ms", "drags in_time", "heavy rate"])
-def test_costs_of_a_slow_phone_are_recorded(name: str) -> None:
-    assert isinstance(read_cost(ROOT, f"slow_phone {name}"), Cost)
