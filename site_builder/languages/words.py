@@ -8,11 +8,13 @@ chosen by ``count``. Scripts use the texts below ``script``.
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from hashlib import blake2b
 from pathlib import Path
+from string import Formatter
+from typing import Any
 
 from markupsafe import Markup
 
@@ -113,19 +115,21 @@ def languages(root: Path | None = None) -> tuple[str, ...]:
 def book_words(language: str, table: Mapping[str, object]) -> tuple[Words, dict[str, str], int]:
     """The words of a book's own file, what is wrong with them by key, and how many are missing."""
     known = load_words(language if language in languages() else "en").texts
-    given, faults = dict(_flat(table, "")), dict[str, str]()
+    given, faults = dict(_entries(table, "", known)), dict[str, str]()
     for key, text in given.items():
         if key not in known:
             faults[key] = unknown("text", key, known)
-        elif isinstance(text, str) != isinstance(known[key], str):
-            forms = "'one' and 'other'"
-            faults[key] = f"{key!r}; legal: {'a text' if isinstance(text, dict) else forms}"
-        elif (said := _named(text)) != (named := _named(known[key])):
-            legal = " ".join(f"{{{name}}}" for name in sorted(named)) or "no braces"
-            found = " ".join(f"{{{name}}}" for name in sorted(said)) or "none"
-            faults[key] = f"{key!r} has {found}; legal: {legal}"
+        elif isinstance(known[key], str) and not isinstance(text, str):
+            faults[key] = f"{key!r}; legal: a text"
+        elif not isinstance(text, str) and not _has_forms(text):
+            faults[key] = f"{key!r}; legal: a text for 'one' and a text for 'other', no more"
+        elif _named(text) != (named := _named(known[key])):
+            legal = " ".join(f"{{{name}}}" for name in sorted(named)) or "none"
+            faults[key] = f"{key!r} has other places in braces than English; legal: {legal}"
         elif '"' in "".join(_forms(text)):
             faults[key] = f"""{key!r} has '"', which ends attributes; legal: other quotes"""
+    if len(str(given.get("language.decimal", "."))) != 1:
+        faults["language.decimal"] = "'language.decimal'; legal: one sign"
     if given.get("language.direction", "ltr") not in DIRECTIONS:
         faults["language.direction"] = "'language.direction'; legal: 'ltr' or 'rtl'"
     sound = {key: text for key, text in given.items() if key not in faults}
@@ -139,9 +143,33 @@ def _forms(text: Text) -> list[str]:
     return [text] if isinstance(text, str) else [*text.values()]
 
 
+def _has_forms(text: object) -> bool:
+    return (
+        isinstance(text, dict)
+        and set(text) == FORMS
+        and all(isinstance(form, str) for form in text.values())
+    )
+
+
 def _named(text: Text) -> set[str]:
-    """The placeholders of a text."""
-    return {name for form in _forms(text) for name in re.findall(r"\{(.*?)\}", form)}
+    """The placeholders of a text; where its braces do not match, one that no text has."""
+    try:
+        parts = [part for form in _forms(text) for part in Formatter().parse(form)]
+    except ValueError:
+        return {"{"}
+    return {name for _, name, _, _ in parts if name is not None}
+
+
+def _entries(
+    table: Mapping[str, object], prefix: str, known: Collection[str]
+) -> Iterator[tuple[str, Any]]:
+    """All that a file has, down to the keys that are known."""
+    for name, value in table.items():
+        key = f"{prefix}{name}"
+        if isinstance(value, dict) and key not in known:
+            yield from _entries(value, f"{key}.", known)
+        else:
+            yield key, value
 
 
 def _flat(table: Mapping[str, object], prefix: str) -> Iterator[tuple[str, Text]]:

@@ -87,7 +87,8 @@ def read_outline(sources: Sources) -> Outline:
     settings, toml = read_settings(sources)
     own = settings.language
     if own not in (known := languages(sources.root)):
-        problems.add(OUTLINE, toml.line("language"), unknown("language", own, known))
+        said = f"unknown language {own!r}; legal: {', '.join(known)}, or {FOLDER}/{own}.toml"
+        problems.add(OUTLINE, toml.line("language"), said)
         settings = replace(settings, language="en")
     words = read_words(sources, settings.language).labelled(asdict(settings.labels))
     check_colours(settings, sources, toml)
@@ -114,7 +115,7 @@ def read_words(sources: Sources, language: str) -> Words:
     words, faults, missing = book_words(language, toml.table)
     for key, fault in faults.items():
         sources.problems.add(path, toml.line(*key.split(".")), fault)
-    if missing and language not in languages():
+    if missing and not faults and language not in languages():
         said = f"{missing} texts of the interface are missing, and English; better: all of them"
         sources.problems.warn(path, 1, said)
     return words

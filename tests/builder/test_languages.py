@@ -239,8 +239,17 @@ def test_a_language_of_the_book_s_own_is_read_from_its_folder_and_from_right_to_
     ("line", "message"),
     [
         ('[labels]\nfigur = "F"', "unknown text 'labels.figur'; did you mean 'labels.figure'"),
-        ('[labels]\nsection = "{titel}"', "'labels.section' has {titel}; legal: {title}"),
-        ('[chapter]\nminutes = "{count}"', "'chapter.minutes'; legal: 'one' and 'other'"),
+        (
+            '[labels]\nsection = "{titel}"',
+            "'labels.section' has other places in braces than English; legal: {title}",
+        ),
+        (
+            '[chapter]\nminutes = { one = "{count} min" }',
+            "'chapter.minutes'; legal: a text for 'one'",
+        ),
+        ("[labels]\nfigure = 3", "'labels.figure'; legal: a text"),
+        ('[labels]\nfigure = "F {"', "'labels.figure' has other places in braces"),
+        ('[language]\ndecimal = "comma"', "'language.decimal'; legal: one sign"),
         ('[language]\ndirection = "left"', "'language.direction'; legal: 'ltr' or 'rtl'"),
     ],
 )
@@ -249,6 +258,6 @@ def test_a_wrong_word_of_the_book_s_own_is_reported_at_its_line(
 ) -> None:
     outline = OUTLINE + 'language = "xx"\n'
     files = {"content/languages/xx.toml": f"{line}\n", "content/book.toml": outline}
-    (found,) = [one for one in diagnostics(make_book("Text.\n", files)) if one.fails]
+    (found,) = diagnostics(make_book("Text.\n", files))
     assert (found.path, found.line) == ("content/languages/xx.toml", 2)
     assert found.message.startswith(message)
