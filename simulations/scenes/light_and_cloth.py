@@ -26,7 +26,17 @@ from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.color.surfaces import LEAST, MOST
 from simulations.scenes import _spectra
-from simulations.scenes._spectra import DAYLIGHT, HEIGHT, NAMES, WIDTH, Chart, LitSurface
+from simulations.scenes._spectra import (
+    CELL,
+    DAYLIGHT,
+    HEIGHT,
+    LEFT,
+    NAMES,
+    UNIT,
+    WIDTH,
+    Chart,
+    LitSurface,
+)
 
 ROWS = (("in this light", "world"), ("by day", "world"))
 VISIBLE = 2.0  # just noticeable ΔE
@@ -80,8 +90,20 @@ def white_xy(light: Floats) -> tuple[float, float]:
 
 
 def picture(seen: Seen, twin: bool) -> Raster:
-    """The patches; twins in the lower halves."""
-    return chart(twin).paint((seen.here, seen.by_day), twin=twin)
+    """The surfaces, hung side by side like cloths; twins in the lower halves."""
+    flat = chart(twin).paint((seen.here, seen.by_day), twin=twin)
+    cloths = flat.repeat(UNIT, axis=0).repeat(UNIT, axis=1)
+    cloths[..., :3] = np.rint(cloths[..., :3] * folds()[..., None])
+    return cloths
+
+
+@cache
+def folds() -> Floats:
+    """(H, W) by how much the folds darken the cloths; not at all along the middle of each."""
+    down, across = np.mgrid[:HEIGHT, :WIDTH] + 0.5
+    aside = 2.0 * ((across - LEFT) / CELL % 1.0) - 1.0
+    swing = aside + 0.22 * (1.0 - aside**2) * np.sin(down / 37.0 + 2.6 * ((across - LEFT) // CELL))
+    return np.asarray(1.0 - 0.34 * np.abs(swing) ** 2.5)
 
 
 STAGES = (
@@ -103,8 +125,8 @@ def spectra(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -> str:
         _spectra.curve(pair[1], "world dashed") if twin else "",
         _spectra.curve(pair[0], "world bold"),
         text((40, LEGEND), "light", "light strong"),
-        text((92, LEGEND), "× surface", "world strong"),
-        text((178, LEGEND), "= what it sends back", "ray strong"),
+        text((80, LEGEND), "× surface", "world strong"),
+        text((154, LEGEND), "= what it sends back", "ray strong"),
     ]
     if twin:
         parts.append(text((386, LEGEND + 17), "twin, dashed", "world small ground", "end"))
@@ -195,7 +217,7 @@ def draw(settings: LitSurface, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel("light", "Light × cloth", *size, sent_back, curves, lead=True),
-            Panel("patches", "What the eye sees", *size, *patches, pixelated=True),
+            Panel("patches", "What the eye sees", *size, *patches),
             Panel("diagram", "Colours without brightness", *size, horseshoe(), colours),
         ),
         (

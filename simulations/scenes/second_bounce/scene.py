@@ -230,7 +230,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     title = f"Bounces: {BOUNCES[settings.bounces].lower()}"
     return Frame(
         (
-            Panel("picture", title, *size, outputs["picture"], marks(settings)),
+            Panel("picture", title, *size, outputs["picture"], marks(settings), lead=True),
             Panel("first", "The first bounce only", *size, outputs["first picture"]),
             Panel(
                 "profile",
