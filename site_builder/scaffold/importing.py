@@ -71,7 +71,10 @@ def import_file(root: Path, file: str) -> str:
         raise ScaffoldError(f"{file!r}; legal: a notebook, NAME.ipynb, or a page of MyST, NAME.md")
     stem = re.sub("[^a-z0-9]+", "-", re.sub(r"^\d+[-_ ]*", "", source.stem).lower()).strip("-")
     page = Page(root, source, Name(stem or "imported"))
-    text = source.read_text(encoding="utf-8-sig").replace("\r\n", "\n")
+    try:
+        text = source.read_text(encoding="utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError:
+        raise ScaffoldError(f"{file!r} is not UTF-8; legal: UTF-8") from None
     cells = [*(_notebook(text) if source.suffix == ".ipynb" else _myst(text))]
     page.labels = {
         next(filter(None, found)) for _, words, _ in cells for found in LABELS.findall(words)

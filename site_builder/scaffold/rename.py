@@ -4,6 +4,7 @@ and wherever the book refers to it. Old addresses go on leading there: of a chap
 """
 
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -13,9 +14,11 @@ from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.book import OUTLINE, Book
 from site_builder.document.places import chapter_id
 from site_builder.files.text import HEAD, KEY
+from site_builder.languages.words import languages
 from site_builder.markdown.numbering import GIVEN, LABEL_FORM, slug
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.text.tokens import plain_text
+from site_builder.sources.outline import OWN_FOLDERS
 
 NAMING = {
     "chapters", "appendices", "parts", "starts", "stops", "redirects",
@@ -113,9 +116,12 @@ def rename(root: Path, old: str, new: str) -> str:
     new id. Raises `ValueError` before anything is written."""
     book = load(Options(root, runtime=False)).book
     chapter, _, section = old.partition("#")
+    chapter, (other, _, word) = chapter_id(chapter), new.rpartition("#")
+    if other not in ("", chapter):
+        raise ValueError(f"{new!r} is in another chapter; legal: '{chapter}#…'")
     having = [each.id for each in book.chapters if section in each.anchors]
-    renaming = Renaming(chapter, section, new.rpartition("#")[2], alone=len(having) == 1)
-    _check(book, renaming)
+    renaming = Renaming(chapter, section, word, alone=len(having) == 1)
+    _check(book, renaming, (*OWN_FOLDERS, *languages(root)))
     changed: list[str] = []
     for file in sorted((root / "content").rglob("*.*")):
         text = file.read_text("utf-8") if file.suffix in (".md", ".toml") else ""
@@ -134,7 +140,7 @@ def rename(root: Path, old: str, new: str) -> str:
     return "\n".join([*changed, "next: python -m site_builder check"])
 
 
-def _check(book: Book, given: Renaming) -> None:
+def _check(book: Book, given: Renaming, folders: Collection[str]) -> None:
     chapters = {each.id: each for each in book.chapters}
     if given.chapter not in chapters:
         raise ValueError(unknown("chapter", given.chapter, chapters))
@@ -142,7 +148,7 @@ def _check(book: Book, given: Renaming) -> None:
     sections = [heading.id for heading in chapter.headings]
     if given.section and given.section not in sections:
         raise ValueError(unknown(f"section of {given.chapter}", given.section, sections))
-    if not LABEL_FORM.fullmatch(given.word):
-        raise ValueError(f"{given.word!r}; legal: small letters, digits and hyphens")
-    if given.word in (chapter.anchors if given.section else chapters):
+    if not LABEL_FORM.fullmatch(given.word) or chapter_id(given.word) != given.word:
+        raise ValueError(f"{given.word!r}; legal: small letters, digits, hyphens; no number first")
+    if given.word in (chapter.anchors if given.section else (*chapters, *folders)):
         raise ValueError(f"{given.word!r} is taken; legal: another name")

@@ -81,6 +81,9 @@ def test_renamed_back_the_sources_are_as_they_were(book: MakeBook) -> None:
         ("first#naer", "close", "unknown section of first 'naer'"),
         ("first", "second", "'second' is taken"),
         ("first#near", "figure-demo", "'figure-demo' is taken"),
+        ("first", "glossary", "'glossary' is taken"),
+        ("first", "01-begin", "no number first"),
+        ("first#near", "second#close", "is in another chapter"),
         ("first", "Begin it", "legal: small letters"),
     ],
 )
