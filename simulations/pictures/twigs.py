@@ -18,6 +18,7 @@ TREES = (
     (-0.06, 1.02, -42, 0.36),
     (-0.05, 0.06, 32, 0.3),
     (0.52, -0.09, 96, 0.22),
+    (0.94, 1.04, -84, 0.15),
 )
 THICK = 0.02  # radius of a branch where it enters, in heights
 LEVELS, THINNEST_PX = 7, 0.3
