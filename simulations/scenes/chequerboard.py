@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.drafting import dimension
+from simulations.engine.drafting import dimension, swatch_polygon
 from simulations.engine.drawing import rectangle, text
 from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number
@@ -30,6 +30,17 @@ PAPERS = {
     "us": {"Letter": (279.4, 215.9), "Tabloid": (431.8, 279.4), "ANSI C": (558.8, 431.8)},
 }
 """Width and height in mm of sheets that lie on their long side (ISO 216; ANSI Y14.1)."""
+PENCIL_MM, THICK_MM = 175.0, 7.5
+PENCIL_END = (388.0, 284.0)  # of its rubber, in units; it points to the left
+PENCIL: tuple[tuple[tuple[float, float], tuple[float, float], tuple[float, float, float]], ...] = (
+    # Shares of the length, shares of the thickness, and the colour (sRGB) of each part
+    ((0.0, 0.05), (0.0, 1.0), (0.85, 0.52, 0.50)),
+    ((0.05, 0.10), (0.0, 1.0), (0.72, 0.72, 0.70)),
+    ((0.10, 0.89), (0.0, 0.33), (0.98, 0.80, 0.30)),
+    ((0.10, 0.89), (0.33, 0.67), (0.93, 0.70, 0.16)),
+    ((0.10, 0.89), (0.67, 1.0), (0.74, 0.50, 0.10)),
+)
+WOOD, LEAD = (0.91, 0.76, 0.57), (0.2, 0.2, 0.22)
 ACROSS, DOWN = (4, 16), (3, 12)  # least and most squares
 
 
@@ -115,6 +126,26 @@ def table() -> NDArray[np.float32]:
     return np.asarray(grain[..., None] * OAK, np.float32)
 
 
+def pencil(units_per_mm: float) -> str:
+    """A pencil on the table, to the scale of the sheet."""
+    long, thick = PENCIL_MM * units_per_mm, THICK_MM * units_per_mm
+
+    def at(along: float, aside: float) -> Point:
+        return PENCIL_END[0] - along * long, PENCIL_END[1] + (aside - 0.5) * thick
+
+    bars = (
+        swatch_polygon([at(a, top), at(b, top), at(b, foot), at(a, foot)], colour)
+        for (a, b), (top, foot), colour in PENCIL
+    )
+    return "".join(
+        (
+            *bars,
+            swatch_polygon([at(0.89, 0.0), at(1.0, 0.5), at(0.89, 1.0)], WOOD),
+            swatch_polygon([at(0.97, 0.36), at(1.0, 0.5), at(0.97, 0.64)], LEAD),
+        )
+    )
+
+
 def draw(settings: Settings, _outputs: Outputs) -> Frame:
     """The sheet with the board, and the size of both."""
     board = board_of(settings)
@@ -125,10 +156,12 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     width, height = sheet.scale * sheet.width_mm, sheet.scale * sheet.height_mm
     (left, top), (right, _) = sheet.place(0.0, 0.0), sheet.place(board.side_mm, 0.0)
     above = top - 8.0  # of the first square, whose side is dimensioned
-    ruler = f"{paper}, {size} mm; ruler {board.ruler_mm} mm"
+    ruler_end, ruler = sheet.place(board.ruler_mm, (board.down + 1) * board.side_mm)
     overlay = (
         rectangle((LEFT, TOP), width, height, "muted thin")
-        + text((LEFT + 6.0, TOP + height + 24.0), ruler, "small ground")
+        + pencil(sheet.scale)
+        + text((LEFT + 6.0, TOP + height + 24.0), f"{paper}, {size} mm", "small ground")
+        + text((ruler_end + 6.0, ruler + 4.0), f"{board.ruler_mm} mm", "world small ground")
         + dimension((left, above), (right, above), "casing")
         + dimension((left, above), (right, above), "world")
         + text((right + 6.0, above + 4.0), f"{settings.side} mm", "world small ground")
@@ -141,7 +174,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
             Readout("paper", "Paper", paper, f"{size} mm"),
         ),
         f"A chequerboard of {settings.across} × {settings.down} squares of {settings.side} mm "
-        f"with {corners} inner corners, on paper {paper} of {size} mm.",
+        f"with {corners} inner corners, on paper {paper} of {size} mm, beside a pencil.",
     )
 
 
