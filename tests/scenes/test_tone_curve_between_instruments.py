@@ -2,6 +2,7 @@
 an edge."""
 
 import json
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -74,6 +75,31 @@ def test_the_curve_of_another_camera_counts() -> None:
     readings = (Reading(1, "given", given),)
     outputs = SHARPNESS.run(SHARPNESS.check({}), "", StageCache(), edge, readings).outputs
     assert outputs["tone"].strength == 0
+
+
+@pytest.mark.parametrize(
+    "curve",
+    [
+        lambda codes: 0.4 * codes + 0.6 * codes**2 * (3 - 2 * codes),
+        lambda codes: codes**1.2,
+        lambda codes: 1 - (1 - codes) ** 1.3,
+    ],
+    ids=["S", "toe", "shoulder"],
+)
+def test_a_curve_of_another_family_widens_the_error(curve: Callable[[Floats], Floats]) -> None:
+    """Sharpness under the fitted curve, of a 20 : 1 edge, misses by at most 2.5 errors."""
+    seconds = 0.5 ** np.arange(1, 10)
+    told = tone_by_exposures(decode_srgb(curve(encode_srgb(0.9 * 2 * seconds))), seconds)
+    assert told is not None
+    given = {"value": told[0], "standard_error": told[1]}
+    light = 0.04 + 0.76 * gaussian_edge(300, 400, 5.0, 0.9)
+    codes = np.rint(255 * curve(encode_srgb(light))).astype(np.uint8)
+    edge = Photograph(1, np.repeat(codes[..., None], 3, axis=2), "", CAMERA)
+    readings = (Reading(1, "given", {"model": "A, B", "tone_curve": given}),)
+    outputs = SHARPNESS.run(SHARPNESS.check({}), "", StageCache(), edge, readings).outputs
+    half = outputs["sharpness"].half
+    assert outputs["tone"].strength == told[0]
+    assert abs(half.frequency - gaussian_half(0.9)) < 2.5 * half.error
 
 
 @pytest.mark.parametrize("frames", [4, 6, 12])

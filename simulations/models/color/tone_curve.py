@@ -40,20 +40,31 @@ def tone_by_exposures(light: Floats, exposures: Floats) -> tuple[float, float] |
     """Strength of a camera's curve and its standard error; ``None`` if there are too few frames.
 
     ``light`` (N,) is what the codes of evenly lit frames mean in sRGB, 1 for white; ``exposures``
-    (N,) are in any unit, NaN where they are not known. The error follows from how far the frames
-    are from one curve.
+    (N,) are in any unit, NaN where they are not known. No camera has just this family of curves:
+    what the frames are off by more than their shutters is taken for one common fault, and the
+    strength of the darker ones is compared with that of the brighter ones.
     """
     codes = encode_srgb(np.clip(light, 0.0, 1.0))
-    used = (codes > USABLE[0]) & (codes < USABLE[1]) & (exposures > 0)
-    stops = np.log2(exposures[used])
-    if len(np.unique(stops)) < FEWEST:
+    used = np.flatnonzero((codes > USABLE[0]) & (codes < USABLE[1]) & (exposures > 0))
+    used = used[np.argsort(codes[used])]
+    stops, count = np.log2(exposures[used]), len(used)
+    if len(set(stops.tolist())) < FEWEST:
         return None
     found = [np.log2(decode_srgb(without_tone_curve(codes[used], each))) for each in STRENGTHS]
     off = np.array(found) - stops
-    off -= off.mean(axis=1, keepdims=True)  # stops by which each frame differs from their mean
+    strength, scatter, slope = _best(off)
+    common = math.sqrt(count * max(scatter**2 - LEAST_STOPS**2, 0.0))
+    third = count // 3
+    apart = _best(off[:, third:])[0] - _best(off[:, :-third])[0] if third > 1 else 0.0
+    return strength, math.hypot(LEAST_STOPS / slope, common / slope, apart)
+
+
+def _best(off: Floats) -> tuple[float, float, float]:
+    """The strength for which frames differ least by their stops (strengths, N), the deviation that
+    is left, and how much they change with the strength, root of the sum of squares."""
+    off = off - off.mean(axis=1, keepdims=True)
     best = int(np.argmin((off**2).sum(axis=1)))
     slope = np.gradient(off, STRENGTHS, axis=0)[best]
     strength = STRENGTHS[best] - (slope @ off[best]) / (slope @ slope)
-    scatter = math.sqrt((off[best] @ off[best]) / (len(stops) - 2))
-    error = max(scatter, LEAST_STOPS) / math.sqrt(slope @ slope)
-    return float(strength), error
+    scatter = math.sqrt((off[best] @ off[best]) / max(len(slope) - 2, 1))
+    return float(strength), scatter, math.sqrt(slope @ slope)

@@ -81,7 +81,8 @@ def centred_pixels() -> Floats:
 def pixel_radii() -> Radii:
     # Twice a coordinate is an odd whole number, so that equal radii are exactly equal.
     doubled = np.rint(2.0 * centred_pixels()).astype(np.int64)
-    squares, of_pixel = np.unique((doubled**2).sum(axis=-1).ravel(), return_inverse=True)
+    lengths = (doubled**2).sum(axis=-1).ravel()
+    squares, of_pixel = np.unique(lengths, return_inverse=True)  # noqa: TID251, as it has indices
     return Radii(np.sqrt(squares) / (2.0 * FOCAL_PX), of_pixel.astype(np.intp))
 
 

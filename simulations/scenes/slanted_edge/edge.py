@@ -246,7 +246,8 @@ def tone_of(photograph: Photograph | None, response: str, readings: Readings) ->
         return Tone()
     for reading in readings:
         told = reading.data["tone_curve"]
-        if "value" in told and reading.data["model"] == model_of(photograph.facts):
+        is_same = reading.data["model"] == model_of(photograph.facts)
+        if is_same and told.get("standard_error", TYPICAL) < TYPICAL:
             return Tone(told["value"], told["standard_error"])
     return Tone(error=TYPICAL)
 
