@@ -32,7 +32,8 @@ CENTRE, RADIUS = (200.0, 170.0), 122.0  # the widest circle, in view box units
 PIXELS_PER_UNIT = 1.75  # raster pixels per unit of the view box
 RADIUS_PX = RADIUS * PIXELS_PER_UNIT
 LONGEST_NAME = 116.0  # room for the name of a point, in view box units
-SHELF = np.array([0.20, 0.11, 0.05], np.float32)  # linear RGB of the board under the vase
+SHELF = np.array([0.20, 0.11, 0.05], np.float32)  # linear RGB of the board under the body
+LEAST_FOOT = 0.12  # half the width of the darkest shadow there, in radii
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +65,7 @@ class Body:
     rim: Mask  # (h, w) pixels that it covers partly
     rim_coverage: Picture  # (rim pixels, 1) share of the pixel that it covers
     behind_rim: Picture  # (rim pixels, 3) linear light of the wall there
-    backdrop: NDArray[np.uint8]  # (H, W, 4) the wall alone
+    backdrop: NDArray[np.uint8]  # (H, W, 4) wall and shelf alone
     square: tuple[slice, slice]  # place of the square in the picture
 
 
@@ -91,10 +92,8 @@ def build_body(shape: Shape) -> Body:
     coverage = np.minimum(within, ends).astype(np.float32)
     rim = (coverage > 0) & (coverage < 1)
     wall = slate_wall(across, up)
-    if shape is VASE:
-        wall[up < low] = shelf(
-            across, low - up[up < low], RADIUS_PX * math.sqrt(shape.squared(shape.low))
-        )
+    foot = RADIUS_PX * max(math.sqrt(shape.squared(shape.low)), LEAST_FOOT)
+    wall[up < low] = shelf(across, low - up[up < low], foot)
     return Body(
         shape=shape,
         x=x,
