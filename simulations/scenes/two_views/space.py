@@ -28,7 +28,7 @@ FLOOR_M = float(EYE[2])  # Y of the floor
 FAR_M = 60.0  # length of drawn rays, beyond the panel
 AXIS_M = 2.2  # distance of the handle on the right camera's axis
 SCREEN_M = 1.1  # distance of the drawn picture from its camera
-TICKS_M = (2.0, 4.0, 6.0, 8.0)
+TICKS_M = (4.0, 6.0)
 PICTURE: Floats = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * (HALF_WIDTH_PX, HALF_HEIGHT_PX)
 
 
@@ -92,12 +92,8 @@ def segment(look: View, points: list[Floats], style: str) -> str:
 def depths(look: View) -> str:
     """The depth along the floor, ahead of the left camera."""
     along = np.array([(0.0, FLOOR_M, Z) for Z in (0.0, *TICKS_M, 9.0)])
-    places = look.all(along).tolist()
-    parts = [segment(look, [along[0], along[-1]], "muted thin")]
-    for Z, (x, y) in zip(TICKS_M, places[1:-1], strict=True):
-        parts.append(drawing.dot((x, y), "muted", 2.0))
-        parts.append(drawing.text((x, y - 6.0), f"{Z:.0f} m", "muted small", "middle"))
-    return "".join(parts)
+    dots = (drawing.dot(place, "muted", 2.0) for place in look.all(along[1:-1]).tolist())
+    return "".join((segment(look, [along[0], along[-1]], "muted thin"), *dots))
 
 
 def cameras(view: LampView, look: View) -> list[str]:
@@ -147,6 +143,9 @@ def names(view: LampView, look: View) -> str:
     ]
     if view.nearest < view.farthest:
         labels.append(Label(range_, "depths that fit", "error small ground", "below", 14.0))
+    labels += [
+        Label(look.at(0.0, FLOOR_M, Z), f"{Z:.0f} m", "muted small", "below", 6.0) for Z in TICKS_M
+    ]
     rays = [(origin, lamp), (other, lamp), (other, axis)]
     curves: list[list[drawing.Point]] = [list(ends) for ends in rays]
     return place_labels(labels, INSIDE, curves)
