@@ -171,6 +171,8 @@ def test_unlike_photographs_make_a_pair(photographs: list[Photograph], left_over
     assert outputs["frames"].left_over == left_over
     assert SCENE.measured
     assert SCENE.measured(outputs) == (1, 2)
+    lines = [line.name for line in sheet(SCENE.check({}), outputs)]
+    assert lines.index("left_over") <= 3  # in sight
 
 
 def test_the_pair_of_another_photograph_is_ringed() -> None:

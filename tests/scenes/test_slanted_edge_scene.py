@@ -128,6 +128,8 @@ def test_the_pitch_differs_from_focal_length_and_equivalent() -> None:
     run = SCENE.run(settings, "", StageCache(), photograph(300, 200, **facts))
     lines = {line.name: line.text for line in sheet(settings, run.outputs)}
     assert float(lines["pitch"]) == pytest.approx(18.64, abs=0.01)
+    per_mm, per_px = (float(lines[name].split()[0]) for name in ("mtf50_mm_1", "mtf50_1"))
+    assert per_mm == pytest.approx(1000 / 18.64 * per_px, rel=0.02)
     assert lines["mtf50_1"].startswith(f"{HALF:.2f}")
 
 

@@ -124,7 +124,7 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     if not frames.names:
         return ()
     main = "noise" if outputs["sensor"][frames.main].read_noise.reason else "read"
-    first = (main, "gain", "pairs", "taken")
+    first = (main, "gain", "pairs", "left_over" if frames.left_over else "taken")
     of = {line.name: line for line in lines(frames, outputs)}
     return tuple(of[name] for name in dict.fromkeys((*first, *of)) if name in of)
 

@@ -200,7 +200,7 @@ def named(level: Level, black_dn: float) -> Iterator[str]:
         (8.0, "one frame: its light", level.mean_dn - black_dn),
         (CELL * (COLUMNS + GAP) + 8.0, "difference of two: its noise", noise),
     ):
-        words = f"{format_number(number, 0)} DN"
+        words = f"{format_number(number, 0 if number >= 10 else 2)} DN"
         yield text((left, 22), what, "image small ground")
         yield text((left, HEIGHT - 14), words, "image large strong ground")
 

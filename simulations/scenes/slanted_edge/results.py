@@ -85,7 +85,14 @@ def direction(reading: EdgeReading) -> str:
 
 
 def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
-    """The lines of the data sheet: of the places that were kept, or else of the rectangle."""
+    """The lines of the data sheet: of the places that were kept, or else of the rectangle.
+
+    A pixel pitch that nobody set is that of the file, if it says one.
+    """
+    photograph = outputs["photograph"]
+    by_file = pitch_um(photograph)
+    if by_file and settings.pitch == Settings().pitch:
+        settings = replace(settings, pitch=by_file)
     shown = KeptEdge(outputs["box"], outputs["sharpness"])
     places: tuple[KeptEdge, ...] = outputs["places"] or (shown,)
     found = [place for place in places if place.sharpness.reading is not None]
@@ -94,7 +101,6 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         for number, place in enumerate(found, 1)
         for line in lines_of(number, place, settings, outputs)
     ]
-    photograph = outputs["photograph"]
     taken = (*taken_with(photograph), *pitch_by_file(photograph))
     return (*lines[:2], *taken, *lines[2:]) if lines else ()
 
@@ -109,7 +115,7 @@ def lines_of(
     label = f"MTF50, {middle} % from the middle to the corner, along the {direction(reading)}"
     value = value_with_error(half.frequency, half.error)
     yield Readout(f"mtf50_{number}", label, value, PER_PX)
-    label = f"The same with pixels of {format_number(settings.pitch, 1)} µm"
+    label = f"The same with pixels of {format_number(settings.pitch, 2)} µm"
     value = value_with_error(scale * half.frequency, scale * half.error)
     yield Readout(f"mtf50_mm_{number}", label, value, PER_MM)
     if place.sharpness.tone:
