@@ -48,13 +48,15 @@ DOORWAY = (5.2, 6.1, 2.05)
 """The door in the right wall: from y to y, and its height; metres."""
 WINDOW = (2.2, 4.6, 0.9, 2.5)
 """The window in the left wall: y from, to, z from, to; metres."""
+SLATE = (-3.4, -1.9, 0.9, 2.1)
+"""The slate on the near wall: x from, to, z from, to; metres."""
 PICTURES = (
     ((-1.6, 0.0, 1.15, 2.25), (0.50, 0.31, 0.12), (0.62, 0.55, 0.42)),
     ((0.6, 1.5, 1.25, 2.15), (0.07, 0.20, 0.21), (0.60, 0.53, 0.41)),
     ((2.4, 4.2, 1.3, 2.3), (0.42, 0.11, 0.06), (0.56, 0.50, 0.40)),
 )
-"""On the side walls: y from, to, z from, to in metres, and the colours of sky and land. The last
-hangs on the right wall alone, where the left one has its window."""
+"""On the walls: y from, to (on the near wall x), z from, to in metres, and the colours of sky and
+land. The last hangs on the right wall alone, where the left one has its window."""
 SKY, BOUNCE = np.array([0.62, 0.80, 1.05]), 2.2 * light.BOUNCE
 """Light of the window, and from the floor of the whole room; linear RGB."""
 
@@ -178,7 +180,7 @@ def _wall_colours(points: Floats, identity: Identity) -> Planes:
     painters = (
         _window_wall,
         _door_wall,
-        _plain,
+        _near_wall,
         surfaces.wall_albedo,
         surfaces.floor_albedo,
         _ceiling,
@@ -191,8 +193,10 @@ def _wall_colours(points: Floats, identity: Identity) -> Planes:
     return albedo
 
 
-def _plain(points: Floats, _area: bool) -> Planes:
-    return surfaces.mixed(PLASTER, PLASTER, np.zeros(points.shape[:2]))
+def _near_wall(points: Floats, area: bool) -> Planes:
+    """Behind the first camera: a slate, and pictures as on the side walls."""
+    side = _side(points, area, across=0)
+    return surfaces.laid_over(_framed(side, SLATE, 2), 0.5 * DOOR, side.opening(SLATE))
 
 
 def _ceiling(points: Floats, area: bool) -> Planes:
@@ -204,7 +208,7 @@ def _ceiling(points: Floats, area: bool) -> Planes:
 
 @dataclass(frozen=True, slots=True)
 class _Side:
-    """Places on a side wall: y and z of each pixel, and how far it reaches in both."""
+    """Places on a wall: y (on the near wall x) and z of each pixel, and how far it reaches."""
 
     y: Floats
     z: Floats
@@ -217,8 +221,8 @@ class _Side:
         return band(self.y, left, right, self.wide) * band(self.z, bottom, top, self.high)
 
 
-def _side(points: Floats, area: bool) -> _Side:
-    y, z = points[..., 1], points[..., 2]
+def _side(points: Floats, area: bool, across: int = 1) -> _Side:
+    y, z = points[..., across], points[..., 2]
     return _Side(y, z, pixel_width(y, area), pixel_width(z, area))
 
 
