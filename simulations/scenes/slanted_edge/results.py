@@ -112,7 +112,8 @@ def lines_of(
     reading, half, scale = place.sharpness.reading, place.sharpness.half, per_mm(settings)
     assert reading is not None
     middle = format_number(off_middle(place.box, outputs), 0)
-    label = f"MTF50, {middle} % from the middle to the corner, along the {direction(reading)}"
+    where = f"{middle} % of the way from the middle to the corner"
+    label = f"MTF50, {where}, along the {direction(reading)}"
     value = value_with_error(half.frequency, half.error)
     yield Readout(f"mtf50_{number}", label, value, PER_PX)
     label = f"The same with pixels of {format_number(settings.pitch, 2)} µm"
