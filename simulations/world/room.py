@@ -48,9 +48,10 @@ DOORWAY = (5.2, 6.1, 2.05)
 """The door in the right wall: from y to y, and its height; metres."""
 WINDOW = (2.2, 4.6, 0.9, 2.5)
 """The window in the left wall: y from, to, z from, to; metres."""
-SLATE = (-3.4, -1.9, 0.9, 2.1)
+SLATE = (2.2, 3.8, 0.9, 2.1)
 """The slate on the near wall: x from, to, z from, to; metres."""
 PICTURES = (
+    ((-4.3, -2.7, 1.1, 2.2), (0.55, 0.42, 0.22), (0.16, 0.24, 0.13)),
     ((-1.6, 0.0, 1.15, 2.25), (0.50, 0.31, 0.12), (0.62, 0.55, 0.42)),
     ((0.6, 1.5, 1.25, 2.15), (0.07, 0.20, 0.21), (0.60, 0.53, 0.41)),
     ((2.4, 4.2, 1.3, 2.3), (0.42, 0.11, 0.06), (0.56, 0.50, 0.40)),
@@ -196,7 +197,7 @@ def _wall_colours(points: Floats, identity: Identity) -> Planes:
 def _near_wall(points: Floats, area: bool) -> Planes:
     """Behind the first camera: a slate, and pictures as on the side walls."""
     side = _side(points, area, across=0)
-    return surfaces.laid_over(_framed(side, SLATE, 2), 0.5 * DOOR, side.opening(SLATE))
+    return surfaces.laid_over(_framed(side, SLATE, 3), 0.5 * DOOR, side.opening(SLATE))
 
 
 def _ceiling(points: Floats, area: bool) -> Planes:
@@ -248,7 +249,7 @@ def _wider(
 def _door_wall(points: Floats, area: bool) -> Planes:
     left, right, top = DOORWAY
     side, bounds = _side(points, area), (left, right, 0.0, top)
-    door = surfaces.laid_over(_framed(side, bounds, 3), DOOR, side.opening(bounds))
+    door = surfaces.laid_over(_framed(side, bounds, 4), DOOR, side.opening(bounds))
     for low, high in ((0.2, 0.9), (1.05, 1.85)):
         panel = (left + 0.14, right - 0.14, low, high)
         door = surfaces.laid_over(door, 0.7 * DOOR, side.opening(panel))
@@ -266,7 +267,7 @@ def _panes(side: _Side) -> Floats:
 
 def _window_wall(points: Floats, area: bool) -> Planes:
     side = _side(points, area)
-    return surfaces.laid_over(_framed(side, WINDOW, 2), np.zeros(3), _panes(side))
+    return surfaces.laid_over(_framed(side, WINDOW, 3), np.zeros(3), _panes(side))
 
 
 def _pixels(
