@@ -46,7 +46,11 @@ export class DataSheet {
   /** Show the present results, once the figures rest. */
   refresh() {
     clearTimeout(timer);
-    timer = setTimeout(async () => this.#show(await this.#parts()), PAUSE);
+    const own = setTimeout(async () => {
+      const parts = await this.#parts();
+      if (own === timer) this.#show(parts); // else later ones are under way
+    }, PAUSE);
+    timer = own;
   }
 
   press({ classList }: HTMLButtonElement) {
