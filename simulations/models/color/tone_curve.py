@@ -12,6 +12,7 @@ import numpy as np
 
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.require import require
 
 TYPICAL = 0.5
 """Standard deviation of the strength among cameras."""
@@ -26,14 +27,25 @@ LEAST_STOPS = 0.05
 
 
 def tone_curve(codes: Floats, strength: float) -> Floats:
-    """Codes (...) from 0 to 1, steeper by ``strength`` in the middle tones, flatter at the ends."""
+    """Codes (...) from 0 to 1, steeper by ``strength`` in the middle tones, flatter at the ends.
+
+    Raises `ValueError` for other codes, and for strengths that are not between -1 and 1.
+    """
+    codes = _checked(codes)
+    require("strength", strength, -1 < strength < 1, "between -1 and 1")
     return codes - strength / (2 * np.pi) * np.sin(2 * np.pi * codes)
 
 
 def without_tone_curve(codes: Floats, strength: float) -> Floats:
-    """Codes (...) from 0 to 1 before a curve of this strength, which must be below 1."""
+    """Codes (...) before a curve of this strength, likewise."""
     before = np.linspace(0.0, 1.0, 4097)
-    return np.interp(codes, tone_curve(before, strength), before)
+    return np.interp(_checked(codes), tone_curve(before, strength), before)
+
+
+def _checked(codes: Floats) -> Floats:
+    codes = np.asarray(codes, float)
+    require("codes", codes, np.all((codes >= 0) & (codes <= 1)), "0 to 1")
+    return codes
 
 
 def tone_by_exposures(light: Floats, exposures: Floats) -> tuple[float, float] | None:
