@@ -95,9 +95,8 @@ async function openCoded(
   const png = await sizeOfPng(file);
   const stated = png ?? (await statedSize(file));
   if (stated) refuseSize(name, stated);
-  const colorSpaceConversion = png && measured ? "none" : "default";
-  const how = { imageOrientation: "from-image", colorSpaceConversion } as const;
-  const bitmap = await createImageBitmap(file, how).catch(() => {
+  const coded = png && measured ? await withoutColours(file) : file;
+  const bitmap = await createImageBitmap(coded, { imageOrientation: "from-image" }).catch(() => {
     throw new Error(words(refusal, { file: name }));
   });
   try {
@@ -167,6 +166,23 @@ async function sizeOfPng(file: Blob) {
   const head = new DataView(await file.slice(0, 24).arrayBuffer());
   const isPng = head.byteLength === 24 && head.getBigUint64(0) === 0x89504e470d0a1a0an;
   return isPng ? { width: head.getUint32(16), height: head.getUint32(20) } : null;
+}
+
+/** Chunks of a PNG that say which light its codes mean (third edition, section 11.3.2). */
+const COLOURS = ["cHRM", "cICP", "gAMA", "iCCP", "sRGB"];
+
+/** A PNG whose codes arrive as they are: WebKit converts them even if asked not to. */
+async function withoutColours(file: Blob) {
+  const parts = [file.slice(0, 8)];
+  for (let at = 8; at < file.size; ) {
+    const head = await file.slice(at, at + 8).arrayBuffer();
+    const kind = new TextDecoder().decode(head.slice(4));
+    const isData = kind === "IDAT" || head.byteLength < 8;
+    const end = isData ? file.size : at + 12 + new DataView(head).getUint32(0);
+    if (!COLOURS.includes(kind)) parts.push(file.slice(at, end));
+    at = end;
+  }
+  return new Blob(parts, { type: "image/png" });
 }
 
 function refuseSize(name: string, { width, height }: { width: number; height: number }) {
