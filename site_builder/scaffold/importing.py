@@ -16,7 +16,7 @@ from typing import Any
 from site_builder.files.folders import is_file
 from site_builder.markdown.numbering import slug
 from site_builder.markdown.text.dialects import ROLES as REFERRING
-from site_builder.scaffold.ipywidgets import control, interacting
+from site_builder.scaffold.ipywidgets import Given, control, interacting
 from site_builder.scaffold.pieces import Name, ScaffoldError, chapter, filled, packages
 
 BOXES = {
@@ -283,6 +283,8 @@ def _code(code: str, outputs: Sequence[Mapping[str, Any]], page: Page) -> str:
     page.functions |= {each.name: each for each in tree.body if isinstance(each, ast.FunctionDef)}
     called = interacting(tree, page.functions)
     scenes = [*filter(None, (_scene(function, controls, page) for function, controls in called))]
+    if scenes and any("text" in output for output in outputs):
+        page.lose("what a figure's cell printed")
     shown = [f"```python\n{code}\n```"] if code and not scenes else []
     return "\n\n".join([*shown, *scenes, *(() if scenes else _outputs(outputs, page))])
 
@@ -307,13 +309,13 @@ def _outputs(outputs: Sequence[Mapping[str, Any]], page: Page) -> Iterator[str]:
             yield "```text\n" + "\n".join(shown[:MOST_LINES]) + "\n```"
 
 
-def _scene(function: str, controls: Mapping[str, ast.expr], page: Page) -> str:
+def _scene(function: str, controls: Mapping[str, Given], page: Page) -> str:
     """The skeleton of a scene, and the figure that shows it."""
     number = next(n for n in count(1) if _scene_path(page, n) not in page.files)
     name = Name(f"{page.name.text}-{number}")
     declared = dict[str, str]()
-    for argument, value in controls.items():
-        if found := control(argument, value):
+    for argument, (value, default) in controls.items():
+        if found := control(argument, value, default):
             declared[argument] = found
         else:
             page.lose(f"argument {argument!r} of {function}, {ast.unparse(value)[:60]!r}")

@@ -9,34 +9,46 @@ from site_builder.markdown.numbering import slug
 
 CALLS = ("interact", "interactive", "interact_manual", "interactive_output")
 
+type Given = tuple[ast.expr, ast.expr | None]
+"""What stands for an argument in the call, and its default in the function."""
+
 
 def interacting(
     tree: ast.Module, functions: Mapping[str, ast.FunctionDef]
-) -> Iterator[tuple[str, dict[str, ast.expr]]]:
-    """Names of functions that ipywidgets calls, with what stands for each of their arguments."""
-    for node in ast.walk(tree):
-        decorated = isinstance(node, ast.FunctionDef)
-        calls = node.decorator_list if isinstance(node, ast.FunctionDef) else [node]
-        for call in calls:
-            function = call.func if isinstance(call, ast.Call) else call
-            name = getattr(function, "attr", getattr(function, "id", ""))
-            if name not in CALLS or not (decorated or isinstance(call, ast.Call)):
-                continue
-            given = call.args if isinstance(call, ast.Call) else []
-            own = node.name if isinstance(node, ast.FunctionDef) else ""
-            target = own or getattr(given[0] if given else None, "id", "")
-            words = call.keywords if isinstance(call, ast.Call) else []
-            defined = functions.get(target)
-            controls = dict[str, ast.expr]()
-            if defined:
-                taken = defined.args.args[len(defined.args.args) - len(defined.args.defaults) :]
-                controls = {arg.arg: d for arg, d in zip(taken, defined.args.defaults, strict=True)}
-            if name != "interactive_output":
-                controls |= {word.arg: word.value for word in words if word.arg}
-            yield target or "figure", controls
+) -> Iterator[tuple[str, dict[str, Given]]]:
+    """Names of functions that ipywidgets calls, with what is given for each of their arguments."""
+    decorators = [
+        (call, node.name)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef)
+        for call in node.decorator_list
+    ]
+    above = {id(call) for call, _ in decorators}
+    plain = [(node, "") for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    for call, own in (*decorators, *(each for each in plain if id(each[0]) not in above)):
+        function = call.func if isinstance(call, ast.Call) else call
+        name = getattr(function, "attr", getattr(function, "id", ""))
+        if name not in CALLS:
+            continue
+        first, words = (call.args[:1], call.keywords) if isinstance(call, ast.Call) else ([], [])
+        target = own or getattr(first[0] if first else None, "id", "")
+        defaults = _defaults(functions.get(target))
+        given = {word.arg: word.value for word in words if word.arg}
+        controls = defaults if name == "interactive_output" else {**defaults, **given}
+        yield (
+            target or "figure",
+            {each: (value, defaults.get(each)) for each, value in controls.items()},
+        )
 
 
-def control(name: str, value: ast.expr) -> str:
+def _defaults(function: ast.FunctionDef | None) -> dict[str, ast.expr]:
+    if function is None:
+        return {}
+    values, names = function.args.defaults, [arg.arg for arg in function.args.args]
+    return dict(zip(names[len(names) - len(values) :], values, strict=True))
+
+
+def control(name: str, value: ast.expr, default: ast.expr | None = None) -> str:
     """An argument of our figure for what ipywidgets makes a control of; empty where none is like
     it."""
     label = json.dumps(name.replace("_", " ").strip().capitalize(), ensure_ascii=False)
@@ -72,7 +84,9 @@ def control(name: str, value: ast.expr) -> str:
         return _slider(name, label, (low, high, None), given, whole=isinstance(given, int))
     if isinstance(given, tuple) and len(given) in (2, 3):
         whole = all(isinstance(each, int) for each in given)
-        return _slider(name, label, (*given, None)[:3], None, whole=whole)
+        start = _literal(default)
+        start = start if isinstance(start, int | float) else None
+        return _slider(name, label, (*given, None)[:3], start, whole=whole)
     return ""
 
 

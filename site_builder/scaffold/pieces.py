@@ -173,6 +173,8 @@ def translation(root: Path, text: str) -> tuple[dict[str, str], str]:
     others = [tag for tag in languages(root) if tag != own]
     if language not in others or name not in files:
         forms = f"{' or '.join(others)}, a slash, and one of {', '.join(files)}"
+        if language not in others:
+            forms += f"; content/languages/{language}.toml would make it a language"
         raise ScaffoldError(f"translation {text!r}; legal: {forms}")
     path = f"content/{language}/{files[name].name}"
     write_new(root, {path: with_ids(files[name].read_text(encoding="utf-8"))})

@@ -167,7 +167,9 @@ def check_addresses(outline: Outline, root: Path, problems: Diagnostics) -> None
         if chapter not in chapters:
             problems.add(OUTLINE, line, unknown("chapter", chapter, chapters))
         if former in taken or slug(former) != former:
-            problems.add(OUTLINE, line, f"redirect from {former!r}; legal: a former chapter's id")
+            now = "which is a chapter's now" if former in taken else "which is no id"
+            legal = "legal: a former chapter's id"
+            problems.add(OUTLINE, line, f"redirect from {former!r}, {now}; {legal}")
 
 
 LECTURE_PLAN = "content/lecture-plan.toml"

@@ -1,6 +1,7 @@
 """A notebook and a page of MyST as chapters: what is taken is a book without mistakes, and what is
 not taken is listed."""
 
+import ast
 import base64
 import io
 import json
@@ -14,6 +15,7 @@ from PIL import Image
 from support.little_book import OUTLINE, MakeBook, diagnostics
 
 from site_builder.scaffold.importing import import_file
+from site_builder.scaffold.ipywidgets import control, interacting
 from site_builder.scaffold.pieces import ScaffoldError
 
 CODE = """\
@@ -26,7 +28,7 @@ def wave(length=2, height=1.0, kind="sine", shown=True, other=None):
 interact(wave, length=(1, 9), height=FloatSlider(min=0.5, max=4, step=0.5, value=2),
          kind=Dropdown(options=["Sine wave", "square"]), other=widgets.Text())
 """
-SETTINGS = {"length": 5, "height": 2.0, "kind": "sine-wave", "shown": True}
+SETTINGS = {"length": 2, "height": 2.0, "kind": "sine-wave", "shown": True}
 
 
 def picture() -> str:
@@ -51,6 +53,24 @@ def notebook() -> str:
         cell("code", CODE, outputs=[]),
     ]  # fmt: skip
     return json.dumps({"cells": cells, "nbformat": 4})
+
+
+@pytest.mark.parametrize(
+    ("code", "found"),
+    [
+        ("@interact(x=(0, 10))\ndef f(x=3): 0", ['f: x: int = slider("X", 3, 0, 10, 1)']),
+        ("def f(x=3.5): 0\ninteract(f, x=(0, 10))", ['f: x: int = slider("X", 3, 0, 10, 1)']),
+        ("@interact\ndef f(x=True): 0", ['f: x: bool = toggle("X", True)']),
+        ("def f(x=3): 0\nf(x=1)", []),
+    ],
+)
+def test_a_call_makes_another_figure_or_begins_elsewhere_than_in_the_notebook(
+    code: str, found: list[str]
+) -> None:
+    tree = ast.parse(code)
+    functions = {each.name: each for each in tree.body if isinstance(each, ast.FunctionDef)}
+    calls = interacting(tree, functions)
+    assert found == [f"{name}: {control('x', *given['x'])}" for name, given in calls]
 
 
 def test_a_notebook_becomes_a_chapter_with_stills_and_a_figure_that_has_its_sliders(
