@@ -27,7 +27,9 @@ from simulations.pictures.chequerboard import Look, photograph_of, true_corners
 from simulations.scenes.calibration import boards
 from simulations.scenes.calibration.boards import SIGMA_PX, read, rendered, simulated_sitting
 from simulations.scenes.calibration.contact_sheet import middle_of, number_at
-from simulations.scenes.calibration.scene import ERRORS, SCENE, Settings, measured, sheet
+from simulations.scenes.calibration.results import measured, sheet
+from simulations.scenes.calibration.scene import SCENE
+from simulations.scenes.calibration.settings import ERRORS, Settings
 from simulations.scenes.chequerboard import SCENE as CHEQUERBOARD
 
 
