@@ -3,6 +3,7 @@
 import re
 from collections.abc import Mapping
 from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 from markdown_it import MarkdownIt
@@ -123,8 +124,11 @@ ENDED_BY_DIRECTIVES = ["paragraph", "reference", "blockquote", "list", "footnote
 """Blocks that need no empty line before a directive."""
 
 
-def make_parser(words: Words = ENGLISH) -> MarkdownIt:
-    """CommonMark with the book's additions, and the quotation marks of its language."""
+def make_parser(
+    words: Words = ENGLISH, boxes: Mapping[str, str] = MappingProxyType({})
+) -> MarkdownIt:
+    """CommonMark with the book's additions, the quotation marks of its language, and its own
+    ``boxes``: titles by the names of directives."""
     quotes = words("language.quotes")
     parser = MarkdownIt("commonmark", {"typographer": True, "html": True, "quotes": quotes})
     parser.enable(["table", "smartquotes"])
@@ -138,7 +142,9 @@ def make_parser(words: Words = ENGLISH) -> MarkdownIt:
     parser.inline.ruler.before("backticks", "role", roles)
     parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
     parser.core.ruler.after(
-        "normalize", "dialects", partial(dialects_rule, tuple(item.name for item in DIRECTIVES))
+        "normalize",
+        "dialects",
+        partial(dialects_rule, tuple(item.name for item in DIRECTIVES), boxes),
     )
     parser.core.ruler.before("smartquotes", "typography", typography_rule)
     parser.core.ruler.before("typography", "heading_ids", heading_ids_rule)

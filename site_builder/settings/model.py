@@ -219,6 +219,12 @@ class Settings:
         MappingProxyType({}),
         without="none",
     )
+    boxes: Mapping[str, str] = key(
+        entries('a table of names with titles, theorem = "Theorem"'),
+        "directives of the book's own, `:::{theorem} Its name`: notes with these titles",
+        MappingProxyType({}),
+        without="none",
+    )
     publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
     runtime: Runtime = key(table(Runtime), "what figures are computed with", Runtime())
     theme: Theme = key(table(Theme), "how pages look", Theme())

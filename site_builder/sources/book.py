@@ -181,7 +181,7 @@ def read_shared(
     return Shared(
         sources.root,
         load_scene,
-        make_parser(words),
+        make_parser(words, settings.boxes),
         words,
         measurements or Measurements(),
         settings.trust.raw_html,

@@ -19,6 +19,7 @@ from site_builder.document.places import Position, Target, Targets, chapter_id
 from site_builder.files.text import Sources, Toml
 from site_builder.formulae.temml import Macros
 from site_builder.languages.words import FOLDER, Words, book_words, languages, load_words
+from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.numbering import slug
 from site_builder.settings.declared import Key, Reader, texts
 from site_builder.settings.model import FILE_NAME, Settings, read_settings
@@ -126,6 +127,7 @@ def link_lines(settings: Settings, toml: Toml) -> dict[str, int]:
         ("starts",): settings.starts,
         ("path", "stops"): settings.path.stops,
         ("redirects",): settings.redirects,
+        ("boxes",): settings.boxes,
     }
     return {words: toml.line(*at, words) for at, links in tables.items() for words in links}
 
@@ -162,6 +164,10 @@ def check_addresses(outline: Outline, root: Path, problems: Diagnostics) -> None
             problems.add(OUTLINE, line, f"{message}; legal: one of its own")
         taken.setdefault(address, f"chapter {name!r}")
     chapters = [chapter_id(name) for name, _, _ in outline.chapters]
+    for name in outline.settings.boxes:
+        if name in {each.name for each in DIRECTIVES} or slug(name) != name:
+            legal = "small letters, digits and hyphens, and no name that a directive has"
+            problems.add(OUTLINE, outline.link_lines[name], f"box {name!r}; legal: {legal}")
     for former, chapter in outline.settings.redirects.items():
         line = outline.link_lines[former]
         if chapter not in chapters:
