@@ -47,6 +47,7 @@ from site_builder.sandbox.loading import loaded
 from site_builder.sources.outline import (
     Outline,
     check_addresses,
+    check_boxes,
     read_asked,
     read_lecture_plan,
     read_outline,
@@ -136,6 +137,7 @@ def read_book(
     targets = find_targets([page.survey() for page in pages], problems)
     known = targets_state(targets)
     check_addresses(outline, sources.root, problems)
+    check_boxes(outline, problems)
     _check_unlisted(sources, outline)
 
     glossary = ParseContext(GLOSSARY, shared, problems, targets=targets)

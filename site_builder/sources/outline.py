@@ -153,6 +153,15 @@ def positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]
         yield name, Position(number, letter, "Appendix", words.label("Appendix"), appended)
 
 
+def check_boxes(outline: Outline, problems: Diagnostics) -> None:
+    """A box is named as directives are, and like none of them."""
+    taken = {directive.name for directive in DIRECTIVES}
+    for name in outline.settings.boxes:
+        if name in taken or slug(name) != name:
+            legal = "small letters, digits and hyphens, and no name that a directive has"
+            problems.add(OUTLINE, outline.link_lines[name], f"box {name!r}; legal: {legal}")
+
+
 def check_addresses(outline: Outline, root: Path, problems: Diagnostics) -> None:
     """Two pages at one address: one would silently take the other's place."""
     own = (*OWN_FOLDERS, *languages(root))
@@ -164,10 +173,6 @@ def check_addresses(outline: Outline, root: Path, problems: Diagnostics) -> None
             problems.add(OUTLINE, line, f"{message}; legal: one of its own")
         taken.setdefault(address, f"chapter {name!r}")
     chapters = [chapter_id(name) for name, _, _ in outline.chapters]
-    for name in outline.settings.boxes:
-        if name in {each.name for each in DIRECTIVES} or slug(name) != name:
-            legal = "small letters, digits and hyphens, and no name that a directive has"
-            problems.add(OUTLINE, outline.link_lines[name], f"box {name!r}; legal: {legal}")
     for former, chapter in outline.settings.redirects.items():
         line = outline.link_lines[former]
         if chapter not in chapters:
