@@ -1,4 +1,4 @@
-"""Pieces of a module's source, and where a stage's function is written."""
+"""Definitions in a module's source, and the module that defines a stage's function."""
 
 import numpy as np
 import pytest
@@ -56,7 +56,9 @@ def test_functions_classes_and_constants_are_found_in_order() -> None:
         ("C", "class C:", "        pass"),
     ],
 )
-def test_a_definition_has_what_is_written_close_about_it(name: str, first: str, last: str) -> None:
+def test_definition_includes_its_comment_decorators_and_docstring(
+    name: str, first: str, last: str
+) -> None:
     lines = text_of(name).split("\n")
     assert (lines[0], lines[-1]) == (first, last)
 
@@ -67,18 +69,18 @@ def test_lines_end_where_python_ends_them() -> None:
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
-def test_every_stage_and_every_drawing_is_written_in_an_editable_module(scene_id: str) -> None:
+def test_every_stage_and_draw_function_is_in_an_editable_module(scene_id: str) -> None:
     scene = load_scene(scene_id)
     for function in (scene.draw, *(stage.compute for stage in scene.stages)):
         module, name = home(function)
         assert name in definitions(module_source(module))
 
 
-def test_what_is_not_written_in_python_has_no_home() -> None:
+def test_function_not_written_in_python_has_no_home() -> None:
     assert home(np.add) == ("", "")
 
 
 @pytest.mark.parametrize("module", ["simulations.engine.stages", "os", "simulations.browser"])
-def test_other_modules_are_not_opened(module: str) -> None:
+def test_source_of_other_modules_is_refused(module: str) -> None:
     with pytest.raises(ValueError, match="legal: one in simulations/models"):
         module_source(module)

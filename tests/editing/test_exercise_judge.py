@@ -1,5 +1,5 @@
-"""Exercises: what is wrong with a reader's function is found and named; expected mistakes are
-recognised by what they compute; a right one is measured and tried at the extremes."""
+"""Judging exercises: the first fault of a reader's function is named, expected mistakes are
+recognised by their results, and a correct function is tried on the hard cases."""
 
 from dataclasses import replace
 
@@ -47,13 +47,13 @@ C_S = "c, s = np.cos(angle), np.sin(angle); R = np.array([[c, s], [-s, c]]); "
         (C_S + "return points @ np.nan_to_num(R)", "accepted", -1),
     ],
 )  # fmt: skip
-def test_the_first_fault_is_named(body: str, fault: str, recognised: int) -> None:
+def test_first_fault_is_named(body: str, fault: str, recognised: int) -> None:
     cases, miss = first_miss(TURNED, f"def turned(points, angle):\n    {body}")
     assert miss
     assert (cases, miss.fault, miss.recognised) == (3, fault, recognised)
 
 
-def test_the_names_in_a_failed_call_are_explained() -> None:
+def test_names_in_a_failed_call_are_given_with_their_values() -> None:
     _, miss = first_miss(TURNED, TURNED.wrong[0])
     assert miss
     assert miss.given == ({"name": "POINTS", "value": "[[1, 0], [2, 3]]"},)
@@ -63,23 +63,23 @@ def test_the_names_in_a_failed_call_are_explained() -> None:
     assert miss.given == ({"name": "GRID", "shape": "(9, 2)"},)
 
 
-def test_the_solution_is_right_and_what_is_claimed_of_it_is_proved() -> None:
+def test_solution_passes_and_a_false_assertion_about_it_fails() -> None:
     prove(TURNED)
     assert first_miss(TURNED, TURNED.solution) == (3, None)
     with pytest.raises(AssertionError):
         prove(replace(TURNED, check=TURNED.check + "\nassert not turned(POINTS, 0.0).any()"))
 
 
-def test_a_wrong_picture_is_shown_at_the_place_that_is_most_wrong() -> None:
-    asked = Exercise("grey", "grey(16)", "def grey(n):\n    return np.full((n, n), 0.5)")
-    _, miss = first_miss(asked, "def grey(n):\n    a = np.full((n, n), 0.5)\n    a[3, 4] = 1\n"
+def test_wrong_picture_is_reported_at_its_largest_error() -> None:
+    grey = Exercise("grey", "grey(16)", "def grey(n):\n    return np.full((n, n), 0.5)")
+    _, miss = first_miss(grey, "def grey(n):\n    a = np.full((n, n), 0.5)\n    a[3, 4] = 1\n"
                                 "    return a")  # fmt: skip
     assert miss
     assert (miss.call, miss.got, miss.expected) == ("grey(16)[3, 4]", "1", "0.5")
     assert [(each["width"], each["height"]) for each in miss.pictures] == [(16, 16)] * 2
 
 
-def test_hard_cases_are_asked_through_the_adapter() -> None:
+def test_hard_cases_call_the_readers_function_through_the_adapter() -> None:
     case = {"why": "why", "returns": "it", "expected": "near([0.0, 1.0])"}
     table = {
         "title": "Turns",
@@ -88,8 +88,8 @@ def test_hard_cases_are_asked_through_the_adapter() -> None:
     }
     adapter = "def exponential(v):\n    return np.pad(turned(np.eye(2), v[2]).T, ((0, 1), (0, 1)))"
     model = "simulations.models.geometry.rotations:exponential"
-    asked = replace(TURNED, model=model, adapter=adapter, hard=table)
-    assert [trial.passed for trial in trials(asked, TURNED.solution)] == [True]
-    assert [trial.passed for trial in trials(asked, TURNED.wrong[0])] == [False]
+    adapted = replace(TURNED, model=model, adapter=adapter, hard=table)
+    assert [trial.passed for trial in trials(adapted, TURNED.solution)] == [True]
+    assert [trial.passed for trial in trials(adapted, TURNED.wrong[0])] == [False]
     beyond = "def exponential(v):\n    raise NotImplementedError"
-    assert trials(replace(asked, adapter=beyond), TURNED.solution) == []
+    assert trials(replace(adapted, adapter=beyond), TURNED.solution) == []

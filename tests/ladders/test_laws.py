@@ -1,4 +1,4 @@
-"""Laws by which single tiers err or agree: powers of the work, closed forms, other libraries."""
+"""Laws of single tiers' errors: powers of the work, closed forms, and other libraries."""
 
 from dataclasses import replace
 from typing import Any
@@ -25,20 +25,20 @@ POWERS = [
 
 
 @pytest.mark.parametrize(("ladder_id", "metric", "tiers", "work", "power"), POWERS)
-def test_an_error_falls_with_its_power_of_the_work(
+def test_error_falls_with_its_power_of_the_work(
     ladder_id: str, metric: str, tiers: tuple[str, ...], work: tuple[int, ...], power: float
 ) -> None:
     errors = [run_of(ladder_id).error(metric, tier) for tier in tiers]
     assert np.polyfit(np.log(work), np.log(errors), 1)[0] == pytest.approx(power, abs=0.15)
 
 
-def test_integers_round_up_as_often_as_down() -> None:
-    """Shifts without half a step added would darken every coefficient by a sixteenth."""
+def test_fixed_point_coefficients_have_no_bias() -> None:
+    """Shifts without rounding would lower every coefficient by a sixteenth."""
     run = run_of("block-dct")
     assert abs(np.mean(run.result("fixed-point") - run.truth)) < 0.005
 
 
-def test_opencvs_refinement_of_corners_is_the_one_by_slopes() -> None:
+def test_opencvs_corner_refinement_errs_like_the_gradient_tier() -> None:
     run = run_of("corner-refinement")
     part = run.work[0]
     until = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 30, 1e-4)
@@ -48,7 +48,7 @@ def test_opencvs_refinement_of_corners_is_the_one_by_slopes() -> None:
     assert 0.5 < error / run.error("noisy", "gradients") < 4.0
 
 
-def test_bilinear_errs_on_a_wave_by_what_its_mean_of_neighbours_leaves() -> None:
+def test_bilinear_damps_a_wave_by_the_mean_of_its_neighbours() -> None:
     """Midway between two samples of a wave the mean is the wave times cos(its phase step)."""
     run, soft, place = run_of("demosaicing"), 2, (96, 121, 0)  # left of a pixel that lacks red
     step = 2 * np.pi * np.cos(0.2) / 12.0
@@ -56,7 +56,7 @@ def test_bilinear_errs_on_a_wave_by_what_its_mean_of_neighbours_leaves() -> None
     assert run.result("bilinear")[soft][place] - 0.5 == pytest.approx(expected, abs=1e-6)
 
 
-def test_counting_on_the_edge_or_in_bytes_counts_as_the_definition_does() -> None:
+def test_box_counts_agree_on_the_edge_and_with_their_definition() -> None:
     run = run_of("edge-coverage")
     for edge, everywhere in zip(run.result("edge-box-16"), run.result("box-16"), strict=True):
         np.testing.assert_array_equal(edge, everywhere)
@@ -68,7 +68,7 @@ def test_counting_on_the_edge_or_in_bytes_counts_as_the_definition_does() -> Non
 
 
 @pytest.mark.parametrize(("which", "exact"), [(0, 0.02), (1, 0.12)])
-def test_a_straight_edge_errs_by_the_bulge_of_the_circle(which: int, exact: float) -> None:
+def test_straight_edge_errs_by_the_bulge_of_the_circle(which: int, exact: float) -> None:
     """Where the disc's edge runs along the grid, the chord has length 1 and the bulge 1/(24 R)."""
     run = run_of("edge-coverage")
     truth, disc = run.truth[which], run.work[which]
@@ -91,7 +91,7 @@ def rms_apart(one: Floats, other: Floats) -> float:
 def test_two_sided_least_squares_reaches_the_cramer_rao_bound(index: int) -> None:
     """Cramér–Rao: the RMS error that no unbiased estimate can beat, from numeric derivatives.
 
-    A pair of points tells of the map through a residual of covariance σ² (I + J Jᵀ).
+    The residual of a pair of points has the covariance σ² (I + J Jᵀ).
     """
     run = run_of("homography-estimation")
     view, matches = run.module.VIEWS[index], run.work[index]
@@ -122,10 +122,8 @@ def test_two_sided_least_squares_reaches_the_cramer_rao_bound(index: int) -> Non
 
 
 @pytest.mark.parametrize(("index", "name"), [(0, "poster"), (1, "wall")])
-def test_least_squares_in_the_second_picture_is_opencvs_refined_estimate(
-    index: int, name: str
-) -> None:
-    """The two differ by far less than the error: two steps of Gauss–Newton leave a little."""
+def test_one_sided_least_squares_agrees_with_opencvs_estimate(index: int, name: str) -> None:
+    """They differ by far less than the error; two steps of Gauss–Newton do not quite converge."""
     run = run_of("homography-estimation")
     matches, ours = run.work[index], run.result("one-sided")[index][0]
     H, _ = cv2.findHomography(matches.source[0], matches.target[0], 0)
@@ -134,7 +132,7 @@ def test_least_squares_in_the_second_picture_is_opencvs_refined_estimate(
 
 
 @pytest.mark.parametrize("tier", ["squared", "normalised"])
-def test_without_its_checks_the_normalised_transform_is_the_models(tier: str) -> None:
+def test_unchecked_normalised_transform_agrees_with_the_model(tier: str) -> None:
     run = run_of("homography-estimation")
     for matches, ours in zip(run.work, run.result(tier), strict=True):
         for source, target, H in zip(matches.source, matches.target, ours, strict=True):
@@ -144,7 +142,7 @@ def test_without_its_checks_the_normalised_transform_is_the_models(tier: str) ->
             np.testing.assert_allclose(points[0], points[1], atol=1e-6)
 
 
-def test_bins_err_where_rows_repeat_each_other() -> None:
+def test_bins_err_more_at_angles_where_rows_repeat() -> None:
     module, ladder = run_of("mtf-binning").module, run_of("mtf-binning").ladder
     found = []
     for angles in ((4.0, 7.0, 11.0, 22.0), (14.04, 18.43, 26.57, 33.69)):
@@ -158,7 +156,7 @@ def test_bins_err_where_rows_repeat_each_other() -> None:
     assert good["bins-4"] < good["bins-4-raw"]
 
 
-def test_a_camera_at_the_origin_feels_no_distance() -> None:
+def test_relative_coordinates_remove_the_error_of_distance() -> None:
     run = run_of("precision")
     work = run.work
     for tier in ("relative-32", "relative-64"):
@@ -171,8 +169,8 @@ def test_a_camera_at_the_origin_feels_no_distance() -> None:
     assert 8.0 < growth < 32.0
 
 
-def test_each_turn_takes_the_contrast_that_the_triangles_spectrum_says() -> None:
-    """A triangle passes sinc² f along each axis of the pixel grid; turns multiply."""
+def test_each_rotation_reduces_contrast_by_the_triangles_spectrum() -> None:
+    """A triangle passes sinc² f along each axis of the pixel grid; the factors multiply."""
     run, left = run_of("resampling"), []
     for n, f in enumerate(FREQUENCIES):
         if f > 0.2:
@@ -183,7 +181,7 @@ def test_each_turn_takes_the_contrast_that_the_triangles_spectrum_says() -> None
     assert waves.in_place == pytest.approx(np.mean(left), abs=0.01)
 
 
-def test_the_straight_line_errs_as_the_chord_of_the_arc() -> None:
+def test_nlerp_errs_by_the_chord_of_the_arc() -> None:
     """A point on the chord of the arc Ω is seen at atan2 from its centre."""
     run = run_of("rotation-interpolation")
     arc, share = np.radians(run.work.angle_deg)[:, None] / 2.0, run.work.share
@@ -195,7 +193,7 @@ def test_the_straight_line_errs_as_the_chord_of_the_arc() -> None:
     assert run.error("worst", "slerp-threshold") == pytest.approx(below, rel=1e-6)
 
 
-def test_blends_are_exact_at_the_corners_of_the_cells() -> None:
+def test_gouraud_blends_are_exact_at_the_corners_of_the_cells() -> None:
     run = run_of("shading")
     every = slice(None, None, run.module.INTERVALS // 8)
     corners = run.module.phong_pixels(run.work[every, every])
@@ -205,11 +203,11 @@ def test_blends_are_exact_at_the_corners_of_the_cells() -> None:
 
 
 def sampling_error(run: Any) -> float:
-    """Bound of 99 of 100 samples of the right distribution (Kolmogorov)."""
+    """The distance that 99 of 100 samples of the right distribution stay below (Kolmogorov)."""
     return float(1.63 / np.sqrt(run.module.SAMPLES))
 
 
-def test_a_rounded_gaussian_errs_as_its_distribution_says() -> None:
+def test_rounded_gaussian_errs_by_its_distance_from_poisson() -> None:
     run = run_of("shot-noise")
     k = np.arange(run.truth.shape[1])
     measured = run.module.distances(run.result("gaussian"), run.truth)
@@ -221,19 +219,19 @@ def test_a_rounded_gaussian_errs_as_its_distribution_says() -> None:
         assert (run.module.distances(run.result(tier), run.truth) < sampling_error(run)).all()
 
 
-def test_gaussians_add_the_light_that_theory_says() -> None:
+def test_clipped_gaussians_add_the_light_that_theory_predicts() -> None:
     run = run_of("shot-noise")
     above = 1.0 - stats.norm.cdf(np.arange(40) + 0.5, loc=1.0, scale=1.0)
     measured = run.result("gaussian")[run.module.LEVELS_E.index(1.0)].mean(dtype=float)
     assert measured == pytest.approx(above.sum(), abs=0.012)
     z = np.linspace(-9, 9, 200_001)
-    held = np.clip(np.rint(0.1 + np.sqrt(0.1) * z + (z * z - 1) / 6), 0, None)
-    theory = 100 * (np.trapezoid(held * stats.norm.pdf(z), z) / 0.1 - 1)
+    clipped = np.clip(np.rint(0.1 + np.sqrt(0.1) * z + (z * z - 1) / 6), 0, None)
+    theory = 100 * (np.trapezoid(clipped * stats.norm.pdf(z), z) / 0.1 - 1)
     chance = 100 * 4 * np.sqrt(0.15 / run.module.SAMPLES) / 0.1
     assert run.error("bias", "skewed") == pytest.approx(theory, abs=chance)
 
 
-def test_the_metrics_notice_two_percent_more_light() -> None:
+def test_metrics_detect_two_percent_more_light() -> None:
     run = run_of("shot-noise")
     brighter = replace(run.work, mean_e=run.work.mean_e * np.float32(1.02))
     result = run.ladder.tier("poisson").run(brighter)

@@ -1,4 +1,4 @@
-"""The order of errors among the tiers of every ladder, and metrics without error."""
+"""The order of errors among the tiers of every ladder, and metrics on the reference itself."""
 
 from typing import Any
 
@@ -84,7 +84,7 @@ ORDERS = [
 
 
 class Errors:
-    """The errors of a ladder's tiers by one metric, each computed when it is asked for."""
+    """The errors of a ladder's tiers by one metric, each computed on access."""
 
     def __init__(self, run: LadderRun, metric: str) -> None:
         self._run, self._metric = run, metric
@@ -95,7 +95,7 @@ class Errors:
 
 
 @pytest.mark.parametrize(("ladder_id", "relation"), ORDERS)
-def test_errors_stand_in_the_order_that_theory_and_book_give(ladder_id: str, relation: str) -> None:
+def test_errors_are_ordered_as_theory_and_book_say(ladder_id: str, relation: str) -> None:
     run = run_of(ladder_id)
     names: dict[str, Any] = {name.replace("-", "_"): Errors(run, name) for name in run.metrics}
     found = eval(relation, names)
@@ -110,8 +110,8 @@ def test_errors_stand_in_the_order_that_theory_and_book_give(ladder_id: str, rel
         "rotation-interpolation", "shading",
     ],
 )  # fmt: skip
-def test_a_metric_finds_no_error_in_the_reference_itself(ladder_id: str) -> None:
-    """Where a result is of the reference's form."""
+def test_metric_finds_no_error_in_the_reference(ladder_id: str) -> None:
+    """For ladders whose results have the reference's form."""
     run = run_of(ladder_id)
     for metric in run.ladder.metrics:
         found = metric.measure(run.truth, run.truth, run.work)

@@ -1,5 +1,5 @@
-"""The reference of every ladder against an answer that shares no code with it, and metrics that
-measure a known error."""
+"""The reference of every ladder against an independent answer, and its metrics against known
+errors."""
 
 import math
 from dataclasses import replace
@@ -30,14 +30,14 @@ from simulations.pictures import cards, moving_ball
 type Floats = NDArray[np.float64]
 
 
-def test_block_dct_is_scipys_transform_of_whole_codes() -> None:
+def test_block_dct_reference_is_scipys_transform_of_whole_codes() -> None:
     run = run_of("block-dct")
     oracle = dctn(run.work, type=2, norm="ortho", axes=(-2, -1))
     np.testing.assert_allclose(run.truth.astype(float), oracle, atol=1e-11)
     assert np.array_equal(run.work, np.rint(run.work))
 
 
-def test_a_coefficient_halfway_between_two_numbers_may_go_either_way() -> None:
+def test_coefficient_halfway_between_codes_may_round_either_way() -> None:
     run, tie = run_of("block-dct"), np.zeros((1, 8, 8))
     tie[0, 0, 0] = 2.5 * LUMINANCE_TABLE[0, 0]
     assert run.metrics["changed"](tie + 0.01, tie, run.work) == 0.0
@@ -45,7 +45,7 @@ def test_a_coefficient_halfway_between_two_numbers_may_go_either_way() -> None:
     assert run.metrics["changed"](clear + 0.9 * LUMINANCE_TABLE, clear, run.work) == 1e6
 
 
-def test_the_minimum_of_a_calibration_leaves_the_noise_of_the_corners() -> None:
+def test_calibration_reference_leaves_the_noise_of_the_corners() -> None:
     run = run_of("camera-calibration")
     off = run.truth - run.work.views.pixels
     spare = 1.0 - (6 * len(off) + 6) / off.size
@@ -72,7 +72,7 @@ def test_lateral_colour_agrees_with_adaptive_quadrature_over_wavelengths() -> No
     assert run.truth[blue, row, column] == pytest.approx(expected, abs=1e-4)
 
 
-def test_the_corners_are_where_opencv_projects_the_board() -> None:
+def test_corners_are_where_opencv_projects_the_board() -> None:
     run = run_of("corner-refinement")
     view = run.module._view()
     pose, lens = view.board_to_camera, np.array(view.lens.opencv)
@@ -98,7 +98,7 @@ def test_coverage_of_a_disc_agrees_with_quadrature() -> None:
 
 
 @pytest.mark.parametrize("which", [0, 1])
-def test_the_metrics_notice_a_disc_larger_by_a_hundredth_of_a_pixel(which: int) -> None:
+def test_metrics_detect_a_disc_larger_by_a_hundredth_of_a_pixel(which: int) -> None:
     run = run_of("edge-coverage")
     larger = [*run.work]
     larger[which] = replace(larger[which], radius=larger[which].radius + 0.01)
@@ -116,8 +116,8 @@ def brute_force(run: Any, power: int = 1, count: int = 400) -> Floats:
     return np.asarray(sum(pictures) / count)
 
 
-def test_an_exposure_is_the_mean_of_four_hundred_instants() -> None:
-    """A pixel changes ten times at most, each time by 0.8 at most, and each costs 1/800."""
+def test_exposure_reference_is_the_mean_of_four_hundred_instants() -> None:
+    """A pixel changes at most ten times, by at most 0.8, and each change costs at most 1/800."""
     run = run_of("exposure-blur")
     assert run.metrics["worst"](brute_force(run), run.truth, run.work) < 10 * 0.8 / 800
     assert run.metrics["rms"](brute_force(run), run.truth, run.work) < 0.5 / 400
@@ -135,14 +135,14 @@ def test_random_instants_err_by_the_spread_of_the_light() -> None:
     assert run.error("rms", "random-16") == pytest.approx(expected, rel=0.03)
 
 
-def test_more_rays_change_the_reference_less_than_any_tier_errs() -> None:
+def test_more_rays_change_the_reference_less_than_the_best_tiers_error() -> None:
     run = run_of("depth-of-field")
     more = run.module.reference(run.work, rays=9000)
     assert run.metrics["psnr"](more, run.truth, run.work) > run.error("psnr", "fibonacci-64") + 6
 
 
-def test_a_card_covers_the_share_of_the_lens_that_its_shadow_does() -> None:
-    """Seen from a pixel, the card's edge cuts the lens as one disc cuts another."""
+def test_card_covers_the_share_of_the_lens_that_two_discs_overlap() -> None:
+    """Seen from a pixel, the card covers the lens as one disc overlaps another."""
     near, lens_radius = cards.CARDS[-1], run_of("depth-of-field").work.lens_radius
     seen = cards.pixels(80, np.float64)
     nodes = fibonacci_disc(2000) * lens_radius
@@ -153,7 +153,7 @@ def test_a_card_covers_the_share_of_the_lens_that_its_shadow_does() -> None:
     np.testing.assert_allclose(cover, share, atol=0.01)
 
 
-def test_homographies_are_opencvs_and_both_pictures_are_noisy() -> None:
+def test_homography_points_agree_with_opencv_and_have_their_noise() -> None:
     run = run_of("homography-estimation")
     for view, matches, truth in zip(run.module.VIEWS, run.work, run.truth, strict=True):
         H = np.append(view.homography, 1.0).reshape(3, 3)
@@ -170,7 +170,7 @@ def test_homographies_are_opencvs_and_both_pictures_are_noisy() -> None:
 
 
 @pytest.mark.parametrize("factor", [1.0, -3.0])
-def test_a_homography_shifted_by_five_pixels_errs_by_five_in_any_multiple(factor: float) -> None:
+def test_homography_shifted_by_five_pixels_errs_by_five_at_any_scale(factor: float) -> None:
     run = run_of("homography-estimation")
     shift = np.array([[1.0, 0.0, 3.0], [0.0, 1.0, 4.0], [0.0, 0.0, 1.0]])
     true = [np.append(view.homography, 1.0).reshape(3, 3) for view in run.module.VIEWS]
@@ -180,7 +180,7 @@ def test_a_homography_shifted_by_five_pixels_errs_by_five_in_any_multiple(factor
     assert run.metrics["poster"](lost, run.truth, run.work) == pytest.approx(1000.0)
 
 
-def test_undistorted_points_are_imaged_back_and_agree_with_opencv() -> None:
+def test_undistorted_points_round_trip_and_agree_with_opencv() -> None:
     mild, strong = run_of("inverse-distortion"), run_of("inverse-strong")
     for work, truth in ((mild.work, mild.truth), *zip(strong.work, strong.truth, strict=True)):
         assert work.focal_px * np.abs(distort(truth, work.lens) - work.seen).max() < 1e-12
@@ -209,7 +209,7 @@ def test_mtf50_is_where_blur_times_pixel_is_one_half() -> None:
     np.testing.assert_allclose(spots * across * down, 0.5, atol=1e-6)
 
 
-def test_pixels_far_from_the_origin_are_right_in_exact_fractions() -> None:
+def test_pixels_far_from_the_origin_agree_with_exact_fractions() -> None:
     run = run_of("precision")
     TURN = run.module.TURN
     assert np.array_equal(TURN @ TURN.T, 225 * np.eye(3))
@@ -224,7 +224,7 @@ def test_pixels_far_from_the_origin_are_right_in_exact_fractions() -> None:
         np.testing.assert_array_equal(exact, run.work.steps)
 
 
-def test_a_lost_point_counts_a_thousand_pixels_in_its_own_metric() -> None:
+def test_lost_point_counts_a_thousand_pixels_in_its_own_metric_only() -> None:
     run = run_of("precision")
     lost = run.truth.copy()
     lost[0] = np.nan
@@ -234,7 +234,7 @@ def test_a_lost_point_counts_a_thousand_pixels_in_its_own_metric() -> None:
 
 
 @pytest.mark.parametrize("pair", [1, 10, 90, 179])
-def test_the_arc_between_two_orientations_is_scipys_slerp(pair: int) -> None:
+def test_arc_between_two_orientations_is_scipys_slerp(pair: int) -> None:
     run = run_of("rotation-interpolation")
     ends = np.stack([run.work.start[pair, 0], run.work.end[pair, 0]])
     path = Slerp([0.0, 1.0], Rotation.from_quat(ends, scalar_first=True))
@@ -242,7 +242,7 @@ def test_the_arc_between_two_orientations_is_scipys_slerp(pair: int) -> None:
     assert (path(run.work.share).inv() * ours).magnitude().max() < 1e-14
 
 
-def test_the_distance_of_two_orientations_is_their_angle() -> None:
+def test_distance_between_two_orientations_is_their_angle() -> None:
     run = run_of("rotation-interpolation")
     identity = np.array([[[1.0, 0.0, 0.0, 0.0]]])
     half = np.radians(30.0) / 2.0
@@ -252,7 +252,7 @@ def test_the_distance_of_two_orientations_is_their_angle() -> None:
 
 
 @pytest.mark.parametrize("place", [(128, 128), (60, 190), (0, 256), (256, 0), (30, 220)])
-def test_a_dome_is_lit_by_phongs_formula_by_mirroring_the_view(place: tuple[int, int]) -> None:
+def test_dome_is_lit_by_phongs_formula_with_the_mirrored_view(place: tuple[int, int]) -> None:
     run = run_of("shading")
     n, light = [float(each) for each in run.work[place]], run.module.LIGHT
     n_dot_l = math.fsum(a * b for a, b in zip(n, light, strict=True))
@@ -265,7 +265,7 @@ def test_a_dome_is_lit_by_phongs_formula_by_mirroring_the_view(place: tuple[int,
     assert run.truth.max() == pytest.approx(0.5 * math.sqrt((1 + light[2]) / 2) + 0.5, abs=1e-3)
 
 
-def test_counts_of_photons_have_scipys_poisson_distribution() -> None:
+def test_photon_counts_have_scipys_poisson_distribution() -> None:
     run = run_of("shot-noise")
     for row, mean in enumerate(run.module.LEVELS_E):
         oracle = stats.poisson.cdf(np.arange(run.truth.shape[1]), mean)
@@ -284,7 +284,7 @@ KNOWN_ERRORS = [
 
 
 @pytest.mark.parametrize(("ladder_id", "metric", "spoil", "low", "high"), KNOWN_ERRORS)
-def test_a_metric_measures_a_known_error(
+def test_metric_measures_a_known_error(
     ladder_id: str, metric: str, spoil: Any, low: float, high: float
 ) -> None:
     run = run_of(ladder_id)

@@ -17,13 +17,13 @@ from simulations.scenes.aliasing.light import SHOWN, ideal, own_light, pattern_o
 from simulations.scenes.aliasing.scene import FILTERS, SCENE
 
 
-def test_a_frequency_on_the_fold_is_off_it() -> None:
+def test_half_the_sampling_rate_is_described_as_nyquist() -> None:
     for rate in np.arange(0.5, 2.01, 0.1).round(2):
         shown = frame_of(SCENE, frequency=round(rate / 2, 2), rate=rate)
         assert "exactly at Nyquist" in shown.description, rate
 
 
-def test_the_zone_plate_differs_from_its_integral_over_a_pixel() -> None:
+def test_box_filtered_zone_plate_is_its_integral_over_the_pixel() -> None:
     pattern = pattern_of("zone_plate", 1.1, 40.0)
     x, y = pattern.first + np.arange(pattern.width), np.arange(pattern.height) - 59.5
     plate = zone_plate(x, y[:, None], 1 / pattern.chirp)
@@ -48,7 +48,7 @@ def test_the_zone_plate_differs_from_its_integral_over_a_pixel() -> None:
         *((0.62 * rate, rate, "box") for rate in (0.5, 0.75, 1.5, 2.0)),
     ],
 )
-def test_the_alias_misses_the_samples(
+def test_alias_curve_passes_through_the_samples(
     kind: str, frequency: float, rate: float, filtered: str
 ) -> None:
     """On the zone plate the curve is computed for locally pure waves."""
@@ -62,7 +62,7 @@ def test_the_alias_misses_the_samples(
     np.testing.assert_allclose(curve[on_sample], samples, atol=1e-9 if kind == "stripes" else 0.03)
 
 
-def test_the_nyquist_ring_has_another_frequency() -> None:
+def test_nyquist_ring_lies_where_the_local_frequency_is_one_half() -> None:
     shown = frame_of(SCENE, pattern="zone_plate", frequency=0.8, rate=1.2)
     (place,) = (each for each in shown.handles if each.name == "ring")
     pattern = pattern_of("zone_plate", 0.8, 0.0, 1.2)
@@ -79,12 +79,12 @@ def test_the_nyquist_ring_has_another_frequency() -> None:
         ({"frequency": 0.75, "prefilter": "box"}, f"{np.sinc(0.75) / 2 / np.sqrt(2):.2f}"),
     ],
 )
-def test_the_error_of_stripes_differs_from_theory(given: dict[str, object], error: str) -> None:
+def test_error_of_stripes_agrees_with_theory(given: dict[str, object], error: str) -> None:
     """A wave of amplitude a has the RMS a/√2; light has half of the range."""
     assert [each.text for each in estimates_of(SCENE, **given)] == [error]
 
 
-def test_the_ideal_picture_differs_from_the_plate_inside_the_band_and_grey_beyond() -> None:
+def test_ideal_picture_is_the_plate_inside_the_band_and_grey_beyond() -> None:
     pattern = pattern_of("zone_plate", 1.0, 90.0)
     truth, certain = ideal(pattern)
     x = np.abs(pattern.first + np.arange(pattern.width))
@@ -100,7 +100,7 @@ def test_the_ideal_picture_differs_from_the_plate_inside_the_band_and_grey_beyon
 
 @pytest.mark.parametrize("kind", FILTERS)
 @pytest.mark.parametrize("rate", [0.5, 1.7])
-def test_a_filter_changes_an_even_picture(kind: str, rate: float) -> None:
+def test_filter_leaves_an_even_picture_unchanged(kind: str, rate: float) -> None:
     grey = Photograph(1, np.full((240, 320, 3), 99, np.uint8))
     shown = sample_own(own_light(grey), kind, rate)
     assert shown is not None
@@ -108,7 +108,7 @@ def test_a_filter_changes_an_even_picture(kind: str, rate: float) -> None:
 
 
 def waves(cycles_per_pixel: float) -> Photograph:
-    """Vertical stripes of amplitude 0.4, with five points of the picture to a pixel."""
+    """A photograph of vertical stripes of amplitude 0.4, five of its pixels to a sample."""
     wave = 0.5 + 0.4 * np.cos(2 * np.pi * cycles_per_pixel * (np.arange(320) + 0.5) / 5)
     codes = np.rint(255 * encode_srgb(wave)).astype(np.uint8)
     return Photograph(1, np.broadcast_to(codes[:, None], (240, 320, 3)).copy())
@@ -123,7 +123,7 @@ def waves(cycles_per_pixel: float) -> Photograph:
         (0.25, {}, 0, 0.03),
     ],
 )
-def test_the_error_of_a_readers_waves_differs_from_theory(
+def test_error_of_photographed_waves_agrees_with_theory(
     cycles: float, given: dict[str, object], least: float, most: float
 ) -> None:
     (estimate,) = SCENE.estimates(SCENE.check(given), "", StageCache(), waves(cycles))

@@ -1,5 +1,5 @@
-"""The calibration figure: simulated photographs, the reader's, and the files that it makes; and the
-board to print."""
+"""The calibration figure: simulated photographs, the reader's photographs, and the exported files;
+and the board to print."""
 
 import io
 import json
@@ -34,7 +34,7 @@ from simulations.scenes.chequerboard import SCENE as CHEQUERBOARD
 
 
 @pytest.mark.parametrize(("series", "paper"), [("iso", (297.0, 210.0)), ("us", (279.4, 215.9))])
-def test_the_printed_board_has_squares_and_a_bar_of_true_size(
+def test_printed_board_has_squares_and_a_bar_of_true_size(
     series: str, paper: tuple[float, float]
 ) -> None:
     settings = CHEQUERBOARD.check({"side": 23, "across": 10, "down": 6, "series": series})
@@ -67,14 +67,14 @@ FACTS = {"focal_mm": 4.0, "focal_35mm_mm": 26.0, "make": "Acme", "model": "A1"}
 
 def readings(count: int, *, size: tuple[int, int] = SIZE, first: int = 0) -> Readings:
     """Photographs by the tests' camera, as `read` would return them."""
-    sat = photographs(count, seed=8)
+    sitting = photographs(count, seed=8)
     data = {
         "width": size[0],
         "height": size[1],
-        "indices": sat.board.indices.astype(int).tolist(),
+        "indices": sitting.board.indices.astype(int).tolist(),
         "facts": FACTS,
     }
-    corners = sat.views(0.05).pixels.tolist()
+    corners = sitting.views(0.05).pixels.tolist()
     return tuple(
         Reading(first + index, f"{index}.jpg", {**data, "corners": each})
         for index, each in enumerate(corners)
@@ -94,7 +94,7 @@ def frame_from(given: Readings, **settings: object) -> Frame:
     return SCENE.render(SCENE.check(settings), "", StageCache(), None, given)
 
 
-def test_corners_and_facts_of_a_photograph_are_kept_as_json() -> None:
+def test_reading_survives_json_and_a_photograph_without_board_is_refused() -> None:
     board = Board(8, 6, 25.0)
     view = facing_board(board, 480, 360, focal_px=420.0, tilt=(0.2, -0.3, 0.1), distance_mm=330.0)
     grey = photograph_of(board, view, Look(noise_codes=1.0))
@@ -112,14 +112,14 @@ def test_corners_and_facts_of_a_photograph_are_kept_as_json() -> None:
 
 
 @pytest.mark.parametrize("count", [5, 40])
-def test_the_right_model_gives_the_true_focal_length(count: int) -> None:
+def test_right_lens_model_gives_the_true_focal_length(count: int) -> None:
     """Within three standard errors."""
     shown = texts_of(frame_of(SCENE, photographs=count, lens="p1p2"))
     off = float(shown["focal"]) - boards.TRUTH.fx
     assert abs(off) < 3.0 * float(shown["focal_error"]) + 0.05
 
 
-def test_corners_of_the_rendered_photographs_are_as_noisy_as_the_simulated_ones() -> None:
+def test_corners_of_rendered_photographs_are_as_noisy_as_simulated_ones() -> None:
     off = []
     for index in range(4):
         true = simulated_sitting().pixels[index]
@@ -129,7 +129,7 @@ def test_corners_of_the_rendered_photographs_are_as_noisy_as_the_simulated_ones(
     assert root_mean_square(np.concatenate(off)) == pytest.approx(SIGMA_PX, rel=0.25)
 
 
-def test_the_drawing_has_the_errors_of_one_or_all_photographs_and_the_straight_board() -> None:
+def test_drawing_shows_errors_of_one_or_all_boards_and_marks_unused_ones() -> None:
     one, every = (frame_of(SCENE, photographs=8, arrows=arrows).panels[0] for arrows in ERRORS)
     assert one.overlay.count("<circle") == 54
     assert every.overlay.count("M") == 2 * 8 * 54
@@ -137,7 +137,7 @@ def test_the_drawing_has_the_errors_of_one_or_all_photographs_and_the_straight_b
     assert ["not used" in overlay for overlay in (used, unused)] == [False, True]
 
 
-def test_corners_of_the_reader_replace_the_simulated_ones() -> None:
+def test_readers_corners_replace_the_simulated_ones() -> None:
     given, settings = readings(8), {"photographs": 8, "lens": "p1p2", "share": 0.5}
     out = frame_from(given, **settings)
     shown = texts_of(out)
@@ -150,7 +150,7 @@ def test_corners_of_the_reader_replace_the_simulated_ones() -> None:
     assert float(texts_of(out)["rms_shown"]) < 0.2
 
 
-def test_a_press_on_a_photograph_leaves_it_out() -> None:
+def test_press_on_a_photograph_leaves_it_out() -> None:
     given = readings(8)
     bad = np.array(given[4].data["corners"]) + np.random.default_rng(0).normal(0, 2, (54, 2))
     given = (*given[:4], replace(given[4], data={**given[4].data, "corners": bad}), *given[5:])
@@ -192,7 +192,7 @@ OTHERS = readings(3, size=(480, 640), first=50)
         (with_facts(readings(3), TWO, TWO, {}), []),
     ],
 )
-def test_unlike_photographs_are_noted(given: Readings, notes: list[str]) -> None:
+def test_differing_or_surplus_photographs_are_noted(given: Readings, notes: list[str]) -> None:
     found = boards.boards(given)
     assert found.size == SIZE
     assert [note[: len(ours)] for note, ours in zip(found.notes, notes, strict=True)] == notes
@@ -222,7 +222,7 @@ def test_too_few_photographs_are_refused_everywhere(
         SCENE.exports[0].make(Settings(), outputs)
 
 
-def test_the_supported_model_is_the_one_that_is_printed() -> None:
+def test_sheet_and_readout_use_the_supported_model() -> None:
     outputs = outputs_of(Settings(photographs=8, lens="supported"), readings(8))
     lines = {line.name: line.text for line in sheet(Settings(), outputs)}
     assert lines["lens"] == lines["supported"]
@@ -232,7 +232,7 @@ def test_the_supported_model_is_the_one_that_is_printed() -> None:
     assert texts_of(frame)["focal_error"] == lines["fx"].split(" ± ")[1]
 
 
-def test_files_sheet_and_developed_photograph_are_of_the_same_camera() -> None:
+def test_files_sheet_and_developed_photograph_use_the_same_camera() -> None:
     settings, given = Settings(photographs=8, lens="p1p2"), readings(8)
     outputs = outputs_of(settings, given)
     yaml, text, xml = (export.make(settings, outputs) for export in SCENE.exports)

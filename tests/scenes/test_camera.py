@@ -1,4 +1,4 @@
-"""The camera against projection, the model of distortion, optics and counting, stage by stage."""
+"""The camera, stage by stage, against projection, lens distortion, optics and photon counting."""
 
 import math
 from functools import partial
@@ -49,7 +49,7 @@ def lens_map_of(focal: float, k1: float, focus: float = FOCUS_M) -> tuple[LensMa
 
 @pytest.mark.parametrize("focal_length", [24.0, 33.0, 50.0, 135.0])
 @pytest.mark.parametrize("focus", [1.0, 10.0])
-def test_the_margin_misses_a_pixel_that_the_warp_reads(focal_length: float, focus: float) -> None:
+def test_margin_covers_every_pixel_that_the_warp_reads(focal_length: float, focus: float) -> None:
     """`cubic_warp` refuses a place whose neighbours are missing."""
     widest = camera_lens.widest_barrel(focal_length, focus, -0.4)
     most = camera_lens.margin_px(focal_length, focus, widest)
@@ -63,7 +63,7 @@ def test_the_margin_misses_a_pixel_that_the_warp_reads(focal_length: float, focu
 @pytest.mark.parametrize(
     ("focal_length", "aperture", "focus"), [(24.0, 8.0, 1.0), (50.0, 1.4, 3.2), (135.0, 2.0, 10.0)]
 )
-def test_a_thin_lens_sends_a_ray_to_another_pixel(
+def test_thin_lens_sends_each_ray_to_its_pixel(
     focal_length: float, aperture: float, focus: float, at: tuple[float, float]
 ) -> None:
     """Rays as `through_lens` casts them, traced on through the lens to a sensor in focus."""
@@ -84,7 +84,7 @@ def test_a_thin_lens_sends_a_ray_to_another_pixel(
 
 @pytest.mark.parametrize(("focal_length", "k1"), [(24.0, -0.4), (24.0, 0.4), (50.0, -0.3)])
 @pytest.mark.parametrize("place", [(0.1, 0.05), (-0.21, 0.12), (0.25, -0.19), (-0.05, -0.2)])
-def test_a_point_of_light_misses_its_place_by_the_model_of_distortion(
+def test_point_of_light_lands_where_the_distortion_model_puts_it(
     focal_length: float, k1: float, place: tuple[float, float]
 ) -> None:
     """Centroid of a soft dot, to a twentieth of a pixel."""
@@ -101,7 +101,9 @@ def test_a_point_of_light_misses_its_place_by_the_model_of_distortion(
 
 
 @pytest.mark.parametrize(("focal_length", "k1"), FOLDS)
-def test_rays_are_valid_in_the_black_beyond_the_fold(focal_length: float, k1: float) -> None:
+def test_picture_is_black_and_rays_are_invalid_beyond_the_fold(
+    focal_length: float, k1: float
+) -> None:
     lens, _ = lens_map_of(focal_length, k1)
     np.testing.assert_array_equal(lens.reached > 0.5, rays_of(focal_length, k1).valid)
     black = outputs(focal_length=focal_length, k1=k1)["lens distortion"][:, lens.reached == 0]
@@ -115,7 +117,7 @@ def test_rays_are_valid_in_the_black_beyond_the_fold(focal_length: float, k1: fl
 
 
 @pytest.mark.parametrize("focus", [1.0, 10.0])
-def test_a_ball_is_off_its_projected_outline(focus: float) -> None:
+def test_ball_is_centred_on_its_projected_outline(focus: float) -> None:
     """Centroid of each ball's coverage against the centre of its outline."""
     done = outputs(focal_length=24, focus=focus)
     rows, columns = done["pinhole rays"].valid.shape
@@ -135,7 +137,7 @@ def test_a_ball_is_off_its_projected_outline(focus: float) -> None:
 
 
 @pytest.mark.parametrize(("focal_length", "focus"), [(24, 10.0), (135, 1.0)])
-def test_vignetting_differs_from_cos4(focal_length: float, focus: float) -> None:
+def test_natural_vignetting_is_cos4(focal_length: float, focus: float) -> None:
     result = outputs(focal_length=focal_length, focus=focus)
     lit = result["trimming"][:, 0, 0] > 0
     ratio = (result["vignetting"] / np.maximum(result["trimming"], 1e-6))[lit, 0, 0]
@@ -147,10 +149,10 @@ def test_vignetting_differs_from_cos4(focal_length: float, focus: float) -> None
     ("focal_length", "k1", "focus"),
     [(24, -0.4, 3.2), (24, 0.4, 3.2), (50, -0.1, 3.2), (135, 0.1, 3.2), (135, 0, 1), (135, 0, 10)],
 )
-def test_the_field_of_view_differs_from_the_rays_of_the_edge(
+def test_field_of_view_is_the_angle_between_the_outermost_rays(
     focal_length: float, k1: float, focus: float
 ) -> None:
-    """The edge is sent to the sensor's, or is on the fold where no ray is sent so far out."""
+    """The outermost ray lands on the sensor's edge, or on the fold where none lands so far out."""
     given = {"focal_length": focal_length, "k1": k1, "focus": focus}
     r = math.tan(view_of(SCENE.check(given)) / 2)
     if (focal_length, k1) == (24, -0.4):
@@ -164,8 +166,8 @@ def test_the_field_of_view_differs_from_the_rays_of_the_edge(
 
 
 @pytest.mark.parametrize("name", ["striped ball", "red ball", "pearl"])
-def test_a_dolly_zoom_changes_the_striped_ball_or_no_other(name: str) -> None:
-    """Three metres back, each outline has the area of its ellipse at z and Z of the new place."""
+def test_dolly_zoom_keeps_only_the_striped_ball_the_same_size(name: str) -> None:
+    """Three metres back, each outline has the area of its ellipse at the new depth."""
     areas, ellipses = [], []
     for back in (0, 3):
         parts = outputs(back=back, focal_length=24)["surfaces"]
@@ -186,7 +188,7 @@ def test_a_dolly_zoom_changes_the_striped_ball_or_no_other(name: str) -> None:
 
 @pytest.mark.parametrize("k1", [-0.2, 0.2])
 @pytest.mark.parametrize("thing", still_life.THINGS[:5], ids=lambda thing: thing.name)
-def test_a_press_on_a_thing_focuses_elsewhere(thing: still_life.Thing, k1: float) -> None:
+def test_press_on_a_thing_focuses_on_it(thing: still_life.Thing, k1: float) -> None:
     """All but the plum box, whose middle the green ball hides."""
     x, y, z = pinhole.world_to_camera(thing.solid.centre, still_life.WORLD_TO_CAMERA)
     sensor = sensor_mm(35.0) * distort((x / z, y / z), Distortion(k1=k1))
@@ -195,7 +197,7 @@ def test_a_press_on_a_thing_focuses_elsewhere(thing: still_life.Thing, k1: float
     assert values["focus"] == pytest.approx(z, abs=0.051)
 
 
-def test_noise_differs_from_its_stated_size() -> None:
+def test_shot_and_read_noise_have_their_stated_size() -> None:
     result = outputs(noise_sigma=12, exposure=-1)
     mean, shot, read = (result[name] for name in ("exposure", "shot noise", "read noise"))
     assert (read - shot).std() == pytest.approx(read_noise_e(12), rel=0.01)
@@ -209,7 +211,7 @@ def test_noise_differs_from_its_stated_size() -> None:
     np.testing.assert_array_equal(2 * mean, outputs(exposure=0)["exposure"])
 
 
-def test_the_byte_of_a_code_differs_from_that_of_its_light() -> None:
+def test_byte_of_a_code_is_the_srgb_code_of_its_light() -> None:
     linear = (np.arange(4096) - ADC.black_level_dn) / (4095 - ADC.black_level_dn)
     exact = np.rint(255 * encode_srgb(np.clip(linear, 0, 1)))
     np.testing.assert_array_equal(BYTE_OF_CODE, exact)

@@ -1,4 +1,4 @@
-"""Figures of cameras and their places: turned, moved, and two of them."""
+"""Figures of camera poses: one camera turned, one moved, and a pair."""
 
 import math
 import re
@@ -24,7 +24,9 @@ from simulations.world.room import look
 
 @pytest.mark.parametrize("pan", [-180, -90, -55, 0, 33, 90])
 @pytest.mark.parametrize("place", [(0, -2), (0, 6), (12, -2), (12, 6), (4, 2.5)])
-def test_the_pose_is_that_of_a_level_camera(pan: float, place: tuple[float, float]) -> None:
+def test_pan_turns_a_level_camera_whose_field_ends_at_the_walls(
+    pan: float, place: tuple[float, float]
+) -> None:
     here = standpoint(pan, *place)
     centre = np.array([place[0], 0.0, place[1]])
     ahead = np.array([np.sin(np.radians(pan)), 0.0, np.cos(np.radians(pan))])
@@ -42,7 +44,9 @@ def test_the_pose_is_that_of_a_level_camera(pan: float, place: tuple[float, floa
 
 
 @pytest.mark.parametrize("angles", [(50, 25, -70), (40, 90, -69), (0, -90, 10)])
-def test_beads_lie_on_the_axes_that_their_rings_turn(angles: tuple[float, float, float]) -> None:
+def test_beads_lie_where_pan_tilt_and_roll_turn_their_rings(
+    angles: tuple[float, float, float],
+) -> None:
     rings = pan, tilt, roll = rings_of(*angles)
     C = euler.to_matrix("YXZ", np.radians(angles))
     for ring, expected in zip(rings, (tilt.zero, C[:, 2], C[:, 0]), strict=True):
@@ -51,7 +55,7 @@ def test_beads_lie_on_the_axes_that_their_rings_turn(angles: tuple[float, float,
 
 
 @pytest.mark.parametrize(("azimuth", "elevation"), [(0, 0), (51, 28), (-130, 75)])
-def test_the_view_is_that_of_a_distant_eye(azimuth: float, elevation: float) -> None:
+def test_orbited_view_equals_the_view_from_a_distant_eye(azimuth: float, elevation: float) -> None:
     """Straight ahead is z, to the right x; y points down."""
     eye = Rotation.from_euler("YX", [azimuth, elevation], degrees=True).apply([0.0, 0.0, 1.0])
     expected = look_at(100 * eye, (0, 0, 0), (0, -1, 0))[:3, :3]
@@ -67,7 +71,7 @@ def test_the_view_is_that_of_a_distant_eye(azimuth: float, elevation: float) -> 
         ((0, 0, 0), (0, 10), (0, -np.tan(np.radians(10)))),
     ],
 )
-def test_the_picture_is_that_of_the_camera(
+def test_directions_are_pictured_where_the_turned_camera_sees_them(
     angles: tuple[float, ...], direction: tuple[float, float], expected: tuple[float, float]
 ) -> None:
     C = euler.to_matrix("YXZ", np.radians(angles))
@@ -76,7 +80,9 @@ def test_the_picture_is_that_of_the_camera(
 
 
 @pytest.mark.parametrize("angles", [(105, 40, -40), (-150, -20, 120), (30, 90, 10)])
-def test_the_end_is_that_of_moving_axes_y_x_z(angles: tuple[float, float, float]) -> None:
+def test_orientation_composes_turns_about_moving_axes_y_x_z(
+    angles: tuple[float, float, float],
+) -> None:
     here = orientation(*angles)
     expected = Rotation.from_euler("YXZ", angles, degrees=True)
     np.testing.assert_allclose(here.C, expected.as_matrix(), atol=1e-14)
@@ -90,8 +96,8 @@ def test_half_a_turn_does_not_depend_on_rounding(pan: float) -> None:
 
 
 @pytest.mark.parametrize("tier", ROTATION.tiers)
-def test_the_camera_is_where_the_tier_puts_it(tier: str) -> None:
-    """Away from the middle, where all of them agree; at 170° a straight line errs by degrees."""
+def test_camera_follows_the_arc_or_the_chord_of_its_tier(tier: str) -> None:
+    """At a fifth of the way, as all tiers agree at half; at 170° a chord errs by degrees."""
     turned = paths(orientation(170.0, 0.0, 0.0), tier)["slerp"](0.2)
     angle_deg = np.degrees(np.arctan2(turned[0, 2], turned[2, 2]))
     arc = np.radians(170 / 2)
@@ -105,22 +111,22 @@ def test_the_camera_is_where_the_tier_puts_it(tier: str) -> None:
     assert ROTATION.pull(ROTATION.check(shares[0]), "sight", place, tier) == {"t": 0.35}
 
 
-def test_errors_of_the_tiers_are_those_of_chords_and_of_none() -> None:
+def test_nlerp_errs_by_the_chord_and_exact_tiers_by_nothing() -> None:
     """Half a turn: the places at share s of the chord are seen at atan2(s, 1 - s) of the arc."""
     shares = np.linspace(0, 1, 61)
     off = np.degrees(2 * np.abs(np.arctan2(shares, 1 - shares) - shares * np.pi / 2))
 
-    def judged(tier: str, **given: float) -> str:
+    def error_of(tier: str, **given: float) -> str:
         return estimates_of(ROTATION, tier, **given)[-1].text
 
-    assert judged("nlerp", pan=180, tilt=0, roll=0) == f"{off.max():.2f}"
-    below, _, straight, *_ = (judged(tier, pan=3, tilt=0, roll=0) for tier in ROTATION.tiers)
+    assert error_of("nlerp", pan=180, tilt=0, roll=0) == f"{off.max():.2f}"
+    below, _, straight, *_ = (error_of(tier, pan=3, tilt=0, roll=0) for tier in ROTATION.tiers)
     assert below == straight, "3° is below the threshold: the straight line"
-    assert [judged(tier, pan=120) for tier in ROTATION.tiers[2:]] == ["under 10⁻¹²"] * 2
+    assert [error_of(tier, pan=120) for tier in ROTATION.tiers[2:]] == ["under 10⁻¹²"] * 2
 
 
 @pytest.mark.parametrize("share", [0.0, 0.2, 0.5, 0.9, 1.0])
-def test_the_plot_has_the_angles_of_the_three_paths(share: float) -> None:
+def test_angle_turned_on_each_path_is_its_rotations_magnitude(share: float) -> None:
     """Slerp turns at a steady speed; a blend of entries as its nearest rotation."""
     here = orientation(105, 40, -40)
     there = {name: way(share) for name, way in paths(here, "slerp").items()}
@@ -143,7 +149,7 @@ def test_drawn_lines_of_the_box_run_through_their_vanishing_point() -> None:
     assert sum(math.dist(map(float, end), goal) < 0.02 for end in ends) == 3
 
 
-def test_the_box_is_put_where_the_pointer_meets_the_floor() -> None:
+def test_box_is_put_where_the_pointer_meets_the_floor() -> None:
     """Looking level, 80 px below the horizon, the floor is 320 · 1.6 / 80 = 6.4 m away."""
     settings = FLOOR.check({"pitch": 0, "yaw": 0})
     values = FLOOR.pull(settings, "box", (200.5 + 50, 150.5 + 80))
@@ -151,7 +157,7 @@ def test_the_box_is_put_where_the_pointer_meets_the_floor() -> None:
 
 
 @pytest.mark.parametrize("toe_in", [0, 12, 30])
-def test_rays_meet_in_the_lamp_and_its_image_is_on_the_drawn_line(toe_in: float) -> None:
+def test_lamp_is_triangulated_and_its_image_lies_on_the_epipolar_line(toe_in: float) -> None:
     given = {"toe_in": toe_in, "left_up": 40, "left_x": -44}
     overlay = frame_of(TWO_VIEWS, **given).panels[1].overlay
     found = re.search(r'class="ray thin faint" points="([^"]+)"', overlay)
@@ -166,7 +172,7 @@ def test_rays_meet_in_the_lamp_and_its_image_is_on_the_drawn_line(toe_in: float)
         assert abs(off) / math.hypot(x1 - x0, y1 - y0) < 0.02
 
 
-def test_the_essential_matrix_is_the_baseline_crossed_with_the_turn() -> None:
+def test_essential_matrix_is_the_baseline_crossed_with_the_rotation() -> None:
     rows = texts_of(frame_of(TWO_VIEWS, baseline=1, toe_in=30))["E"].replace("−", "-").split("\n")
     cos, sin = math.cos(math.radians(30)), math.sin(math.radians(30))
     R = np.array([[cos, 0, sin], [0, 1, 0], [-sin, 0, cos]])

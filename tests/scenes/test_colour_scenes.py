@@ -45,7 +45,7 @@ DAY: dict[str, object] = {"light": "daylight", "temperature": 6500}
 OTHERS = [light for light in LIGHTS if light != "daylight"]
 
 
-def test_twins_match_in_daylight_alone() -> None:
+def test_metameric_cloths_match_in_daylight_alone() -> None:
     assert outputs_of(CLOTH, **DAY)["seen"].apart.max() < 0.1
     for light in OTHERS:
         seen = outputs_of(CLOTH, light=light)["seen"]
@@ -55,9 +55,7 @@ def test_twins_match_in_daylight_alone() -> None:
 
 @pytest.mark.parametrize("light", LIGHTS)
 @pytest.mark.parametrize("sensor", ["camera", "eye"])
-def test_a_grey_surface_comes_out_grey_and_a_matrix_for_the_light_errs_less(
-    light: str, sensor: str
-) -> None:
+def test_grey_comes_out_grey_and_a_matrix_for_the_light_errs_less(light: str, sensor: str) -> None:
     errors = []
     for matrix in ("own", "daylight"):
         colours = outputs_of(SENSOR, light=light, sensor=sensor, matrix=matrix)["colours"]
@@ -67,14 +65,14 @@ def test_a_grey_surface_comes_out_grey_and_a_matrix_for_the_light_errs_less(
     assert errors[0] < 0.7 * errors[1] or light == "daylight"
 
 
-def test_the_eye_s_own_curves_make_no_error_in_daylight_and_a_camera_s_do() -> None:
+def test_eyes_curves_make_no_error_in_daylight_and_a_cameras_do() -> None:
     assert outputs_of(SENSOR, **DAY, sensor="eye")["colours"].error[0].max() < 0.05
     day = outputs_of(SENSOR, **DAY)["colours"]
     np.testing.assert_allclose(day.meant[0], day.meant[1], atol=1e-9)
     assert np.abs(day.srgb[0] - day.srgb[1]).max() > 0.02
 
 
-def test_the_patches_show_each_step_of_a_surface_and_its_twin_below() -> None:
+def test_patches_show_each_step_of_a_surface_above_its_metamer() -> None:
     raster = pixels_of(frame_of(SENSOR, light="fluorescent", twin=True), 1)
     found = outputs_of(SENSOR, light="fluorescent")["colours"]
     for row, step in enumerate((found.raw, found.balanced, found.srgb, found.meant)):
@@ -85,7 +83,7 @@ def test_the_patches_show_each_step_of_a_surface_and_its_twin_below() -> None:
             np.testing.assert_allclose(raster[int(y), int(x), :3], expected, atol=0.51)
 
 
-def test_the_photograph_as_seen_by_the_eye_s_own_curves_in_daylight_is_another() -> None:
+def test_eyes_curves_reproduce_the_photograph_in_daylight() -> None:
     pixels = pixels_of(frame_of(SENSOR, light="daylight", temperature=6500, sensor="eye"))
     made, meant = pixels[160:, :200, :3].astype(int), pixels[160:, 200:, :3]
     assert np.abs(made - meant).max() <= 3
@@ -99,7 +97,7 @@ def mosaiced(**values: object) -> Frame:
 
 
 @pytest.mark.parametrize("picture", SUBJECTS)
-def test_a_cell_differs_from_the_light_of_its_colour(picture: str) -> None:
+def test_mosaic_cell_shows_the_light_of_its_colour(picture: str) -> None:
     """Each cell, two samples wide, shows one colour; red is first."""
     shown = pixels_of(mosaiced(picture=picture, split=0))
     cells = shown[::2, ::2, :3]
@@ -113,14 +111,14 @@ def test_a_cell_differs_from_the_light_of_its_colour(picture: str) -> None:
 
 @pytest.mark.parametrize("split", [0, 0.5, 1])
 @pytest.mark.parametrize(("column", "row"), [(0, 0), (104, 56), (220, 176)])
-def test_the_loupe_shows_another_part(split: float, column: int, row: int) -> None:
+def test_loupe_shows_the_chosen_part(split: float, column: int, row: int) -> None:
     shown = mosaiced(split=split, column=column, row=row)
     whole = pixels_of(shown) if split == 1 else pixels_of(shown)[::2, ::2]
     part = whole[row : row + 16, column : column + 20]
     np.testing.assert_array_equal(part, pixels_of(shown, 1), strict=True)
 
 
-def test_figure_and_ladder_disagree() -> None:
+def test_figure_and_ladder_agree() -> None:
     ladder = load_ladder(BAYER.ladder)
     work = ladder.prepare()
     truth = ladder.reference(work)
@@ -135,7 +133,7 @@ def test_figure_and_ladder_disagree() -> None:
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_errors_by_colour_disagree_with_psnr_and_pixels(method: str) -> None:
+def test_errors_by_colour_agree_with_psnr_and_pixels(method: str) -> None:
     """PSNR is 10 log₁₀ of 255² over the mean of the three squared errors. The error picture shows
     four times the error; for the soft picture by bilinear, none is cut off."""
     given = {"method": method, "picture": "soft" if method == "bilinear" else "balloon"}
@@ -175,7 +173,7 @@ def pillow(picture: Floats, quality: int, subsampling: str) -> tuple[Floats, int
         (90, "4:2:2", None),
     ],
 )
-def test_picture_or_size_differs_from_pillows(
+def test_decoded_picture_and_size_agree_with_pillow(
     quality: int, subsampling: str, most: float | None
 ) -> None:
     """Huffman's code spends whole bits on each symbol: a little more than its entropy. With the
@@ -188,7 +186,7 @@ def test_picture_or_size_differs_from_pillows(
 
 
 @pytest.mark.parametrize("subsampling", ["4:4:4", "4:2:0"])
-def test_a_readout_differs_from_the_coded_picture(subsampling: str) -> None:
+def test_readouts_agree_with_the_coded_picture(subsampling: str) -> None:
     given = {"quality": 40, "subsampling": subsampling, "first": 20}
     done, shown = outputs(**given), texts_at(JPEG, **given)
     error = np.rint(255 * done["decoded"]) - 255 * done["original"]
@@ -203,7 +201,7 @@ def test_a_readout_differs_from_the_coded_picture(subsampling: str) -> None:
 
 @pytest.mark.parametrize("row", [0, 23])
 @pytest.mark.parametrize("column", [0, 29])
-def test_the_close_up_misses_a_block_at_the_border(row: int, column: int) -> None:
+def test_close_up_contains_its_block_at_the_border(row: int, column: int) -> None:
     picture = np.arange(240 * 192 * 4, dtype=np.uint8).reshape(192, 240, 4)
     window, (top, left) = close_up(picture, row, column)
     assert window.shape == (24, 30, 4)
@@ -211,7 +209,7 @@ def test_the_close_up_misses_a_block_at_the_border(row: int, column: int) -> Non
     assert np.array_equal(window[top : top + 8, left : left + 8], block)
 
 
-def test_an_even_picture_of_the_readers_changes_or_costs_bits() -> None:
+def test_readers_even_picture_is_unchanged_and_costs_no_bits() -> None:
     own = Photograph(1, np.full((192, 240, 3), 128, np.uint8))
     shown = JPEG.render(JPEG.check({"quality": 100}), "separable", StageCache(), own)
     assert (texts_of(shown)["psnr"], texts_of(shown)["kilobytes"]) == ("∞", "0.0")
@@ -232,7 +230,7 @@ def last_estimate(tier: str, **given: object) -> tuple[float, int, int]:
     ("tier", "subsampling"),
     [*zip(TRANSFORMS, ["4:2:0"] * 6, strict=True), ("fixed-point", "4:2:2")],
 )
-def test_the_error_differs_from_that_against_scipys_transform(tier: str, subsampling: str) -> None:
+def test_estimated_error_is_the_error_against_scipys_transform(tier: str, subsampling: str) -> None:
     done = outputs(tier, quality=95, subsampling=subsampling)
     coded, worst, changed = done["coded"], 0.0, 0
     factor = SUBSAMPLING[subsampling]
@@ -249,7 +247,7 @@ def test_the_error_differs_from_that_against_scipys_transform(tier: str, subsamp
     assert count == sum(codes.size for codes in coded.planes) // 64
 
 
-def test_a_pattern_differs_from_the_block_of_its_coefficient() -> None:
+def test_pattern_is_the_block_of_its_coefficient_alone() -> None:
     for (u, v), pattern in zip(np.ndindex(8, 8), PATTERNS.reshape(64, 8, 8), strict=True):
         alone = np.zeros((8, 8))
         alone[u, v] = 1.0
@@ -257,7 +255,7 @@ def test_a_pattern_differs_from_the_block_of_its_coefficient() -> None:
         np.testing.assert_allclose(pattern, block / np.abs(block).max(), atol=1e-12)
 
 
-def test_the_line_divides_the_pictures_elsewhere() -> None:
+def test_dividing_line_separates_the_pictures_at_its_place() -> None:
     before, half, after = (pixels_of(frame(original=share)) for share in (1, 0.5, 0))
     np.testing.assert_array_equal(half[:, :120], before[:, :120])
     np.testing.assert_array_equal(half[:, 120:], after[:, 120:])

@@ -38,8 +38,7 @@ NOT_FINITE = re.compile(r"\b(nan|inf)\b", re.IGNORECASE)
 
 
 def positions(control: Control, steps: int) -> list[object]:
-    """The ends, and for a slider ``steps`` on the way between them, its zero, and single steps
-    from the ends."""
+    """The ends; for a slider ``steps`` even positions, one step from each end, and its zero."""
     if not isinstance(control, Slider):
         return list(control.extremes())
     low, high, step = control.minimum, control.maximum, control.step
@@ -49,7 +48,7 @@ def positions(control: Control, steps: int) -> list[object]:
 
 
 def mixed_extremes(controls: tuple[Control, ...]) -> Iterator[Setting]:
-    """Settings of extremes at random; any two ends of two controls nearly certainly meet."""
+    """Random settings of extremes; nearly every pair of ends of two controls occurs together."""
     rng = np.random.default_rng(0)
     for _ in range(MIXED):
         extremes = {control.name: control.extremes() for control in controls}
@@ -57,7 +56,7 @@ def mixed_extremes(controls: tuple[Control, ...]) -> Iterator[Setting]:
 
 
 def overshoots(control: Slider) -> Iterator[tuple[float, float]]:
-    """Values past the ends, and the end that each stands for."""
+    """Values beyond the ends, and the end to which each is clamped."""
     span = control.maximum - control.minimum
     for far in (control.step, span, 1e9 * span, 1e300):
         yield control.maximum + far, control.maximum
@@ -65,7 +64,7 @@ def overshoots(control: Slider) -> Iterator[tuple[float, float]]:
 
 
 def shape_of(scene: Scene[Any], frame: Frame) -> object:
-    """All that must not change from frame to frame, lest the page jump."""
+    """What must not change from frame to frame, as the page would jump."""
     return (
         [(panel.name, panel.width, panel.height, pixels(scene, panel)) for panel in frame.panels],
         [(item.name, item.label) for item in frame.readouts],
@@ -73,14 +72,14 @@ def shape_of(scene: Scene[Any], frame: Frame) -> object:
 
 
 def pixels(scene: Scene[Any], panel: Panel) -> object:
-    """The size of a panel's raster; of scenes that may change it, whether there is one."""
+    """The size of a panel's raster; for scenes that may change it, whether there is one."""
     if panel.raster is None or scene.id in RESIZED:
         return panel.raster is not None
     return panel.raster.shape
 
 
 def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object]) -> None:
-    """Everything that a frame holds can be drawn, read and sent."""
+    """Assert that everything in a frame can be drawn, read and sent."""
     json.loads(to_json(frame))
     for panel in frame.panels:
         fault = fault_of_drawing(panel.overlay, panel.width, panel.height)
@@ -97,8 +96,10 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
 
 @lru_cache(maxsize=64)
 def fault_of_drawing(overlay: str, width: float, height: float) -> str:
-    """What in it is no number, or which label lies outside; most controls leave some panel as it
-    was."""
+    """The element with NaN or infinity or the label outside the panel; empty for a sound drawing.
+
+    Cached, as most controls leave some panels unchanged.
+    """
     for element in ElementTree.fromstring(f"<svg>{overlay}</svg>").iter():
         for name, value in element.attrib.items():
             if name != "class" and NOT_FINITE.search(value):
@@ -110,8 +111,8 @@ def fault_of_drawing(overlay: str, width: float, height: float) -> str:
     return ""
 
 
-def shown(frame: Frame) -> bytes:
-    """A digest of all that the reader sees, but for the words."""
+def digest_of(frame: Frame) -> bytes:
+    """A digest of what the reader sees, except the description."""
     seen = blake2b(repr((frame.readouts, [panel.overlay for panel in frame.panels])).encode())
     for panel in frame.panels:
         if panel.raster is not None:
@@ -121,89 +122,89 @@ def shown(frame: Frame) -> bytes:
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
-    """What is left of a sound frame once it was looked at."""
+class Record:
+    """The shape and the digest of a sound frame."""
 
     shape: object
-    shown: bytes
+    digest: bytes
 
 
 @dataclass(frozen=True, slots=True)
-class Swept:
-    """A scene whose frames are drawn and looked at once, however many of the tests meet them."""
+class Sweep:
+    """A scene whose frames are drawn and checked once, however many tests use them."""
 
     scene: Scene[Any]
-    seen: dict[tuple[str, object], Seen] = field(default_factory=dict)
+    records: dict[tuple[str, object], Record] = field(default_factory=dict)
     caches: dict[str, StageCache] = field(default_factory=dict)
 
-    def see(self, setting: Setting, tier: str = "") -> Seen:
-        """The frame of a setting, which is sound; as a draft, where the scene has its own."""
+    def frame_at(self, setting: Setting, tier: str = "") -> Record:
+        """The sound frame at a setting; a draft, where the scene has drafts of its own."""
         scene, given = self.scene, self.scene.clamp(setting)
         tier = tier or scene.default_tier or next(iter(scene.own_drafts), "")
-        if (tier, given) not in self.seen:
+        if (tier, given) not in self.records:
             frame = scene.render(given, tier, self.caches.setdefault(tier, StageCache()))
             assert_sound(scene, frame, {"tier": tier, **setting})
-            self.seen[tier, given] = Seen(shape_of(scene, frame), shown(frame))
-        return self.seen[tier, given]
+            self.records[tier, given] = Record(shape_of(scene, frame), digest_of(frame))
+        return self.records[tier, given]
 
 
 @pytest.fixture(params=sorted(SCENE_MODULES), scope="module")
-def swept(request: pytest.FixtureRequest) -> Swept:
-    return Swept(load_scene(request.param))
+def sweep(request: pytest.FixtureRequest) -> Sweep:
+    return Sweep(load_scene(request.param))
 
 
 @pytest.mark.parametrize("steps", [STEPS, pytest.param(MANY_STEPS, marks=pytest.mark.deep)])
-def test_each_control_is_sound_over_its_whole_range(swept: Swept, steps: int) -> None:
-    expected = swept.see({}).shape
-    for control in swept.scene.controls:
+def test_frame_is_sound_over_the_whole_range_of_each_control(sweep: Sweep, steps: int) -> None:
+    expected = sweep.frame_at({}).shape
+    for control in sweep.scene.controls:
         for value in positions(control, steps):
             setting = {control.name: value}
-            assert swept.see(setting).shape == expected, setting
+            assert sweep.frame_at(setting).shape == expected, setting
 
 
-def test_each_control_changes_the_frame(swept: Swept) -> None:
+def test_each_control_changes_the_frame(sweep: Sweep) -> None:
     """From the defaults, or once the controls before it were moved: one may turn another on.
 
     Buttons that move other controls change nothing by themselves.
     """
     moved = dict[str, object]()
-    for control in swept.scene.controls:
+    for control in sweep.scene.controls:
         if isinstance(control, Action) and control.effect:
             continue
-        found = next(changes(swept, control, ({}, moved)), None)
+        found = next(changes(sweep, control, ({}, moved)), None)
         assert found, control.name
         moved |= found
 
 
-def changes(swept: Swept, control: Control, starts: Iterable[Setting]) -> Iterator[Setting]:
-    """Extremes of a control that show something else than one of the settings ``starts`` does."""
+def changes(sweep: Sweep, control: Control, starts: Iterable[Setting]) -> Iterator[Setting]:
+    """Extremes of a control at which the frame differs from the frame at one of ``starts``."""
     for start in starts:
-        before = swept.see(start).shown
+        before = sweep.frame_at(start).digest
         for value in control.extremes():
-            if swept.see({**start, control.name: value}).shown != before:
+            if sweep.frame_at({**start, control.name: value}).digest != before:
                 yield {control.name: value}
 
 
 @pytest.mark.deep
-def test_mixed_extremes_are_sound(swept: Swept) -> None:
-    expected = swept.see({}).shape
-    for setting in mixed_extremes(swept.scene.controls):
-        assert swept.see(setting).shape == expected, setting
+def test_mixed_extremes_are_sound(sweep: Sweep) -> None:
+    expected = sweep.frame_at({}).shape
+    for setting in mixed_extremes(sweep.scene.controls):
+        assert sweep.frame_at(setting).shape == expected, setting
 
 
-def test_every_tier_is_sound_at_the_extremes(swept: Swept) -> None:
-    controls = swept.scene.controls
+def test_every_tier_is_sound_at_the_extremes(sweep: Sweep) -> None:
+    controls = sweep.scene.controls
     corners: list[Setting] = [
         {control.name: control.extremes()[end] for control in controls} for end in (0, -1)
     ]
-    expected = swept.see({}).shape
-    for tier in swept.scene.tiers:
+    expected = sweep.frame_at({}).shape
+    for tier in sweep.scene.tiers:
         for setting in corners:
-            assert swept.see(setting, tier).shape == expected, (tier, setting)
+            assert sweep.frame_at(setting, tier).shape == expected, (tier, setting)
 
 
-def test_values_past_the_ends_are_brought_to_the_ends(swept: Swept) -> None:
-    for control in swept.scene.controls:
+def test_values_beyond_the_ends_are_clamped(sweep: Sweep) -> None:
+    for control in sweep.scene.controls:
         if isinstance(control, Slider):
             for beyond, end in overshoots(control):
-                assert getattr(swept.scene.clamp({control.name: beyond}), control.name) == end
+                assert getattr(sweep.scene.clamp({control.name: beyond}), control.name) == end

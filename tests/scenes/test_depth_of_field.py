@@ -1,4 +1,4 @@
-"""The depth-of-field figure: limits, refusals, and the blur in the picture."""
+"""The depth-of-field figure: limits of focus, and the blur in the picture."""
 
 from itertools import islice
 from typing import Any
@@ -27,7 +27,7 @@ from simulations.scenes.depth_of_field.stages import (
 from simulations.world.layers import LitScene
 
 
-def test_a_focus_inside_the_focal_length_has_no_picture_no_stages_and_no_error() -> None:
+def test_focus_inside_the_focal_length_has_no_image_stages_or_error() -> None:
     shown = frame_of(SCENE, focal_length=100, focus=0.05)
     assert {item.text for item in shown.readouts[:5]} == {"none"}
     assert shown.stages == ()
@@ -37,24 +37,26 @@ def test_a_focus_inside_the_focal_length_has_no_picture_no_stages_and_no_error()
 
 @pytest.mark.parametrize("focal", [24, 49, 135])
 @pytest.mark.parametrize("focus", [0.15, 0.5, 3.2, 10])
-def test_the_drawn_blur_stops_at_its_limit_by_stopping_down(focal: float, focus: float) -> None:
-    asked = SCENE.check({"focal_length": focal, "focus": focus})
-    drawn = drawn_f_number(asked)
+def test_drawn_blur_is_limited_by_stopping_down(focal: float, focus: float) -> None:
+    settings = SCENE.check({"focal_length": focal, "focus": focus})
+    drawn = drawn_f_number(settings)
     ends_mm = [1000 * NEAR_M, 1000 * FAR_M]
     discs = thin_lens.circle_of_confusion_mm(focal, drawn, 1000 * focus, ends_mm)
     assert discs.max() / PITCH_MM <= LARGEST_DRAWN_PX + 1e-9
-    assert drawn >= asked.aperture
-    read = parameters(asked, "") or {}
+    assert drawn >= settings.aperture
+    read = parameters(settings, "") or {}
     assert read["aperture"] == drawn
-    assert set(read) & set(values_of(asked)) == {"aperture"}
-    noted = "no disc over 48 px" in frame_of(SCENE, "pinhole", **values_of(asked)).panels[0].overlay
-    assert noted == (drawn > asked.aperture)
-    if 1000 * focus < 500:  # all is behind the focus, and the wall is blurred most
+    assert set(read) & set(values_of(settings)) == {"aperture"}
+    noted = (
+        "no disc over 48 px" in frame_of(SCENE, "pinhole", **values_of(settings)).panels[0].overlay
+    )
+    assert noted == (drawn > settings.aperture)
+    if 1000 * focus < 500:  # everything lies behind the focus, and the wall is blurred most
         wall_mm = thin_lens.circle_of_confusion_mm(focal, 1.4, 1000 * focus, 1000 * FAR_M)
         assert drawn == pytest.approx(1.4 * max(1, float(wall_mm) / PITCH_MM / LARGEST_DRAWN_PX))
 
 
-def test_the_picture_grows_with_the_sensor_s_distance_from_the_lens() -> None:
+def test_picture_grows_with_the_sensors_distance_from_the_lens() -> None:
     """Not with the focal length: 1/f = 1/s + 1/z puts the sensor at z, and x = z X / Z."""
 
     def width_of_the_red_ball(focus: float) -> int:
@@ -68,7 +70,7 @@ def test_the_picture_grows_with_the_sensor_s_distance_from_the_lens() -> None:
 
 
 def test_every_tier_and_its_reference_have_the_same_scale() -> None:
-    """The sensor stands 12 % farther off than the focal length: any mix of the two is far off."""
+    """The sensor is 12 % farther away than the focal length, so that mixing the two would show."""
     lens: dict[str, Any] = {"focal_length": 135, "aperture": 22, "focus": 1.25}
     layered, *others = (
         pixels_of(frame_of(SCENE, tier, **lens))[..., :3].astype(float)
@@ -81,7 +83,7 @@ def test_every_tier_and_its_reference_have_the_same_scale() -> None:
         assert np.sqrt(np.mean((other - layered) ** 2)) < 3
 
 
-def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing() -> None:
+def test_pixel_has_the_depth_of_the_foremost_thing() -> None:
     ones = np.ones((4, 3, 4), np.float32)
     half = ones * np.float32(0.5)
     lit = LitScene(
@@ -98,7 +100,7 @@ def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing() -> None:
 
 
 @pytest.mark.parametrize("focus", [0.3, 2.0, 3.2, 6.0, 9.0])
-def test_line_and_handle_on_the_floor_are_where_the_floor_is_in_focus(focus: float) -> None:
+def test_floor_line_and_handle_lie_where_the_floor_is_in_focus(focus: float) -> None:
     stages = StageCache()
     shown = frame_of(SCENE, "", stages, focus=focus)
     rows = [place.y for place in shown.handles if place.name == "floor"]

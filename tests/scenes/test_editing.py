@@ -1,4 +1,4 @@
-"""Edited code of a figure: a copy of the program with the edits, and where they go wrong."""
+"""Edited code of a figure: a copy of the program with the edits, and the place of mistakes."""
 
 import json
 import sys
@@ -34,7 +34,7 @@ def copy_with(module: str, edits: dict[str, str]) -> Scene[Any]:
     return scene
 
 
-def drawn(scene: Scene[Any]) -> object:
+def content_of(scene: Scene[Any]) -> object:
     return content(scene.render(scene.clamp({}), scene.draft_tier, StageCache()))
 
 
@@ -42,8 +42,8 @@ def drawn(scene: Scene[Any]) -> object:
     "scene_id",
     [pytest.param(s, marks=[] if s in SAMPLE else pytest.mark.deep) for s in SCENE_MODULES],
 )
-def test_a_copy_without_edits_draws_something_else(scene_id: str) -> None:
-    assert drawn(copy_with(SCENE_MODULES[scene_id], {})) == drawn(load_scene(scene_id))
+def test_copy_without_edits_draws_the_same_frame(scene_id: str) -> None:
+    assert content_of(copy_with(SCENE_MODULES[scene_id], {})) == content_of(load_scene(scene_id))
 
 
 SPOILS = (
@@ -65,22 +65,22 @@ SPOILS = (
         ),
         (ORIGINAL, None, SPOILS),
     ],
-    ids=["stage", "model", "constant", "own imports and helpers", "spoiled array"],
+    ids=["stage", "model", "constant", "new imports and helpers", "spoiled array"],
 )
-def test_an_edit_leaves_the_copy_or_changes_the_book(
+def test_edit_changes_the_copy_and_leaves_the_book_unchanged(
     definition: str, old: str | None, new: str
 ) -> None:
-    book, modules = drawn(load_scene("jpeg")), dict(sys.modules)
+    book, modules = content_of(load_scene("jpeg")), dict(sys.modules)
     package = dict(vars(sys.modules["simulations"]))
     text = source_of(definition).replace(old, new) if old else new
     assert text != source_of(definition)
-    assert drawn(copy_with(JPEG, {definition: text})) != book
-    assert drawn(load_scene("jpeg")) == book
+    assert content_of(copy_with(JPEG, {definition: text})) != book
+    assert content_of(load_scene("jpeg")) == book
     assert dict(sys.modules) == modules
     assert vars(sys.modules["simulations"]) == package
 
 
-def test_a_copy_that_fails_replaces_modules_of_the_book() -> None:
+def test_failed_copy_leaves_the_modules_of_the_book_unchanged() -> None:
     load_scene("jpeg")
     before, finders = dict(sys.modules), list(sys.meta_path)
     with pytest.raises(ZeroDivisionError):
@@ -88,7 +88,7 @@ def test_a_copy_that_fails_replaces_modules_of_the_book() -> None:
     assert (dict(sys.modules), sys.meta_path) == (before, finders)
 
 
-def test_an_edit_is_in_another_place_of_its_module() -> None:
+def test_spliced_edits_keep_their_place_in_the_module() -> None:
     source = "A = 1\nB = 2\nC = 3\n"
     text, places = splice("m", source, {"C": "C = 5", "A": "x = 1\nA = (\n    4\n)"})
     assert text == "x = 1\nA = (\n    4\n)\nB = 2\nC = 5\n"
@@ -108,26 +108,26 @@ def test_an_edit_is_in_another_place_of_its_module() -> None:
         ("os:remove", "remove = 1", 0),
     ],
 )
-def test_a_text_that_fits_no_definition_is_taken(definition: str, text: str, line: int) -> None:
+def test_text_that_fits_no_definition_is_refused(definition: str, text: str, line: int) -> None:
     with pytest.raises((ValueError, RefusedEditError)) as caught:
         edition_of({definition: text})
     if isinstance(caught.value, RefusedEditError):
         assert (caught.value.definition, caught.value.line) == (STAGE, line)
 
 
-def answer(edits: dict[str, str], figure: str = "figure-edited") -> browser.EditedReply:
+def reply_to(edits: dict[str, str], figure: str = "figure-edited") -> browser.EditedReply:
     return browser.render_edited(figure, "jpeg", "{}", "", json.dumps(edits))
 
 
 def problem_with(edits: dict[str, str]) -> Any:
-    reply = answer(edits)
+    reply = reply_to(edits)
     assert reply.frame is None
     return json.loads(reply.problem)
 
 
-def test_edits_of_a_figure_change_another_or_are_computed_anew() -> None:
+def test_edits_leave_other_figures_unchanged_and_are_cached() -> None:
     before = browser.render("figure-other", "jpeg", "{}", "")
-    reply, again = answer({ORIGINAL: DARK}), answer({ORIGINAL: DARK})
+    reply, again = reply_to({ORIGINAL: DARK}), reply_to({ORIGINAL: DARK})
     assert reply.problem == "null"
     assert reply.frame
     assert again.frame
@@ -166,9 +166,9 @@ RAISED = next(
         ({STAGE: "def fidelity(decoded):\n    return 1.0"}, "", 0, "stage 'psnr' comes after"),
         ({ORIGINAL: NO_PSNR}, "", 0, f'"simulations/scenes/jpeg.py", "line": "{RAISED}"'),
     ],
-    ids=["exception", "exit", "no Python", "in a model", "no line of the reader's", "in the book"],
+    ids=["exception", "exit", "syntax", "in a model", "outside the edits", "in the book"],
 )
-def test_a_mistake_is_reported_on_another_line(
+def test_mistake_is_reported_on_its_line(
     edits: dict[str, str], definition: str, line: int, words: str
 ) -> None:
     found = problem_with(edits)
@@ -177,14 +177,14 @@ def test_a_mistake_is_reported_on_another_line(
         assert (found["definition"], found["line"]) == (definition, line)
 
 
-def test_printed_text_is_lost_or_endless() -> None:
+def test_printed_text_is_returned_up_to_a_limit() -> None:
     text = f"{HEAD}    print('shape', decoded.shape)\n    return 1.0"
-    assert answer({STAGE: text}).printed.startswith("shape (")
+    assert reply_to({STAGE: text}).printed.startswith("shape (")
     text = text.replace("'shape'", "'x' * 10**6")
-    assert len(answer({STAGE: text}).printed) == browser.MOST_PRINTED
+    assert len(reply_to({STAGE: text}).printed) == browser.MOST_PRINTED
 
 
-def test_the_error_of_an_edited_frame_is_that_of_the_book() -> None:
+def test_error_of_an_edited_frame_is_computed_with_the_edit() -> None:
     edits = json.dumps({"simulations.scenes.sensor_noise.sensor:FULL_WELL_E": "FULL_WELL_E = 50"})
     book = browser.error("figure-a", "sensor-noise", "{}", "")
     edited = browser.error("figure-a", "sensor-noise", "{}", "", edits)

@@ -1,5 +1,5 @@
-"""Pictures of every scene in all their forms: by tier, as drafts, before Python runs, and of the
-reader's own photograph."""
+"""Pictures of every scene: by tier, as drafts, before Python runs, and with the reader's own
+photograph."""
 
 import itertools
 import json
@@ -23,8 +23,8 @@ from site_builder.figures import initial_frames
 
 SCENES = {name: load_scene(name) for name in SCENE_MODULES}
 TIERED = [name for name, scene in SCENES.items() if scene.tiers]
-JUDGED = [name for name, scene in SCENES.items() if scene.estimate is not None]
-TAKING = [name for name, scene in SCENES.items() if isinstance(scene.photograph, tuple)]
+WITH_ESTIMATE = [name for name, scene in SCENES.items() if scene.estimate is not None]
+WITH_PHOTOGRAPH = [name for name, scene in SCENES.items() if isinstance(scene.photograph, tuple)]
 DRAFTS = [
     (name, draft, [control for control, tier in drafts.items() if tier == draft])
     for name, scene in SCENES.items()
@@ -37,26 +37,26 @@ FAR_CODES = {"stability": 15.0}
 
 
 @pytest.mark.parametrize("name", TIERED)
-def test_a_scene_settles_where_its_ladder_does_and_can_be_judged(name: str) -> None:
+def test_default_tier_is_the_ladders_and_has_an_error_estimate(name: str) -> None:
     scene = SCENES[name]
     assert not scene.ladder or scene.default_tier == load_ladder(scene.ladder).default_tier
-    assert name in JUDGED
+    assert name in WITH_ESTIMATE
 
 
-@pytest.mark.parametrize("name", JUDGED)
-def test_every_tier_tells_its_error_with_a_number_and_a_unit(name: str) -> None:
+@pytest.mark.parametrize("name", WITH_ESTIMATE)
+def test_every_tier_states_its_error_with_a_number_and_a_unit(name: str) -> None:
     """Before the first number there may be steps that only prepare the reference."""
     scene = SCENES[name]
     given = scene.check({})
     for tier in scene.tiers or ("",):
-        first = next(told for told in scene.estimates(given, tier, StageCache()) if told.unit)
+        first = next(each for each in scene.estimates(given, tier, StageCache()) if each.unit)
         assert first.label
         assert any(sign.isdigit() for sign in first.text), (tier, first.text)
 
 
 @pytest.mark.parametrize("name", TIERED)
-def test_no_two_tiers_paint_the_same_pixels_by_being_the_same_computation(name: str) -> None:
-    """Their stages read the tier: a choice that changes nothing would be no choice."""
+def test_change_of_tier_recomputes_a_stage(name: str) -> None:
+    """A choice between tiers that no stage reads would change nothing."""
     scene, cache = SCENES[name], StageCache()
     given = scene.check({})
     for one, other in itertools.pairwise(scene.tiers):
@@ -67,8 +67,8 @@ def test_no_two_tiers_paint_the_same_pixels_by_being_the_same_computation(name: 
 
 
 @pytest.mark.parametrize(("name", "draft", "controls"), DRAFTS)
-def test_a_draft_is_near_the_picture_at_rest(name: str, draft: str, controls: list[str]) -> None:
-    """At the start, and where a control that it follows may be let go of."""
+def test_draft_is_near_the_settled_picture(name: str, draft: str, controls: list[str]) -> None:
+    """At the start, and at the ends of the controls during whose drag it is shown."""
     scene, most = SCENES[name], FAR_CODES.get(name, 1.5)
     sliders = (each for each in scene.controls if each.name in controls)
     for given in ({}, *itertools.chain(*map(ends, itertools.islice(sliders, 2)))):
@@ -93,10 +93,8 @@ def reduced(raster: Raster) -> Any:
 
 
 @pytest.mark.parametrize("scene", SCENE_MODULES)
-def test_each_early_frame_says_and_draws_what_its_scene_does(
-    scene: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Only the ends are prepared, so that none is drawn between."""
+def test_initial_frame_equals_the_scenes_frame(scene: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only the frames at the ends are prepared, to save time."""
     monkeypatch.setattr(initial_frames, "FRAMES", 2)
     of: Scene[Any] = SCENES[scene]
     start = values_of(of.check({}))
@@ -105,9 +103,9 @@ def test_each_early_frame_says_and_draws_what_its_scene_does(
     if strip is None:
         return
     cache = StageCache()
-    told = json.loads(strip.data)
-    for frame in (told["frames"][0], told["frames"][-1]):
-        settings = of.check({**start, told["control"]: frame["value"]})
+    prerendered = json.loads(strip.data)
+    for frame in (prerendered["frames"][0], prerendered["frames"][-1]):
+        settings = of.check({**start, prerendered["control"]: frame["value"]})
         truth = json.loads(to_json(of.render(settings, of.default_tier, cache)))
         assert frame["readouts"] == truth["readouts"]
         assert frame["description"] == truth["description"]
@@ -115,8 +113,8 @@ def test_each_early_frame_says_and_draws_what_its_scene_does(
         assert [panel["overlay"] for panel in frame["panels"]] == drawn
 
 
-@pytest.mark.parametrize("name", TAKING)
-def test_a_scene_shows_the_reader_s_picture_and_then_the_book_s_again(name: str) -> None:
+@pytest.mark.parametrize("name", WITH_PHOTOGRAPH)
+def test_scene_shows_the_readers_picture_and_then_the_books_again(name: str) -> None:
     scene = SCENES[name]
     assert isinstance(scene.photograph, tuple)
     width, height = scene.photograph

@@ -19,13 +19,13 @@ from simulations.scenes.formation_pipeline.stations import (
 
 
 def parts(pattern: str, line: str) -> tuple[str, ...]:
-    """The groups of a line that is written so from end to end."""
+    """The groups of a pattern that matches the whole line."""
     found = re.fullmatch(pattern, line)
     assert found is not None, line
     return tuple(found.groups())
 
 
-def test_electrons_scatter_as_photons_do_and_reading_adds_five() -> None:
+def test_electrons_scatter_like_photons_and_read_noise_adds_five() -> None:
     journeys = [travel(4.0, 0.6, exposure) for exposure in range(400)]
     counted, read = np.array([(each.counted_e, each.read_e) for each in journeys]).T
     assert counted.mean() == pytest.approx(3000, abs=4 * math.sqrt(3000 / 400))
@@ -35,8 +35,8 @@ def test_electrons_scatter_as_photons_do_and_reading_adds_five() -> None:
 
 
 @pytest.mark.parametrize("exposure", range(8))
-def test_each_line_of_the_ledger_follows_from_the_line_above_as_printed(exposure: int) -> None:
-    """At every albedo, and in every exposure that the button deals."""
+def test_each_ledger_line_follows_from_the_printed_line_above(exposure: int) -> None:
+    """At every albedo and in eight exposures."""
     for percent in range(101):
         *_, light, sensor, file = (
             item.numbers for item in stations(travel(4.0, percent / 100, exposure))
@@ -53,8 +53,8 @@ def test_each_line_of_the_ledger_follows_from_the_line_above_as_printed(exposure
 
 
 @pytest.mark.parametrize("distance", [2.0, 4.0, 5.3, 8.0])
-def test_the_places_in_the_ledger_follow_from_one_another(distance: float) -> None:
-    """Printed numbers are good to half of their last digit."""
+def test_places_in_the_ledger_follow_from_one_another(distance: float) -> None:
+    """Within the rounding of the printed numbers."""
     lines = [item.numbers.replace("−", "-") for item in stations(travel(distance, 0.6, 0))[:5]]
     room, camera, ideal, bent, pixel = (
         [float(each) for each in parts(r".*?\(([^)]*)\).*", line)[0].split(",")] for line in lines
@@ -68,7 +68,7 @@ def test_the_places_in_the_ledger_follow_from_one_another(distance: float) -> No
     assert lines[4].endswith(f"in cell ({round(pixel[0])}, {round(pixel[1])})")
 
 
-def test_the_marker_stands_on_each_station_at_whole_numbers_and_never_jumps() -> None:
+def test_marker_is_at_each_station_at_whole_numbers_and_never_jumps() -> None:
     legs = route(4.0)
     for index, leg in enumerate(legs):
         assert travelled(legs, index)[-1] == pytest.approx(leg[0])
@@ -78,10 +78,10 @@ def test_the_marker_stands_on_each_station_at_whole_numbers_and_never_jumps() ->
 
 
 @pytest.mark.parametrize("distance", [2.0, 4.0, 8.0])
-def test_the_tile_of_the_sensor_shows_the_paint_as_bright_and_smaller_from_farther(
+def test_sensor_tile_shows_the_paint_smaller_but_no_darker_from_afar(
     distance: float,
 ) -> None:
-    """The cell in the middle holds paint only; the disc covers its true number of cells."""
+    """The cell in the middle shows paint only; the disc covers its true number of cells."""
     journey = travel(distance, 0.6, 0)
     light = light_around(journey)
     assert light[CELLS // 2, CELLS // 2] == pytest.approx(journey.relative_light)

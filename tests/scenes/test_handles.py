@@ -1,4 +1,4 @@
-"""What a pull at any handle of any scene does, whatever it moves."""
+"""Pulls at every handle of every scene."""
 
 import itertools
 import math
@@ -21,20 +21,20 @@ ALL = [(scene, handle) for scene in SCENES.values() for handle in scene.handles]
 PLACED = [(scene, handle) for scene, handle in ALL if handle.reach != "aim"]
 """Handles that have a place of their own."""
 CACHES = {id_: StageCache() for id_ in SCENES}
-"""What no handle moves is computed once."""
+"""Stages that no handle changes are computed once."""
 FAR = 1e7
 FINGER = 24 / 267
 """Share of a panel: the 24 CSS pixels of WCAG 2.2 (2.5.8) where a phone is 320 pixels wide."""
 NOISE = 0.05
-"""Units of the view box by which one step may seem nearer than another that is not."""
+"""Units of the view box by which rounding can make one step seem nearer than another."""
 
 
-def named(part: object) -> str:
+def name_of(part: object) -> str:
     return part.id if isinstance(part, Scene) else getattr(part, "name", "")
 
 
 class Outputs(Mapping[str, Any]):
-    """What the stages make of some settings: of them only those that a handle asks for."""
+    """The stages' outputs at some settings; only the stages that a requested output needs run."""
 
     def __init__(self, scene: Scene[Any], settings: object) -> None:
         self._scene, self._settings = scene, settings
@@ -70,23 +70,23 @@ class Start:
     def place(self) -> Point | None:
         return self.handle.at(self.settings, Outputs(self.scene, self.settings))
 
-    def having(self, values: Mapping[str, Value]) -> "Start":
+    def with_values(self, values: Mapping[str, Value]) -> "Start":
         return replace(self, settings=self.scene.clamp({**values_of(self.settings), **values}))
 
     def pulled_to(self, place: Point) -> "Start":
-        return self.having(self.scene.pull(self.settings, self.handle.name, place))
+        return self.with_values(self.scene.pull(self.settings, self.handle.name, place))
 
 
 def starts(scene: Scene[Any], handle: Handle[Any], count: int) -> Iterator[Start]:
-    """The defaults, then settings drawn from the whole of what the controls allow."""
+    """The defaults, then random legal settings."""
     rng = np.random.default_rng(0)
     yield Start(scene, handle, scene.check({}))
     for _ in range(count):
-        values = {control.name: drawn(control, rng) for control in scene.controls}
+        values = {control.name: random_value(control, rng) for control in scene.controls}
         yield Start(scene, handle, scene.clamp(values))
 
 
-def drawn(control: Any, rng: np.random.Generator) -> Value:
+def random_value(control: Any, rng: np.random.Generator) -> Value:
     if isinstance(control, Slider):
         return control.nearest(float(rng.uniform(control.minimum, control.maximum)))
     if isinstance(control, Choice):
@@ -98,15 +98,15 @@ def drawn(control: Any, rng: np.random.Generator) -> Value:
 
 
 def with_other_values(start: Start) -> Iterator[Start]:
-    """The same settings but for what the handle drives."""
+    """The same settings except random values of the controls that the handle drives."""
     rng = np.random.default_rng(1)
     controls = [c for c in start.scene.controls if c.name in start.handle.drives]
     for _ in range(6):
-        yield start.having({control.name: drawn(control, rng) for control in controls})
+        yield start.with_values({control.name: random_value(control, rng) for control in controls})
 
 
-def a_step_away(start: Start) -> Iterator[Start]:
-    """All neighbours, one step of each driven slider or none, and all other options of a menu."""
+def neighbours(start: Start) -> Iterator[Start]:
+    """All neighbours: driven sliders moved by one step or none, driven menus at any option."""
     options = []
     for control in start.scene.controls:
         if control.name not in start.handle.drives:
@@ -118,20 +118,20 @@ def a_step_away(start: Start) -> Iterator[Start]:
         elif isinstance(control, Choice):
             options.append([(control.name, value) for value in control.options])
     for values in itertools.product(*options):
-        yield start.having(dict(values))
+        yield start.with_values(dict(values))
 
 
-def test_every_scene_has_something_to_grab() -> None:
+def test_every_scene_has_a_handle() -> None:
     without = [scene.id for scene in SCENES.values() if not scene.handles]
     assert without == []
 
 
 @pytest.mark.parametrize("goals", [8, pytest.param(36, marks=pytest.mark.deep)])
-@pytest.mark.parametrize(("scene", "handle"), PLACED, ids=named)
-def test_a_handle_goes_where_it_is_pulled_as_near_as_a_step_of_its_controls_allows(
+@pytest.mark.parametrize(("scene", "handle"), PLACED, ids=name_of)
+def test_pulled_handle_gets_as_near_as_one_step_of_its_controls_allows(
     scene: Scene[Any], handle: Handle[Any], goals: int
 ) -> None:
-    """It stays where it is when it is pulled to its own place."""
+    """Pulled to its own place, it stays."""
     tried = 0
     for start in starts(scene, handle, 5):
         here = start.place
@@ -148,14 +148,14 @@ def test_a_handle_goes_where_it_is_pulled_as_near_as_a_step_of_its_controls_allo
             pulled = start.pulled_to(place)
             assert pulled.place is not None, (start.settings, goal.settings)
             left = math.dist(pulled.place, place)
-            around = (other.place for other in a_step_away(pulled))
+            around = (other.place for other in neighbours(pulled))
             nearest = min(math.dist(other, place) for other in around if other is not None)
             assert left <= max(nearest, 1.0) + NOISE, (start.settings, goal.settings, left)
     assert tried, "no settings at which it could be grabbed"
 
 
-@pytest.mark.parametrize(("scene", "handle"), ALL, ids=named)
-def test_wherever_the_pointer_goes_the_controls_stay_legal(
+@pytest.mark.parametrize(("scene", "handle"), ALL, ids=name_of)
+def test_controls_stay_legal_wherever_the_pointer_goes(
     scene: Scene[Any], handle: Handle[Any]
 ) -> None:
     for start in starts(scene, handle, 2):
@@ -164,8 +164,8 @@ def test_wherever_the_pointer_goes_the_controls_stay_legal(
             assert scene.check({**values}) is not None
 
 
-@pytest.mark.parametrize("scene", SCENES.values(), ids=named)
-def test_handles_lie_in_panels_and_a_finger_tells_the_marks_of_an_untouched_figure_apart(
+@pytest.mark.parametrize("scene", SCENES.values(), ids=name_of)
+def test_handles_belong_to_panels_and_lie_a_fingers_width_apart(
     scene: Scene[Any],
 ) -> None:
     settings = scene.check({})

@@ -18,7 +18,7 @@ ROWS = [
 
 
 @pytest.mark.parametrize(("scene", "given", "row"), ROWS)
-def test_a_figure_shows_what_is_known(
+def test_figure_shows_the_known_values(
     scene: str, given: dict[str, object], row: dict[str, Any]
 ) -> None:
     frame, shows = frame_of(load_scene(scene), **given), row.get("shows", {})

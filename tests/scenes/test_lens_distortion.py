@@ -1,4 +1,4 @@
-"""The Lens Distortion Simulator: its map, its correction, its margin, and its handles."""
+"""The lens-distortion figure: its map, its correction, its margin, and its handles."""
 
 import math
 
@@ -23,10 +23,10 @@ from simulations.scenes.lens_distortion.stages import (
 )
 
 TIER = SCENE.default_tier
-UNUSED = Photo(np.zeros(()), np.zeros(()))  # by a lens that is not ideal
+UNUSED = Photo(np.zeros(()), np.zeros(()))  # only an ideal lens reads it
 
 
-def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate() -> None:
+def test_linear_ramp_through_the_lens_shows_ideal_coordinates() -> None:
     y, x = np.mgrid[:420, :560].astype(np.float32)
     warp = _map(pixel_radii(), -0.2, 0.05, TIER, margin=True)
     seen = _through_lens(UNUSED, gather_source(np.stack((x, y), axis=-1)), warp).linear
@@ -39,7 +39,7 @@ def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate() -> None:
     np.testing.assert_allclose(image, expected[covered], atol=2e-5)
 
 
-def test_the_correction_restores_the_picture_where_the_photograph_had_it() -> None:
+def test_correction_restores_the_picture_within_the_photograph() -> None:
     pinhole = checker_room(560, 420, 200.0)
     warp = _map(pixel_radii(), -0.1, 0.0, TIER, margin=True)
     photo = _through_lens(UNUSED, gather_source(pinhole), warp)
@@ -48,14 +48,14 @@ def test_the_correction_restores_the_picture_where_the_photograph_had_it() -> No
     assert error < 0.15 * np.abs(photo.linear - truth).mean()
 
 
-def test_the_picture_is_grey_past_the_fold() -> None:
+def test_picture_is_grey_past_the_fold() -> None:
     corners = pixels_of(frame_of(SCENE, k1=-0.5))[[0, 0, -1, -1], [0, -1, 0, -1], :3]
     np.testing.assert_array_equal(corners, corners[:1].repeat(4, axis=0))
 
 
 @pytest.mark.parametrize("shown", ["room", "chart"])
 @pytest.mark.parametrize(("k1", "k2"), [(0.0, 0.0), (0.01, 0.0), (0.0, 0.01), (0.5, 0.2)])
-def test_the_margin_changes_nothing_without_a_barrel(shown: str, k1: float, k2: float) -> None:
+def test_margin_changes_nothing_without_a_barrel(shown: str, k1: float, k2: float) -> None:
     assert not needs_margin(k1, k2)
     settings = values_of(SCENE.check({"picture": shown, "k1": k1, "k2": k2}))
     given = {**settings, "tier": TIER, "photograph": None}
@@ -68,11 +68,11 @@ def test_the_margin_changes_nothing_without_a_barrel(shown: str, k1: float, k2: 
     assert (difference > 0).mean() < 1e-3
 
 
-def test_points_are_held_inside_the_photograph_and_hidden_in_a_corrected_one() -> None:
-    held = [each for each in frame_of(SCENE, k1=0.5, k2=0.3).handles if each.name != "crossing"]
-    margins = [min(each.x, 400 - each.x, each.y, 300 - each.y) for each in held]
+def test_handles_stay_inside_the_photograph_and_hide_once_corrected() -> None:
+    points = [each for each in frame_of(SCENE, k1=0.5, k2=0.3).handles if each.name != "crossing"]
+    margins = [min(each.x, 400 - each.x, each.y, 300 - each.y) for each in points]
     assert margins == [pytest.approx(15)] * 2
-    middle = [math.atan2(each.y - 150, each.x - 200) for each in held]
+    middle = [math.atan2(each.y - 150, each.x - 200) for each in points]
     assert middle == pytest.approx([math.atan2(0.45, 0.6), math.atan2(-0.54, 0.72)], abs=1e-4)
     corrected = frame_of(SCENE, k1=-0.2, correct=True).handles
     assert {place.name for place in corrected} == {"crossing"}

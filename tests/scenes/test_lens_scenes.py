@@ -38,20 +38,20 @@ def light_through(**given: object) -> Floats:
     return decode_srgb(pixels_of(frame_of(PINHOLE, **given))[..., :3] / 255.0)
 
 
-def test_the_light_goes_with_the_area_of_the_hole_unless_the_exposure_is_longer() -> None:
+def test_light_scales_with_the_holes_area_unless_exposure_compensates() -> None:
     wide, half = (float(light_through(hole=hole).mean()) for hole in (2.0, 1.0))
     assert half / wide == pytest.approx(1 / 4, rel=0.01)
     means = [float(light_through(hole=hole, longer=True).mean()) for hole in (0.1, 0.5, 2.0)]
     assert means == pytest.approx([means[0]] * 3, rel=0.02)
 
 
-def test_the_picture_is_sharpest_at_about_four_tenths_of_a_millimetre() -> None:
+def test_picture_is_sharpest_with_a_hole_of_about_0_4_mm() -> None:
     pictures = [light_through(hole=hole, longer=True) for hole in (2.0, 1.0, 0.4, 0.2, 0.1)]
     sharp = [float(np.abs(np.diff(picture, axis=1)).mean()) for picture in pictures]
     assert sharp[0] < sharp[1] < sharp[2] > sharp[3] > sharp[4]
 
 
-def test_the_picture_is_the_scene_upside_down_with_left_and_right_exchanged() -> None:
+def test_picture_is_upside_down_with_left_and_right_exchanged() -> None:
     seen, scene = light_through(hole=0.4, longer=True), balloon()
     assert np.corrcoef(seen.ravel(), scene[::-1, ::-1].ravel())[0, 1] > 0.95
     assert np.corrcoef(seen.ravel(), scene.ravel())[0, 1] < 0.5
@@ -70,7 +70,7 @@ def test_images_and_angles_obey_the_lens_equation_and_snell(vergence: float) -> 
     assert outside == pytest.approx(1.7 * inside, abs=0.003)
 
 
-def test_aberration_grows_with_the_square_of_the_height_and_with_the_wrong_way_round() -> None:
+def test_aberration_grows_with_squared_height_and_with_a_reversed_lens() -> None:
     off = number("true_at") - number("thick_at")
     assert number("aberration") == pytest.approx(off, abs=0.011)
     two, four = (number("aberration", height=height) for height in (2, 4))
@@ -84,8 +84,8 @@ def test_aberration_grows_with_the_square_of_the_height_and_with_the_wrong_way_r
 CHART: dict[str, object] = {"picture": "chart", "aperture": 16}
 
 
-def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_difference_in_size() -> None:
-    """An edge of the chart's border, 150 px right of the centre: where its area puts it."""
+def test_red_and_blue_edges_lie_apart_by_their_difference_in_scale() -> None:
+    """An edge of the chart's border, 150 px right of the centre, located by the area under it."""
     planes = outputs_of(ABERRATIONS, "gauss-1", **CHART, glass="flint", stop=15)["channels"]
     edges = []
     for channel in (0, 2):
@@ -96,7 +96,7 @@ def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_difference_in_size()
     assert edges[1] - edges[0] == pytest.approx(-15 / (24 * 36.4) * radius, abs=0.1)
 
 
-def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself() -> None:
+def test_ideal_lens_at_small_aperture_shows_the_chart_itself() -> None:
     given = {"glass": "ideal", "rim": 0, "natural": "false"}
     planes = outputs_of(ABERRATIONS, "gauss-1", **CHART, **given)
     chart = resolution_chart(336, 256, FOCAL_PX).transpose(2, 0, 1)[:, 8:-8, 8:-8]
@@ -104,15 +104,15 @@ def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself() -> None:
     assert (planes["vignetting"] == 1).all()
 
 
-def test_even_wavelengths_leave_out_nothing_that_a_channel_sees() -> None:
+def test_even_wavelengths_span_each_channels_band() -> None:
     for band, line in zip(bands("even-31", "flint"), LINES_UM, strict=True):
         off = (band.wavelengths_um - line) / WIDTH_UM
         assert off.min() < -3.5 < 3.5 < off.max()
         assert [band.shares @ off, band.shares @ off**2] == pytest.approx([0, 1], abs=0.03)
 
 
-def test_the_edge_of_a_band_is_smeared_by_the_spread_of_its_sizes() -> None:
-    """The vertical edge 150 px from the centre: the variance of its place is that of the scales."""
+def test_edge_of_a_band_is_blurred_by_the_spread_of_its_scales() -> None:
+    """The vertical edge 150 px from the centre; variances of its place and of the scales agree."""
 
     def spread(**given: object) -> tuple[float, float]:
         channels: Floats = outputs_of(ABERRATIONS, "even-31", **CHART, **given)["channels"]
@@ -130,7 +130,7 @@ def test_the_edge_of_a_band_is_smeared_by_the_spread_of_its_sizes() -> None:
 
 @pytest.mark.parametrize("aperture", [1.4, 2.8, 16])
 @pytest.mark.parametrize("rim", [0, 3, 6, 10])
-def test_the_bundle_as_drawn_is_cut_where_the_corner_loses_light(aperture: float, rim: int) -> None:
+def test_drawn_bundle_is_cut_where_the_corner_loses_light(aperture: float, rim: int) -> None:
     (share,) = light(np.array([1.0]), aperture, rim, False)[1]
     drawn = passing(aperture, rim)
     assert (drawn is None) == (share == 0)
@@ -140,7 +140,7 @@ def test_the_bundle_as_drawn_is_cut_where_the_corner_loses_light(aperture: float
 BY_NAME = {thing.name: thing for thing in THINGS}
 
 
-def test_the_floor_has_another_depth_in_its_row() -> None:
+def test_floor_row_has_the_depth_it_stands_for() -> None:
     depth = outputs_of(STILL_LIFE)["light"].base_depth[:, 3]
     for wanted in (2.0, 3.0, 5.0):
         row = floor_row(wanted) * len(depth) / HEIGHT
@@ -148,7 +148,7 @@ def test_the_floor_has_another_depth_in_its_row() -> None:
 
 
 @pytest.mark.parametrize("name", ["red ball", "striped ball", "green ball"])
-def test_a_press_on_a_thing_focuses_elsewhere(name: str) -> None:
+def test_press_on_a_thing_focuses_on_it(name: str) -> None:
     x, _, top = BY_NAME[name].solid.centre
     depth = thing_depth(BY_NAME[name])
     across = WIDTH / 2 + UNITS_PER_TANGENT * x / depth
@@ -157,7 +157,7 @@ def test_a_press_on_a_thing_focuses_elsewhere(name: str) -> None:
     assert float(focus) == pytest.approx(depth, abs=0.05)
 
 
-def test_the_striped_ball_is_sharper_out_of_focus() -> None:
+def test_striped_ball_is_sharpest_in_focus() -> None:
     depth = thing_depth(BY_NAME["striped ball"])
 
     def contrast(focus: float) -> float:

@@ -1,4 +1,4 @@
-"""The projection figure: the drawing has the numbers of the formulas, from above and in front."""
+"""The projection figure: its drawings, from above and in front, agree with the formulas."""
 
 import math
 import re
@@ -45,7 +45,7 @@ def under_the_dot(**given: object) -> list[int]:
         )
     ],
 )
-def test_the_image_is_that_of_object_centred_projection_on_the_drawn_ray(
+def test_image_obeys_object_centred_projection_on_the_drawn_ray(
     given: dict[str, float],
 ) -> None:
     """The book's formula: a X / (1 + η (Z − Z₀)) with a = f / Z₀ and η = p / Z₀, Z₀ = 5 m."""

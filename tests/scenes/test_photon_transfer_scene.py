@@ -1,4 +1,4 @@
-"""The photon-transfer figure against known sensors, simulated and on files, and its refusals."""
+"""The photon-transfer figure against known sensors, simulated and in files, and its refusals."""
 
 import csv
 import io
@@ -30,7 +30,7 @@ BLACK: Black = (64.0, 64.0, 64.0, 64.0)
 
 
 @pytest.mark.parametrize("given", [{"pairs": n, "most": m} for n in (8, 24) for m in (40, 70)])
-def test_the_gain_is_off_by_more_than_its_error(given: dict[str, object]) -> None:
+def test_gain_agrees_with_truth_within_three_errors(given: dict[str, object]) -> None:
     shown = texts_at(SCENE, **given)
     assert abs(float(shown["gain"]) - 4.0) < 3 * float(shown["gain_error"])
 
@@ -92,7 +92,7 @@ RAW = [raw(2 * k + i, pair[i]) for k, pair in enumerate(pairs_of(256, 7)) for i 
     ],
     ids=["colour", "grey", "samples", "raw"],
 )
-def test_a_file_gives_another_gain_or_read_noise(
+def test_files_give_the_true_gain_and_read_noise(
     photographs: list[Photograph], planes: list[str] | None, gain: float, read_noise: float | None
 ) -> None:
     outputs = measured(photographs)
@@ -119,7 +119,7 @@ def compressed(light: Floats) -> NDArray[np.uint8]:
 
 
 @pytest.mark.parametrize("develop", [demosaiced, compressed])
-def test_interpolated_or_compressed_files_give_a_gain(
+def test_interpolated_or_compressed_files_give_no_gain(
     develop: Callable[[Floats], NDArray[np.uint8]],
 ) -> None:
     outputs = measured(levels_of(develop))
@@ -132,7 +132,7 @@ def test_interpolated_or_compressed_files_give_a_gain(
     assert float(lines["noise"].text) > 0
 
 
-def test_cells_are_measured_above_the_black_of_others() -> None:
+def test_each_cell_is_measured_above_its_own_black_level() -> None:
     shifts = np.tile(np.array([[0, 6], [3, 9]], np.uint16), (64, 64))
     frames = [frame for pair in pairs_of(128, 3) for frame in pair]
     shifted = [np.minimum(frame + shifts, 4095).astype(np.uint16) for frame in frames]
@@ -166,7 +166,7 @@ LIKE_CELLS = np.repeat(CELLS[0, ..., None] // 16, 3, axis=2).astype(np.uint8)
     ],
     ids=["cameras and sizes", "kinds of file"],
 )
-def test_unlike_photographs_make_a_pair(photographs: list[Photograph], left_over: int) -> None:
+def test_unlike_photographs_make_no_pair(photographs: list[Photograph], left_over: int) -> None:
     outputs = measured(photographs)
     assert outputs["frames"].left_over == left_over
     assert SCENE.measured
@@ -175,7 +175,7 @@ def test_unlike_photographs_make_a_pair(photographs: list[Photograph], left_over
     assert lines.index("left_over") <= 3  # in sight
 
 
-def test_the_pair_of_another_photograph_is_ringed() -> None:
+def test_pair_of_the_selected_photograph_is_ringed() -> None:
     photographs = levels_of(as_srgb)[:6]
     for number in (3, 5):
         looked_at = photograph(number, np.zeros((8, 8, 3), np.uint8))
@@ -198,17 +198,17 @@ RAW_EDGE[:, 50:] //= 2
         (raw(1, CELLS[0][:100]), "smaller"),
     ],
 )
-def test_an_unfit_photograph_is_read(unfit: Photograph, words: str) -> None:
+def test_unfit_photograph_is_refused(unfit: Photograph, words: str) -> None:
     with pytest.raises(UnfitError, match=words):
         read(unfit)
 
 
-def test_a_large_photograph_is_kept_whole() -> None:
+def test_large_photograph_is_cut_to_256_pixels() -> None:
     kept = read(photograph(1, np.zeros((3000, 4001, 3), np.uint8)))
     assert kept["shape"] == [256, 256, 3]
 
 
-def test_the_files_differ_from_the_figure() -> None:
+def test_files_agree_with_the_figure() -> None:
     outputs = outputs_of(SCENE)
     files = {export.name: export.make(SCENE.check({}), outputs) for export in SCENE.exports}
     rows = list(csv.DictReader(io.StringIO(files["photon-transfer"])))

@@ -1,4 +1,4 @@
-"""Figures on reflection: what their pictures, curves and readouts show is what the models say."""
+"""Figures on reflection: pictures, curves and readouts agree with the models."""
 
 import math
 from typing import Any
@@ -59,7 +59,7 @@ def estimate(scene: Any, tier: str, **given: object) -> float:
 
 @pytest.mark.parametrize("tier", LIT)
 @pytest.mark.parametrize("model", ["lambert", *GLOSS])
-def test_the_estimated_error_is_that_of_the_bytes(tier: str, model: str) -> None:
+def test_estimated_error_is_the_error_of_the_shown_pixels(tier: str, model: str) -> None:
     """Strength and albedo add up to less than 1, so that no pixel is cut off at white."""
     scene: Any = LAMBERTIAN
     given: dict[str, Any] = {"light_angle": 75}
@@ -84,7 +84,7 @@ def test_the_estimated_error_is_that_of_the_bytes(tier: str, model: str) -> None
         (PHONG, {"probe": 35, "model": "blinn_phong", "specular": 0.3}, "brightness"),
     ],
 )
-def test_the_pixel_at_the_probed_point_has_the_value_read_out(
+def test_pixel_at_the_probe_has_the_value_of_the_readout(
     scene: Any, given: dict[str, Any], name: str
 ) -> None:
     shown, (x, y) = (
@@ -99,7 +99,7 @@ def test_the_pixel_at_the_probed_point_has_the_value_read_out(
 
 @pytest.mark.parametrize("model", GLOSS)
 @pytest.mark.parametrize(("light_angle", "probe"), [(60, 20), (100, 5), (150, 50), (-170, 40)])
-def test_the_lobe_and_the_readouts_of_phong_have_the_formula_of_the_chapter(
+def test_phong_lobe_and_readouts_follow_the_chapters_formula(
     model: str, light_angle: float, probe: int
 ) -> None:
     """By angles: the highlight only where the light is above the horizon."""
@@ -118,7 +118,7 @@ def test_the_lobe_and_the_readouts_of_phong_have_the_formula_of_the_chapter(
 
 @pytest.mark.parametrize("model", BRDFS)
 @pytest.mark.parametrize(("light", "view"), [(-50, 38), (20, 60), (-70, 0), (0, -45)])
-def test_ball_lobe_and_readouts_show_one_brdf(model: str, light: int, view: int) -> None:
+def test_ball_lobe_and_readouts_show_the_same_brdf(model: str, light: int, view: int) -> None:
     given = {"model": model, "specular": 0.05, "albedo": 0.4}
     here = {**given, "light_angle": light, "view_angle": view}
     (x, y), shown = materials.on_equator(-view), texts_at(BRDF, **here)
@@ -142,7 +142,7 @@ def in_room(at: tuple[float, float, float], **given: object) -> Floats:
     return decode_srgb(np.array([red, green, blue]) / 255.0)
 
 
-def test_light_comes_into_the_shadow_with_the_second_bounce_in_the_colour_of_the_wall() -> None:
+def test_second_bounce_lights_the_shadow_in_the_colour_of_the_wall() -> None:
     beside = {"light_angle": 90, "place": 0.12}
     two, four, every = (
         float(texts_at(BOUNCE, **beside, bounces=each)["red"]) for each in ("2", "4", "all")
@@ -154,7 +154,7 @@ def test_light_comes_into_the_shadow_with_the_second_bounce_in_the_colour_of_the
 
 
 @pytest.mark.parametrize("bounces", ["0", "2", "all"])
-def test_the_room_has_the_brightness_of_the_curves(bounces: str) -> None:
+def test_room_has_the_brightness_of_the_curves(bounces: str) -> None:
     given = {"light_angle": 60, "albedo": 0.5, "bounces": bounces}
     profile = outputs_of(BOUNCE, **given)["profile"]
     for at, place in (((0.0, 0.5, room.LINE), 36), ((0.25, 0.0, room.LINE), 91)):
@@ -162,7 +162,7 @@ def test_the_room_has_the_brightness_of_the_curves(bounces: str) -> None:
     assert np.allclose(profile.all_light[73:, 0], profile.lamp[73:]) == (bounces == "0")
 
 
-def test_the_ball_gets_from_an_evenly_bright_room_as_much_as_a_wall() -> None:
+def test_ball_gets_as_much_light_from_an_even_room_as_a_wall() -> None:
     arriving = room.light_on_ball() @ np.ones(6 * CELLS**2)
     view = room.view(FINE)
     np.testing.assert_allclose(view.basis @ arriving, 1.0, atol=0.02)

@@ -44,10 +44,10 @@ def half(count: int) -> Floats:
     ("aperture", "defocus", "pitch", "plate"),
     [(8, 0, 2, False), (4, 0, 4, False), (4, 0, 4, True), (16, 0, 4, False), (2.8, 30, 2, False)],
 )
-def test_the_star_differs_from_its_convolution(
+def test_star_agrees_with_its_convolution(
     aperture: float, defocus: float, pitch: float, plate: bool
 ) -> None:
-    """Bent and narrowing waves are taken for plane ones: off by a hundredth of the range."""
+    """Curved and narrowing waves are treated as plane, which errs by up to 1 % of the range."""
     given = outputs(aperture=aperture, defocus=defocus, pitch=pitch, plate=plate)
     truth = convolved_star(aperture, defocus, pitch, plate)
     inner = (slice(0, int(100 / pitch)), slice(0, int(150 / pitch)))

@@ -34,7 +34,7 @@ def transfer(**given: object) -> Transfer:
 
 
 @pytest.mark.parametrize("unequal", [1, 5])
-def test_two_frames_measure_another_gain_of_unequal_cells(unequal: float) -> None:
+def test_two_frames_measure_the_gain_of_unequal_cells(unequal: float) -> None:
     even, measured = transfer(), transfer(unequal=unequal)
     assert measured.gain is not None
     assert measured.gain.e_per_dn == pytest.approx(sensor_of(12, "100", 10).gain_e_per_dn, rel=0.06)
@@ -47,7 +47,7 @@ def test_two_frames_measure_another_gain_of_unequal_cells(unequal: float) -> Non
 
 
 @pytest.mark.parametrize("dark", [0, 2000])
-def test_variances_differ_from_shot_read_dark_and_rounding(dark: float) -> None:
+def test_variance_is_the_sum_of_shot_read_dark_and_rounding_noise(dark: float) -> None:
     measured = transfer(bits=14, read_noise=20, dark=dark)
     gain = sensor_of(14, "100", 20).gain_e_per_dn
     expected = (patch_means_e(0) + dark + 20**2) / gain**2 + 1 / 12
@@ -62,7 +62,7 @@ def test_variances_differ_from_shot_read_dark_and_rounding(dark: float) -> None:
 
 @pytest.mark.parametrize("iso", ["100", "6400"])
 @pytest.mark.parametrize("bits", [4, 8, 12, 14])
-def test_a_gain_is_off_by_more_than_its_errors(iso: str, bits: int) -> None:
+def test_gain_agrees_with_truth_within_its_errors(iso: str, bits: int) -> None:
     """Coarse codes, hot sensors and full wells give the right gain or none."""
     for exposure, dark, read_noise in itertools.product((0, -3, -6), (0, 2000), (0, 10, 60)):
         given = {"iso": iso, "bits": bits, "exposure": exposure}
@@ -75,14 +75,14 @@ def test_a_gain_is_off_by_more_than_its_errors(iso: str, bits: int) -> None:
 
 
 def detailed() -> Photograph:
-    """A picture with detail of its own in every patch: a slant ramp over fine stripes."""
+    """A picture with detail in every patch: a slanted ramp over fine stripes."""
     y, x = np.mgrid[:160, :240]
     levels = np.clip(20 + 0.4 * x + 0.3 * y + 25 * (x % 4 < 2), 0, 255).astype(np.uint8)
     return Photograph(1, np.stack([levels, levels, levels], axis=-1))
 
 
 @pytest.mark.parametrize(("iso", "exposure"), [("100", 0), ("1600", -4)])
-def test_detail_of_a_readers_picture_changes_the_gain(iso: str, exposure: float) -> None:
+def test_detail_of_a_readers_picture_leaves_the_gain_unchanged(iso: str, exposure: float) -> None:
     settings, cache = SCENE.check({"iso": iso, "exposure": exposure}), StageCache()
     done = SCENE.run(settings, "quantile", cache, detailed()).outputs
     tile = decode_srgb(detailed().codes[40:80, 80:120, 0] / 255).ravel()
@@ -104,7 +104,7 @@ def rounded_normal(mean: float, counts: Floats) -> Floats:
 
 
 @pytest.mark.parametrize("exposure", [0, -3, -6])
-def test_the_gap_to_poisson_differs_from_that_of_the_two_laws(exposure: float) -> None:
+def test_gap_to_poisson_agrees_with_the_two_laws(exposure: float) -> None:
     """At the dim end the gap is known by formula; samples of 16 exposures scatter about it."""
     counts, chance = np.arange(200.0), largest_chance_gap(24, 1600 * EXPOSURES)
     gap = max(
@@ -119,7 +119,7 @@ def test_the_gap_to_poisson_differs_from_that_of_the_two_laws(exposure: float) -
 
 
 @pytest.mark.parametrize("tier", SHOT_MODELS)
-def test_the_first_estimate_is_of_other_electrons(tier: str) -> None:
+def test_first_estimate_is_of_the_shown_electrons(tier: str) -> None:
     shown = outputs(tier, exposure=-4, dark=40)["electrons"][0]
     pairs = zip(shown, patch_means_e(-4) + 40, strict=True)
     gap = max(gap_from_poisson(counted, mean, FULL_WELL_E) for counted, mean in pairs)

@@ -31,7 +31,7 @@ def outputs(photograph: Photograph | None = None, **given: object) -> Any:
     return SCENE.run(SCENE.check(given), "", StageCache(), photograph).outputs
 
 
-def own(height: int = 400, width: int = 600, **facts: float) -> Photograph:
+def plain_photograph(height: int = 400, width: int = 600, **facts: float) -> Photograph:
     return Photograph(1, np.full((height, width, 3), 90, np.uint8), "room.jpg", facts)
 
 
@@ -48,7 +48,7 @@ def text_of(picture: str, *lists: Any) -> str:
 TRUE = text_of("corner", *true_lists("corner"))
 
 
-def test_the_room_is_seen_by_the_camera_of_the_text_with_its_lines_inside() -> None:
+def test_room_is_seen_by_the_texts_camera_with_its_lines_inside() -> None:
     pose = pose_above_ground(EYE_M, *map(math.radians, (33, 21, 2)))
     np.testing.assert_allclose(ROOMS["corner"].turn @ AXES.T, pose[:3, :3], atol=1e-12)
     for room in ROOMS.values():
@@ -57,7 +57,7 @@ def test_the_room_is_seen_by_the_camera_of_the_text_with_its_lines_inside() -> N
         assert (ends < np.array(SIZE) - 8.0).all()
 
 
-def test_lines_without_noise_give_the_room() -> None:
+def test_lines_without_noise_give_the_true_room() -> None:
     found = outputs(lines=TRUE)
     view, lengths = found["view"].view, found["lengths"]
     assert view.focal_px == pytest.approx(FOCAL_PX, rel=1e-3)
@@ -72,7 +72,7 @@ def test_lines_without_noise_give_the_room() -> None:
 
 
 @pytest.mark.parametrize("take", [0, 12])
-def test_depths_are_unknown_in_the_picture_straight_on(take: int) -> None:
+def test_depths_are_unknown_in_a_frontal_picture(take: int) -> None:
     found = outputs(picture="front", take=take)
     assert not found["view"].knows_focal
     (_, depth, width), (height,) = found["lengths"].floor, found["lengths"].height
@@ -83,7 +83,7 @@ def test_depths_are_unknown_in_the_picture_straight_on(take: int) -> None:
     assert shown["focal"] == shown["length"] == "cannot be told"
 
 
-def test_lines_on_the_wrong_edge_are_found_by_their_scatter() -> None:
+def test_line_on_the_wrong_edge_is_detected_by_its_scatter() -> None:
     lists = true_lists("corner")
     swapped = text_of("corner", lists[0][:6] + lists[1][:2], *lists[1:])
     assert [outputs(lines=lines)["view"].misfits for lines in (TRUE, swapped)] == [False, True]
@@ -98,14 +98,14 @@ def test_lines_on_the_wrong_edge_are_found_by_their_scatter() -> None:
         (((0.1, 0.2), (0.1, 0.2)), False),
     ],
 )
-def test_a_new_line_counts_once_both_ends_were_moved(ends: object, counts: bool) -> None:
-    found = outputs(own(), lines=text_of("own", (), ends))["lines"]
+def test_new_line_counts_once_both_ends_have_moved(ends: object, counts: bool) -> None:
+    found = outputs(plain_photograph(), lines=text_of("own", (), ends))["lines"]
     assert len(found.ends[1]) == 1
     assert len(found.counted(1)) == counts
 
 
 def test_buttons_add_lines_until_the_list_is_full_and_clear_all() -> None:
-    settings, photograph = SCENE.check({"lines": EMPTY}), own()
+    settings, photograph = SCENE.check({"lines": EMPTY}), plain_photograph()
     for count in (1, 2, 3, 4, 5, 6, 6):
         added = SCENE.pull(settings, "add", (0, 0), "", photograph)
         settings = SCENE.clamp({"lines": settings.lines, **added})
@@ -119,8 +119,8 @@ def test_buttons_add_lines_until_the_list_is_full_and_clear_all() -> None:
 @pytest.mark.parametrize(
     "shape", [(400, 600), (600, 400), (300, 400), (1, 1), (4000, 2), (1500, 2400)]
 )
-def test_an_end_moves_by_a_pixel_in_pictures_of_any_shape(shape: tuple[int, int]) -> None:
-    photograph = own(*shape)
+def test_end_moves_by_a_pixel_in_pictures_of_any_shape(shape: tuple[int, int]) -> None:
+    photograph = plain_photograph(*shape)
     settings = SCENE.clamp(SCENE.pull(SCENE.check({}), "add", (0, 0), "", photograph))
     frame = SCENE.render(settings, "", StageCache(), photograph)
     raster = frame.panels[0].raster
@@ -137,7 +137,7 @@ def test_an_end_moves_by_a_pixel_in_pictures_of_any_shape(shape: tuple[int, int]
     assert np.abs(after - nearest).max() <= 1.0
 
 
-def test_the_file_and_the_sheet_have_each_number_with_its_error() -> None:
+def test_file_and_sheet_give_each_number_with_its_error() -> None:
     settings, found = SCENE.check({}), outputs()
     saved = json.loads(as_json(settings, found))
     assert saved["camera"]["focal_px"]["value"] == pytest.approx(found["view"].view.focal_px)
@@ -149,17 +149,17 @@ def test_the_file_and_the_sheet_have_each_number_with_its_error() -> None:
     assert all("±" in text for text in lines.values())
 
 
-def test_the_file_and_the_sheet_are_empty_without_lines() -> None:
-    settings, found = SCENE.check({}), outputs(own())
+def test_file_and_sheet_are_empty_without_lines() -> None:
+    settings, found = SCENE.check({}), outputs(plain_photograph())
     saved = json.loads(as_json(settings, found))
     assert (saved["camera"], saved["photograph"]) == (None, "room.jpg")
     assert sheet(settings, found) == ()
-    (by_file,) = sheet(settings, outputs(own(focal_35mm_mm=26.0)))
+    (by_file,) = sheet(settings, outputs(plain_photograph(focal_35mm_mm=26.0)))
     assert (by_file.name, by_file.text) == ("focal_by_file", "433")
 
 
 def barrel() -> tuple[Photograph, str, float]:
-    """The book's room through a lens that bends, with lines drawn to a pixel; and its k₁."""
+    """The book's room through a distorting lens, lines drawn within a pixel, and the true k₁."""
     lens, size = Distortion(k1=-0.05), np.array(SIZE)
     middle = (size - 1) / 2
     bent = PictureLens((middle[0], middle[1]), (FOCAL_PX, FOCAL_PX), lens)
@@ -176,7 +176,7 @@ def barrel() -> tuple[Photograph, str, float]:
     return Photograph(9, codes, "barrel.png"), text_of("own", *lists), lens.k1
 
 
-def test_a_lens_that_bends_is_found_by_edges_or_taken_from_its_calibration() -> None:
+def test_lens_distortion_is_found_from_edges_or_taken_from_calibration() -> None:
     photograph, lines, k1 = barrel()
     settings = SCENE.check({"lines": lines})
     done = SCENE.run(settings, "", StageCache(), photograph).outputs

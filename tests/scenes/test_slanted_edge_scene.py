@@ -1,4 +1,4 @@
-"""The slanted edge against the formulae, on photographs, and its refusals."""
+"""The slanted-edge figure against the formulae, on photographs, and its refusals."""
 
 import csv
 import io
@@ -26,13 +26,13 @@ HALF = gaussian_half(1.5)
 
 @pytest.mark.parametrize("aperture", [4, 11])
 @pytest.mark.parametrize("angle", [3, 14, 26.5, 40])
-def test_the_edge_differs_from_lens_and_pixel(aperture: float, angle: float) -> None:
+def test_measured_sharpness_agrees_with_lens_and_pixel(aperture: float, angle: float) -> None:
     shown = texts_at(SCENE, angle=angle, aperture=aperture, noise=0.3)
     assert float(shown["measured"]) == pytest.approx(float(shown["true"]), rel=0.03)
 
 
 @pytest.mark.parametrize("wave", [0.1, 0.25, 0.4, 0.6])
-def test_the_product_drawn_has_another_area_than_printed(wave: float) -> None:
+def test_area_of_the_drawn_product_is_the_printed_contrast(wave: float) -> None:
     """Parts below zero count against those above; faint light beyond the panel is missing."""
     (drawn,) = (each.overlay for each in frame_of(SCENE, wave=wave).panels if each.name == "line")
     (points,) = re.findall(r'class="image fill thin" points="([^"]*)"', drawn)
@@ -50,11 +50,11 @@ def photograph(width: int, height: int, **facts: float) -> Photograph:
     return Photograph(1, np.repeat(codes[..., None], 3, axis=2), "edge.jpg", facts)
 
 
-def turned(picture: Photograph) -> Photograph:
+def transposed(picture: Photograph) -> Photograph:
     return Photograph(2, np.ascontiguousarray(picture.codes.transpose(1, 0, 2)))
 
 
-def shown_of(picture: Photograph, **given: object) -> Frame:
+def frame_from(picture: Photograph, **given: object) -> Frame:
     return SCENE.render(SCENE.check(given), "", StageCache(), picture)
 
 
@@ -64,15 +64,15 @@ def shown_of(picture: Photograph, **given: object) -> Frame:
         (photograph(320, 240), {}),
         (photograph(240, 320), {}),
         (photograph(500, 200), {}),
-        (turned(photograph(300, 300)), {}),
+        (transposed(photograph(300, 300)), {}),
         (photograph(3000, 2000), {"width": 10, "height": 10}),
     ],
-    ids=["wide", "high", "very wide", "lying edge", "large"],
+    ids=["wide", "high", "very wide", "horizontal edge", "large"],
 )
-def test_a_photograph_is_measured_in_other_pixels(
+def test_photograph_is_measured_in_its_own_pixels(
     picture: Photograph, given: dict[str, object]
 ) -> None:
-    seen = shown_of(picture, **given)
+    seen = frame_from(picture, **given)
     texts = texts_of(seen)
     assert float(texts["per_px"]) == pytest.approx(HALF, rel=0.02)
     assert (texts["true"], texts["place"]) == ("unknown", "0")
@@ -93,7 +93,7 @@ def fringed() -> Photograph:
     return Photograph(3, codes, "square.jpg", {"full_width": 600.0, "full_height": 400.0})
 
 
-def test_an_edge_is_found_near_a_press_and_has_the_lateral_colour_of_the_lens() -> None:
+def test_edge_near_a_press_is_found_and_has_the_lateral_colour() -> None:
     picture = fringed()
     settings = SCENE.clamp({"x": 68, "y": 36})
     found = SCENE.clamp({**SCENE.pull(settings, "find", (0, 0), "", picture)})
@@ -112,14 +112,14 @@ def test_an_edge_is_found_near_a_press_and_has_the_lateral_colour_of_the_lens() 
     assert SCENE.pull(settings, "find", (0, 0), "", plain) == {}
 
 
-def test_a_reduced_photograph_gives_no_number() -> None:
+def test_reduced_photograph_gives_no_number() -> None:
     settings = SCENE.check({"kept": ";0.4,0.3_0.6,0.6"})
     run = SCENE.run(settings, "", StageCache(), photograph(300, 200, full_width=600.0))
     assert "scaled down" in run.outputs["sharpness"].refusal
     assert not sheet(settings, run.outputs)
 
 
-def test_the_pitch_differs_from_focal_length_and_equivalent() -> None:
+def test_pixel_pitch_follows_from_focal_length_and_equivalent() -> None:
     """A full-frame camera of 6000 × 4000 pixels, a crop of 1.5, and a telephone."""
     assert pixel_pitch_um(50, 50, 6000, 4000) == pytest.approx(6.0, rel=1e-3)
     assert pixel_pitch_um(50, 75, 6000, 4000) == pytest.approx(4.0, rel=1e-3)
@@ -133,7 +133,7 @@ def test_the_pitch_differs_from_focal_length_and_equivalent() -> None:
     assert lines["mtf50_1"].startswith(f"{HALF:.2f}")
 
 
-def test_a_refused_edge_fills_sheet_or_file() -> None:
+def test_refused_edge_gives_neither_sheet_nor_file() -> None:
     settings, outputs = SCENE.check({"x": 20}), outputs_of(SCENE, x=20)
     assert "Too little contrast" in frame_of(SCENE, x=20).panels[0].overlay
     assert sheet(settings, outputs) == ()
@@ -141,7 +141,7 @@ def test_a_refused_edge_fills_sheet_or_file() -> None:
         SCENE.exports[0].make(settings, outputs)
 
 
-def test_the_files_differ_from_the_figure() -> None:
+def test_files_agree_with_the_figure() -> None:
     made = {e.name: e.make(SCENE.check({}), outputs_of(SCENE)) for e in SCENE.exports}
     found = json.loads(made["sharpness"])
     assert f"{found['rectangle']['mtf50_cycles_per_px']:.3f}" == texts_at(SCENE)["per_px"]
@@ -152,7 +152,7 @@ def test_the_files_differ_from_the_figure() -> None:
     assert [float(row["light"]) for row in (light[0], light[-1])] == pytest.approx([0, 1], abs=0.02)
 
 
-def test_places_kept_are_lost_in_picture_sheet_or_file() -> None:
+def test_kept_places_appear_in_picture_sheet_and_file() -> None:
     kept: dict[str, object] = {"y": 20.0, "height": 20.0}
     for y in (60.0, 37.5):
         kept = {**kept, **SCENE.pull(SCENE.check(kept), "keep", (0.0, 0.0)), "y": y}

@@ -1,4 +1,4 @@
-"""The stability figure: an exact reference, and curves where theory has them."""
+"""The stability figure: its exact reference, and its error curves against theory."""
 
 from fractions import Fraction
 from math import asin, atan, isclose, sin
@@ -20,17 +20,17 @@ def as_float(fixed: int) -> float:
 
 
 @pytest.mark.parametrize("ratio", [0.0, 1e-300, 1e-9, 0.3, 1.0, 7.5, 1e9])
-def test_the_arctangent_in_whole_numbers_is_wrong(ratio: float) -> None:
+def test_fixed_point_arctangent_is_correct(ratio: float) -> None:
     assert isclose(as_float(exact.arctangent(exact.fixed(ratio))), atan(ratio), abs_tol=1e-60)
 
 
-def test_the_arctangent_of_one_has_wrong_digits_beyond_a_double() -> None:
+def test_arctangent_of_one_is_correct_beyond_a_double() -> None:
     quarter = 4 * exact.arctangent(exact.ONE)
     digits = "31415926535897932384626433832795028841971693993751"
     assert str(quarter * 10**49 >> exact.BITS) == digits
 
 
-def test_the_exact_pixel_or_blur_is_wrong() -> None:
+def test_exact_pixel_and_blur_are_correct() -> None:
     rows = exact.ROWS.tolist()
     point, centre = (1e9 + 3.5, 2e8, 7e8 + 5.25), (1e9, 2e8, 7e8)
     away = [Fraction(p) - Fraction(c) for p, c in zip(point, centre, strict=True)]
@@ -41,7 +41,7 @@ def test_the_exact_pixel_or_blur_is_wrong() -> None:
 
 
 @pytest.mark.parametrize("seen", [0.1, 0.5, 0.7])
-def test_the_exact_ideal_radius_is_wrong(seen: float) -> None:
+def test_exact_ideal_radius_solves_the_cubic(seen: float) -> None:
     """r = 2 r_f sin(asin(r_d / r_d,max) / 3), and the book's own inverse."""
     found = as_float(exact.exact_radius(exact.K1, seen, seen))
     third = asin(seen / exact.LARGEST_SEEN) / 3
@@ -51,7 +51,7 @@ def test_the_exact_ideal_radius_is_wrong(seen: float) -> None:
 
 @pytest.mark.parametrize("formula", FORMULAS)
 @pytest.mark.parametrize("digits", FORMATS)
-def test_a_curve_is_not_where_theory_has_it(formula: str, digits: str) -> None:
+def test_error_curves_agree_with_theory(formula: str, digits: str) -> None:
     """Numbers nearer than four spacings may be equal. Differences of exact inputs keep every digit;
     written otherwise, they are on the line of the rounded inputs."""
     errors, u = errors_of(formula, digits), unit_of(digits)
@@ -65,14 +65,14 @@ def test_a_curve_is_not_where_theory_has_it(formula: str, digits: str) -> None:
         assert 0.3 < ratio.min() < ratio.max() < 30
 
 
-def test_the_arccosine_is_not_above_the_line_by_one_over_the_angle() -> None:
+def test_arccosine_magnifies_errors_by_one_over_the_angle() -> None:
     errors, between = errors_of("angle", "float64"), (DISTANCES > 1e-7) & (DISTANCES < 0.1)
     excess = errors.written[between] / errors.bound[between] * DISTANCES[between]
     assert 0.5 < excess.min() < excess.max() < 10
     assert 6.5 < float(texts_at(SCENE, formula="angle", power=-4)["digits"]) < 7.5
 
 
-def test_the_line_near_the_fold_has_another_slope() -> None:
+def test_error_bound_near_the_fold_has_slope_minus_one_half() -> None:
     errors, near = errors_of("fold", "float64"), DISTANCES < 1e-3
     assert (errors.rearranged[near] > 0.1 * errors.bound[near]).all()
     slope = np.polyfit(np.log(DISTANCES[near]), np.log(errors.bound[near]), 1)[0]
@@ -81,7 +81,7 @@ def test_the_line_near_the_fold_has_another_slope() -> None:
 
 
 @pytest.mark.parametrize("formula", FORMULAS)
-def test_a_picture_survives_the_computation_that_keeps_its_digits(formula: str) -> None:
+def test_rearranged_formula_keeps_a_picture_that_the_written_one_ruins(formula: str) -> None:
     truth = painted(room(DRAFT_COLUMNS)).astype(int)
     worst = [
         [np.abs(one.astype(int) - truth).max() for one in pictures(formula, digits, power, 100)]

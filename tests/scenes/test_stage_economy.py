@@ -1,4 +1,4 @@
-"""Only what a scene requires is computed: for every scene with stages, control by control."""
+"""Stages are recomputed only where they must be: every scene with stages, control by control."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -27,9 +27,9 @@ START: dict[str, dict[str, object]] = {
 """Settings at which no stage is neutral."""
 
 
-def others(control: Control) -> list[object]:
-    """Other legal values than those of `START`, and than most defaults; among them those that
-    make stages neutral."""
+def other_values(control: Control) -> list[object]:
+    """Legal values that differ from `START` and most defaults, with those that make stages
+    neutral."""
     match control:
         case Slider(minimum=low, maximum=high):
             return [high, low, *([0.0] if low < 0 < high else [])]
@@ -43,7 +43,7 @@ def others(control: Control) -> list[object]:
             return [not control.default]
 
 
-def show(
+def frame_at(
     scene: Scene[Any], given: Mapping[str, object], cache: StageCache, tier: str = ""
 ) -> Frame:
     return scene.render(scene.check(given), tier, cache)
@@ -57,10 +57,10 @@ def parameters(scene: Scene[Any], given: Mapping[str, object]) -> dict[str, Para
     return {**values_of(settings), "tier": tier, **own, **(worked_out or {})}
 
 
-def concerned(
+def affected_stages(
     stages: tuple[Stage, ...], before: Mapping[str, Parameter], after: Mapping[str, Parameter]
 ) -> set[str]:
-    """Stages that read what has changed, or are neutral no longer, and all that follow them."""
+    """Stages that read a changed parameter or change whether they are neutral, and dependents."""
     changed = {name for name, value in after.items() if before.get(name) != value}
     reached: set[str] = set()
     for stage in stages:
@@ -71,31 +71,31 @@ def concerned(
 
 
 @pytest.mark.parametrize("scene_id", [name for name, scene in SCENES.items() if scene.stages])
-def test_a_control_recomputes_only_what_reads_it_or_follows(scene_id: str) -> None:
+def test_control_recomputes_only_stages_that_depend_on_it(scene_id: str) -> None:
     scene, start, cache = SCENES[scene_id], START.get(scene_id, {}), StageCache()
     for control in scene.controls:
-        moved = {**start, control.name: others(control)[0]}
-        before, after = show(scene, start, cache), show(scene, moved, cache)
+        moved = {**start, control.name: other_values(control)[0]}
+        before, after = frame_at(scene, start, cache), frame_at(scene, moved, cache)
         computed = {stage.name for stage in after.stages if stage.status == "computed"}
         made_before = {stage.name for stage in before.stages if stage.status != "skipped"}
-        assert computed & made_before <= concerned(
+        assert computed & made_before <= affected_stages(
             scene.stages, parameters(scene, start), parameters(scene, moved)
         ), control.name
 
 
 def walk(scene_id: str, *, every_value: bool) -> Iterator[dict[str, object]]:
-    """From the start through the controls and back again: each to one other value, with those moved
-    before left where they are; or each alone to ``every_value``, then all of them at once."""
+    """From the start through the controls and back: each moved to one other value, cumulatively; or
+    each alone to ``every_value``, then all at once."""
     start, controls = START.get(scene_id, {}), SCENES[scene_id].controls
     yield start
     if every_value:
         for control in controls:
-            yield from ({**start, control.name: value} for value in others(control))
+            yield from ({**start, control.name: value} for value in other_values(control))
         for end in (0, -1):
-            yield {control.name: others(control)[end] for control in controls}
+            yield {control.name: other_values(control)[end] for control in controls}
     else:
         names = [control.name for control in controls]
-        ends = [others(control)[0] for control in controls]
+        ends = [other_values(control)[0] for control in controls]
         for moved in range(1, len(controls) + 1):
             yield {**start, **dict(zip(names[:moved], ends, strict=False))}
     yield start
@@ -103,7 +103,7 @@ def walk(scene_id: str, *, every_value: bool) -> Iterator[dict[str, object]]:
 
 @pytest.fixture
 def few_rays(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Through the lens: how many there are changes what a picture costs, not what it depends on."""
+    """Fewer rays through the lens: their number changes a picture's cost, not its dependencies."""
     through_lens = replace(camera_stages.TIERS["aperture-rays"], lens_rays=2)
     monkeypatch.setitem(camera_stages.TIERS, "aperture-rays", through_lens)
     monkeypatch.setitem(depth_stages.SPIRALS, "fibonacci-16", fibonacci_disc(2))
@@ -111,8 +111,8 @@ def few_rays(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @cache
 def cold_start(scene_id: str, tier: str) -> Frame:
-    """The first frame, through few rays: what several walks come back to."""
-    return show(SCENES[scene_id], START.get(scene_id, {}), StageCache(), tier)
+    """The first frame, with few rays, to which several walks return."""
+    return frame_at(SCENES[scene_id], START.get(scene_id, {}), StageCache(), tier)
 
 
 WALKS = [
@@ -125,26 +125,28 @@ WALKS = [
 
 @pytest.mark.usefixtures("few_rays")
 @pytest.mark.parametrize(("scene_id", "tier", "every_value"), WALKS)
-def test_a_warm_frame_is_bit_equal_to_a_cold_one(
-    scene_id: str, tier: str, every_value: bool
-) -> None:
+def test_warm_frame_is_bit_equal_to_a_cold_one(scene_id: str, tier: str, every_value: bool) -> None:
     scene, cache = SCENES[scene_id], StageCache()
     for given in walk(scene_id, every_value=every_value):
-        warm = show(scene, given, cache, tier)
+        warm = frame_at(scene, given, cache, tier)
         at_start = given == START.get(scene_id, {})
-        cold = cold_start(scene_id, tier) if at_start else show(scene, given, StageCache(), tier)
+        cold = (
+            cold_start(scene_id, tier) if at_start else frame_at(scene, given, StageCache(), tier)
+        )
         assert_same(warm, cold, (given, tier))
 
 
 @pytest.mark.usefixtures("few_rays")
 @pytest.mark.parametrize("scene_id", [name for name, scene in SCENES.items() if scene.tiers])
-def test_a_settled_frame_does_not_remember_the_draft(scene_id: str) -> None:
-    """There and back through all tiers, and nothing forgotten: each once comes after each other."""
+def test_settled_frame_does_not_depend_on_earlier_drafts(scene_id: str) -> None:
+    """There and back through all tiers with a cache that holds them all."""
     scene, given = SCENES[scene_id], START.get(scene_id, {})
     for way in (scene.tiers, scene.tiers[::-1]):
         cache = StageCache(depth=len(way))
         for tier in way:
-            assert_same(show(scene, given, cache, tier), cold_start(scene_id, tier), (tier, way))
+            assert_same(
+                frame_at(scene, given, cache, tier), cold_start(scene_id, tier), (tier, way)
+            )
 
 
 def assert_same(ours: Frame, theirs: Frame, where: object) -> None:

@@ -1,5 +1,5 @@
-"""Exposures of a wall in the one instrument tell the tone curve under which the other one measures
-an edge."""
+"""The tone curve that the noise instrument fits to exposures of a wall, in the instrument that
+measures the sharpness of an edge."""
 
 import json
 from collections.abc import Callable
@@ -31,7 +31,7 @@ def developed(light: Floats, strength: float) -> NDArray[np.uint8]:
 
 
 def sensor_file(strength: float) -> dict[str, object]:
-    """What the noise instrument saves of pairs of a white wall, in colours that differ a little."""
+    """The file that the noise instrument saves for pairs of a nearly neutral white wall."""
     wall = [
         Photograph(
             2 * k + i,
@@ -50,9 +50,8 @@ def sensor_file(strength: float) -> dict[str, object]:
 
 
 @pytest.mark.parametrize("strength", [-0.3, 0.2, 0.5, 0.8])
-def test_a_measured_tone_curve_leaves_the_sharpness_wrong_or_unsure(strength: float) -> None:
-    """MTF50 misses by more than three errors, or its error is no smaller than with a curve that is
-    unknown."""
+def test_measured_tone_curve_gives_the_true_sharpness_with_less_error(strength: float) -> None:
+    """MTF50 agrees within three errors, less than half as large as with an unknown curve."""
     given = sensor_file(strength)
     for seed in SEEDS:
         light = 0.05 + 0.7 * gaussian_edge(300, 400, 5.0, 1.0 + 0.05 * seed)
@@ -69,7 +68,7 @@ def test_a_measured_tone_curve_leaves_the_sharpness_wrong_or_unsure(strength: fl
         assert known.error < 0.5 * unknown.error
 
 
-def test_the_curve_of_another_camera_counts() -> None:
+def test_curve_of_another_camera_is_ignored() -> None:
     given = {**sensor_file(0.8), "model": "A, C"}
     edge = Photograph(1, developed(0.05 + 0.7 * gaussian_edge(300, 400, 5.0), 0.0), "", CAMERA)
     readings = (Reading(1, "given", given),)
@@ -86,24 +85,24 @@ def test_the_curve_of_another_camera_counts() -> None:
     ],
     ids=["S", "toe", "shoulder"],
 )
-def test_a_curve_of_another_family_widens_the_error(curve: Callable[[Floats], Floats]) -> None:
-    """Sharpness under the fitted curve, of a 20 : 1 edge, misses by at most 2.5 errors."""
+def test_error_covers_curves_of_another_family(curve: Callable[[Floats], Floats]) -> None:
+    """The sharpness of a 20 : 1 edge under the fitted curve agrees within 2.5 errors."""
     seconds = 0.5 ** np.arange(1, 10)
-    told = tone_by_exposures(decode_srgb(curve(encode_srgb(0.9 * 2 * seconds))), seconds)
-    assert told is not None
-    given = {"value": told[0], "standard_error": told[1]}
+    fitted = tone_by_exposures(decode_srgb(curve(encode_srgb(0.9 * 2 * seconds))), seconds)
+    assert fitted is not None
+    given = {"value": fitted[0], "standard_error": fitted[1]}
     light = 0.04 + 0.76 * gaussian_edge(300, 400, 5.0, 0.9)
     codes = np.rint(255 * curve(encode_srgb(light))).astype(np.uint8)
     edge = Photograph(1, np.repeat(codes[..., None], 3, axis=2), "", CAMERA)
     readings = (Reading(1, "given", {"model": "A, B", "tone_curve": given}),)
     outputs = SHARPNESS.run(SHARPNESS.check({}), "", StageCache(), edge, readings).outputs
     half = outputs["sharpness"].half
-    assert outputs["tone"].strength == told[0]
+    assert outputs["tone"].strength == fitted[0]
     assert abs(half.frequency - gaussian_half(0.9)) < 2.5 * half.error
 
 
 @pytest.mark.parametrize("frames", [4, 6, 12])
-def test_the_strength_misses_by_more_than_two_errors_in_one_of_ten(frames: int) -> None:
+def test_strength_agrees_within_two_errors_for_nine_in_ten_cameras(frames: int) -> None:
     """Cameras of 64 strengths, whose shutters are off by a twentieth of a stop."""
     hits = 0
     for seed in range(64):

@@ -40,11 +40,11 @@ def lines_of(drawn: str) -> dict[str, list[float]]:
 
 
 @pytest.mark.parametrize(
-    ("transform", "freedoms", "held"),
+    ("transform", "freedoms", "fixed"),
     [*zip(RUNGS, ("2", "3", "4", "6", "8"), (0, 1, 1, 2, 3), strict=True)],
 )
-def test_each_family_keeps_one_property_less_and_holds_more_corners(
-    transform: str, freedoms: str, held: int
+def test_each_family_keeps_one_property_fewer_and_fixes_more_corners(
+    transform: str, freedoms: str, fixed: int
 ) -> None:
     kept = 5 - list(RUNGS).index(transform)
     for amount in (1, 30, 100):
@@ -58,14 +58,14 @@ def test_each_family_keeps_one_property_less_and_holds_more_corners(
     for amount in (0, 30, 50):
         before = corners(transform, amount)
         after = corners(transform, amount, pull_x=-13, pull_y=9)
-        assert np.isclose(before, after, atol=1e-9).all(axis=1).sum() == held
+        assert np.isclose(before, after, atol=1e-9).all(axis=1).sum() == fixed
         if transform != "rigid":
             assert after[3] == pytest.approx(before[3] + (-13, 9))
 
 
 @pytest.mark.parametrize("transform", RUNGS)
 @pytest.mark.parametrize("pull", [(-150, 150), (150, -150), (80, -80), (0, -80), (-40, -110)])
-def test_a_far_pull_stays_in_the_family(transform: str, pull: tuple[float, float]) -> None:
+def test_far_pull_stays_in_the_family(transform: str, pull: tuple[float, float]) -> None:
     """Also where the corner would come to lie on another one, or on the side between two."""
     shown = texts_at(SCENE, transform=transform, amount=30, pull_x=pull[0], pull_y=pull[1])
     kept = 5 - list(RUNGS).index(transform)
@@ -77,7 +77,7 @@ def test_a_far_pull_stays_in_the_family(transform: str, pull: tuple[float, float
 
 
 @pytest.mark.parametrize("amount", [0, 30, 57, 58, 99, 100])
-def test_the_drawing_shows_the_image_and_stays_near_the_view(amount: float) -> None:
+def test_drawing_shows_the_image_and_stays_near_the_view(amount: float) -> None:
     given = {"transform": "projective", "amount": amount, "point_x": -40}
     overlay = frame_of(SCENE, **given).panels[0].overlay
     points = np.array(re.findall(r"(-?[\d.]+),(-?[\d.]+)", overlay), float)
@@ -91,7 +91,7 @@ def test_the_drawing_shows_the_image_and_stays_near_the_view(amount: float) -> N
 
 
 @pytest.mark.parametrize("given", [{"amount": 24}, {"amount": 80}, {"amount": 90}, {"pull_x": 60}])
-def test_lines_at_infinity_are_where_w_is_zero_and_under_their_names(given: dict[str, int]) -> None:
+def test_lines_at_infinity_are_labelled_and_lie_where_w_is_zero(given: dict[str, int]) -> None:
     H = homography(**given)
     drawn = lines_at_infinity(H)
     lines = lines_of(drawn)

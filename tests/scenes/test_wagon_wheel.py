@@ -25,7 +25,7 @@ def last_error(tier: str, **given: object) -> float:
 
 
 @pytest.mark.parametrize("time", [1, 7, 30])
-def test_aliased_speeds_have_different_films(time: float) -> None:
+def test_aliased_speeds_have_the_same_film(time: float) -> None:
     """Without blur the frames themselves are the same."""
     given: dict[str, object] = {"spokes": 8, "frame_rate": 24, "shutter": 0, "time": time}
     fast, slow = (film("", speed=speed, **given) for speed in (2.9, -0.1))
@@ -45,14 +45,14 @@ def brute_force(row: Bars, steps: int = 1500) -> Floats:
 
 
 @pytest.mark.parametrize("swept", [0.0, 0.02, -0.7, 3.0, -3.3])
-def test_the_reference_differs_from_the_mean_over_all_moments(swept: float) -> None:
+def test_reference_is_the_mean_over_all_moments(swept: float) -> None:
     rng = np.random.default_rng(2)
     place, duty, pixel = rng.uniform([[-1.0], [0.05], [0.01]], [[1.0], [0.9], [0.3]], (3, 60))
     row = Bars(place, duty, pixel, swept)
     np.testing.assert_allclose(by_changes(row), brute_force(row), atol=1e-3)
 
 
-def test_errors_of_instants_differ_from_their_spread() -> None:
+def test_errors_of_instants_agree_with_their_spread() -> None:
     """One instant of a whole spacing: wood for a share w of the time is off by √(w (1 − w)),
     softened by the pixels' width. Random instants come nearer by the root of their count."""
     canvas = spoked_wheel.build_canvas()
@@ -72,7 +72,7 @@ def test_errors_of_instants_differ_from_their_spread() -> None:
 
 @pytest.mark.parametrize("speed", [-4.0, -0.5, 2.9, 6.0])
 @pytest.mark.parametrize("quarters", [-1, 1])
-def test_a_quarter_turn_takes_another_time(speed: float, quarters: int) -> None:
+def test_quarter_turn_of_the_spoke_sets_its_time(speed: float, quarters: int) -> None:
     given = {"speed": speed, "frame_rate": 24, "time": 48}
     (spoke,) = (place for place in frame(**given).handles if place.name == "spoke")
     turned = (200 - quarters * (spoke.y - 150), 150 + quarters * (spoke.x - 200))
