@@ -2,7 +2,7 @@
 
 import tomllib
 
-from support.worked_numbers import CONTENT, Says, source
+from support.worked_numbers import CONTENT, Phrases, source
 
 from simulations.scenes.formation_pipeline.stations import stations, travel
 
@@ -10,7 +10,7 @@ CHAPTER = "00-why-image-formation"
 SPELT: dict[float, str] = {4: "four", 7: "Seven"}
 
 
-def one_list_of_links() -> Says:
+def links_in_the_same_order_everywhere() -> Phrases:
     """Prose, table, worked example and figure have the same links in the same order."""
     scene, *links = [station.title for station in stations(travel(4.0, 0.6, 0))]
     assert scene == "Scene"
@@ -22,7 +22,7 @@ def one_list_of_links() -> Says:
         assert places == sorted(places), mark
 
 
-def where_models_break() -> Says:
+def where_models_break() -> Phrases:
     yield "Every chapter has a section on where its model breaks."
     for name in tomllib.loads((CONTENT / "book.toml").read_text(encoding="utf-8"))["chapters"]:
         headings = [line for line in source(name).splitlines() if line[:3] == "## "]

@@ -4,14 +4,14 @@ from collections.abc import Callable
 from math import exp
 
 import numpy as np
-from support.worked_numbers import Says
+from support.worked_numbers import Phrases
 
 from simulations.models.geometry import rotations
 
 CHAPTER = "02-3d-transformations"
 
 
-def the_ladder_in_space() -> Says:
+def the_ladder_in_space() -> Phrases:
     """Degrees of freedom are independent directions in which the matrix can start to move."""
 
     def projective(p: np.ndarray) -> np.ndarray:

@@ -1,9 +1,9 @@
-"""Chapter 4: lens distortion. What many sittings of a calibration say of the model of the lens."""
+"""Chapter 4: lens distortion. Lens models chosen in many simulated calibrations."""
 
 from collections import Counter
 
 from scipy.stats import chi2
-from support.worked_numbers import Says
+from support.worked_numbers import Phrases
 
 from simulations.models.calibration.model_choice import compare, supported
 from simulations.models.calibration.simulated import sitting
@@ -13,9 +13,9 @@ CHAPTER = "04-lens-distortion"
 SITTINGS = 32
 
 
-def judged(photographs: int) -> tuple[Counter[str], Counter[str], Counter[str]]:
-    """How many sittings each model of the lens wins: by photographs left out, among the supported,
-    and by Akaike's criterion. Each sitting has other poses and other noise."""
+def wins_by_model(photographs: int) -> tuple[Counter[str], Counter[str], Counter[str]]:
+    """Number of sittings that each lens model wins: by left-out photographs, as the supported one,
+    and by Akaike's criterion. Poses and noise differ between sittings."""
     best, simplest, cheapest = Counter[str](), Counter[str](), Counter[str]()
     for seed in range(SITTINGS):
         views = sitting(TRUTH, SIZE, photographs, BOARD, seed).views(SIGMA_PX, seed)
@@ -26,16 +26,16 @@ def judged(photographs: int) -> tuple[Counter[str], Counter[str], Counter[str]]:
     return best, simplest, cheapest
 
 
-def which_model_of_the_lens_photographs_support() -> Says:
-    best, _, cheapest = judged(3)
+def lens_model_supported_by_photographs() -> Phrases:
+    best, _, cheapest = wins_by_model(3)
     assert best["k1k2"] == max(best.values())
     yield f"so {SITTINGS} such sittings were computed"
     yield f"In {best['k1k2']} of the {SITTINGS} sittings $k_1$ and $k_2$ predict best"
     yield f"predict best, in {best['k3']} all"
     yield f"all five, in {best['p1p2']} the four that the lens has and in {best['fisheye']} those"
     yield f"chooses the four coefficients of the lens in {cheapest['p1p2']} of {SITTINGS} sittings"
-    _, six, _ = judged(6)
-    _, twelve, cheapest = judged(12)
+    _, six, _ = wins_by_model(6)
+    _, twelve, cheapest = wins_by_model(12)
     yield f"support $p_1$ and $p_2$ in {six['p1p2']} of {SITTINGS} sittings"
     yield f"sittings, twelve in {twelve['p1p2']}"
     assert 1 <= six["k3"] <= 2

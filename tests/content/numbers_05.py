@@ -3,7 +3,7 @@
 from math import cos, degrees, pi, radians
 
 import numpy as np
-from support.worked_numbers import Says
+from support.worked_numbers import Phrases
 
 from simulations.models.light.brdf import Material, reflected
 from simulations.models.light.reflectance import lambert, phong
@@ -18,7 +18,7 @@ def light_sent_into_the_hemisphere(shade: np.ndarray, seen_from_rad: np.ndarray)
     return float(np.sum(shade * np.cos(seen_from_rad) * ring)) / pi
 
 
-def what_a_surface_returns() -> Says:
+def light_returned_by_a_surface() -> Phrases:
     """Over π, because a white surface of brightness 1 from all sides returns all the light."""
     around = (np.arange(4000) + 0.5) / 4000 * pi / 2
     views = np.stack([np.sin(around), 0 * around, np.cos(around)], axis=-1)
@@ -32,18 +32,18 @@ def what_a_surface_returns() -> Says:
     yield r"sends out $\rho + 2k_s/(\alpha + 2)$ times the light that it received"
 
 
-def where_facets_shine_most(light_deg: float, material: Material) -> float:
+def peak_of_microfacets_deg(light_deg: float, material: Material) -> float:
     """Degrees from the normal, on the side away from the lamp."""
     around, light = np.radians(np.arange(0.0, 90.0, 0.1)), radians(light_deg)
     cosines = np.array(cos(light)), np.cos(around), np.cos(light + around)
     return float(degrees(around[reflected("microfacets", material, *cosines).argmax()]))
 
 
-def the_peak_lies_beyond_the_mirror() -> Says:
-    """With Fresnel's factor constant by projection and masking, and with it farther still."""
-    assert where_facets_shine_most(80, Material(0.5, 0.04, 0.25)) > 82
+def peak_beyond_the_mirror_direction() -> Phrases:
+    """Projection and masking shift the peak, and Fresnel's factor shifts it farther."""
+    assert peak_of_microfacets_deg(80, Material(0.5, 0.04, 0.25)) > 82
     yield "but *beyond* it, nearer to"
-    constant = where_facets_shine_most(60, Material(0.0, 1.0, 0.25))
+    constant = peak_of_microfacets_deg(60, Material(0.0, 1.0, 0.25))
     yield f"With a lamp at 60° and a constant $F = 1$ the peak is already at {constant:.0f}°"
-    assert where_facets_shine_most(60, Material(0.0, 0.04, 0.25)) > 89.5
+    assert peak_of_microfacets_deg(60, Material(0.0, 0.04, 0.25)) > 89.5
     yield "the highlight at that lamp rises all the way to the horizon"

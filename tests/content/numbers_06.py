@@ -7,7 +7,7 @@ from math import erf, sqrt
 import numpy as np
 from PIL import Image
 from scipy.stats import norm
-from support.worked_numbers import Says
+from support.worked_numbers import Phrases
 
 from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
@@ -32,13 +32,13 @@ CHAPTER = "06-digital-sensor"
 WELL = 20_000.0
 
 
-def patches_burnt_out_at_iso_800() -> Says:
+def patches_burnt_out_at_iso_800() -> Phrases:
     burnt = patch_means_e(0.0) > saturation_e(sensor_of(12, "800", 10))
     assert burnt.sum() == 8
     yield "eight patches are burnt out"
 
 
-def a_gaussian_of_hardly_an_electron() -> Says:
+def gaussian_for_less_than_one_electron() -> Phrases:
     mean = float(patch_means_e(-6.0)[-1])
     yield f"light frees {mean:.2f} electrons in a cell on average"
     below_zero = (1 - erf(sqrt(mean / 2))) / 2
@@ -60,7 +60,7 @@ def a_gaussian_of_hardly_an_electron() -> Says:
     yield f"The mean of a patch scatters by {scatter:.1f} DN"
 
 
-def patches_by_lamplight_and_by_daylight() -> Says:
+def patches_by_lamplight_and_by_daylight() -> Phrases:
     """From the measured spectra of the chart, by another library."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # it interpolates, and misses packages for plotting
@@ -94,12 +94,12 @@ def patches_by_lamplight_and_by_daylight() -> Says:
         yield f"| {words} | {lab_distance(xyz_to_lab(xyz), xyz_to_lab(day)).mean():.1f} |"
 
 
-def the_matrix_of_srgb() -> Says:
+def the_matrix_of_srgb() -> Phrases:
     for row in np.linalg.inv(rgb_to_xyz_matrix()):
         yield " & ".join(f"{entry:.3f}" for entry in row)
 
 
-def files_of_the_picture() -> Says:
+def files_of_the_picture() -> Phrases:
     """Pillow's entropy-coded data, with codes fitted to the picture or ready-made."""
     excess: dict[bool, list[float]] = {True: [], False: []}
     for quality in (30, 50, 75, 90):

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import skimage
 from support.frames import outputs_of
-from support.worked_numbers import CONTENT, Says
+from support.worked_numbers import CONTENT, Phrases
 
 from simulations.illustrations.twelve_turns import TITLES, judged, turned
 from simulations.models.lens.diffraction import lens_transfer
@@ -24,7 +24,7 @@ def _sharpness(**given: object) -> Sharpness:
     return found
 
 
-def the_error_of_one_edge() -> Says:
+def the_error_of_one_edge() -> Phrases:
     found = _sharpness()
     assert found.reading is not None
     rows = found.reading.pixels.line.rows.size
@@ -41,7 +41,7 @@ def the_error_of_one_edge() -> Says:
     assert np.isclose(error, found.half.error, rtol=0.02)
 
 
-def halfway_between_two_samples() -> Says:
+def halfway_between_two_samples() -> Phrases:
     def given(count: int) -> float:
         n = np.arange(1 - count // 2, 1 + count // 2)
         return float(np.cos(0.4 * np.pi * n) @ np.sinc(0.5 - n))
@@ -59,7 +59,7 @@ def halfway_between_two_samples() -> Says:
     yield f"in place of {given(6):.3f}, where {np.cos(np.pi / 5):.3f} is right"
 
 
-def what_a_small_spot_makes_of_edges_and_waves() -> Says:
+def edges_and_waves_after_a_small_spot() -> Phrases:
     spot = np.array([0.25, 0.5, 0.25])
     assert np.convolve([0, 0, 0, 1, 1, 1], spot, "same")[1:5].tolist() == [0, 0.25, 0.75, 1]
     yield "An edge with the values 0, 0, 1, 1 then becomes 0, ¼, ¾, 1"
@@ -68,7 +68,7 @@ def what_a_small_spot_makes_of_edges_and_waves() -> Says:
     yield "1 at $f = 0$, ½ at a quarter cycle per pixel and 0 at Nyquist"
 
 
-def what_pixels_as_small_as_points_would_add() -> Says:
+def mtf50_with_pixels_as_small_as_points() -> Phrases:
     frequency = np.linspace(0, 200, 20001)
     half = first_fall(frequency, lens_transfer(frequency, 0.55, 8), 0.5)
     yield f"even pixels as small as points would not bring it beyond {half:.0f}"
@@ -85,7 +85,7 @@ def _mtf50_at_f_8(pitch: float) -> float:
     return first_fall(frequency, both, 0.5)
 
 
-def a_shift_costs_more_than_a_blur_on_photographs() -> Says:
+def a_shift_costs_more_than_a_blur_on_photographs() -> Phrases:
     for name in ("astronaut", "camera", "chelsea", "coffee", "rocket"):
         photograph = getattr(skimage.data, name)() / 255
         across = np.fft.fftfreq(photograph.shape[1])
@@ -100,7 +100,7 @@ def a_shift_costs_more_than_a_blur_on_photographs() -> Says:
     yield "On photographs the result is the same."
 
 
-def what_twelve_turns_leave() -> Says:
+def detail_after_twelve_turns() -> Phrases:
     """The pictures in the page have the numbers that the ladder measured."""
     ladder = json.loads((CONTENT / "measurements.json").read_text("utf-8"))["ladders"]["resampling"]
     truth = pictures_at(*places(TURNS * TURN_RAD))
@@ -111,14 +111,14 @@ def what_twelve_turns_leave() -> Says:
     yield "more than 100 % is present, and little of it in place"
 
 
-def the_cubic_s_weights_halfway() -> Says:
+def weights_of_the_cubic_halfway() -> Phrases:
     far, near = 16 * KERNELS["bicubic"].weigh(np.array([1.5, 0.5]))
     assert np.isclose(2 * (far + near), 16), "they add up to one"
     yield "are 1.5, 0.5, 0.5 and 1.5 pixels away"
     yield f"are ${far:g}/16$, ${near:g}/16$, ${near:g}/16$ and ${far:g}/16$"
 
 
-def the_spline_s_weights() -> Says:
+def weights_of_the_spline_halfway() -> Phrases:
     far, near = 48 * KERNELS["spline"].weigh(np.array([1.5, 0.5]))
     assert np.isclose(2 * (far + near), 48)
     yield f"are ${far:g}/48$, ${near:g}/48$, ${near:.0f}/48$ and ${far:g}/48$"

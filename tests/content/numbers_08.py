@@ -4,7 +4,7 @@ from math import inf, isclose, pi
 
 from numpy import arange, interp
 from scipy.special import j1
-from support.worked_numbers import Says
+from support.worked_numbers import Phrases
 
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.lens.thin_lens import (
@@ -25,8 +25,8 @@ ASIDE = 0.30 / 1.90
 LENS = Distortion(k1=-0.2)
 
 
-def the_same_place_in_the_simulator() -> Says:
-    """Its rays say the same: the one that the lens bends onto that pixel points at the point."""
+def the_same_place_in_the_simulator() -> Phrases:
+    """The simulator's ray through the text's pixel points at the text's point."""
     sensor = principal_distance_mm(50, 3200)
     column = (COLUMNS - 1) / 2 + sensor / PIXEL_MM * float(distort([ASIDE, 0], LENS)[0])
     rays = bend_rays(sensor_rays(50.0, 3.2), LENS.k1).directions
@@ -35,13 +35,13 @@ def the_same_place_in_the_simulator() -> Says:
     yield "This is the principal distance"
 
 
-def what_a_disc_takes_of_the_finest_stripes() -> Says:
+def contrast_of_the_finest_stripes_under_a_disc() -> Phrases:
     near = float(circle_of_confusion_mm(50, 5.6, 3200, 1850)) / PIXEL_MM
     nyquist = pi * near * 0.5
     yield f"takes away {100 * (1 - 2 * j1(nyquist) / nyquist):.0f} %"
 
 
-def how_far_the_lens_must_be_stopped_down() -> Says:
+def how_far_the_lens_must_be_stopped_down() -> Phrases:
     def sharp_from_2_m_on(aperture: float) -> bool:
         at = (sharpness(50, aperture, focus) for focus in arange(3, 6, 0.05))
         return any(one.near_limit_m <= 2 and one.far_limit_m == inf for one in at)
@@ -51,7 +51,7 @@ def how_far_the_lens_must_be_stopped_down() -> Says:
     yield "stopped down to f/4.7 at least"
 
 
-def the_still_life() -> Says:
+def the_still_life() -> Phrases:
     depths = [thing_depth(thing) for thing in THINGS]
     assert len(depths) == 6
     assert 1.8 < min(depths) < 2
@@ -60,7 +60,7 @@ def the_still_life() -> Says:
     yield f"a test chart hangs on the wall at {'eight' if WALL_DISTANCE == 8 else WALL_DISTANCE}"
 
 
-def the_ball_that_gets_softer() -> Says:
+def softening_of_the_striped_ball() -> Phrases:
     ball = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))
     yield f"The striped ball, {ball:.1f} m away, gets softer"
     near, far = (

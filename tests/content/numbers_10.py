@@ -2,7 +2,7 @@
 
 import numpy as np
 import skimage.data
-from support.worked_numbers import Says
+from support.worked_numbers import Phrases
 
 from simulations.ladders import depth_of_field, inverse_strong, resampling, wide_discs
 from simulations.ladders.depth_of_field import radius_px
@@ -24,8 +24,8 @@ from simulations.world.things import THINGS, thing_depth
 CHAPTER = "10-speed-and-accuracy"
 
 
-def the_slope_of_the_fixed_point_s_map() -> Says:
-    """How much one step leaves of an error: r g'(r) / g(r), at its worst over the workload."""
+def slope_of_the_fixed_point_map() -> Phrases:
+    """The factor by which one step reduces an error, |r g'(r) / g(r)|, at worst in the workload."""
     work = LADDER.prepare()
     profile = work.lens.radial
     ideal = np.hypot(*np.moveaxis(undistort(work.seen, work.lens)[0], -1, 0))
@@ -34,19 +34,19 @@ def the_slope_of_the_fixed_point_s_map() -> Says:
     yield f"which for this lens is {worst:.2f} at worst"
 
 
-def the_places_of_a_checked_table() -> Says:
+def the_places_of_a_checked_table() -> Phrases:
     work = LADDER.prepare()
     table = radial_table.inverse_table(work.lens.radial, 1.0)
     yield f"lays short polynomials through {table.coefficients.size} places"
 
 
-def how_near_the_fold_the_barrel_is_seen() -> Says:
+def nearness_of_the_barrel_to_its_fold() -> Phrases:
     work = inverse_strong.prepare()[inverse_strong.BARREL]
     share = np.hypot(*work.seen.T).max() / largest_distorted_radius(work.lens)
     yield f"to {100 * share:.1f} % of the largest distorted radius there is"
 
 
-def how_round_the_outlines_of_the_book_are() -> Says:
+def smallest_radius_of_outlines_in_the_book() -> Phrases:
     """The smallest ball, through the widest lens, focused at infinity."""
     balls = [(it.solid, thing_depth(it)) for it in THINGS if isinstance(it.solid, Sphere)]
     widest = camera.SCENE.clamp({"focal_length": 0}).focal_length
@@ -61,8 +61,8 @@ METHODS = ("bilinear", "malvar", "menon", "menon-unrefined", "menon-encoded")
 
 
 def fidelities_of_demosaicing(name: str) -> Floats:
-    """(16, 5, 2): of 16 parts, the PSNR of each method in light and as shown. At half size, since
-    the photographs' own cameras have demosaiced them."""
+    """PSNR (16, 5, 2) of 16 parts by each method, in light and as displayed. At half size, since
+    the photographs' own cameras demosaiced them."""
     linear = decode_srgb(getattr(skimage.data, name)() / 255)
     rows, columns = (side // 2 for side in linear.shape[:2])
     whole = linear[: 2 * rows, : 2 * columns].reshape(rows, 2, columns, 2, 3).mean(axis=(1, 3))
@@ -81,7 +81,7 @@ def as_is(light: Floats) -> Floats:
     return light
 
 
-def what_photographs_say_of_demosaicing() -> Says:
+def demosaicing_of_photographs() -> Phrases:
     parts = np.stack([fidelities_of_demosaicing(name) for name in PHOTOGRAPHS])
     bilinear, malvar, menon, default, encoded = np.moveaxis(parts, 2, 0)
     over, beyond = (
@@ -101,7 +101,7 @@ def what_photographs_say_of_demosaicing() -> Says:
     yield f"in light it gains {row(beyond[:, 0])}"
 
 
-def what_single_pictures_say_of_lanczos() -> Says:
+def lanczos_on_single_pictures() -> Phrases:
     """In decibels above the spline after one turn, at 16 angles: waves, rings and discs."""
     gains = []
     for index in range(0, 64, 4):
@@ -118,7 +118,7 @@ def what_single_pictures_say_of_lanczos() -> Says:
     yield "It is better by 3 dB on the picture that is made of waves alone, and 2 dB worse on"
 
 
-def what_is_said_of_wide_discs() -> Says:
+def size_of_wide_discs() -> Phrases:
     near, wall = (2 * float(radius_px(wide_discs.prepare(), z)) for z in (1.6, 8.0))
     assert near > wall
     narrow = 2 * float(radius_px(depth_of_field.prepare(), 1.6))

@@ -1,7 +1,7 @@
-"""What an error becomes in a depth and in a pose: the table of appendix A, computed."""
+"""Errors of depth and pose caused by errors in a picture: the table of appendix A."""
 
 import numpy as np
-from support.worked_numbers import Says
+from support.worked_numbers import Phrases
 
 from simulations.models.arrays import Floats
 from simulations.models.error_measures import root_mean_square
@@ -19,7 +19,7 @@ def depth_m(disparity_px: float) -> float:
 
 
 def pose(world: Floats, seen_px: Floats, centre: Floats, kind: Kind) -> tuple[Floats, Floats]:
-    """Rotation and place of the camera by ten Gauss–Newton steps, all in one format."""
+    """Rotation and place of the camera after ten Gauss–Newton steps, all in one number format."""
     R, c, f = np.eye(3, dtype=kind), centre.astype(kind), kind(FOCAL_PX)
     p, seen = world.astype(kind), seen_px.astype(kind)
     for _ in range(10):
@@ -38,7 +38,7 @@ def pose(world: Floats, seen_px: Floats, centre: Floats, kind: Kind) -> tuple[Fl
 
 
 def pose_errors(origin_m: Floats, kind: Kind, noise_px: float) -> tuple[float, float]:
-    """RMS over a hundred cameras: of their places in m, of their turns in degrees."""
+    """RMS errors over a hundred cameras: of place in m, of rotation in degrees."""
     rng = np.random.default_rng(0)
     places, turns = [], []
     for _ in range(100):
@@ -55,7 +55,7 @@ def pose_errors(origin_m: Floats, kind: Kind, noise_px: float) -> tuple[float, f
     return root_mean_square(places), root_mean_square(turns)
 
 
-def what_an_error_becomes() -> Says:
+def depth_errors() -> Phrases:
     disparity = FOCAL_PX * BASELINE_M / DEPTH_M
     yield f"has a disparity of {disparity:.0f} px"
     lens = depth_m(disparity - 0.1) - DEPTH_M
@@ -66,7 +66,7 @@ def what_an_error_becomes() -> Says:
     yield f"From {enough} points on, the 0.1 px"
 
 
-def what_an_error_becomes_in_a_pose() -> Says:
+def errors_of_a_pose() -> Phrases:
     near, far = np.zeros(3), np.array([4e5, 4e6, 100.0])
     place, turn = pose_errors(near, np.float64, NOISE_PX)
     yield f"| noise of 0.3 px in one picture | {1000 * place:.0f} mm and {turn:.2f}° in pose |"

@@ -1,8 +1,8 @@
 """The book's own text, questions, translation and recorded measurements are right.
 
-A figure's or a measurement's number comes from a role of the text. What the text works out, so that
-the reader can check it by hand, is computed again in the modules beside this one, and looked for
-where it stands.
+Numbers of figures and measurements come from roles in the text. Results that the text works out, so
+that the reader can check them by hand, are computed again in the modules beside this one, and their
+phrases are looked up in the source.
 """
 
 import re
@@ -41,7 +41,7 @@ CALCULATIONS = [
 
 
 @pytest.mark.parametrize(("chapter", "worked"), CALCULATIONS)
-def test_numbers_that_a_chapter_works_out_are_those_of_the_models(
+def test_numbers_worked_out_in_a_chapter_agree_with_the_models(
     chapter: str, worked: Calculation
 ) -> None:
     text = source(chapter)
@@ -55,7 +55,7 @@ LINK = re.compile(r"\{set\}`[^<`]*<([^>]*)>`")
 READOUT = re.compile(r'readout\("([\w-]+)", "\w+"([^()]*)\)')
 GIVEN = re.compile(r"(\w+)=")
 TEXTS = [(CONTENT / f"{chapter}.md").read_text(encoding="utf-8") for chapter in CHAPTERS]
-ASKING = [
+PREDICTIONS = [
     pytest.param(chapter, body, id=name)
     for chapter in TEXTS
     for name, body in PREDICTION.findall(chapter)
@@ -63,9 +63,8 @@ ASKING = [
 ]
 
 
-def started_elsewhere(chapter: str, scene: str) -> set[str]:
-    """The controls that the chapter's figure of a scene starts away from their defaults: the
-    one without a label, which is the nearest to its questions."""
+def differing_controls(chapter: str, scene: str) -> set[str]:
+    """Controls of the unlabelled figure of a scene that do not start at their defaults."""
     figures = (text for name, text in FIGURE.findall(chapter) if name == scene)
     options = next((text for text in figures if ":label:" not in text), "")
     start = dict(re.findall(r":(\w+): *(.*)", options))
@@ -76,23 +75,23 @@ def started_elsewhere(chapter: str, scene: str) -> set[str]:
     }
 
 
-@pytest.mark.parametrize(("chapter", "body"), ASKING)
-def test_links_of_a_prediction_set_the_figure_as_it_is_asked_about(chapter: str, body: str) -> None:
+@pytest.mark.parametrize(("chapter", "body"), PREDICTIONS)
+def test_links_of_a_prediction_set_every_control_that_differs(chapter: str, body: str) -> None:
     linked = {control for link in LINK.findall(body) for control in GIVEN.findall(link)}
     for scene, given in READOUT.findall(body):
         known = linked | set(GIVEN.findall(given))
-        assert started_elsewhere(chapter, scene) <= known, scene
+        assert differing_controls(chapter, scene) <= known, scene
 
 
 QUIZ = re.compile(r"^:::\{quiz\} (\S+)\n(.*?)^:::$", re.MULTILINE | re.DOTALL)
 OPTION = re.compile(r"^- \[( |x)\] (.*)$", re.MULTILINE)
 MARKUP = re.compile(r"\\[a-z]+|[\\{}$^*]")
-"""Marks of formulae and of emphasis, which nobody reads."""
+"""Marks of formulae and emphasis, which are not displayed."""
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_no_question_gives_its_answer_away_by_the_length_of_the_key(chapter: str) -> None:
-    """Over a chapter, the key is the longest as often as chance has it, rounded up."""
+def test_key_of_a_question_is_not_recognisable_by_its_length(chapter: str) -> None:
+    """In a chapter, the key is the longest option no more often than by chance, rounded up."""
     longest, chance = 0, 0.0
     for name, body in QUIZ.findall(source(chapter)):
         if ":kind:" in body:
@@ -114,7 +113,7 @@ def measured() -> Measurements:
     return found
 
 
-def test_every_ladder_is_measured_and_shown_and_the_file_names_no_one(
+def test_every_ladder_is_measured_and_shown_without_personal_data(
     measured: Measurements,
 ) -> None:
     assert set(LADDER_MODULES) <= set(measured.ladders), "run `make bench`"
@@ -126,7 +125,7 @@ def test_every_ladder_is_measured_and_shown_and_the_file_names_no_one(
 
 
 @pytest.mark.parametrize("ladder_id", LADDER_MODULES)
-def test_the_recorded_errors_are_those_of_the_code_and_the_default_is_on_the_front(
+def test_recorded_errors_are_current_and_defaults_are_on_the_front(
     ladder_id: str, measured: Measurements
 ) -> None:
     recorded, ladder = measured.find(ladder_id), load_ladder(ladder_id)
@@ -148,8 +147,8 @@ def test_the_recorded_errors_are_those_of_the_code_and_the_default_is_on_the_fro
             assert close(finite(error), finite(before[5])), f"{tier} {name}: was {before[5]}"
 
 
-def test_the_recorded_shares_of_the_camera_bear_the_claims_of_the_book() -> None:
-    """Times of another machine are not tested; that the recorded ones bear the claim is."""
+def test_recorded_time_shares_of_the_camera_support_the_book() -> None:
+    """The recorded times, not this machine's."""
     costs = read_stage_costs(ROOT, load_scene("camera"))
     share = {move.label: move.share for move in costs.moves}
     assert max(share["Read noise σ"], share["Exposure"]) <= 0.10

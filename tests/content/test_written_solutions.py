@@ -1,4 +1,4 @@
-"""The exercises of the book: each solution has the error of the book's tier of the same method."""
+"""The book's exercises: each solution has the error of the ladder's tier with the same method."""
 
 import json
 import re
@@ -19,17 +19,15 @@ def programs(page: str) -> list[Exercise]:
     return [Exercise(**each["program"]) for each in questions if each["kind"] == "code"]
 
 
-def test_chapters_ask_for_functions_and_solutions_are_as_exact_as_their_tiers(
-    book: Any, built_site: Path
-) -> None:
-    asked = {
+def test_solutions_of_exercises_have_the_errors_of_their_tiers(book: Any, built_site: Path) -> None:
+    by_chapter = {
         chapter["number"]: programs((built_site / chapter["url"] / "index.html").read_text())
         for chapter in book["chapters"]
     }
-    assert {*range(1, 9), 10, 11} <= {number for number, some in asked.items() if some}
-    assert sum(map(len, asked.values())) >= 12
+    assert {*range(1, 9), 10, 11} <= {number for number, some in by_chapter.items() if some}
+    assert sum(map(len, by_chapter.values())) >= 12
     ticks = count()
-    for exercise in (each for some in asked.values() for each in some if each.ladder):
+    for exercise in (each for some in by_chapter.values() for each in some if each.ladder):
         found = judged(exercise, exercise.solution, "workload", load_ladder, lambda: next(ticks))
         tier = next(each for each in found["tiers"] if each["tier"] == exercise.tier)
         expected = pytest.approx(tier["errors"], rel=1e-3, abs=1e-12)

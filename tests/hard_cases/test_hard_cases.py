@@ -1,5 +1,5 @@
-"""Hard cases that the book prints, and known values that it does not: the answers of the models,
-and those of other libraries as installed."""
+"""Hard cases that the book prints, and known values beside them: the models' answers, and the
+answers of other libraries as installed."""
 
 import math
 import re
@@ -27,7 +27,7 @@ from simulations.engine.hard_cases import HardCases, answer, as_expected, naive_
 EACH = pytest.mark.parametrize("table", TABLES, ids=lambda table: table.id)
 KNOWN = tomllib.loads(Path(__file__).with_name("known_values.toml").read_text("utf-8"))
 OTHER_MASKS = ("euler.from_matrix(", "apparent_wheel_speed(", "undistort_clamped(")
-"""Calls whose first answer holds whatever the mask beside it says: locked, uncertain, clamped."""
+"""Calls whose result is valid even where its flag is false: locked, uncertain, clamped."""
 IN_LIBRARIES: dict[str, Any] = {
     "cv2": cv2,
     "scipy": scipy,
@@ -41,11 +41,11 @@ IN_LIBRARIES: dict[str, Any] = {
     "nan": np.nan,
     "K": np.array([[800.0, 0.0, 320.0], [0.0, 800.0, 240.0], [0.0, 0.0, 1.0]]),
 }
-"""Names for the questions to other libraries."""
+"""Names that calls of other libraries may use."""
 
 
 @EACH
-def test_a_model_answers_as_expected(
+def test_model_gives_the_expected_answer(
     table: HardCases,
 ) -> None:
     rows = [(case.call, case.expected) for case in table.cases]
@@ -60,10 +60,10 @@ def test_a_model_answers_as_expected(
 
 
 @EACH
-def test_a_printed_case_has_another_answer_beside_the_models(
+def test_printed_case_has_a_naive_or_library_answer(
     table: HardCases,
 ) -> None:
-    """A case with neither is no lesson: it belongs in ``known_values.toml``."""
+    """A case with neither belongs in ``known_values.toml``; a naive answer must be different."""
     for case in table.cases:
         assert case.naive or case.library, case.call
         if case.naive:
@@ -72,7 +72,7 @@ def test_a_printed_case_has_another_answer_beside_the_models(
 
 
 @EACH
-def test_a_library_says_what_the_book_claims(table: HardCases) -> None:
+def test_library_gives_the_answer_that_the_book_prints(table: HardCases) -> None:
     for case in table.cases:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")  # a library's warning is part of what the book shows
@@ -83,7 +83,7 @@ def test_a_library_says_what_the_book_claims(table: HardCases) -> None:
         assert show(got) == case.library_answer, case.library
 
 
-def test_the_book_prints_every_table_and_every_known_value_has_one() -> None:
+def test_book_prints_every_table_and_known_values_have_one() -> None:
     text = "".join(file.read_text("utf-8") for file in CONTENT.glob("*.md"))
     tables = {table.id for table in TABLES}
     assert tables == set(re.findall(r"^:+\{extremes\} (\S+)", text, re.M))

@@ -1,4 +1,4 @@
-"""Every illustration: nothing outside, no label on another, a description in words."""
+"""Every illustration: shapes inside its box, labels clear of each other, a plain description."""
 
 import re
 from collections.abc import Iterator
@@ -15,14 +15,14 @@ from site_builder.output.style_sheets import colour_rules
 
 ROOT = Path(__file__).resolve().parents[2]
 DRAWN = {name: draw() for name, draw in ILLUSTRATIONS.items()}
-PANELS = pytest.mark.parametrize("name", DRAWN)
+EACH = pytest.mark.parametrize("name", DRAWN)
 WIDTHS = {190, 300, 320, 400}
 STROKE = 3.0
-"""Half the widest line, and a rounding."""
+"""Half the widest line, plus rounding."""
 
 
 def corners(overlay: str) -> Iterator[tuple[float, float]]:
-    """Points that the shapes of an overlay reach."""
+    """Extreme points of the shapes of an overlay."""
     for element in ElementTree.fromstring(f"<svg>{overlay}</svg>").iter():
 
         def at(name: str, element: ElementTree.Element = element) -> float:
@@ -44,16 +44,16 @@ def corners(overlay: str) -> Iterator[tuple[float, float]]:
                 yield from zip(values[::2], values[1::2], strict=True)
 
 
-@PANELS
-def test_nothing_is_drawn_outside_the_view_box(name: str) -> None:
+@EACH
+def test_shapes_lie_inside_the_view_box(name: str) -> None:
     for panel in DRAWN[name].panels:
         for x, y in corners(panel.overlay):
             assert -STROKE <= x <= panel.width + STROKE, (panel.name, x, y)
             assert -STROKE <= y <= panel.height + STROKE, (panel.name, x, y)
 
 
-@PANELS
-def test_labels_lie_inside_the_view_box_and_none_stands_on_another(name: str) -> None:
+@EACH
+def test_labels_lie_inside_the_view_box_and_do_not_overlap(name: str) -> None:
     for panel in DRAWN[name].panels:
         frame = Rectangle(-1.0, -1.0, panel.width + 1.0, panel.height + 1.0)
         shown = labels(panel.overlay)
@@ -62,15 +62,15 @@ def test_labels_lie_inside_the_view_box_and_none_stands_on_another(name: str) ->
         assert [(a.text, b.text) for a, b in pairs if a.box.shared(b.box) > 0] == []
 
 
-@PANELS
+@EACH
 def test_widths_fit_a_phone_and_descriptions_have_no_markup(name: str) -> None:
-    """358 px of column there, or two drawings in it: illustrations.css."""
+    """A phone's column is 358 px wide and holds one drawing or two (illustrations.css)."""
     (width,) = {panel.width for panel in DRAWN[name].panels}
     assert width in WIDTHS
     assert re.fullmatch(r"[^<>{}$^_]+\.", DRAWN[name].description)
 
 
-def test_every_class_of_a_drawing_is_styled() -> None:
+def test_every_class_of_a_drawing_has_a_style() -> None:
     sheets = "".join(file.read_text("utf-8") for file in (ROOT / "static" / "css").glob("*.css"))
     sheets += colour_rules({})
     found = {

@@ -1,4 +1,4 @@
-"""Pictures keep their precision through every model of pixels, and are never written to."""
+"""Every model of pixels keeps the precision of its picture and never writes to it."""
 
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -31,8 +31,10 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(7)
 
 
-def each(name: str, kinds: Iterable[str], run: Callable[[Any, Floats], Floats]) -> dict[str, Model]:
-    """The same call for each kind of a model."""
+def for_each(
+    name: str, kinds: Iterable[str], run: Callable[[Any, Floats], Floats]
+) -> dict[str, Model]:
+    """The same call for for_each kind of a model."""
     return {f"{name}-{kind}": partial(run, kind) for kind in kinds}
 
 
@@ -49,27 +51,27 @@ OF_COLOURS: dict[str, Model] = {
 }
 OF_PLANES: dict[str, Model] = {
     "coarsen": lambda p: coarsen(p, (2, 2)),
-    **each("refine", FILLINGS, lambda m, p: refine(p[:3, :4], (2, 2), p, m)),
-    **each("parts", MODELS, lambda m, p: np.array(parts(m, SATIN, p, p, p))),
+    **for_each("refine", FILLINGS, lambda m, p: refine(p[:3, :4], (2, 2), p, m)),
+    **for_each("parts", MODELS, lambda m, p: np.array(parts(m, SATIN, p, p, p))),
     "blend_cells": lambda p: blend_cells(p, 9, 9),
     "bspline": bspline.coefficients,
-    **each("sample", resampling.KERNELS, lambda k, p: resampling.sample(p, PLACES, k)),
+    **for_each("sample", resampling.KERNELS, lambda k, p: resampling.sample(p, PLACES, k)),
     "resize": lambda p: resampling.resize(p, 3, 3),
-    **each("demosaic", demosaicing.METHODS, lambda m, p: demosaicing.demosaic(p, "RGGB", m)),
+    **for_each("demosaic", demosaicing.METHODS, lambda m, p: demosaicing.demosaic(p, "RGGB", m)),
     "read_out": lambda p: photon_counting.read_out(p, photon_counting.Sensor(), rng()),
     "shot_noise_from_normal": lambda p: photon_counting.shot_noise_from_normal(p, p, 1000.0),
-    **each("shot_noise", SHOT_MODELS, lambda m, p: shot_noise(p, rng(), 1000.0, m)),
+    **for_each("shot_noise", SHOT_MODELS, lambda m, p: shot_noise(p, rng(), 1000.0, m)),
 }
 CASES = {
     **{name: (model, (6, 8, 3)) for name, model in OF_COLOURS.items()},
     **{name: (model, (6, 8)) for name, model in OF_PLANES.items()},
 }
 FLOATS_ALONE = {"mosaic", "bspline"}
-"""The one keeps any type of pixel, the other is given what `resampling` has made ready."""
+"""`mosaic` keeps any type of pixel, and `bspline` gets only floats from `resampling`."""
 
 
 def picture(shape: tuple[int, ...], dtype: DTypeLike) -> Floats:
-    """Values around 0.5, which may not be written to."""
+    """A read-only picture with values around 0.5."""
     values: Floats = rng().uniform(0.2, 0.8, shape).astype(dtype)
     values.setflags(write=False)
     return values
@@ -83,7 +85,7 @@ def test_pictures_keep_their_precision(name: str, dtype: DTypeLike) -> None:
 
 
 @pytest.mark.parametrize("name", sorted(CASES.keys() - FLOATS_ALONE))
-def test_whole_numbers_become_double(name: str) -> None:
+def test_whole_numbers_become_double_precision(name: str) -> None:
     model, shape = CASES[name]
     codes: Any = np.ones(shape, np.uint8)
     found = model(codes)

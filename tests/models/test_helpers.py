@@ -1,4 +1,4 @@
-"""What all models share: array types, checks, quantiles, measures of errors and least squares."""
+"""Helpers that all models share: array types, checks, quantiles, error measures, least squares."""
 
 from typing import Any
 
@@ -24,7 +24,7 @@ FLAT = np.zeros((20, 30))
 @pytest.mark.parametrize(
     ("given", "kept"), [("f2", "f4"), ("f4", "f4"), ("f8", "f8"), ("u1", "f8"), ("?", "f8")]
 )
-def test_pictures_stay_single_and_vectors_become_double(given: str, kept: str) -> None:
+def test_pictures_keep_single_precision_and_vectors_become_double(given: str, kept: str) -> None:
     assert as_floats(np.ones(2, given)).dtype == kept
     assert as_vectors("x", np.ones((2, 3), given), 3).dtype == np.float64
 
@@ -51,7 +51,7 @@ def test_complex_numbers_and_other_shapes_are_refused_by_name() -> None:
         (np.zeros((40, 80)), "of shape (40, 80)"),
     ],
 )
-def test_a_refusal_states_name_value_and_what_is_legal(value: object, shown: str) -> None:
+def test_refusal_states_name_value_and_legal_values(value: object, shown: str) -> None:
     require("gain", value, True, "above 0")
     with pytest.raises(ValueError, match="legal") as refused:
         require("gain", value, False, "above 0")
@@ -65,7 +65,7 @@ def test_whole_numbers_of_any_type_become_ints(value: Any) -> None:
 
 
 @pytest.mark.parametrize("share", [0.0, 0.05, 0.5, 1.0])
-def test_a_quantile_is_that_of_numpy(share: float) -> None:
+def test_quantile_agrees_with_numpy(share: float) -> None:
     values = np.random.default_rng(0).normal(size=(7, 9))
     assert quantile_of(values, share) == np.percentile(values, 100 * share, method="nearest")
 
@@ -80,13 +80,13 @@ def test_a_quantile_is_that_of_numpy(share: float) -> None:
         (FLAT + 1e200, FLAT, 1.0, -np.inf),
     ],
 )
-def test_psnr_is_the_mean_square_of_the_difference_in_units_of_the_peak(
+def test_psnr_is_the_mean_squared_error_relative_to_the_peak(
     picture: Floats, reference: Floats, peak: float, score: float
 ) -> None:
     assert psnr_db(picture, reference, peak) == pytest.approx(score)
 
 
-def test_psnr_leaves_out_just_the_border() -> None:
+def test_psnr_leaves_out_exactly_the_border() -> None:
     spoilt = np.ones((20, 30))
     spoilt[3:-3, 3:-3] = 0
     assert psnr_db(spoilt, FLAT, crop=3) == np.inf
@@ -95,7 +95,7 @@ def test_psnr_leaves_out_just_the_border() -> None:
     assert root_mean_square([[3.0, -4.0]]) == pytest.approx(5 / np.sqrt(2))
 
 
-def test_a_curve_is_fitted_as_by_scipy() -> None:
+def test_fitted_curve_agrees_with_scipy() -> None:
     rng = np.random.default_rng(3)
     t = np.linspace(0, 4, 40)
     y = 2.0 * np.exp(-0.7 * t) + rng.normal(0, 0.05, 40)
@@ -109,7 +109,7 @@ def test_a_curve_is_fitted_as_by_scipy() -> None:
     np.testing.assert_allclose(found, expected.x, rtol=1e-6)
 
 
-def test_a_start_from_which_full_steps_diverge_still_leads_to_the_minimum() -> None:
+def test_minimum_is_found_where_full_steps_would_diverge() -> None:
     def residuals(at: Floats) -> tuple[Floats, Floats]:
         return np.arctan(at), np.diag([1.0, 0.0]) / (1.0 + at * at)
 

@@ -1,4 +1,4 @@
-"""Pictures that figures look at: patterns, balloon, room, chart and still life, against samples."""
+"""Drawn pictures against samples: patterns, balloon, room, chart, still life and spoked wheel."""
 
 from collections.abc import Callable
 
@@ -38,7 +38,7 @@ from simulations.world.things import view
         Window(56, 130, 16, 20),
     ],
 )
-def test_a_part_is_what_the_whole_has_there(window: Window) -> None:
+def test_window_of_the_balloon_equals_its_part_of_the_whole(window: Window) -> None:
     rows = slice(window.top, window.top + window.height)
     part = balloon()[rows, window.left : window.left + window.width]
     np.testing.assert_allclose(balloon(window), part, rtol=1e-6)
@@ -52,7 +52,7 @@ def test_stripes_agree_with_many_point_samples(footprint: float) -> None:
     np.testing.assert_allclose(stripes(u, 0.7, 0.2, footprint), sampled, atol=1e-3)
 
 
-def test_the_back_wall_ends_where_projection_puts_its_corners() -> None:
+def test_back_wall_ends_at_its_projected_corners() -> None:
     room = checker_room(561, 421, 200.0)
     # 1.2 m below the eye the wall is teal, with little red, between its pale mouldings.
     row = room[210 + round(200.0 * 1.2 / HIGH[2]), :, 0]
@@ -75,7 +75,7 @@ def test_pictures_are_finite_linear_light_for_any_size(
         assert picture.max() <= 1.5
 
 
-def test_the_edge_of_the_chart_is_slanted_by_five_degrees() -> None:
+def test_edge_of_the_chart_is_slanted_by_five_degrees() -> None:
     chart = resolution_chart(561, 421, 200.0)[..., 0]
     # Dark square |x + y tan 5°| < 0.12: its right edge moves left by tan 5° px for each row.
     rows = np.r_[190:200, 221:231]  # clear of the cross at the centre
@@ -87,14 +87,14 @@ def test_the_edge_of_the_chart_is_slanted_by_five_degrees() -> None:
 
 
 @pytest.mark.parametrize("focal_mm", [24.0, 85.0])
-def test_a_ray_meets_what_the_picture_shows_there(focal_mm: float) -> None:
+def test_ray_hits_the_surface_that_the_picture_shows(focal_mm: float) -> None:
     rays = sensor_rays(focal_mm, 3.0).directions
     parts = surfaces(view(rays))
     rng = np.random.default_rng(0)
     sure = 0
     for row, column in zip(rng.integers(0, ROWS, 150), rng.integers(0, COLUMNS, 150), strict=True):
         shown = None
-        for part in parts:  # from far to near: what covers the whole pixel is what is seen
+        for part in parts:  # from far to near: the last one to cover the whole pixel is visible
             y, x = row - part.top, column - part.left
             if not (0 <= y < part.coverage.shape[0] and 0 <= x < part.coverage.shape[1]):
                 continue
@@ -108,8 +108,8 @@ def test_a_ray_meets_what_the_picture_shows_there(focal_mm: float) -> None:
     assert sure > 100
 
 
-def test_edges_between_the_faces_of_a_box_are_shared_by_their_pixels() -> None:
-    """Otherwise a slanted edge inside a box is a staircase."""
+def test_edges_between_faces_of_a_box_are_antialiased() -> None:
+    """Otherwise slanted edges inside a box would be staircases."""
     box = surfaces(view(sensor_rays(50.0, 3.2).directions))[-2]
     inside = box.coverage == 1
     length = np.linalg.norm(box.normals, axis=-1)[inside]
@@ -118,7 +118,7 @@ def test_edges_between_the_faces_of_a_box_are_shared_by_their_pixels() -> None:
 
 
 def brute_force(place: float, duty: float, pixel: float, swept: float, steps: int = 400) -> float:
-    """Share of bars about whole numbers, by sampling pixel and exposure."""
+    """Coverage by bars centred on whole numbers, by sampling pixel and exposure."""
     offsets = (np.arange(steps) + 0.5) / steps - 0.5
     u = place + pixel * offsets[:, None] + swept * offsets
     return float(np.mean(np.abs(u - np.rint(u)) < duty / 2))
@@ -130,7 +130,7 @@ def brute_force(place: float, duty: float, pixel: float, swept: float, steps: in
     st.floats(0.005, 0.4),
     st.sampled_from([0.0, 0.03, 0.5, 1.0, 2.6]),
 )
-def test_the_mean_over_pixel_and_exposure_is_exact(
+def test_mean_coverage_over_pixel_and_exposure_is_exact(
     place: float, duty: float, pixel: float, swept: float
 ) -> None:
     found = spoked_wheel.mean_coverage(np.array([place]), duty, pixel, swept)
@@ -138,7 +138,7 @@ def test_the_mean_over_pixel_and_exposure_is_exact(
 
 
 @pytest.mark.parametrize("swept", [-2.6, -0.03, 0.0, 0.5])
-def test_the_exposure_is_the_mean_of_its_moments(swept: float) -> None:
+def test_exposure_of_the_wheel_is_the_mean_of_its_moments(swept: float) -> None:
     rng = np.random.default_rng(8)
     place, duty, pixel = rng.uniform(-2, 2, 200), rng.uniform(0.05, 0.9, 200), np.full(200, 0.1)
     row = spoked_wheel.Bars(place, duty, pixel, swept)
@@ -151,7 +151,7 @@ def test_the_exposure_is_the_mean_of_its_moments(swept: float) -> None:
     ("eye", "target"),
     [((0, 0, 0.5), (0, 4, 0.3)), ((2.5, -3, 1.7), (-1, 5, 0.8)), ((-3.9, 7, 3), (3, 0, 0))],
 )
-def test_room_is_seen_where_it_projects(
+def test_points_of_the_room_project_to_their_pixels(
     eye: tuple[float, float, float], target: tuple[float, float, float]
 ) -> None:
     K, pose = intrinsics(120.0, (79.5, 59.5)), look_at(eye, target, (0, 0, 1))

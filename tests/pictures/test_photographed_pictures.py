@@ -33,12 +33,12 @@ BOX = Box(2.2, 4.2, 1.0, 1.0)
 
 
 def pixels(points: Floats) -> np.ndarray:
-    """Whole pixels (N, 2) of those points that are in front."""
+    """Rounded pixels (N, 2) of the points in front."""
     seen, valid = project(world_to_camera(points, POSE), K)
     return np.rint(seen[valid]).astype(int)
 
 
-def test_the_middle_of_each_tile_near_by_has_its_colour() -> None:
+def test_centre_of_each_near_tile_has_its_colour() -> None:
     column, row = np.mgrid[-4:12, 2:14]
     middles = np.stack([column, row, np.zeros_like(row)], axis=-1).reshape(-1, 3) * TILE_M
     seen, valid = project(world_to_camera(middles, POSE), K)
@@ -51,7 +51,7 @@ def test_the_middle_of_each_tile_near_by_has_its_colour() -> None:
     np.testing.assert_array_equal(nearer_cream, light)
 
 
-def test_only_what_is_above_the_horizon_looks_alike_from_any_height() -> None:
+def test_picture_above_the_horizon_does_not_depend_on_the_height() -> None:
     low, high = (
         tiled_floor(pose_above_ground(height, 0.3, math.radians(10)), K, WIDTH, HEIGHT)
         for height in (1.6, 3.0)
@@ -62,8 +62,8 @@ def test_only_what_is_above_the_horizon_looks_alike_from_any_height() -> None:
     assert (apart[math.ceil(row) :] > 0.01).all()
 
 
-def test_the_box_covers_the_area_of_its_outline() -> None:
-    """The shoelace formula is applied to the projected corners of each side that is seen."""
+def test_box_covers_the_area_of_its_outline() -> None:
+    """The shoelace formula for the projected corners of each visible side."""
     covered = np.zeros((HEIGHT, WIDTH))
     area = 0.0
     for name in BOX.seen_from((0.0, 0.0, 1.6)):
@@ -75,7 +75,7 @@ def test_the_box_covers_the_area_of_its_outline() -> None:
 
 
 @pytest.mark.parametrize("name", ["x0", "y0", "top"])
-def test_each_side_has_its_light(name: str) -> None:
+def test_each_side_of_the_box_has_its_light(name: str) -> None:
     picture = with_box(FLOOR, POSE, K, BOX)
     middle = BOX.side(name).mean(axis=0)
     ((column, row),) = pixels(middle[None])
@@ -86,8 +86,8 @@ BOARD = Board(5, 4, 20.0)
 SLANTED = facing_board(BOARD, 96, 72, focal_px=90.0, tilt=(0.6, -0.5, 0.2), distance_mm=160.0)
 
 
-def test_pixels_are_the_mean_of_samples_under_the_blur() -> None:
-    """Normal offsets about each pixel, and the board looked up point by point."""
+def test_pixel_is_the_mean_of_samples_weighted_by_the_blur() -> None:
+    """Gaussian weights around each pixel, with the board evaluated point by point."""
     look = Look(blur_px=0.8)
     light = decode_srgb(photograph_of(BOARD, SLANTED, look) / 255.0)
     x, y = np.meshgrid(np.arange(30.0, 46.0), np.arange(25.0, 41.0))
@@ -96,13 +96,13 @@ def test_pixels_are_the_mean_of_samples_under_the_blur() -> None:
     for dx in offsets:
         for dy in offsets:
             share = np.exp(-0.5 * (dx * dx + dy * dy) / 0.8**2)
-            total += share * _looked_up(x + dx, y + dy, look)
+            total += share * _board_at(x + dx, y + dy, look)
             weight += share
     error = light[25:41, 30:46] - total / weight
     assert np.sqrt(np.mean(error**2)) < 0.01
 
 
-def _looked_up(x: np.ndarray, y: np.ndarray, look: Look) -> np.ndarray:
+def _board_at(x: np.ndarray, y: np.ndarray, look: Look) -> np.ndarray:
     ideal, _ = undistort((np.stack([x, y], -1) - SLANTED.K[:2, 2]) / SLANTED.K[0, 0], SLANTED.lens)
     pose = SLANTED.board_to_camera
     place = (

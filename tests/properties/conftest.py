@@ -1,4 +1,4 @@
-"""Fewer examples than usual: there are many properties, and together they must stay quick."""
+"""Fewer Hypothesis examples than usual, since there are many properties."""
 
 from hypothesis import HealthCheck, settings
 

@@ -52,12 +52,12 @@ class Kind:
     example: Any
     draw: Callable[[Rng], Any]
     ends: Sequence[Any] = ()
-    """Legal values that must be answered, with examples of the other arguments."""
+    """Legal values that must give a result, with examples of the other arguments."""
     illegal: Sequence[Any] = ()
     stack: bool = False
-    """Whether each entry along the first axis is answered alone."""
+    """Whether each entry along the first axis has its own result."""
     single: bool = False
-    """Whether a number is legal in place of the array."""
+    """Whether a single number is legal in place of the array."""
 
     def shaped(self, shape: tuple[int, ...], mark: str, given: bool) -> "Kind":
         """Arrays of such numbers; with a mark, one more in the last axis is illegal."""
@@ -120,7 +120,7 @@ def whole(_left: bool, low: float, high: float, _right: bool) -> Kind:
 
 
 def some(*legal: Any, no: Sequence[Any] = ()) -> Kind:
-    """One of some values, the first of which is the example; ``no`` are illegal."""
+    """Some legal values, the first of which is the example; ``no`` are illegal."""
     return Kind(legal[0], lambda rng: legal[rng.integers(len(legal))], legal, no)
 
 

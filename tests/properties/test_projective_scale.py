@@ -1,7 +1,4 @@
-"""A projective map, camera, line or plane is the same when all its numbers are multiplied by one.
-
-By any but zero, negative ones included.
-"""
+"""Projective maps, cameras, lines and planes do not change when multiplied by a nonzero number."""
 
 import numpy as np
 import pytest
@@ -26,22 +23,20 @@ P = pinhole.camera_matrix(
 )
 
 
-def agree(found: tuple[Floats, Mask], expected: tuple[Floats, Mask]) -> None:
+def assert_agree(found: tuple[Floats, Mask], expected: tuple[Floats, Mask]) -> None:
     (values, valid), (other_values, other_valid) = found, expected
     np.testing.assert_array_equal(valid, other_valid)
     np.testing.assert_allclose(values, other_values, rtol=1e-9, atol=1e-12)
 
 
 @given(st.lists(entries, min_size=9, max_size=9), factors)
-def test_a_homography(h: list[float], factor: float) -> None:
+def test_scaled_homography_maps_points_alike(h: list[float], factor: float) -> None:
     H = np.reshape(h, (3, 3))
-    agree(apply_homography(factor * H, POINTS), apply_homography(H, POINTS))
+    assert_agree(apply_homography(factor * H, POINTS), apply_homography(H, POINTS))
 
 
 @given(st.lists(entries, min_size=9, max_size=9), factors)
-def test_what_a_homography_keeps_in_sight_and_what_it_changes(
-    h: list[float], factor: float
-) -> None:
+def test_scaled_homography_clips_and_changes_figures_alike(h: list[float], factor: float) -> None:
     H = np.reshape(h, (3, 3)) + 3.0 * np.eye(3)
     kept = clip_to_visible(H, SQUARE)
     np.testing.assert_allclose(clip_to_visible(factor * H, SQUARE), kept, rtol=1e-9, atol=1e-12)
@@ -53,17 +48,17 @@ def test_what_a_homography_keeps_in_sight_and_what_it_changes(
 
 
 @given(factors)
-def test_a_camera(factor: float) -> None:
+def test_scaled_camera_projects_alike(factor: float) -> None:
     points = np.column_stack((RNG.uniform(-9, 9, (60, 3)), RNG.choice([0.0, 1.0, -2.0], 60)))
     expected = pinhole.project_homogeneous(points, P)
     assert 0.2 < expected[1].mean() < 0.9
-    agree(pinhole.project_homogeneous(points, factor * P), expected)
+    assert_agree(pinhole.project_homogeneous(points, factor * P), expected)
 
 
 @given(factors, factors)
-def test_lines_and_planes(factor: float, other: float) -> None:
+def test_scaled_lines_and_planes_intersect_alike(factor: float, other: float) -> None:
     line, second = np.array([0.6, -2.0, 0.5]), np.array([1.0, 1.0, 3.0])
-    agree(
+    assert_agree(
         lines_and_planes.intersection(factor * line, other * second),
         lines_and_planes.intersection(line, second),
     )

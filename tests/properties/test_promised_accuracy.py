@@ -1,9 +1,8 @@
 """The accuracy that the book promises of its models, clause by clause.
 
 Forward models are within 1e-12 of an independent oracle, relative to the largest value; rotations
-and colours survive any conversion and its way back to 1e-14; shot noise passes a 1 %
-Kolmogorov–Smirnov test from 0.1 electrons to a full well; geometry is as good far from the origin
-as near. The other tests of a model say what it does; these say how well.
+and colours round-trip through any conversion to 1e-14; shot noise passes a 1 % Kolmogorov–Smirnov
+test from 0.1 electrons to a full well; geometry is as precise far from the origin as near it.
 """
 
 import math
@@ -35,7 +34,7 @@ ANGLES = np.concatenate([np.geomspace(1e-12, 3.0, 50), NEAR_HALF_A_TURN])
 AXES = Rotation.random(75, rng=np.random.default_rng(12)).apply([1.0, 0.0, 0.0])
 
 VECTORS = ANGLES[:, None] * AXES
-"""Axis times angle, from hardly a turn to hardly less than half a turn."""
+"""Axis times angle, from almost no turn to almost half a turn."""
 
 
 def relative_error(ours: Floats, theirs: Floats) -> float:
@@ -49,21 +48,21 @@ def by_opencv(
     return cv2.projectPoints(points, rotation, pose[:3, 3], K, coefficients)[0][:, 0]
 
 
-def test_projection_is_opencvs() -> None:
+def test_projection_agrees_with_opencv() -> None:
     K = pinhole.intrinsics((800.0, 815.0), (320.0, 240.0))
     ours, valid = pinhole.project(pinhole.world_to_camera(POINTS, POSE), K)
     assert valid.all()
     assert relative_error(ours, by_opencv(POINTS, POSE, K)) < 1e-12
 
 
-def test_homographies_are_opencvs() -> None:
+def test_homographies_agree_with_opencv() -> None:
     H = np.array([[1.1, 0.2, 5.0], [-0.1, 0.9, -3.0], [1e-3, 5e-4, 1.0]])
     points = RNG.uniform(-100.0, 100.0, (500, 2))
     theirs = cv2.perspectiveTransform(points[:, None], H)[:, 0]
     assert relative_error(transforms.apply_homography(H, points)[0], theirs) < 1e-12
 
 
-def test_rotations_are_scipys() -> None:
+def test_rotations_agree_with_scipy() -> None:
     theirs = Rotation.from_rotvec(VECTORS)
     assert relative_error(rotations.exponential(VECTORS), theirs.as_matrix()) < 1e-12
     q = quaternions.from_rotation_vector(VECTORS)
@@ -72,8 +71,8 @@ def test_rotations_are_scipys() -> None:
     assert relative_error(turned, theirs.apply(POINTS[:75])) < 1e-12
 
 
-def test_reflected_light_is_that_of_the_angles() -> None:
-    """A light at an angle to the normal, seen from the normal: all from plain trigonometry."""
+def test_reflected_light_agrees_with_trigonometry() -> None:
+    """Light at an angle to the normal, seen along the normal."""
     angle = np.linspace(0.0, 1.5, 200)
     light = np.stack([np.sin(angle), np.zeros(200), np.cos(angle)], axis=-1)
     normal = np.broadcast_to([0.0, 0.0, 1.0], (200, 3))
@@ -85,7 +84,7 @@ def test_reflected_light_is_that_of_the_angles() -> None:
     assert relative_error(shiny, 0.7 * np.cos(angle) + 0.5 * np.cos(angle / 2) ** 128) < 1e-12
 
 
-def test_colours_are_those_of_colour_science() -> None:
+def test_colours_agree_with_colour_science() -> None:
     colours = RNG.uniform(0.0, 1.0, (500, 3))
     theirs = colour.cctf_encoding(colours, function="sRGB")
     assert relative_error(srgb.encode_srgb(colours), theirs) < 1e-12
@@ -95,13 +94,13 @@ def test_colours_are_those_of_colour_science() -> None:
     assert relative_error(cie.xyz_to_lab(colours), theirs) < 1e-12
 
 
-def test_rotations_survive_the_logarithm_and_the_exponential() -> None:
+def test_rotations_round_trip_through_logarithm_and_exponential() -> None:
     R = rotations.exponential(VECTORS)
     assert np.abs(rotations.exponential(rotations.logarithm(R)) - R).max() <= 1e-14
     assert np.abs(rotations.logarithm(R) - VECTORS).max() <= 1e-14
 
 
-def test_rotations_survive_quaternions() -> None:
+def test_rotations_round_trip_through_quaternions() -> None:
     R = rotations.exponential(VECTORS)
     q = quaternions.from_matrix(R)
     assert np.abs(quaternions.to_matrix(q) - R).max() <= 1e-14
@@ -110,7 +109,7 @@ def test_rotations_survive_quaternions() -> None:
     assert np.abs(quaternions.from_matrix(quaternions.to_matrix(q)) - q).max() <= 1e-14
 
 
-def test_colours_survive_every_conversion_and_its_way_back() -> None:
+def test_colours_round_trip_through_every_conversion() -> None:
     colours = np.concatenate([RNG.uniform(0.0, 1.0, (500, 3)), [[0, 0, 0], [1, 1, 1]]])
     for there, back in (
         (srgb.encode_srgb, srgb.decode_srgb),
@@ -124,10 +123,10 @@ FULL_WELL_E = photon_counting.Sensor().full_well_e
 
 
 @pytest.mark.parametrize("mean_e", [0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 3000.0, FULL_WELL_E])
-def test_shot_noise_passes_kolmogorov_and_smirnov_from_a_tenth_of_an_electron_to_the_well(
+def test_shot_noise_passes_kolmogorov_smirnov_at_all_levels(
     mean_e: float,
 ) -> None:
-    """Up to the well, where the samples stop; their distribution function is compared below."""
+    """From a tenth of an electron to the full well; compared below the well, where samples clip."""
     samples = photon_counting.shot_noise(
         np.full(40_000, mean_e), np.random.default_rng(15), FULL_WELL_E
     )
@@ -138,8 +137,8 @@ def test_shot_noise_passes_kolmogorov_and_smirnov_from_a_tenth_of_an_electron_to
 
 
 @pytest.mark.parametrize("far", [1e3, 1e6, 1e9, 1e12])
-def test_geometry_is_as_good_far_from_the_origin_as_near_it(far: float) -> None:
-    """The same scene carried away by whole metres: not a digit of its picture is lost."""
+def test_projection_far_from_the_origin_loses_no_digit(far: float) -> None:
+    """The same scene moved by whole metres has exactly the same picture."""
     away = np.array([far, -far, 2 * far])
     grid = np.round(POINTS * 256) / 256  # exact wherever it is carried to here
     centre = np.array([0.5, -0.25, -6.0])

@@ -1,10 +1,10 @@
 """Every public function of the models, with arguments inside and outside their legal range.
 
 `arguments.toml` has a row for each. An argument outside its range is refused by a `ValueError` that
-names it and says what is legal. Numbers and arrays of numbers from the whole range of floats within
-it, Python's and NumPy's, give results without a warning (pytest turns those into errors) and, where
-they are finite, without NaN; or they are refused together in the same words. What holds beyond that
-stands after the arrow of a row.
+names it and the legal range. Numbers and arrays from the whole range of legal floats, Python's and
+NumPy's, give results without a warning (pytest turns those into errors) and, where they are finite,
+without NaN; or their combination is refused by such an error. Further promises about the result
+stand after the arrow of a row.
 """
 
 import dataclasses
@@ -30,7 +30,7 @@ TABLE = tomllib.loads(Path(__file__).with_name("arguments.toml").read_text("utf-
 
 
 def public_functions() -> Iterator[tuple[str, str, Callable[..., Any]]]:
-    """Room, name within it, and function; also classes that check their fields."""
+    """Folder, name within it, and function; also classes that check their fields."""
     for module in pkgutil.walk_packages(models.__path__, f"{models.__name__}."):
         room, _, file = module.name.removeprefix(f"{models.__name__}.").rpartition(".")
         for name, value in vars(importlib.import_module(module.name)).items():
@@ -42,7 +42,7 @@ def public_functions() -> Iterator[tuple[str, str, Callable[..., Any]]]:
 
 
 def rows() -> Iterator[tuple[str, Callable[..., Any], str | None]]:
-    """The name of each function, with its module where two of a room are called alike; its row."""
+    """The name of each function, with its module where names in a folder clash; function; row."""
     for room, path, function in public_functions():
         table, (file, name) = TABLE.get(room, {}), path.split(".")
         key = path if path in table else name
@@ -61,29 +61,29 @@ def test_every_public_function_has_a_row_and_every_row_a_function() -> None:
     )
 
 
-def test_every_module_is_run_by_a_figure_or_a_ladder_or_in_a_hard_case(
+def test_every_module_is_used_by_a_figure_a_ladder_or_a_hard_case(
     imports_of_the_book: Table,
 ) -> None:
     tables = [tomllib.loads(file.read_text("utf-8")) for file in hard_case_tables().values()]
     named = {path.partition(":")[0] for table in tables for path in table["names"]}
-    asked = [reach(imports_of_the_book, name) for name in named & imports_of_the_book.keys()]
+    needed = [reach(imports_of_the_book, name) for name in named & imports_of_the_book.keys()]
     walk = pkgutil.walk_packages(models.__path__, f"{models.__name__}.")
     every = {module.name for module in walk if not module.ispkg}
-    assert every <= page_modules(imports_of_the_book).union(*asked)
+    assert every <= page_modules(imports_of_the_book).union(*needed)
 
 
 @dataclasses.dataclass(frozen=True)
 class Call:
-    """A function, what it takes, and what it promises."""
+    """A function, the kinds of its arguments, and the promise about its result."""
 
     function: Callable[..., Any]
     kinds: dict[str, Kind]
     words: dict[str, str]
-    """A word of the refusal of an argument."""
+    """For each argument, a word in the message of its refusal."""
     result: str
 
     def answer(self, **changed: Any) -> Any:
-        """The result for examples of all arguments but the changed ones."""
+        """The result for the examples of all arguments, except the changed ones."""
         return self.function(**{name: kind.example for name, kind in self.kinds.items()} | changed)
 
 
@@ -144,7 +144,7 @@ STACKS = [name for name, (_, row) in ROWS.items() if "* " in row]
 
 
 @pytest.mark.parametrize("name", STACKS)
-def test_a_stack_is_answered_as_each_of_its_vectors_alone(name: str) -> None:
+def test_stack_gives_the_results_of_each_vector_alone(name: str) -> None:
     call = call_of(name)
     stacks = {key: kind.example for key, kind in call.kinds.items() if kind.stack}
     together = list(numbers_of(call.answer()))
@@ -158,7 +158,7 @@ def test_a_stack_is_answered_as_each_of_its_vectors_alone(name: str) -> None:
 
 @pytest.mark.parametrize("name", STACKS)
 @pytest.mark.parametrize("wild", [1e200, np.inf, np.nan])
-def test_one_wild_vector_does_not_change_its_neighbours(name: str, wild: float) -> None:
+def test_extreme_vector_does_not_change_its_neighbours(name: str, wild: float) -> None:
     call = call_of(name)
     for key, kind in call.kinds.items():
         if kind.stack:
@@ -173,7 +173,7 @@ def test_one_wild_vector_does_not_change_its_neighbours(name: str, wild: float) 
 
 
 def numbers_of(answer: Any) -> Iterator[np.ndarray[Any, Any]]:
-    """All arrays of an answer."""
+    """All arrays in a result."""
     if dataclasses.is_dataclass(answer):
         answer = [getattr(answer, field.name) for field in dataclasses.fields(answer)]
     if isinstance(answer, (tuple, list)):

@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 CONTENT = Path(__file__).resolve().parents[2] / "content"
-type Says = Iterator[str]
-type Calculation = Callable[[], Says]
+type Phrases = Iterator[str]
+type Calculation = Callable[[], Phrases]
 
 
 def source(chapter: str) -> str:

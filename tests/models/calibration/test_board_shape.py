@@ -1,4 +1,4 @@
-"""A board that is bent, beside OpenCV's calibration that frees its corners, and its derivatives."""
+"""Calibration with a bent board against OpenCV with freed corners, and its derivatives."""
 
 import cv2
 import numpy as np
@@ -30,9 +30,7 @@ from simulations.models.chequerboard.board import Board
         ("buckled by 2 mm", "warped"),
     ],
 )
-def test_the_shape_is_found_and_leaves_noise_alone_as_freed_corners_do(
-    world: str, shape: str
-) -> None:
+def test_board_shape_is_found_and_fits_as_well_as_freed_corners(world: str, shape: str) -> None:
     camera, views = bent_views(LENSES[world], np.random.default_rng(11))
     flat = compare(views, SIZE)
     chosen = best_shape(shapes(views, flat))
@@ -47,12 +45,12 @@ def test_the_shape_is_found_and_leaves_noise_alone_as_freed_corners_do(
     )
     error = trial.uncertainty.errors["fx"]
     assert trial.fit.camera.fx == pytest.approx(camera.fx, abs=3.0 * error)
-    # each freed corner takes some of the noise too, and fixes three of them to be in a plane
+    # freed corners absorb some of the noise too, and three of them are fixed to a plane
     assert rms * 0.95 < trial.rms_px < 1.15 * rms
     assert trial.fit.camera.fx == pytest.approx(K[0, 0], abs=4.0 * error)
 
 
-def test_sag_and_squares_are_measured_and_a_stretched_picture_is_told() -> None:
+def test_sag_and_aspect_are_measured_and_a_stretched_picture_is_noted() -> None:
     rng = np.random.default_rng(3)
     for world, height_mm, aspect in (("sag of 2 mm", None, 1.0), ("squares 2 % too high", 0, 1.02)):
         _, views = bent_views(LENSES[world], rng)
@@ -70,7 +68,7 @@ STEP = 1e-6
 
 
 @pytest.mark.parametrize("name", ["bent", "warped"])
-def test_derivatives_by_the_shape_are_the_differences_of_residuals(name: str) -> None:
+def test_shape_derivatives_agree_with_differences_of_residuals(name: str) -> None:
     camera, views = bent_views({}, np.random.default_rng(1), count=3)
     start = shape_of(name, views)
     poses = sitting(camera, SIZE, 3, Board(), 2).poses
@@ -86,7 +84,7 @@ def test_derivatives_by_the_shape_are_the_differences_of_residuals(name: str) ->
         assert exact[..., index] == pytest.approx((ahead - back) / (2 * STEP), rel=1e-5, abs=1e-4)
 
 
-def test_no_term_of_a_shape_is_a_shift_a_turn_or_a_change_of_size() -> None:
+def test_shape_terms_are_independent_of_shift_rotation_and_scale() -> None:
     board = Board().indices
     u, v, one = board[:, 0] - 4.0, board[:, 1] - 2.5, np.ones(54)
     none = 0.0 * one

@@ -1,4 +1,4 @@
-"""Calibration beside OpenCV, on corners without error, and its derivatives."""
+"""Calibration against OpenCV, on perfect corners, and its derivatives."""
 
 import cv2
 import numpy as np
@@ -37,7 +37,7 @@ def in_single_precision(views: Views) -> Views:
 
 
 @pytest.mark.parametrize("lens", FIXED)
-def test_minimum_parameters_and_standard_errors_are_those_of_opencv(lens: str) -> None:
+def test_minimum_and_standard_errors_agree_with_opencv(lens: str) -> None:
     views = in_single_precision(photographs(10, seed=3).views(0.1))
     ours = calibrate(views, lens)
     free = PINHOLE + LENSES[lens]
@@ -72,7 +72,7 @@ def sitting_of(turns: list[tuple[float, float, float]]) -> Sitting:
     return Sitting(TRUTH, SIZE, Board(), Poses(R, t))
 
 
-def test_perfect_corners_of_an_ideal_lens_give_camera_and_poses_exactly() -> None:
+def test_perfect_corners_of_an_ideal_lens_give_exact_camera_and_poses() -> None:
     truth = photographs(3, camera=IDEAL)
     camera, poses = closed_form(truth.views(0.0), SIZE)
     names = ("fx", "fy", "cx", "cy")
@@ -81,7 +81,7 @@ def test_perfect_corners_of_an_ideal_lens_give_camera_and_poses_exactly() -> Non
     assert poses.t == pytest.approx(truth.poses.t, rel=1e-9)
 
 
-def test_the_shift_of_corners_from_their_pinhole_places_gives_the_lens() -> None:
+def test_shift_of_corners_from_their_pinhole_images_gives_the_lens() -> None:
     lens = Distortion(k1=-0.25, k2=0.08)
     truth = photographs(4, camera=Camera(600.0, 603.0, 322.0, 236.0, lens))
     found = linear_lens(truth.views(0.0), IDEAL, truth.poses).lens
@@ -106,7 +106,7 @@ def test_parallel_boards_are_refused_with_the_advice_to_tilt(
         uncertainty(views, calibrate(views, lens), PINHOLE + LENSES[lens])
 
 
-def test_two_photographs_are_too_few() -> None:
+def test_two_photographs_are_refused_as_too_few() -> None:
     with pytest.raises(UndeterminedError, match="At least 3"):
         closed_form(photographs(2).views(0.0), SIZE)
 
@@ -133,8 +133,8 @@ def near(lens: str, camera_step: np.ndarray, pose_step: np.ndarray) -> Linearise
     ("lens", "index"),
     [(lens, index) for lens in ("k3", "fisheye") for index in range(len(LENSES[lens]) + 10)],
 )
-def test_derivatives_are_the_differences_of_residuals(lens: str, index: int) -> None:
-    """Derivatives by the parameters of the camera, then by the six of each pose."""
+def test_derivatives_agree_with_differences_of_residuals(lens: str, index: int) -> None:
+    """Derivatives by the parameters of the camera, then by the six parameters of each pose."""
     count = len(PINHOLE + LENSES[lens])
     step = STEP * np.eye(count + 6)[index]
     camera, pose = step[:count], np.broadcast_to(step[count:], (3, 6))

@@ -1,4 +1,4 @@
-"""Files of a calibration read back, and photographs without their distortion."""
+"""Files of a calibration read back, and photographs freed of their distortion."""
 
 import json
 import xml.etree.ElementTree as ET
@@ -29,7 +29,7 @@ def report(camera: Camera = TRUTH) -> Report:
     return Report(camera, SIZE, {"fx": 0.2}, 0.1, POSES, PHOTOGRAPHS)
 
 
-def test_opencv_reads_its_file(tmp_path: Path) -> None:
+def test_opencv_reads_the_exported_yaml(tmp_path: Path) -> None:
     path = tmp_path / "camera.yaml"
     path.write_text(opencv_yaml(report()), "utf-8")
     file = cv2.FileStorage(str(path), cv2.FILE_STORAGE_READ)
@@ -75,14 +75,14 @@ def lensfun_pixels(xml: str, ideal: np.ndarray) -> np.ndarray:
     return (np.stack((x * factor, y * factor), -1) + middle) / scale
 
 
-def test_lensfun_distorts_as_the_calibrated_lens() -> None:
+def test_lensfun_model_distorts_like_the_calibrated_lens() -> None:
     ideal = np.random.default_rng(1).uniform((0, 0), SIZE, (50, 2))
     direction = (ideal - (RADIAL.cx, RADIAL.cy)) / RADIAL.fx
     expected = RADIAL.pixels(np.c_[direction, np.ones(50)])
     assert lensfun_pixels(lensfun_xml(report(RADIAL)), ideal) == pytest.approx(expected, abs=1e-3)
 
 
-def test_lensfun_gets_the_focal_length_in_millimetres() -> None:
+def test_lensfun_file_has_the_focal_length_in_millimetres() -> None:
     full_frame = Camera(600.0, 600.0, 319.5, 239.5)
     xml = lensfun_xml(report(full_frame), Maker("Acme & Co", "One", "Zoom <1>", 35.0, 1.0))
     model = ET.fromstring(xml).find(".//distortion")
@@ -101,14 +101,14 @@ def smooth_picture() -> np.ndarray:
     return np.stack(planes, axis=-1).astype(np.uint8)
 
 
-def test_it_is_opencvs() -> None:
+def test_undistorted_photograph_agrees_with_opencv() -> None:
     codes = smooth_picture()
     expected = cv2.undistort(codes, CAMERA.matrix, np.array(CAMERA.lens.opencv[:5]))
     off = undistorted(codes, CAMERA).astype(int) - expected
     assert np.abs(off[4:-4, 4:-4]).max() <= 2  # theirs rounds places to 1/32 px
 
 
-def test_what_the_photograph_does_not_show_is_grey() -> None:
+def test_undistorted_picture_is_grey_outside_the_photograph() -> None:
     pincushion = Camera(300.0, 300.0, 159.5, 119.5, Distortion(k1=0.3))
     folded = Camera(100.0, 100.0, 159.5, 119.5, Distortion(k1=-0.3))
     assert (undistorted(smooth_picture(), pincushion)[0, 0] == UNSEEN).all()

@@ -1,4 +1,4 @@
-"""A fisheye that sees 106° to 170°: found beside OpenCV's, and its files."""
+"""Calibration of fisheye lenses of 106° to 170° against OpenCV, and the exported files."""
 
 import json
 import xml.etree.ElementTree as ET
@@ -26,13 +26,13 @@ FREE = PINHOLE + LENSES["fisheye"]
 LENS = Fisheye(-0.01, 0.003, -0.002, 0.0002)
 
 
-def sat(focal_px: float) -> Sitting:
+def fisheye_sitting(focal_px: float) -> Sitting:
     return sitting(Camera(focal_px, 1.001 * focal_px, 806.0, 595.0, LENS), SIZE, 12, BOARD, 1)
 
 
 @pytest.mark.parametrize("focal_px", [470.0, 600.0, 840.0])
-def test_a_fisheye_is_supported_and_found_within_its_errors(focal_px: float) -> None:
-    truth, views = sat(focal_px).camera, sat(focal_px).views(0.05, 1)
+def test_fisheye_is_supported_and_agrees_with_truth_within_its_errors(focal_px: float) -> None:
+    truth, views = fisheye_sitting(focal_px).camera, fisheye_sitting(focal_px).views(0.05, 1)
     found = supported(compare(views, SIZE))
     assert found.lens == "fisheye"
     errors = np.array([found.uncertainty.errors[name] for name in FREE])
@@ -40,7 +40,7 @@ def test_a_fisheye_is_supported_and_found_within_its_errors(focal_px: float) -> 
     assert off.max() < 3.5
     assert found.fit.camera.field_rad(SIZE[0]) == pytest.approx(truth.field_rad(SIZE[0]), abs=1e-3)
     if focal_px < 500:
-        return  # theirs does not arrive
+        return  # OpenCV does not converge
     board = [np.c_[b, np.zeros(len(b))][None] for b in views.board]
     rms, K, lens, *_ = cv2.fisheye.calibrate(
         board,
@@ -56,16 +56,16 @@ def test_a_fisheye_is_supported_and_found_within_its_errors(focal_px: float) -> 
     assert found.rms_px == pytest.approx(rms, rel=1e-6)
 
 
-def test_pixels_are_those_of_the_directions_that_they_come_from() -> None:
-    camera = sat(600.0).camera
+def test_pixels_round_trip_through_their_ideal_directions() -> None:
+    camera = fisheye_sitting(600.0).camera
     pixels = np.random.default_rng(0).uniform((0, 0), SIZE, (500, 2))
     ideal, valid = camera.ideal(pixels)
     assert valid.mean() > 0.9
     assert camera.pixels(np.c_[ideal, np.ones(500)])[valid] == pytest.approx(pixels[valid])
 
 
-def test_files_name_the_fisheye() -> None:
-    truth = sat(600.0)
+def test_files_describe_the_fisheye() -> None:
+    truth = fisheye_sitting(600.0)
     report = Report(truth.camera, SIZE, {}, 0.1, truth.poses, [(str(n), 0.1) for n in range(12)])
     assert "fisheye_model: 1" in opencv_yaml(report)
     saved = json.loads(as_json(report))

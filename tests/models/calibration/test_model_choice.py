@@ -1,4 +1,4 @@
-"""Which lens the photographs support, how well it is known, and what to photograph next."""
+"""The supported lens model, its stated errors, and advice for the next photograph."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,7 @@ from simulations.models.distortion.lens_model import Distortion
         (Distortion(k1=-0.3, k2=0.15, p1=2e-3, p2=-2e-3, k3=0.5), "k3"),
     ],
 )
-def test_the_model_that_made_the_photographs_is_supported(lens: Distortion, expected: str) -> None:
+def test_true_model_of_the_photographs_is_supported(lens: Distortion, expected: str) -> None:
     truth = photographs(12, seed=7, camera=Camera(500.0, 500.0, 322.0, 236.0, lens))
     views = truth.views(0.05)
     trials = compare(views, SIZE)
@@ -38,7 +38,7 @@ def test_the_model_that_made_the_photographs_is_supported(lens: Distortion, expe
 
 
 @pytest.mark.parametrize("count", [3, 6, 9])
-def test_a_draft_of_few_steps_has_the_same_models_and_supports_the_same(count: int) -> None:
+def test_draft_of_few_steps_supports_the_same_model(count: int) -> None:
     views = photographs(10, seed=2).views(0.1)
     first, every = views.take(slice(count)), compare(views, SIZE)
     whole, draft = compare_first(every, first), compare_first(every, first, draft=True)
@@ -51,14 +51,14 @@ def test_a_draft_of_few_steps_has_the_same_models_and_supports_the_same(count: i
 def test_coverage_counts_corners_and_measures_tilt_and_distance() -> None:
     truth = photographs(5)
     views = truth.views(0.0)
-    covered = coverage(views, calibrate(views), SIZE)
-    assert covered.cells.sum() == views.corners
-    assert covered.cells.shape == (6, 8)
-    assert covered.tilt_rad == pytest.approx(np.arccos(truth.poses.R[:, 2, 2]), abs=1e-6)
-    assert np.all((covered.distance > 5.0) & (covered.distance < 40.0))
+    measured = coverage(views, calibrate(views), SIZE)
+    assert measured.cells.sum() == views.corners
+    assert measured.cells.shape == (6, 8)
+    assert measured.tilt_rad == pytest.approx(np.arccos(truth.poses.R[:, 2, 2]), abs=1e-6)
+    assert np.all((measured.distance > 5.0) & (measured.distance < 40.0))
 
 
-def covered(
+def coverage_with(
     tilt_deg: float = 30.0,
     count: int = 12,
     nearest: float = 10.0,
@@ -71,14 +71,14 @@ def covered(
     return Coverage(cells, np.full(count, np.radians(tilt_deg)), distance)
 
 
-def test_next_photograph_is_what_is_missing_most() -> None:
+def test_advice_names_the_photograph_that_is_missing_most() -> None:
     right = (slice(0, 6), slice(5, 8))
-    assert next_photograph(covered(tilt_deg=5.0, empty=right)) == "tilted by 30° to 45°"
-    assert next_photograph(covered(empty=right)).endswith("right")
-    assert next_photograph(covered(empty=(slice(1, 5), slice(2, 6)))) == "in the middle"
-    assert next_photograph(covered(count=5)) == "from another side"
-    assert next_photograph(covered(nearest=18.0)) == "nearer or farther"
-    assert next_photograph(covered()) == "nothing is missing"
+    assert next_photograph(coverage_with(tilt_deg=5.0, empty=right)) == "tilted by 30° to 45°"
+    assert next_photograph(coverage_with(empty=right)).endswith("right")
+    assert next_photograph(coverage_with(empty=(slice(1, 5), slice(2, 6)))) == "in the middle"
+    assert next_photograph(coverage_with(count=5)) == "from another side"
+    assert next_photograph(coverage_with(nearest=18.0)) == "nearer or farther"
+    assert next_photograph(coverage_with()) == "nothing is missing"
 
 
 TANGENTIAL = PINHOLE + LENSES["p1p2"]
@@ -96,7 +96,7 @@ def errors_in_units(runs: int, count: int, sigma_px: float) -> np.ndarray:
     return np.array(rows)
 
 
-def test_the_truth_lies_within_the_stated_errors_at_the_stated_rate() -> None:
+def test_stated_errors_cover_the_truth_at_the_stated_rate() -> None:
     off = errors_in_units(60, 6, 0.2)
     assert np.mean(np.abs(off) < 1.0) == pytest.approx(0.683, abs=0.08)
     assert np.mean(np.abs(off) < 2.0) == pytest.approx(0.954, abs=0.08)
@@ -104,7 +104,7 @@ def test_the_truth_lies_within_the_stated_errors_at_the_stated_rate() -> None:
 
 
 @pytest.mark.parametrize("lens", ["k1k2", "p1p2", "k3"])
-def test_error_on_a_photograph_left_out_is_that_of_a_calibration_without_it(lens: str) -> None:
+def test_left_out_error_agrees_with_a_calibration_without_the_photograph(lens: str) -> None:
     views, free = photographs(8, seed=4).views(0.1), PINHOLE + LENSES[lens]
     fit = calibrate(views, lens)
     quick = left_out_px(views, fit, free)
@@ -115,7 +115,7 @@ def test_error_on_a_photograph_left_out_is_that_of_a_calibration_without_it(lens
         assert quick[index] == pytest.approx(np.sqrt(alone.cost / 54), rel=0.01)
 
 
-def test_growth_is_that_of_calibrations_of_the_first_photographs() -> None:
+def test_growth_agrees_with_calibrations_of_the_first_photographs() -> None:
     views = photographs(10, seed=6).views(0.1)
     fit = calibrate(views, "p1p2")
     grown = growth(views, fit, TANGENTIAL, 0.1, "fx", 4)

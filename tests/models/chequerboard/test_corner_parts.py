@@ -1,4 +1,4 @@
-"""The board, and each part of the search for it alone."""
+"""The board, and each part of the search for its corners."""
 
 import re
 import xml.etree.ElementTree as ET
@@ -13,7 +13,7 @@ from simulations.models.chequerboard.board import Board, board_svg
 from simulations.models.chequerboard.saddle_points import find_saddles, smoothed
 
 
-def test_the_slopes_of_the_corner_model_are_those_of_its_value() -> None:
+def test_derivatives_of_the_corner_model_agree_with_differences() -> None:
     y, x = np.mgrid[-5:6, -5:6].astype(float).reshape(2, 1, -1)
     state = np.array([[0.2, -0.3, 0.4, 1.7, 0.1]])
 
@@ -27,7 +27,7 @@ def test_the_slopes_of_the_corner_model_are_those_of_its_value() -> None:
         assert np.abs(numeric - model(state).slopes[..., number]).max() < 1e-4
 
 
-def test_a_corner_is_a_saddle_and_an_edge_and_a_t_are_none() -> None:
+def test_corner_is_a_saddle_point_but_an_edge_and_a_t_are_not() -> None:
     y, x = np.mgrid[:40, :40] >= 20
     for picture, count in ((x ^ y, 1), (x, 0), (x & y, 0), (x & y | ~x, 0)):
         smooth = smoothed(100.0 * picture.astype(np.float32))
@@ -35,7 +35,7 @@ def test_a_corner_is_a_saddle_and_an_edge_and_a_t_are_none() -> None:
 
 
 @pytest.mark.parametrize("correlation", [0.0, 0.3, -0.7, 0.9])
-def test_it_is_the_mean_of_the_product_of_two_signs(correlation: float) -> None:
+def test_blurred_corner_is_the_mean_product_of_two_signs(correlation: float) -> None:
     h, k = np.random.default_rng(0).normal(0.0, 1.5, (2, 40))
     law = multivariate_normal([0, 0], [[1, correlation], [correlation, 1]])
     both = np.array([law.cdf(pair) for pair in zip(h, k, strict=True)])
@@ -43,7 +43,7 @@ def test_it_is_the_mean_of_the_product_of_two_signs(correlation: float) -> None:
     assert np.abs(blurred_corner(h, k, correlation) - oracle).max() < 1e-6
 
 
-def test_corners_are_inside_the_squares_and_count_row_by_row() -> None:
+def test_inner_corners_are_numbered_row_by_row() -> None:
     board = Board(10, 7, 25.0)
     assert board.corners == (9, 6)
     assert board.points_mm[[0, 1, 9, -1]].tolist() == [
@@ -55,7 +55,7 @@ def test_corners_are_inside_the_squares_and_count_row_by_row() -> None:
     assert np.array_equal(board.indices[9], [0, 1])
 
 
-def test_the_drawing_is_at_true_scale_with_every_dark_square_and_a_ruler() -> None:
+def test_board_is_drawn_to_scale_with_every_dark_square_and_a_ruler() -> None:
     board = Board(10, 7, 24.5)
     root = ET.fromstring(board_svg(board, "10 x 7 squares"))
     width = float(root.attrib["width"].removesuffix("mm"))

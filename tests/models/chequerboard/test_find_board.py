@@ -1,4 +1,4 @@
-"""Chequerboards in rendered photographs: how many corners, how exactly, beside OpenCV."""
+"""Chequerboards in rendered photographs: number and precision of corners against OpenCV."""
 
 import io
 import tracemalloc
@@ -57,12 +57,12 @@ def rms_to_nearest(found: np.ndarray, truth: np.ndarray) -> float:
 
 @cache
 def photograph(tilt: tuple[float, float, float]) -> Codes:
-    """Blur, noise of one code, barrel −0.3, JPEG 80."""
+    """A rendered photograph with blur, noise of one code, barrel distortion −0.3 and JPEG 80."""
     return jpeg(photograph_of(BOARD, view_of(tilt), NOISY))
 
 
 @pytest.mark.parametrize("tilt", TILTS)
-def test_every_corner_is_found_with_its_number_as_exactly_as_by_opencv(
+def test_every_corner_is_found_and_numbered_as_precisely_as_by_opencv(
     tilt: tuple[float, float, float],
 ) -> None:
     found = find_board(photograph(tilt))
@@ -77,7 +77,7 @@ def test_every_corner_is_found_with_its_number_as_exactly_as_by_opencv(
 
 
 @pytest.mark.parametrize("sizes", [(5, 4), (6, 6), (8, 5), (15, 11)])
-def test_boards_of_any_size_are_found_whole(sizes: tuple[int, int]) -> None:
+def test_boards_of_any_size_are_found_completely(sizes: tuple[int, int]) -> None:
     board = Board(*sizes, 250.0 / sizes[0])
     view = view_of((0.3, -0.3, 0.2), board, 380.0)
     found = find_board(photograph_of(board, view, NOISY))
@@ -86,7 +86,7 @@ def test_boards_of_any_size_are_found_whole(sizes: tuple[int, int]) -> None:
 
 
 @pytest.mark.parametrize("turns", [1, 2, 3])
-def test_a_turned_photograph_gives_the_same_numbers_to_the_same_corners(turns: int) -> None:
+def test_turned_photograph_has_the_same_corner_numbers(turns: int) -> None:
     plain = find_board(photograph(TILTS[1]))
     turned = find_board(np.ascontiguousarray(np.rot90(photograph(TILTS[1]), turns)))
     assert np.array_equal(turned.indices, plain.indices)
@@ -98,7 +98,7 @@ def test_a_turned_photograph_gives_the_same_numbers_to_the_same_corners(turns: i
 
 
 @pytest.mark.parametrize("left", [200, 300])
-def test_the_part_of_a_board_that_is_in_the_picture_is_found(left: int) -> None:
+def test_visible_part_of_a_cropped_board_is_found(left: int) -> None:
     codes = photograph_of(BOARD, view_of(TILTS[0], distance_mm=300.0), NOISY)[:, left:]
     found = find_board(np.ascontiguousarray(codes))
     truth = true_corners(BOARD, view_of(TILTS[0], distance_mm=300.0)) - [left, 0.0]
@@ -108,7 +108,7 @@ def test_the_part_of_a_board_that_is_in_the_picture_is_found(left: int) -> None:
 
 
 @pytest.mark.parametrize("radius", [15.0, 25.0])
-def test_corners_beside_a_glare_are_found_where_they_are(radius: float) -> None:
+def test_corners_beside_a_glare_are_found_in_place(radius: float) -> None:
     look = Look(noise_codes=1.0, glare=Glare(290.0, 200.0, radius, 1.5))
     found = find_board(photograph_of(BOARD, view_of(TILTS[0], distance_mm=330.0), look))
     assert found.size == BOARD.corners
@@ -116,7 +116,7 @@ def test_corners_beside_a_glare_are_found_where_they_are(radius: float) -> None:
     assert root_mean_square(errors_px(found, BOARD, view_of(TILTS[0], distance_mm=330.0))) < 0.05
 
 
-def test_a_board_on_the_screen_behind_is_left_alone() -> None:
+def test_small_second_board_in_the_background_is_ignored() -> None:
     codes = photograph(TILTS[0]).copy()
     codes[:60, :80] = cv2.resize(codes, (80, 60), interpolation=cv2.INTER_AREA)
     assert len(find_board(codes).places) == 54
@@ -139,7 +139,7 @@ def _charuco() -> Codes:
 
 
 @pytest.mark.parametrize("amount", [2.0, 5.0])
-def test_halos_of_sharpening_are_no_reason_to_refuse_a_board(amount: float) -> None:
+def test_board_with_halos_of_sharpening_is_found(amount: float) -> None:
     sharp = photograph(TILTS[0]).astype(float)
     sharp += amount * (sharp - cv2.GaussianBlur(sharp, (0, 0), 2.0))
     found = find_board(np.clip(sharp, 0, 255).astype(np.uint8))
@@ -147,7 +147,7 @@ def test_halos_of_sharpening_are_no_reason_to_refuse_a_board(amount: float) -> N
     assert root_mean_square(errors_px(found, BOARD, view_of(TILTS[0]))) < 0.03 * (1 + amount)
 
 
-def test_the_corners_on_both_sides_of_a_hard_shadow_are_found() -> None:
+def test_corners_on_both_sides_of_a_hard_shadow_are_found() -> None:
     shaded = photograph(TILTS[0]).astype(float)
     shaded[:, 300:] *= 0.4
     assert len(find_board(shaded.astype(np.uint8)).places) > 40
@@ -180,7 +180,7 @@ def test_the_corners_on_both_sides_of_a_hard_shadow_are_found() -> None:
         "charuco",
     ],
 )
-def test_what_is_of_no_use_is_refused_in_a_sentence(codes, words: str) -> None:  # type: ignore[no-untyped-def]
+def test_unusable_photograph_is_refused_in_a_sentence(codes, words: str) -> None:  # type: ignore[no-untyped-def]
     with pytest.raises(NoBoardError, match=words) as refusal:
         find_board(codes())
     assert str(refusal.value).endswith(".")
@@ -208,7 +208,7 @@ def _textures() -> dict[str, np.ndarray]:
 
 
 @pytest.mark.parametrize("name", [*REAL, *_textures()])
-def test_photographs_print_and_textures_without_a_board_give_none(name: str) -> None:
+def test_photographs_and_textures_without_a_board_are_refused(name: str) -> None:
     if name in REAL:
         codes = getattr(skimage.data, name)()
     else:

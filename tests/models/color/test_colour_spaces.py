@@ -64,13 +64,13 @@ ROMM = [[0.7977, 0.1352, 0.0314], [0.2880, 0.7119, 0.0001], [0.0, 0.0, 0.8252]]
         ),
     ],
 )
-def test_matrices_of_displays_are_the_published_ones(
+def test_display_matrices_are_the_published_ones(
     primaries: ArrayLike, white: ArrayLike, published: list[list[float]], digits: float
 ) -> None:
     np.testing.assert_allclose(cie.rgb_to_xyz_matrix(primaries, white), published, atol=digits)
 
 
-def test_the_table_takes_nan_as_black_and_clips() -> None:
+def test_srgb_table_takes_nan_as_black_and_clips() -> None:
     wild = np.array([np.nan, -1, np.inf])
     np.testing.assert_array_equal(srgb.encode_srgb_table(wild), [0, 0, 1])
     np.testing.assert_array_equal(wild, [np.nan, -1, np.inf], "what was given stays as it was")
@@ -78,21 +78,21 @@ def test_the_table_takes_nan_as_black_and_clips() -> None:
     assert srgb.encode_srgb_table(np.empty((0, 3))).shape == (0, 3)
 
 
-def test_the_ends_of_the_straight_piece_belong_to_it_and_what_is_beyond_to_the_curve() -> None:
+def test_srgb_is_straight_up_to_its_threshold_and_curved_beyond() -> None:
     assert srgb.encode_srgb(0.0031308) == 12.92 * 0.0031308
     assert srgb.decode_srgb(0.04045) == 0.04045 / 12.92
     assert srgb.decode_srgb(0.042) == pytest.approx(((0.042 + 0.055) / 1.055) ** 2.4, rel=1e-14)
 
 
-def test_the_table_takes_the_nearest_of_its_entries() -> None:
-    """Entry k stands for light k/65535; halfway to the next, that one begins."""
+def test_srgb_table_takes_the_nearest_entry() -> None:
+    """Entry k stands for light k/65535; halfway to the next entry the next begins."""
     for k in (0, 1, 700, 65534):
         entry = np.float32(srgb.encode_srgb(k / 65535))
         assert srgb.encode_srgb_table((k + 0.49) / 65535) == entry
         assert srgb.encode_srgb_table((k + 0.51) / 65535) > entry
 
 
-def test_luma_and_differences_of_the_primaries_are_those_of_jfif() -> None:
+def test_luma_and_chroma_of_the_primaries_agree_with_jfif() -> None:
     expected = [
         [0.299, -0.168736, 0.5],
         [0.587, -0.331264, -0.418688],
@@ -110,7 +110,7 @@ COLOURS = RNG.uniform(0.0, 1.0, (50, 3))
     ("method", "theirs"), [("bradford", "Bradford"), ("von-kries", "Von Kries")]
 )
 @pytest.mark.parametrize("lights", [(ILLUMINANT_A_XY, D65_XY), (D65_XY, ILLUMINANT_A_XY)])
-def test_matrices_are_those_of_colour_science(
+def test_adaptation_matrices_agree_with_colour_science(
     method: str, theirs: str, lights: tuple[tuple[float, float], tuple[float, float]]
 ) -> None:
     whites = [oracle.xy_to_XYZ(xy) for xy in lights]
@@ -118,7 +118,7 @@ def test_matrices_are_those_of_colour_science(
     np.testing.assert_allclose(adaptation_matrix(*lights, method), expected, atol=1e-12)
 
 
-def test_gains_in_rgb_are_white_balance() -> None:
+def test_adaptation_in_rgb_is_white_balance() -> None:
     linear = cie.xyz_to_linear_rgb(COLOURS)
     lamp = cie.xyz_to_linear_rgb(white_xyz(ILLUMINANT_A_XY))
     balanced = white_balance(linear, lamp) / lamp[1]
@@ -130,7 +130,7 @@ def test_gains_in_rgb_are_white_balance() -> None:
     )
 
 
-def test_chromaticities_and_whites_are_those_of_colour_science() -> None:
+def test_chromaticities_and_whites_agree_with_colour_science() -> None:
     np.testing.assert_allclose(xyz_to_xyy(COLOURS), oracle.XYZ_to_xyY(COLOURS), rtol=1e-14)
     whites = oracle.CCS_ILLUMINANTS["CIE 1931 2 Degree Standard Observer"]
     for name, xy in (("A", ILLUMINANT_A_XY), ("D65", D65_XY)):
@@ -154,18 +154,18 @@ def test_chromaticities_and_whites_are_those_of_colour_science() -> None:
         ([-1, -1, -1], D65_XY),
     ],
 )
-def test_every_colour_has_a_chromaticity_if_only_that_of_daylight(
+def test_colour_without_a_chromaticity_gets_that_of_daylight(
     xyz: Sequence[float], xy: Sequence[float]
 ) -> None:
     np.testing.assert_allclose(xyz_to_xyy(xyz)[:2], xy, rtol=1e-15)
 
 
-def test_distances_are_those_of_scikit_image() -> None:
+def test_lab_distances_agree_with_scikit_image() -> None:
     labs = RNG.uniform(-50, 50, (2, 20, 3))
     np.testing.assert_allclose(lab_distance(*labs), skimage.color.deltaE_cie76(*labs))
 
 
-def test_grey_world_takes_the_mean_of_each_channel() -> None:
+def test_grey_world_is_the_mean_of_each_channel() -> None:
     picture = np.arange(4 * 6 * 3.0).reshape(4, 6, 3)
     np.testing.assert_allclose(grey_world(picture), [34.5, 35.5, 36.5])
     assert (grey_world(np.full((9, 3), 1e308)) == np.inf).all()

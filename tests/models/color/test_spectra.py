@@ -13,7 +13,7 @@ from simulations.models.color.cie import xyz_to_lab
 from simulations.models.color.spectra import WAVELENGTHS_NM as GRID
 
 
-def test_the_curve_through_knots_is_scipys_natural_spline() -> None:
+def test_curve_through_knots_is_scipys_natural_spline() -> None:
     values = np.random.default_rng(1).random((3, 17))
     knots = np.linspace(380, 780, 17)
     theirs = CubicSpline(knots, values, axis=-1, bc_type="natural")(GRID)
@@ -21,7 +21,7 @@ def test_the_curve_through_knots_is_scipys_natural_spline() -> None:
 
 
 @pytest.mark.parametrize("kelvin", [500.0, 2856.0, 6500.0, 1e5])
-def test_a_glowing_body_follows_plancks_law(kelvin: float) -> None:
+def test_glowing_body_follows_plancks_law(kelvin: float) -> None:
     metres = GRID * 1e-9
     reach = scipy.constants.h * scipy.constants.c / scipy.constants.k / kelvin
     law = 1 / (metres**5 * np.expm1(reach / metres))
@@ -30,7 +30,7 @@ def test_a_glowing_body_follows_plancks_law(kelvin: float) -> None:
 
 
 @pytest.mark.parametrize("kelvin", [4000.0, 6504.0, 7000.0, 7001.0, 25000.0])
-def test_daylight_is_the_cies(kelvin: float) -> None:
+def test_daylight_agrees_with_the_cie(kelvin: float) -> None:
     xy = oracle.temperature.CCT_to_xy_CIE_D(kelvin)
     np.testing.assert_allclose(illuminants.daylight_xy(kelvin), xy, atol=1e-9)
     theirs = sampled(oracle.sd_CIE_illuminant_D_series(xy, M1_M2_rounding=False))
@@ -41,7 +41,7 @@ def test_daylight_is_the_cies(kelvin: float) -> None:
 @pytest.mark.parametrize(
     ("light", "name"), [(illuminants.fluorescent(), "FL11"), (illuminants.white_diode(), "LED-B3")]
 )
-def test_tube_and_diode_have_white_and_spectrum_of_the_cies(light: Floats, name: str) -> None:
+def test_tube_and_diode_have_the_cies_white_and_spectrum(light: Floats, name: str) -> None:
     theirs = illuminant(name)
     np.testing.assert_allclose(
         xyz_to_xyy(observer.tristimulus(light, light))[:2], tabulated_xy(theirs), atol=0.004
@@ -53,14 +53,14 @@ def test_tube_and_diode_have_white_and_spectrum_of_the_cies(light: Floats, name:
 D65 = illuminants.daylight(illuminants.D65_K)
 
 
-def test_the_matching_functions_are_near_the_tables_of_the_cie() -> None:
-    """The bounds are those of the paper's own fits; any other numbers would be farther off."""
+def test_matching_functions_are_near_the_cies_tables() -> None:
+    """The bounds are the errors of the paper's own fits."""
     off = observer.OBSERVER - TABULATED
     assert (np.abs(off).max(axis=0) < [0.0147, 0.0071, 0.0239]).all()
     assert (np.sqrt(np.mean(off**2, axis=0)) < [0.0061, 0.0029, 0.0047]).all()
 
 
-def test_the_chart_is_within_a_third_delta_e_of_its_measurements() -> None:
+def test_chart_is_within_a_third_delta_e_of_its_measurements() -> None:
     names = {"sky": "blue sky", "white": "white 9.5 (.05 D)"}
     measured = oracle.SDS_COLOURCHECKERS["ColorChecker N Ohta"]
     for name in surfaces.CHART:
@@ -76,14 +76,14 @@ def patches() -> Floats:
     return np.stack([*chart, surfaces.dyed_cloth(420.0, 10.0), np.zeros(81), np.ones(81)])
 
 
-def test_twins_are_other_surfaces_of_the_same_colour(patches: Floats) -> None:
+def test_metamers_are_different_surfaces_of_the_same_colour(patches: Floats) -> None:
     twins = surfaces.metameric_twins(patches, D65)
     colours = observer.tristimulus(np.stack([patches, twins]) * D65, D65)
     np.testing.assert_allclose(colours[0], colours[1], atol=1e-12)
     assert (np.abs(twins - patches)[:11].max(axis=1) > 0.08).all()
 
 
-def test_twins_are_surfaces_and_go_as_far_as_they_can(patches: Floats) -> None:
+def test_metamers_are_physical_and_differ_as_much_as_possible(patches: Floats) -> None:
     twins = surfaces.metameric_twins(patches, D65)
     assert twins.min() >= 0.0
     assert twins.max() <= 1.0

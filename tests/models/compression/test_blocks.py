@@ -21,14 +21,14 @@ from simulations.models.compression.cosine_transforms import (
 from simulations.models.compression.entropy import run_symbols, size
 
 
-def test_the_inverse_transform_is_scipys() -> None:
+def test_inverse_transform_agrees_with_scipy() -> None:
     blocks = np.random.default_rng(0).normal(size=(5, 8, 8))
     theirs = scipy.fft.idctn(blocks, axes=(1, 2), norm="ortho")
     np.testing.assert_allclose(compression.inverse_block_dct(blocks), theirs, atol=1e-12)
 
 
 @pytest.mark.parametrize("quality", [1, 2, 7, 33, 49, 50, 51, 75, 99, 100])
-def test_tables_are_those_of_pillow(quality: int) -> None:
+def test_quantisation_tables_agree_with_pillow(quality: int) -> None:
     file = io.BytesIO()
     Image.new("RGB", (8, 8)).save(file, "JPEG", quality=quality)
     file.seek(0)
@@ -41,10 +41,10 @@ def test_tables_are_those_of_pillow(quality: int) -> None:
 @pytest.mark.parametrize(("dtype", "tie"), [(np.float32, 5e-4), (np.float64, 1e-9)])
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(("ties_off", "kept"), [(-1.05, 2), (-0.95, 3), (0, 3), (0.95, 3)])
-def test_halves_are_told_as_well_as_the_transforms_numbers_can(
+def test_halves_are_recognised_within_the_transforms_precision(
     dtype: DTypeLike, tie: float, sign: int, ties_off: float, kept: int
 ) -> None:
-    """A transform that comes out so many ties from the half of 2.5 that it should."""
+    """With a transform whose result is off from 2.5 by a multiple of the tolerance for ties."""
 
     def transform(blocks: Floats) -> Floats:
         return np.full(blocks.shape, sign * (2.5 + ties_off * tie), dtype)
@@ -57,7 +57,7 @@ CODES = np.random.default_rng(5).integers(-128, 128, (3, 50, 8, 8)).astype(float
 ORACLE = dctn(CODES, type=2, norm="ortho", axes=(-2, -1))
 
 
-def test_the_judge_is_scipys_transform_and_keeps_more_digits() -> None:
+def test_exact_transform_agrees_with_scipy_and_keeps_more_digits() -> None:
     truth = exact_block_dct(CODES)
     assert truth.dtype == np.longdouble
     np.testing.assert_allclose(truth.astype(float), ORACLE, atol=1e-12)
@@ -93,20 +93,20 @@ def symbols(codes: list[dict[int, int]]) -> tuple[dict[int, int], float]:
         pytest.param({61: 1}, {0xF0: 3, 0xD1: 1, 0x00: 1}, 1, id="all-but-the-end"),
     ],
 )
-def test_symbols_are_those_of_the_standard(
+def test_run_symbols_agree_with_the_standard(
     codes: dict[int, int], expected: dict[int, int], bits: int
 ) -> None:
     assert symbols([codes]) == (expected, bits)
 
 
-def test_a_run_of_zeros_ends_with_its_block() -> None:
+def test_run_of_zeros_ends_with_its_block() -> None:
     assert symbols([{62: 1}, {2: 1}]) == ({0xF0: 3, 0xE1: 1, 0x21: 1, 0x00: 1}, 2)
 
 
 @pytest.mark.parametrize("quality", [50, 75, 90])
 @pytest.mark.parametrize("subsampling", ["4:4:4", "4:2:0"])
-def test_the_bits_of_a_photograph_are_those_of_pillows_file(quality: int, subsampling: str) -> None:
-    """Huffman's code spends whole bits on each symbol: a little more than its entropy."""
+def test_bits_of_a_photograph_agree_with_pillows_file(quality: int, subsampling: str) -> None:
+    """Huffman's code spends whole bits on each symbol, a little more than the entropy."""
     file = io.BytesIO()
     kind = {"4:4:4": 0, "4:2:0": 2}[subsampling]
     Image.fromarray(ASTRONAUT).save(file, "JPEG", quality=quality, subsampling=kind, optimize=True)
@@ -118,14 +118,14 @@ def test_the_bits_of_a_photograph_are_those_of_pillows_file(quality: int, subsam
     assert 0.96 * theirs < ours.bits < 1.005 * theirs
 
 
-def test_the_zigzag_starts_as_in_the_standard_and_visits_every_place() -> None:
+def test_zigzag_starts_as_in_the_standard_and_visits_every_place() -> None:
     assert ZIGZAG[:10].tolist() == [0, 1, 8, 16, 9, 2, 3, 10, 17, 24]
     assert ZIGZAG[-3:].tolist() == [55, 62, 63]
     assert RANK.ravel()[ZIGZAG].tolist() == list(range(64))
 
 
 @pytest.mark.parametrize("count", [1, 3, 63, 64])
-def test_as_many_are_left_as_asked_for_and_they_are_the_first(count: int) -> None:
+def test_first_coefficients_in_zigzag_order_are_kept(count: int) -> None:
     codes = np.arange(1, 129).reshape(2, 8, 8)
     kept = first_in_order(codes, count)
     assert np.count_nonzero(kept, axis=(1, 2)).tolist() == [count, count]

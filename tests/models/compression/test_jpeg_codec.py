@@ -1,4 +1,4 @@
-"""JPEG’s planes, coarse colours and pictures against Pillow, OpenCV and scikit-image."""
+"""JPEG’s planes, subsampled colours and pictures against Pillow, OpenCV and scikit-image."""
 
 import io
 
@@ -36,7 +36,7 @@ def decoded(coded: jpeg.Coded, upsampling: str = "triangle") -> Floats:
     return jpeg.from_planes(planes)
 
 
-def test_planes_are_those_of_opencv() -> None:
+def test_planes_agree_with_opencv() -> None:
     theirs = np.moveaxis(cv2.cvtColor(PHOTO, cv2.COLOR_RGB2YCrCb).astype(float), -1, 0) - 128
     ours = jpeg.to_planes(PHOTO / 255)[[0, 2, 1]]
     assert np.abs(ours - theirs).max() <= 1
@@ -45,8 +45,8 @@ def test_planes_are_those_of_opencv() -> None:
 
 
 @pytest.mark.parametrize("quality", [20, 75, 95])
-def test_coarse_colour_is_that_of_pillow(quality: int) -> None:
-    """A file decoded at half size gives the coarse differences as they were kept.
+def test_subsampled_colour_agrees_with_pillow(quality: int) -> None:
+    """A file decoded at half size gives the subsampled differences as stored.
 
     Pillow rounds the means of the cells to whole codes, so that now and then a coefficient
     falls on the other side of a half.
@@ -63,8 +63,8 @@ def test_coarse_colour_is_that_of_pillow(quality: int) -> None:
 
 @pytest.mark.parametrize("quality", [30, 75, 95])
 @pytest.mark.parametrize("subsampling", ["4:2:2", "4:2:0"])
-def test_strong_colours_are_filled_in_as_by_pillow(subsampling: str, quality: int) -> None:
-    """By the triangle, and to about a code. Repetition is twice as far from that."""
+def test_strong_colours_are_upsampled_like_pillow(subsampling: str, quality: int) -> None:
+    """With the triangle, within about a code; repetition is at least twice as far off."""
     picture = np.rint(255 * encode_srgb(balloon())).astype(np.uint8)
     theirs = np.asarray(by_pillow(picture, quality, subsampling), float)
     coded = jpeg.encode(jpeg.to_planes(picture / 255), quality, subsampling)
@@ -78,16 +78,14 @@ def test_strong_colours_are_filled_in_as_by_pillow(subsampling: str, quality: in
 
 @pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
 @pytest.mark.parametrize("shape", [(1, 1), (9, 17), (8, 8)])
-def test_any_size_keeps_its_size_and_grey_stays_grey(
-    shape: tuple[int, int], subsampling: str
-) -> None:
+def test_grey_picture_of_any_size_is_unchanged(shape: tuple[int, int], subsampling: str) -> None:
     grey = np.full((*shape, 3), 128 / 255)
     coded = jpeg.encode(jpeg.to_planes(grey), 50, subsampling)
     np.testing.assert_allclose(decoded(coded), grey, atol=0.5 / 255)
 
 
 @pytest.mark.parametrize("factor", [(1, 1), (1, 2), (2, 1), (2, 2), (3, 4)])
-def test_cells_are_averaged_as_by_scikit_image(factor: tuple[int, int]) -> None:
+def test_subsampling_agrees_with_scikit_image(factor: tuple[int, int]) -> None:
     rows, columns = factor
     plane = np.random.default_rng(0).normal(0, 50, (6 * rows, 5 * columns))
     theirs = skimage.transform.downscale_local_mean(plane, factor)
@@ -107,7 +105,7 @@ def luma_for(plane: Floats, factor: tuple[int, int]) -> Floats:
 @pytest.mark.parametrize(
     ("method", "theirs"), [("repeated", cv2.INTER_NEAREST), ("triangle", cv2.INTER_LINEAR)]
 )
-def test_repetition_and_triangle_are_opencvs(
+def test_repetition_and_triangle_agree_with_opencv(
     method: str, theirs: int, factor: tuple[int, int]
 ) -> None:
     plane = RANDOM.normal(0, 50, (6, 5))
@@ -116,7 +114,7 @@ def test_repetition_and_triangle_are_opencvs(
     np.testing.assert_allclose(refine(plane, factor, luma, method), expected, atol=1e-12)
 
 
-def test_the_parabola_is_exact_for_means_of_a_parabola() -> None:
+def test_parabola_is_exact_for_means_of_a_parabola() -> None:
     """Means over cells and over half cells of 3 + 2t − t²/2, from its integral."""
 
     def means(edges: Floats) -> Floats:
@@ -128,8 +126,8 @@ def test_the_parabola_is_exact_for_means_of_a_parabola() -> None:
     np.testing.assert_allclose(ours[2:-2], fine[2:-2], atol=1e-12)
 
 
-def test_the_cubic_s_weights_are_catmull_and_roms() -> None:
-    """(−t + 2t² − t³)/2 and so on, at three quarters of the way."""
+def test_cubic_weights_are_catmull_and_roms() -> None:
+    """(−t + 2t² − t³)/2 and so on, at t = ¾."""
     t = 0.75
     expected = (
         (-t + 2 * t**2 - t**3) / 2,
@@ -140,7 +138,7 @@ def test_the_cubic_s_weights_are_catmull_and_roms() -> None:
     assert KERNELS["cubic"] == pytest.approx(expected)
 
 
-def test_the_slope_is_that_of_a_regression_held_back_by_grain() -> None:
+def test_guided_slope_is_a_regression_damped_by_grain() -> None:
     """Cell by cell, by numpy's covariance of the 3 x 3 cells around it."""
     luma = RANDOM.normal(0, 30, (10, 12))
     coarse = coarsen(luma, (2, 2))

@@ -1,4 +1,4 @@
-"""Fisheye projections: OpenCV, identities that define each model, and the awkward directions."""
+"""Fisheye projections against OpenCV and their defining formulas, up to the largest angle."""
 
 from collections.abc import Callable
 from typing import Any
@@ -45,7 +45,7 @@ def test_kannala_brandt_agrees_with_opencv() -> None:
         ("equisolid", lambda angle: 2 * np.sin(angle / 2)),
     ],
 )
-def test_each_ideal_model_is_its_formula_and_is_undone_by_its_inverse(
+def test_each_ideal_model_follows_its_formula_and_round_trips(
     model: str, radius: Callable[[Floats], Floats]
 ) -> None:
     angles = np.linspace(0.0, 0.97 * IDEAL_MODELS[model].largest_angle_rad, 50)
@@ -66,7 +66,7 @@ def test_each_ideal_model_is_its_formula_and_is_undone_by_its_inverse(
         (lambda rays: project_ideal(rays, "orthographic"), np.pi / 2),
     ],
 )
-def test_a_lens_sees_up_to_its_largest_angle(see: Any, largest: float) -> None:
+def test_lens_sees_up_to_its_largest_angle(see: Any, largest: float) -> None:
     seen = see(rays([0.5 * largest, largest * (1 - 1e-3), largest * (1 + 1e-3)]))[1]
     assert seen.tolist() == [True, True, largest == np.pi]  # beyond half a turn is the other side
 
@@ -74,7 +74,7 @@ def test_a_lens_sees_up_to_its_largest_angle(see: Any, largest: float) -> None:
 @pytest.mark.parametrize(
     ("model", "furthest"), [("equidistant", np.pi), ("equisolid", 2.0), ("orthographic", 1.0)]
 )
-def test_nothing_lies_beyond_the_image(model: str, furthest: float) -> None:
+def test_places_beyond_the_image_are_invalid(model: str, furthest: float) -> None:
     radii = furthest * np.array([0.5, 1 - 1e-6, 1.0, 1 + 1e-7, np.nan, np.inf])
     valid = unproject_ideal(np.column_stack([radii, np.zeros(6)]), model)[1]
     assert valid.tolist() == [True, True, *[False] * 4]

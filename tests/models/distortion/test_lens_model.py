@@ -1,4 +1,4 @@
-"""Lens distortion against OpenCV, analysis, and its own inverses."""
+"""Lens distortion against OpenCV, against analysis, and against its own inverses."""
 
 import cv2
 import numpy as np
@@ -21,13 +21,13 @@ from simulations.models.distortion.undistortion import (
 POINTS = np.random.default_rng(1).uniform(-0.7, 0.7, (200, 2))
 
 
-def test_an_ideal_lens_returns_the_very_array_even_where_squares_overflow() -> None:
+def test_ideal_lens_returns_its_argument_even_where_squares_overflow() -> None:
     far = np.array([[1e300, -1e300], [3.0, 4.0]])
     assert distort(far, Distortion()) is far
     assert undistort(far, Distortion())[0] is far
 
 
-def test_beyond_the_largest_image_radius_nothing_is_valid_and_only_the_border_is_finite() -> None:
+def test_points_beyond_the_largest_image_radius_are_invalid_or_clamped() -> None:
     lens = Distortion(k1=-0.3)
     limit = largest_distorted_radius(lens)
     seen = [[0.999 * limit, 0], [1.001 * limit, 0], [np.nan, 0], [9e9, 0]]
@@ -42,7 +42,7 @@ def test_beyond_the_largest_image_radius_nothing_is_valid_and_only_the_border_is
 
 
 @pytest.mark.parametrize("name", ["k1", "k2", "k3", "p1", "p2", "k4", "k5", "k6"])
-def test_each_coefficient_stands_where_opencv_has_it_and_alone_is_not_neutral(name: str) -> None:
+def test_each_coefficient_alone_agrees_with_opencv_and_round_trips(name: str) -> None:
     lens = Distortion(**{name: 0.05})
     assert not lens.neutral
     assert lens.tangential == name.startswith("p")
@@ -76,7 +76,7 @@ INF = np.inf
         (Distortion(k1=0.5, k4=1.0), [-1e46, 1e46], [-INF, INF]),
     ],
 )
-def test_far_points_go_to_infinity_with_the_signs_of_their_direction(
+def test_far_points_map_to_infinity_with_the_signs_of_their_direction(
     lens: Distortion, point: list[float], image: list[float], beside: list[list[float]]
 ) -> None:
     moved = distort([point, *beside], lens)
@@ -88,7 +88,7 @@ RADII = np.stack((np.linspace(0.01, 0.9, 50), np.zeros(50)), axis=-1)
 
 
 @pytest.mark.parametrize("name", ["closed-form", "checked-table", "newton-bracketed"])
-def test_the_careful_ones_put_what_lies_past_the_fold_on_it(name: str) -> None:
+def test_careful_inverses_put_points_beyond_the_fold_onto_it(name: str) -> None:
     lens = Distortion(k1=-0.5)
     inside = RADII[RADII[:, 0] < 0.8]
     seen = np.concatenate((distort(inside, lens), [[0.0, 0.6], [1.5, 0.0]]))
@@ -98,7 +98,7 @@ def test_the_careful_ones_put_what_lies_past_the_fold_on_it(name: str) -> None:
 
 
 TURNS = Distortion(k1=-0.2, k2=0.2)
-"""g = 1 − 0.2 s + 0.2 s² turns at s = 1/2."""
+"""g = 1 − 0.2 s + 0.2 s² has its minimum at s = 1/2."""
 
 
 @pytest.mark.parametrize(
@@ -121,7 +121,7 @@ TURNS = Distortion(k1=-0.2, k2=0.2)
         (Distortion(k1=0.1), 1e45, 1e-3, "pincushion"),
     ],
 )
-def test_the_kind_follows_from_the_profile_inside_the_picture(
+def test_kind_follows_from_the_profile_inside_the_picture(
     lens: Distortion, corner: float, tolerance: float, kind: str
 ) -> None:
     assert classify(lens, corner, tolerance) == kind
@@ -141,5 +141,5 @@ SQUARE = np.array([[1.0, 1], [4, 1], [4, 5], [1, 5], [1, 1]])
         ([[-1e150, 0.0], [0.0, 1e150], [1e150, 0.0]], 1e150),
     ],
 )
-def test_a_bow_is_the_furthest_from_the_chord(curve: ArrayLike, bow: ArrayLike) -> None:
+def test_bow_is_the_largest_distance_from_the_chord(curve: ArrayLike, bow: ArrayLike) -> None:
     assert line_bow(curve).tolist() == pytest.approx(bow)

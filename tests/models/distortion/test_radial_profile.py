@@ -1,4 +1,4 @@
-"""Radial profiles: slope, fold and inverse, to all digits and knowing where there is none."""
+"""Radial profiles: slope, fold and inverse, to all digits, and where no inverse exists."""
 
 import math
 from collections.abc import Sequence
@@ -52,9 +52,9 @@ def series(coefficients: Sequence[float], s: Floats) -> Floats:
 
 
 def bisect(profile: RadialProfile, image_radius: Floats) -> Floats:
-    """The ideal radius, by halving an interval that holds it until floats run out.
+    """The ideal radius, by bisection until floats run out.
 
-    In 80-bit floats; where those are 64 bits long, as with some compilers, it still serves.
+    In 80-bit floats; 64 bits, as with some compilers, also suffice.
     """
     wanted = np.asarray(image_radius).astype(np.longdouble)
     low = np.zeros_like(wanted)
@@ -77,7 +77,7 @@ def by_hand(profile: RadialProfile, r: Floats) -> Floats:
 
 
 @pytest.mark.parametrize("profile", PROFILES)
-def test_the_function_is_its_quotient_of_sums(profile: RadialProfile) -> None:
+def test_profile_is_the_quotient_of_its_sums(profile: RadialProfile) -> None:
     np.testing.assert_allclose(evaluate(profile, RADII), by_hand(profile, RADII), rtol=1e-14)
     factors = by_hand(profile, RADII[1:]) / RADII[1:]
     np.testing.assert_allclose(scale(profile, RADII[1:] ** 2), factors, rtol=1e-13)
@@ -112,7 +112,7 @@ def test_slopes_agree_with_differences(profile: RadialProfile) -> None:
         (RadialProfile((1.0, 1.0), (0.1,)), math.inf, math.inf),
     ],
 )
-def test_the_fold_is_where_the_slope_first_vanishes(
+def test_fold_is_where_the_slope_first_vanishes(
     profile: RadialProfile, fold: float, image: float
 ) -> None:
     assert fold_radius(profile) == pytest.approx(fold, rel=1e-6)
@@ -135,7 +135,7 @@ def test_the_fold_is_where_the_slope_first_vanishes(
         (RadialProfile((1.0,), (1.0,)), math.inf),  # nothing but a pole that a zero cancels
     ],
 )
-def test_the_inverse_bends_nearest_where_the_slope_vanishes_for_real_or_complex_radii(
+def test_nearest_turn_of_the_inverse_is_at_a_real_or_complex_zero_slope(
     profile: RadialProfile, image: float
 ) -> None:
     """s is the squared radius and g = f/r, so that f² is s g²."""
@@ -148,7 +148,7 @@ NAN, INF = math.nan, math.inf
 
 @pytest.mark.parametrize(
     ("profile", "images", "radii", "valid"),
-    [  # what has no radius is put on the fold, or without a fold on the axis
+    [  # an image without a radius is put on the fold, or on the axis where there is no fold
         (FOLDS_AT_1, [0.67, -0.1, NAN, INF], [1, 1, 1, 1], False),
         (FOLDS_AT_1, [largest_image_radius(FOLDS_AT_1)], [1], False),
         (IDENTITY, [-0.1, NAN, INF], [0, 0, 0], False),
@@ -159,7 +159,7 @@ NAN, INF = math.nan, math.inf
         (RadialProfile((), (-1e-301,)), [1e155], [0], False),  # a pole too far out to be found
     ],
 )
-def test_what_has_a_radius_is_valid_however_far_and_the_rest_is_not(
+def test_only_images_with_an_ideal_radius_are_valid(
     profile: RadialProfile, images: list[float], radii: list[float], valid: bool
 ) -> None:
     found, known = invert_bracketed(profile, images)
@@ -168,8 +168,8 @@ def test_what_has_a_radius_is_valid_however_far_and_the_rest_is_not(
 
 
 @pytest.mark.parametrize("numerator", [0.0, 0.3])
-def test_close_to_a_pole_every_image_has_its_radius(numerator: float) -> None:
-    """Images are made in exact fractions: in floats the pole would distort them."""
+def test_images_close_to_a_pole_have_their_radius(numerator: float) -> None:
+    """Images are computed in exact fractions, as the pole magnifies rounding errors."""
     short = [Fraction(1, 10**power) for power in range(1, 15)]
     radii = [Fraction(float(2 * (1 - each))) for each in short]
     a = Fraction(numerator)
@@ -182,7 +182,7 @@ def test_close_to_a_pole_every_image_has_its_radius(numerator: float) -> None:
 LONGEST_FOCAL_PX = 2000.0
 
 FURTHEST = 1.2
-"""Ideal radius, 50° off the axis, to which lenses without a fold are tried."""
+"""Ideal radius, 50° off the axis, up to which lenses without a fold are tried."""
 
 LENSES = {
     "slight barrel": Distortion(k1=-0.05),
@@ -213,7 +213,7 @@ def images_up_to_99_percent(profile: RadialProfile) -> Floats:
 
 
 @pytest.mark.parametrize("name", LENSES)
-def test_the_inverse_is_good_to_a_millionth_of_a_pixel_within_99_percent_of_the_fold(
+def test_inverse_is_precise_to_1e_9_px_within_99_percent_of_the_fold(
     name: str,
 ) -> None:
     lens = LENSES[name]
@@ -222,15 +222,15 @@ def test_the_inverse_is_good_to_a_millionth_of_a_pixel_within_99_percent_of_the_
     seen = image_radius[:, None] * np.stack((np.cos(turn), np.sin(turn)), axis=-1)
     ideal, valid = undistort(seen, lens)
     assert valid.all()
-    # The radius that was asked for is that of the rounded point.
+    # The radius to compare with is the rounded point's.
     x, y = seen.T.astype(np.longdouble)
     radius = np.hypot(x, y)
     ratio = np.divide(bisect(lens.radial, radius), radius, out=np.ones_like(x), where=radius > 0)
     off = np.hypot(ideal[:, 0] - x * ratio, ideal[:, 1] - y * ratio)
-    assert LONGEST_FOCAL_PX * off.max() <= 1e-9  # what the table promises: a thousandth of it
+    assert LONGEST_FOCAL_PX * off.max() <= 1e-9  # a thousandth of the table's promise
 
 
-def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all_the_same() -> None:
+def test_inverse_is_right_where_the_table_ends_at_a_nearly_flat_curve() -> None:
     """The slope 1 − 0.9 s + 0.2025001 s² comes within 4e-7 of zero, at r² = 2.22."""
     profile, flat = RadialProfile((-0.3, 0.04050002)), np.sqrt(0.9 / 0.405)
     image_radius = np.linspace(0.0, evaluate(profile, 2.0), 5000)
@@ -244,7 +244,7 @@ def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all
 
 
 BARREL, PINCUSHION, HARDLY = (RadialProfile((k,)) for k in (-1 / 3, 1 / 3, 1e-6))
-"""The first folds at f² = 4/9, the inverse of the second bends most at −4/9, the third nowhere."""
+"""The first folds at f² = 4/9, the inverse of the second turns at f² = −4/9, the third nowhere."""
 
 CASES = [(BARREL, 1.0), (BARREL, 0.25), (PINCUSHION, 1.0), (PINCUSHION, 64.0), (HARDLY, 2.0)]
 
@@ -255,7 +255,9 @@ def grid_of(profile: RadialProfile, reach: float, cells: int = 256) -> Grid:
 
 @pytest.mark.parametrize(("profile", "reach"), CASES)
 @pytest.mark.parametrize("cells", [1, 256])
-def test_each_place_is_found_in_its_cell(profile: RadialProfile, reach: float, cells: int) -> None:
+def test_each_place_of_the_table_is_found_in_its_cell(
+    profile: RadialProfile, reach: float, cells: int
+) -> None:
     grid = grid_of(profile, reach, cells)
     places = np.linspace(0.0, cells, 1001)
     images = image_squared_at(grid, places)
@@ -264,7 +266,7 @@ def test_each_place_is_found_in_its_cell(profile: RadialProfile, reach: float, c
     np.testing.assert_allclose(sorted(images[[0, -1]]), [0.0, last], rtol=1e-13, atol=1e-14)
 
 
-def test_it_vouches_for_nothing_at_the_fold_and_beyond() -> None:
+def test_cubic_inverse_is_unknown_at_the_fold_and_beyond() -> None:
     profile = RadialProfile((-1 / 3,))  # folds at 1, whose image is 2/3
     images = np.array([0.1, 0.666, 2 / 3, 0.7, np.inf, np.nan])
     factor, known = cubic_inverse.shrinkage(profile, images**2)

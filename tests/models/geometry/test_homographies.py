@@ -1,4 +1,4 @@
-"""Homographies: inverted, judged, taken apart, and estimated from pairs of points."""
+"""Homographies: their inverse, condition, decomposition, and estimation from pairs of points."""
 
 import math
 
@@ -35,9 +35,7 @@ ONE_UNKNOWN = np.array([[1.0, math.nan, 0], [0, 1, 0], [0, 0, 1]])
         (ONE_UNKNOWN, math.inf, 0.0),
     ],
 )
-def test_the_condition_number_is_that_of_the_balanced_matrix(
-    H: Floats, condition: float, off: float
-) -> None:
+def test_condition_number_is_the_balanced_matrixs(H: Floats, condition: float, off: float) -> None:
     assert algebra.condition_number(H) == pytest.approx(condition, rel=off)
 
 
@@ -49,7 +47,7 @@ def test_the_condition_number_is_that_of_the_balanced_matrix(
         np.diag([1.0, 0.5e-12, 1.0]),
     ],
 )
-def test_maps_that_squash_the_plane_are_singular_and_have_no_inverse(H: Floats) -> None:
+def test_maps_that_flatten_the_plane_are_singular(H: Floats) -> None:
     assert algebra.is_singular(H)
     with pytest.raises(ValueError, match="condition number"):
         algebra.invert(H)
@@ -67,8 +65,8 @@ def test_inverses_of_tiny_and_huge_matrices_are_finite(H: Floats) -> None:
     assert algebra.invert(H) @ H == pytest.approx(np.eye(3), abs=1e-9)
 
 
-def test_the_parts_are_taken_off_in_the_order_that_is_stated() -> None:
-    """Translation · rotation · stretch, and the vanishing terms first of all."""
+def test_decomposition_follows_its_documented_order() -> None:
+    """Translation · rotation · stretch · vanishing terms, which apply first."""
     c, s = math.cos(0.5), math.sin(0.5)
     by_hand = (
         np.array([[1, 0, 3.0], [0, 1, -2], [0, 0, 1]])
@@ -89,7 +87,7 @@ SEEN = np.array([(32.0, 15.0), (610.0, 60.0), (580.0, 500.0), (-12.0, 430.0)])
 @pytest.mark.parametrize(
     ("before", "after"), [(1e-9, 1e9), (1e9, 1e-9), (1e-90, 1e-90), (1e90, 1e90)]
 )
-def test_source_and_target_may_be_in_any_units(before: float, after: float) -> None:
+def test_homography_is_estimated_in_any_units(before: float, after: float) -> None:
     source, target = CORNERS * before, SEEN * after
     H, valid = estimation.estimate_homography(source, target)
     assert valid
@@ -116,7 +114,7 @@ def test_noisy_affine_estimates_agree_with_plain_least_squares() -> None:
     assert estimation.estimate_affine(points, target)[0][:2] == pytest.approx(expected)
 
 
-def test_two_points_determine_a_similarity_three_an_affine_map_and_four_a_homography() -> None:
+def test_each_family_is_determined_by_its_number_of_points() -> None:
     for estimate, count in (
         (estimation.estimate_rigid, 2),
         (estimation.estimate_similarity, 2),
@@ -162,7 +160,7 @@ KEYSTONE_NEAR = np.array([[1.1, 0.1, 0.0], [-0.2, 0.9, 0.0], [0.1, -0.05, 1.0]])
 
 
 @pytest.mark.parametrize("far", [1e6, 1e9])
-def test_what_nine_numbers_cannot_hold_is_not_called_valid(far: float) -> None:
+def test_homography_beyond_nine_numbers_precision_is_invalid(far: float) -> None:
     points = np.random.default_rng(2).uniform(-1, 1, (20, 2))
     images = apply_homography(KEYSTONE_NEAR, points)[0]
     H, valid = estimation.estimate_homography(points + far, images - far)

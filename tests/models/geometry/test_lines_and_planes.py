@@ -35,7 +35,7 @@ def same(ours: Floats, theirs: Floats) -> bool:
 
 
 @given(point, point)
-def test_a_line_is_the_null_space_of_its_points(
+def test_line_is_the_null_space_of_its_points(
     p: tuple[float, float], q: tuple[float, float]
 ) -> None:
     assume(np.hypot(p[0] - q[0], p[1] - q[1]) > 1e-3)
@@ -47,10 +47,10 @@ def test_a_line_is_the_null_space_of_its_points(
 
 
 @given(point, point, point, point)
-def test_lines_meet_where_the_linear_system_says(
+def test_lines_meet_at_the_solution_of_the_linear_system(
     p: tuple[float, float], q: tuple[float, float], r: tuple[float, float], s: tuple[float, float]
 ) -> None:
-    """Both ends of an angle that is not too flat."""
+    """For lines that are not too nearly parallel."""
     steps = np.subtract(q, p), np.subtract(s, r)
     lengths = [np.linalg.norm(step) for step in steps]
     assume(min(lengths) > 0.1)
@@ -62,7 +62,7 @@ def test_lines_meet_where_the_linear_system_says(
     np.testing.assert_allclose(meet, np.asarray(p) + share * steps[0], rtol=1e-8, atol=1e-7)
 
 
-def test_the_sign_tells_the_side() -> None:
+def test_sign_of_the_distance_depends_on_the_side() -> None:
     line, _ = line_through([0.0, 0.0], [2.0, 0.0])
     assert signed_distance([[5.0, 3.0], [5.0, -3.0]], line).tolist() == [3.0, -3.0]
     plane, _ = plane_through([0.0, 0, 0], [1, 0, 0], [0, 1, 0])
@@ -89,7 +89,9 @@ def test_planes_are_the_null_spaces_of_their_points() -> None:
         pytest.param([0.0, 1.0, -1.0], [1e-13, -1.0, -1e300], id="beyond-along-x-from-below"),
     ],
 )
-def test_lines_that_meet_nowhere(line: list[float], other: list[float]) -> None:
+def test_parallel_or_undefined_lines_have_no_intersection(
+    line: list[float], other: list[float]
+) -> None:
     meet, valid = intersection(line, other)
     assert not valid
     assert np.isnan(meet).all()
@@ -119,7 +121,7 @@ LOWEST, HIGHEST = (-1.0, 0.0), (3.0, 2.0)
     ids=["level", "upright", "slanted", "lower side", "right side", "diagonal"],
 )
 @pytest.mark.parametrize("factor", [1.0, -1.0, 1e-200, -3e150])
-def test_a_line_of_any_direction_and_scale_ends_on_the_border(
+def test_line_of_any_direction_and_scale_ends_on_the_border(
     line: tuple[float, ...], ends: list[tuple[float, float]], factor: float
 ) -> None:
     found = line_in_rectangle(np.multiply(line, factor), LOWEST, HIGHEST)
@@ -131,5 +133,5 @@ def test_a_line_of_any_direction_and_scale_ends_on_the_border(
     [(0, 1, -2.5), (1, 0, 2), (1, 1, 1), (0, 0, 1), (0, 0, 0), (1, math.nan, 0), (math.inf, 1, 0)],
     ids=["above", "beside", "touching a corner", "at infinity", "zeros", "nan", "inf"],
 )
-def test_nothing_is_left_of_a_line_that_misses_or_is_none(line: tuple[float, ...]) -> None:
+def test_line_that_misses_the_rectangle_or_is_undefined_is_empty(line: tuple[float, ...]) -> None:
     assert line_in_rectangle(line, LOWEST, HIGHEST).shape == (0, 2)

@@ -19,7 +19,7 @@ from simulations.models.geometry.quaternion_blends import (
 
 
 def wxyz(rotation: Rotation) -> Floats:
-    """(..., 4), the real part first, as in our models."""
+    """Quaternions (..., 4) with the real part first, as in our models."""
     return np.roll(rotation.as_quat(), 1, axis=-1)
 
 
@@ -38,12 +38,14 @@ RANDOM = Rotation.random(200, rng=RNG)
     [np.eye(3), np.diag([3.0, 2.0, -1.0]), np.diag([1.0, 1.0, 0.0]), np.diag([1.0, 1e-11, 0.0])],
     ids=["a rotation", "mirrored", "flat", "of rank two to rounding"],
 )
-def test_the_nearest_rotation_of_a_known_matrix_at_any_scale(matrix: Floats, size: float) -> None:
+def test_nearest_rotation_of_a_known_matrix_is_found_at_any_scale(
+    matrix: Floats, size: float
+) -> None:
     R = RANDOM[3].as_matrix()
     assert rotations.nearest_rotation(size * R @ matrix) == pytest.approx(R, abs=1e-5)
 
 
-def test_the_canonical_quaternion_has_its_first_entry_that_is_not_zero_positive() -> None:
+def test_first_nonzero_entry_of_a_canonical_quaternion_is_positive() -> None:
     for q in ([-0.5, 0.5, 0.5, 0.5], [0.0, -1.0, 0, 0], [0.0, 0, 0, -1.0], [0.0, 0, -0.6, 0.8]):
         assert quaternions.canonical(q) == pytest.approx(-np.array(q))
         assert quaternions.canonical(-np.array(q)) == pytest.approx(-np.array(q))
@@ -59,7 +61,7 @@ SEQUENCES = [letters for s in PROPER + TAIT_BRYAN for letters in (s, s.upper())]
 
 
 @pytest.mark.parametrize("sequence", SEQUENCES)
-def test_both_directions_agree_with_scipy(sequence: str) -> None:
+def test_euler_angles_agree_with_scipy_in_both_directions(sequence: str) -> None:
     rotations = Rotation.random(24, rng=np.random.default_rng(3))
     matrices = rotations.as_matrix().reshape(4, 6, 3, 3)
     angles, locked = euler.from_matrix(matrices, sequence)
@@ -71,7 +73,7 @@ def test_both_directions_agree_with_scipy(sequence: str) -> None:
 
 @pytest.mark.parametrize("sequence", SEQUENCES)
 @pytest.mark.parametrize("upper_end", [False, True])
-def test_the_matrix_comes_back_however_near_the_lock_which_is_told_from_1e_minus_7_on(
+def test_euler_angles_round_trip_near_gimbal_lock_which_is_reported(
     sequence: str, upper_end: bool
 ) -> None:
     off = np.array([0.0, *10.0 ** -np.arange(4, 13), 3e-8, 3e-7])
@@ -88,13 +90,13 @@ def test_the_matrix_comes_back_however_near_the_lock_which_is_told_from_1e_minus
     assert angles[0, 2] == pytest.approx(0.0, abs=1e-15)
 
 
-def test_a_half_turn_is_plus_a_half_turn() -> None:
+def test_angle_of_a_half_turn_is_positive() -> None:
     angles, _ = euler.from_matrix(np.diag([-1.0, -1.0, 1.0]), "ZYX")
     assert angles.tolist() == [np.pi, 0.0, 0.0]
 
 
 @pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
-def test_blending_takes_the_shorter_way_and_meets_both_ends(blend: Callable[..., Floats]) -> None:
+def test_blend_takes_the_shorter_way_and_meets_both_ends(blend: Callable[..., Floats]) -> None:
     start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.3)])
     for sign in (1, -1):
         assert quaternions.to_rotation_vector(blend(start, sign * end, 0.5))[2] == pytest.approx(
@@ -105,7 +107,7 @@ def test_blending_takes_the_shorter_way_and_meets_both_ends(blend: Callable[...,
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign: int) -> None:
+def test_signs_decide_between_two_ways_of_equal_length(sign: int) -> None:
     middle = rotations.slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)
     assert middle == pytest.approx(np.array([1, sign, 0, 0]) / math.sqrt(2))
 
@@ -117,7 +119,7 @@ AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
 def pair(
     angle_deg: float, first: tuple[float, float, float] = (0.3, -0.5, 0.2)
 ) -> tuple[Floats, Floats]:
-    """Two unit quaternions that far apart, on one hemisphere."""
+    """Two unit quaternions at this angle, on one hemisphere."""
     start = quaternions.from_rotation_vector(first)
     turn = quaternions.from_rotation_vector(np.radians(angle_deg) * AXIS)
     return start, quaternions.multiply(turn, start)
@@ -135,7 +137,7 @@ def off_deg(blended: Floats, path: Rotation) -> Floats:
 
 @pytest.mark.parametrize("kind", BLENDS)
 @pytest.mark.parametrize("angle_deg", [0, 1, 60, 179])
-def test_every_blend_begins_and_ends_at_the_two_orientations(kind: str, angle_deg: float) -> None:
+def test_every_blend_starts_and_ends_at_the_two_orientations(kind: str, angle_deg: float) -> None:
     start, end = pair(angle_deg)
     ends = BLENDS[kind](start, end, [0.0, 0.5, 1.0])
     middle = quaternions.normalise(start + end)
@@ -143,7 +145,7 @@ def test_every_blend_begins_and_ends_at_the_two_orientations(kind: str, angle_de
 
 
 @pytest.mark.parametrize("kind", ["paced-nlerp", "slerp-threshold", "slerp", "bisection"])
-def test_blends_follow_the_great_circle_as_closely_as_they_promise(kind: str) -> None:
+def test_blends_follow_the_great_circle_within_their_promise(kind: str) -> None:
     allowed_deg = {"paced-nlerp": 0.05, "slerp-threshold": 1e-4}.get(kind, 1e-12)
     blend = BLENDS.get(kind, bisected_arc)
     for angle_deg in range(0, 180, 3):
@@ -153,7 +155,7 @@ def test_blends_follow_the_great_circle_as_closely_as_they_promise(kind: str) ->
 
 
 @pytest.mark.parametrize("angle_rad", [0.0, 1e-12, 1e-6, 0.3, 1.5, 3.1])
-def test_the_turn_between_two_orientations_is_its_angle(angle_rad: float) -> None:
+def test_turn_between_two_orientations_is_their_angle(angle_rad: float) -> None:
     start, end = pair(np.degrees(angle_rad))
     for other in (end, -end):
         assert turn_between_rad(start, other) == pytest.approx(angle_rad, abs=1e-15, rel=1e-4)
@@ -165,7 +167,7 @@ ANGLES = st.tuples(*[st.floats(-3.0, 3.0)] * 3)
 @pytest.mark.parametrize("sequence", ["ZYX", "XYZ", "ZXZ", "YXZ"])
 @given(ANGLES, st.tuples(*[st.floats(-1.0, 1.0)] * 3))
 @settings(max_examples=20)
-def test_the_jacobian_gives_the_angular_velocity(
+def test_euler_rate_axes_give_the_angular_velocity(
     sequence: str, angles: tuple[float, float, float], rates: tuple[float, float, float]
 ) -> None:
     step = 1e-6
@@ -179,14 +181,14 @@ def test_the_jacobian_gives_the_angular_velocity(
 
 
 @pytest.mark.parametrize("sequence", ["ZYX", "xyz"])
-def test_blended_angles_give_the_matrix_of_those_angles(sequence: str) -> None:
+def test_blended_euler_angles_give_the_matrix_of_the_blend(sequence: str) -> None:
     start, end, shares = (0.1, -0.4, 2.0), (1.3, 0.8, -1.0), np.linspace(0, 1, 5)
     found = rotation_paths.euler_blend(sequence, start, end, shares)
     angles = np.array(start) + shares[:, None] * np.subtract(end, start)
     np.testing.assert_allclose(found, Rotation.from_euler(sequence, angles).as_matrix(), atol=1e-14)
 
 
-def test_matrices_are_blended_entry_by_entry_for_each_share() -> None:
+def test_matrices_are_blended_entry_by_entry() -> None:
     start, end = np.arange(9.0).reshape(3, 3), np.ones((3, 3))
     shares = np.array([[0.0, 0.25], [1.0, 2.0]])
     found = rotation_paths.matrix_blend(start, end, shares)

@@ -1,4 +1,4 @@
-"""Transformations of the plane: how they move points, what they cut off, what they keep."""
+"""Transformations of the plane: moved points, clipping, and preserved properties."""
 
 import math
 
@@ -18,7 +18,7 @@ TILTED = transforms.projective([1, 0, 0, 0, 1, 0, 1, 0, 1])
 """w = 1 + x: the line x = −1 goes to infinity."""
 
 
-def test_each_rung_moves_a_point_as_its_equation_says() -> None:
+def test_each_family_moves_a_point_by_its_equation() -> None:
     quarter = math.pi / 2
     for H, expected in (
         (transforms.translation(3, -1), (5, 0)),
@@ -32,14 +32,14 @@ def test_each_rung_moves_a_point_as_its_equation_says() -> None:
         assert image == pytest.approx(expected)
 
 
-def test_nothing_on_the_line_sent_to_infinity_has_an_image() -> None:
+def test_points_on_the_line_sent_to_infinity_have_no_image() -> None:
     images, valid = apply_homography(TILTED, [(-1 + 1e-9, 0), (-1, 0), (-1 - 1e-16, 0), (-2, 3)])
     assert valid.tolist() == [True, False, False, True]
     assert np.isnan(images[1:3]).all()
     assert images[3] == pytest.approx((2, -3))
 
 
-def test_the_sign_of_w_tells_the_two_sides_of_that_line() -> None:
+def test_sign_of_w_differs_on_the_two_sides_of_that_line() -> None:
     points = [(0, 0), (-2, 0), (-1, 5), (-1 + 1e-13, 0), (math.inf, 0), (math.nan, 0)]
     assert transforms.sign_of_w(TILTED, points).tolist() == [1, -1, 0, 0, 0, 0]
     assert transforms.sign_of_w(-1e200 * TILTED, points).tolist() == [-1, 1, 0, 0, 0, 0]
@@ -48,7 +48,7 @@ def test_the_sign_of_w_tells_the_two_sides_of_that_line() -> None:
 SQUARE = np.array([(-2.0, 0.0), (2.0, 0.0), (2.0, 1.0), (-2.0, 1.0)])
 
 
-def test_clipping_keeps_just_the_part_in_front() -> None:
+def test_clipping_keeps_exactly_the_visible_part() -> None:
     visible = clip_to_visible(TILTED, SQUARE, w_minimum=0.1)
     # The largest sum of terms is 3, at x = ±2, so the cut lies at w = 0.3.
     expected = {(-0.7, 0), (2, 0), (2, 1), (-0.7, 1)}
@@ -56,7 +56,7 @@ def test_clipping_keeps_just_the_part_in_front() -> None:
     assert apply_homography(TILTED, visible)[1].all()
 
 
-def test_clipping_a_polygon_by_any_line_leaves_the_area_that_is_known() -> None:
+def test_square_clipped_by_a_half_plane_has_the_known_area() -> None:
     """The unit square, cut by x + y ≤ 3/2, loses a triangle with legs of 1/2."""
     square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
     kept = clip_half_plane(square, (-1.0, -1.0, 1.5))
@@ -65,7 +65,7 @@ def test_clipping_a_polygon_by_any_line_leaves_the_area_that_is_known() -> None:
     assert (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2 == pytest.approx(7 / 8)
 
 
-def test_a_polyline_keeps_its_order_and_its_parts_in_front() -> None:
+def test_clipped_polyline_keeps_the_order_of_its_parts() -> None:
     line = [(-1.0, 0.0), (1.0, 2.0), (3.0, 2.0), (-1.0, -2.0)]
     kept = clip_half_plane(line, (1, 0, 0), closed=False)
     assert kept.tolist() == [[0, 1], [1, 2], [3, 2], [0, -1]]
@@ -82,7 +82,7 @@ SEGMENTS = np.array(
     dtype=float,
 )
 
-RUNGS = {
+FAMILIES = {
     "translation": (transforms.translation(3, 1), set()),
     "rigid": (transforms.rigid(0.4, 3, 1), {"turn_rad"}),
     "similarity": (transforms.similarity(1.5, 0.4, 3, 1), {"turn_rad", "length"}),
@@ -95,21 +95,21 @@ RUNGS = {
 }
 
 
-@pytest.mark.parametrize("rung", RUNGS)
-def test_every_rung_gives_up_one_more_property(rung: str) -> None:
-    H, lost = RUNGS[rung]
+@pytest.mark.parametrize("family", FAMILIES)
+def test_every_family_gives_up_one_more_property(family: str) -> None:
+    H, lost = FAMILIES[family]
     measured = measure_preservation(H, SEGMENTS)
     changed = {name for name in measured.__slots__ if getattr(measured, name) > 1e-12}
     assert changed == lost
 
 
-def test_lengths_change_without_bound_where_the_figure_is_cut() -> None:
+def test_length_change_is_infinite_where_the_figure_is_cut() -> None:
     measured = measure_preservation(TILTED, SEGMENTS - [0.5 + 1, 0])
     assert measured.length == math.inf
     assert measured.bend < 1e-9
 
 
-def test_a_projective_map_changes_what_is_known_of_a_rectangle() -> None:
+def test_projective_map_changes_a_square_by_known_amounts() -> None:
     """Under w = 1 + x the sides of the unit square at x = 0 and 1 become 1 and 1/2 long."""
     square = np.array(
         [[(0, 0), (1, 0)], [(1, 0), (1, 1)], [(0, 1), (1, 1)], [(0, 0), (0, 1)]], float

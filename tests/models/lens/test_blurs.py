@@ -1,4 +1,4 @@
-"""Blurs by discs: exact areas, SciPy’s convolution, pyramids, layers and filters."""
+"""Disc blurs against exact areas and SciPy’s convolution; pyramids, layers and screen blurs."""
 
 import math
 
@@ -58,7 +58,7 @@ def covered(radius: float, x: float, y: float) -> float:
 
 
 @pytest.mark.parametrize("radius", [0.62, 0.8, 1.0, 1.5, 2.2, 3.4, 3.6])
-def test_each_weight_is_the_area_that_the_disc_covers_of_its_pixel(radius: float) -> None:
+def test_each_weight_is_the_area_of_the_pixel_covered_by_the_disc(radius: float) -> None:
     kernel = disc_kernel(radius)
     for x, y, weight in zip(
         *(values.ravel() for values in (*offsets(kernel), kernel)), strict=True
@@ -67,14 +67,14 @@ def test_each_weight_is_the_area_that_the_disc_covers_of_its_pixel(radius: float
 
 
 @given(radius=st.floats(1e-6, NARROW_RADIUS))
-def test_a_narrow_disc_has_the_variance_of_the_disc_alone(radius: float) -> None:
+def test_narrow_kernel_has_the_variance_of_its_disc(radius: float) -> None:
     kernel = disc_kernel(radius)
     columns, _ = offsets(kernel)
     assert mean(kernel, columns**2) == pytest.approx(radius**2 / 4, rel=1e-3)
 
 
 @pytest.mark.parametrize("radius", [0.2, 0.52, 1.5, 1.51, 2.4, 4.9, 6.0, 6.1, 9.3, 24.0])
-def test_blur_is_convolution_with_the_weights(radius: float) -> None:
+def test_disc_blur_is_convolution_with_its_kernel(radius: float) -> None:
     picture = RNG.random((2, 20, 24)).astype(np.float32)
     kernel = disc_kernel(radius).astype(float)
     wanted = [ndimage.convolve(plane, kernel, mode="nearest") for plane in picture.astype(float)]
@@ -91,7 +91,7 @@ def spread_of(radius: float, offset: int = 0, size: int = 161) -> tuple[Floats, 
 
 @pytest.mark.parametrize("radius", [8.01, 12.5, 15.9, 16.1, 30.0])
 @pytest.mark.parametrize("offset", [0, 1, 3])
-def test_blur_keeps_light_and_place_and_has_the_variance_of_a_disc(
+def test_pyramid_blur_keeps_light_and_place_with_a_discs_variance(
     radius: float, offset: int
 ) -> None:
     spread, columns = spread_of(radius, offset)
@@ -101,7 +101,7 @@ def test_blur_keeps_light_and_place_and_has_the_variance_of_a_disc(
         assert (line * columns**2).sum() == pytest.approx(radius**2 / 4 + 1 / 12, rel=0.02)
 
 
-def test_up_to_the_largest_reduced_radius_nothing_is_reduced() -> None:
+def test_small_radii_are_blurred_without_reduction() -> None:
     picture = np.random.default_rng(0).random((2, 20, 24)).astype(np.float32)
     for radius in (0.9, 3.0, 8.0):
         assert np.array_equal(pyramid_blur(picture, radius), disc_blur(picture, radius))
@@ -126,7 +126,7 @@ def test_blur_by_depth_is_the_disc_where_the_depth_is_uniform(radius: float) -> 
     )
 
 
-def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius() -> None:
+def test_pixel_mixes_the_two_blur_levels_next_to_its_radius() -> None:
     """Halfway between the squares of 2 and 4: half of each level's blur."""
     picture = np.random.default_rng(3).random((1, 30, 34)).astype(np.float32)
     column = np.arange(34) + np.zeros((30, 1))
@@ -138,7 +138,7 @@ def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius() -> None:
     assert mixed[..., 20:] == pytest.approx(disc_blur(picture, 4.0)[..., 20:], abs=1e-6)
 
 
-def test_layers_are_laid_over_one_another_by_their_coverage() -> None:
+def test_layers_are_composited_by_their_coverage() -> None:
     background = np.random.default_rng(1).random((3, 6, 7)).astype(np.float32)
     planes = np.random.default_rng(2).random((2, 4, 3, 4)).astype(np.float32) * 0.5
     missing = ((-3, 0), (6, 0), (0, -4), (0, 7), (9, 1), (1, -9))
@@ -160,7 +160,7 @@ def gaussian(planes: Floats, sigma: float) -> Floats:
     return np.array([scipy.ndimage.gaussian_filter(plane, sigma, truncate=4) for plane in planes])
 
 
-def test_each_pixel_takes_the_nearest_of_evenly_spaced_blurs() -> None:
+def test_binned_blur_takes_the_nearest_of_evenly_spaced_blurs() -> None:
     radius = np.zeros((40, 50))
     radius[:, 10:20], radius[:, 20:30], radius[:, 30:] = 0.9, 1.7, 4.0
     blurred = binned_gaussian(NOISE, radius, bins=3)  # of radius 0, 2 and 4
@@ -169,8 +169,8 @@ def test_each_pixel_takes_the_nearest_of_evenly_spaced_blurs() -> None:
     np.testing.assert_allclose(blurred[..., 30:], gaussian(NOISE, 2.0)[..., 30:], atol=1e-5)
 
 
-def test_gathering_weighs_neighbours_by_their_discs_and_holds_back_those_behind() -> None:
-    """Word for word from the definition, one pixel and one neighbour at a time."""
+def test_gathering_weights_neighbours_by_their_discs_and_depth() -> None:
+    """Computed from the definition, one pixel and one neighbour at a time."""
     rng = np.random.default_rng(5)
     light = rng.random((2, 6, 8)).astype(np.float32)
     radius, depth = rng.uniform(0.2, 3.0, (6, 8)), rng.integers(1, 4, (6, 8)).astype(float)

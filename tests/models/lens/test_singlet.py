@@ -1,4 +1,4 @@
-"""A lens of one glass and a stop: textbook formulas, Fermat’s principle, and where rays end."""
+"""A singlet lens and its stop: textbook formulas, Fermat’s principle, and lost rays."""
 
 import math
 
@@ -31,7 +31,7 @@ EXAMPLE = Singlet(1 / 40, -1 / 40, 10.0, 1.5)
 
 
 def optical_path(lens: Singlet, start: tuple[float, float], end: tuple[float, float]) -> float:
-    """The shortest optical length of all ways by a point of either sphere, in mm."""
+    """Heights (2,) on the two spheres of the path with the least optical length, in mm."""
 
     def length(heights: np.ndarray) -> float:
         low, high = heights
@@ -52,21 +52,21 @@ def optical_path(lens: Singlet, start: tuple[float, float], end: tuple[float, fl
     st.floats(60.0, 400.0),
     st.floats(1.0, 9.0),
 )
-def test_light_takes_the_way_of_least_time(
+def test_light_takes_the_path_of_least_time(
     front: float, back: float, thickness: float, index: float, distance: float, height: float
 ) -> None:
     lens = Singlet(front, back, thickness, index)
     rays = through_exact(lens, distance, [height], 22.0)
     if rays.fate[0] != PASSES:
         return
-    # Close behind the glass, where no other way can be as short.
+    # Close behind the glass, where no other path is as short.
     x, y = rays.back[0]
     end = (float(x) + 5.0, float(y + 5.0 * rays.slope[0]))
     found = optical_path(lens, (-distance, 0.0), end)
     np.testing.assert_allclose(found, [rays.front[0, 1], rays.back[0, 1]], atol=2e-4)
 
 
-def test_the_numbers_of_the_lensmaker() -> None:
+def test_focal_lengths_obey_the_lensmakers_equation() -> None:
     assert focal_mm(thin_power_per_mm(EXAMPLE)) == pytest.approx(40)
     ball = Singlet(1 / 10, -1 / 10, 20.0, 1.5)
     assert focal_mm(power_per_mm(ball)) == pytest.approx(1.5 * 20 / (4 * 0.5))
@@ -75,7 +75,7 @@ def test_the_numbers_of_the_lensmaker() -> None:
 
 
 @pytest.mark.parametrize("distance", [30.0, 80.0, np.inf])
-def test_close_to_the_axis_all_three_agree_as_far_as_they_should(distance: float) -> None:
+def test_exact_paraxial_and_thin_lens_agree_near_the_axis(distance: float) -> None:
     exact = through_exact(EXAMPLE, distance, [1e-4], 22.0).crossing_mm
     assert exact == pytest.approx(paraxial_image_mm(EXAMPLE, distance), rel=1e-8)
     slim = Singlet(1 / 40, -1 / 40, 1e-6, 1.5)
@@ -83,8 +83,8 @@ def test_close_to_the_axis_all_three_agree_as_far_as_they_should(distance: float
     assert through_paraxial(slim, distance, [1.0]).crossing_mm == pytest.approx(thin, rel=1e-6)
 
 
-def test_light_is_held_back_beyond_the_critical_angle() -> None:
-    """Through a flat front a ray meets the back at h/R from its normal: total where n h > R."""
+def test_light_is_reflected_beyond_the_critical_angle() -> None:
+    """Behind a flat front sin θ = h/R at the back, so that reflection is total where n h > R."""
     lens = Singlet(0.0, -1 / 25, 12.0, 1.5)
     heights = [25 / 1.5 - 1e-9, 25 / 1.5 + 1e-9]
     rays = through_exact(lens, np.inf, heights, 22.0)
@@ -93,7 +93,7 @@ def test_light_is_held_back_beyond_the_critical_angle() -> None:
     assert np.isnan(rays.slope[1])
 
 
-def test_rays_end_where_the_glass_does() -> None:
+def test_rays_beyond_the_rim_miss_the_lens() -> None:
     assert rim_mm(EXAMPLE, 22.0) == pytest.approx(math.sqrt(40**2 - 35**2))
     assert rim_mm(EXAMPLE, 5.0) == 5.0
     assert rim_mm(Singlet(1 / 10, -1 / 20, 40.0, 1.5), 22.0) == pytest.approx(10)
@@ -111,7 +111,7 @@ def distortion(rays: ChiefRays) -> Floats:
     return rays.image / rays.tan_field - 1.0
 
 
-def test_before_the_lens_they_are_rays_from_a_point_of_the_axis() -> None:
+def test_chief_rays_with_the_stop_in_front_start_at_a_point_on_the_axis() -> None:
     rays = chief_rays(LENS, -12.0, SLOPES)
     traced = through_exact(LENS, 12.0, 12.0 * SLOPES, 40.0)
     np.testing.assert_allclose(rays.places[:, 0], traced.front, rtol=1e-12)
@@ -121,7 +121,7 @@ def test_before_the_lens_they_are_rays_from_a_point_of_the_axis() -> None:
     np.testing.assert_array_equal(rays.tan_field, SLOPES)
 
 
-def test_traced_forwards_the_rays_with_the_stop_behind_come_to_its_centre() -> None:
+def test_chief_rays_with_the_stop_behind_reach_its_centre() -> None:
     lens = Singlet(1 / 40, -1 / 90, 6.0, 1.5)
     rays = chief_rays(lens, 12.0, SLOPES)
     front, back = rays.places[:, 0], rays.places[:, 1]
@@ -138,7 +138,7 @@ def test_traced_forwards_the_rays_with_the_stop_behind_come_to_its_centre() -> N
     np.testing.assert_allclose(along[:, 1] / along[:, 0], SLOPES, rtol=1e-12)
 
 
-def test_a_pair_images_small_angles_as_its_focal_length_says() -> None:
+def test_lens_pair_images_small_angles_by_its_focal_length() -> None:
     lens = Singlet(1 / 100, -1 / 120, 6.0, 1.5)
     assert distortion(chief_rays_of_pair(lens, 10.0, [1e-4]))[0] == pytest.approx(0, abs=1e-7)
     before, behind = np.split(chief_rays_of_pair(lens, 10.0, [0.1]).places[0], 2)

@@ -1,4 +1,4 @@
-"""The thin lens: textbook values, limits, rays traced here, and what its rims hide."""
+"""The thin lens: textbook values, limits, traced rays, and chromatic aberration."""
 
 from fractions import Fraction
 
@@ -25,7 +25,7 @@ from simulations.models.lens.thin_lens import (
 
 
 @pytest.mark.parametrize(("focus", "depth"), [(2000.0, 5000.0), (3000.0, 700.0), (900.0, 60.0)])
-def test_the_blur_disc_is_where_the_cone_behind_the_lens_meets_the_sensor(
+def test_blur_disc_is_the_cone_behind_the_lens_cut_by_the_sensor(
     focus: float, depth: float
 ) -> None:
     focal, f_number = 50.0, 2.0
@@ -45,23 +45,23 @@ def test_the_blur_disc_is_where_the_cone_behind_the_lens_meets_the_sensor(
         (2, 2000, 0.0, np.inf),
         (2, 2000, 2000.0, 0.0),
         (0.95, 1e3, 1e3, 0.0),
-        (1e-310, 2000, 2000, 0.0),  # in focus even an endless aperture is sharp
+        (1e-310, 2000, 2000, 0.0),  # in focus even an infinite aperture is sharp
         (np.inf, 2000, np.inf, 0.0),
     ],
 )
-def test_blur_is_right_at_both_infinities_and_in_focus(
+def test_blur_is_correct_in_focus_and_at_its_limits(
     f_number: float, focus: float, depth: float, blur: float
 ) -> None:
     assert circle_of_confusion_mm(50, f_number, focus, depth) == pytest.approx(blur)
 
 
-def test_at_the_limits_of_the_depth_of_field_the_blur_is_the_tolerance() -> None:
+def test_blur_at_the_limits_of_the_depth_of_field_is_the_tolerance() -> None:
     limits = depth_of_field(50, 2.8, 3000, 0.03)
     assert limits[0] < 3000 < limits[1]
     np.testing.assert_allclose(circle_of_confusion_mm(50, 2.8, 3000, limits), 0.03)
 
 
-def test_focused_at_the_hyperfocal_distance_sharpness_runs_from_half_of_it_to_infinity() -> None:
+def test_focus_at_the_hyperfocal_distance_is_sharp_from_half_of_it_on() -> None:
     distance = hyperfocal(50, 8, 0.03)
     assert distance == pytest.approx(50**2 / (8 * 0.03) + 50)
     near, far = depth_of_field(50, 8, distance, 0.03)
@@ -74,7 +74,7 @@ def test_focused_at_the_hyperfocal_distance_sharpness_runs_from_half_of_it_to_in
 
 
 @pytest.mark.parametrize("beyond", [1e-3, 1e-6, 1e-10])
-def test_an_object_near_the_focal_point_is_imaged_as_far_off_as_it_should(beyond: float) -> None:
+def test_object_near_the_focal_point_has_an_exact_image_distance(beyond: float) -> None:
     distance = 50.0 * (1.0 + beyond)
     exact = 50 * Fraction(distance) / (Fraction(distance) - 50)
     assert thin_lens_image_distance(50.0, distance) == pytest.approx(float(exact), rel=1e-15)
@@ -84,13 +84,13 @@ GLASS = Glass()
 
 
 @pytest.mark.parametrize("wavelength", [0.45, 0.7])
-def test_the_axial_blur_is_where_the_coloured_cone_meets_the_sensor(wavelength: float) -> None:
+def test_axial_blur_is_the_coloured_cone_cut_by_the_sensor(wavelength: float) -> None:
     focal = focal_length_mm(GLASS, 50, wavelength)
     blur = axial_chromatic_mm(GLASS, 50, 2, wavelength)
     assert blur == pytest.approx(25 * abs(50 - focal) / focal)
 
 
-def test_the_lateral_scale_agrees_with_a_ray_traced_through_the_stop() -> None:
+def test_lateral_scale_agrees_with_a_ray_through_the_stop() -> None:
     focal_d, stop, slope = 50.0, 15.0, 0.2
 
     def height_on_sensor(focal: float) -> float:
@@ -103,7 +103,7 @@ def test_the_lateral_scale_agrees_with_a_ray_traced_through_the_stop() -> None:
     assert lateral_chromatic_scale(GLASS, focal_d, 0.0, 0.45) == 1.0
 
 
-def test_the_fraunhofer_lines_are_where_fraunhofer_saw_them() -> None:
+def test_fraunhofer_lines_and_bk7_have_their_catalogue_values() -> None:
     """Micrometres, from any glass catalogue; BK7 has n_F 1.52238 and n_C 1.51432."""
     assert (LINE_F_UM, LINE_D_UM, LINE_C_UM) == (0.4861, 0.5876, 0.6563)
     f, c = refractive_index(GLASS, [0.4861, 0.6563])
@@ -137,7 +137,7 @@ def test_many_even_wavelengths_have_the_moments_of_each_bell() -> None:
         assert moment_about(band, 2, peak) == pytest.approx(WIDTH**2, rel=1e-4)
 
 
-def test_a_curve_between_two_wavelengths_is_taken_at_the_nearest() -> None:
+def test_curve_between_two_wavelengths_is_taken_at_the_nearest() -> None:
     narrow, far = even_wavelengths((0.6, 60.0), 1e-5, 0.38, 0.72, 3)
     np.testing.assert_array_equal(narrow.shares, [0, 1, 0])
     np.testing.assert_array_equal(far.shares, [0, 0, 1])

@@ -1,4 +1,4 @@
-"""Vignetting, the area that two discs share, and points on a lens."""
+"""Vignetting, the overlap of two discs, and sample points on a lens."""
 
 from collections.abc import Callable
 
@@ -27,7 +27,7 @@ from simulations.models.lens.vignetting import disc_overlap_area, mechanical_vig
         ([0.1], 1e40, 1.0, 1.0, [0]),
     ],
 )
-def test_a_rim_hides_as_much_of_the_pupil_as_it_overlaps(
+def test_mechanical_vignetting_is_the_share_of_the_pupil_inside_the_rim(
     tangent: list[float], pupil: float, rim: float, separation: float, share: list[float]
 ) -> None:
     found = mechanical_vignetting(tangent, pupil, rim, separation)
@@ -35,7 +35,7 @@ def test_a_rim_hides_as_much_of_the_pupil_as_it_overlaps(
 
 
 def shared_area(apart: float, a: float, b: float) -> float:
-    """Two sectors without the kite between them, in long doubles."""
+    """Two sectors minus the kite between them, in long doubles."""
     d, one, two = np.longdouble(apart), np.longdouble(a), np.longdouble(b)
     along = (d * d + one * one - two * two) / (2 * d)
     half = np.sqrt(one * one - along * along)
@@ -56,7 +56,7 @@ def shared_area(apart: float, a: float, b: float) -> float:
         (1e4, 1, 1e4),
     ],
 )
-def test_two_discs_share_two_sectors_without_a_kite(
+def test_overlap_of_two_discs_is_two_sectors_minus_a_kite(
     apart: float, a: float, b: float, scale: float
 ) -> None:
     found = disc_overlap_area([apart * scale, -apart * scale], a * scale, b * scale)
@@ -66,13 +66,13 @@ def test_two_discs_share_two_sectors_without_a_kite(
 
 
 @pytest.mark.parametrize("cut", [-0.96875, 0.0, 0.9375])
-def test_a_large_disc_cuts_another_as_a_straight_edge_does(cut: float) -> None:
+def test_large_disc_overlaps_like_a_half_plane(cut: float) -> None:
     area = np.arccos(cut) - cut * np.sqrt(1 - cut * cut)
     assert disc_overlap_area(2.0**46 + cut, 1.0, 2.0**46) == pytest.approx(area, abs=1e-13)
 
 
 @pytest.mark.parametrize("count", [1, 16, 500])
-def test_every_ring_of_equal_area_holds_one_point_of_the_spiral(count: int) -> None:
+def test_each_ring_of_equal_area_holds_one_point_of_the_spiral(count: int) -> None:
     square = np.sum(fibonacci_disc(count) ** 2, axis=1)
     np.testing.assert_allclose(square, (np.arange(count) + 0.5) / count, rtol=1e-12)
 
@@ -99,7 +99,7 @@ def test_points_are_uniform_on_the_disc(
     assert np.mean(points**2, axis=(0, 2, 3)) == pytest.approx([1 / 4, 1 / 4], abs=0.003)
 
 
-def test_a_spiral_is_turned_as_a_whole_and_for_each_pixel_by_another_angle() -> None:
+def test_spiral_is_turned_by_a_different_angle_for_each_pixel() -> None:
     spiral = fibonacci_disc(7)
     points = turned_disc(spiral, (20, 30), np.random.default_rng(3)).astype(float)
     assert points.shape == (7, 2, 20, 30)
@@ -115,7 +115,7 @@ def test_a_spiral_is_turned_as_a_whole_and_for_each_pixel_by_another_angle() -> 
 
 
 @pytest.mark.parametrize("across", [2, 5, 8])
-def test_the_points_are_the_centres_of_square_cells_and_x_comes_first(across: int) -> None:
+def test_grid_points_are_centres_of_square_cells_with_x_first(across: int) -> None:
     centres = (np.arange(across) + 0.5) * 2 / across - 1
     assert {round(x, 9) for point in aperture_grid(across) for x in point} <= {
         round(float(c), 9) for c in centres

@@ -29,16 +29,14 @@ def area(polygon: Floats) -> float:
 
 
 @given(ANGLES, st.floats(-1, 1))
-def test_a_straight_edge_covers_the_area_of_the_clipped_pixel(
-    angle: float, distance: float
-) -> None:
+def test_straight_edge_covers_the_area_of_the_clipped_pixel(angle: float, distance: float) -> None:
     n = normal_at(angle)
     inside = clip_half_plane(PIXEL, [n[0], n[1], distance])
     assert straight_edge_coverage(distance, n) == pytest.approx(area(inside), abs=1e-12)
 
 
 @given(ANGLES, st.floats(-0.7, 0.7))
-def test_the_chord_is_the_slope_of_the_coverage(angle: float, distance: float) -> None:
+def test_chord_length_is_the_derivative_of_the_coverage(angle: float, distance: float) -> None:
     n, step = normal_at(angle), 1e-6
     rise = straight_edge_coverage(distance + step, n) - straight_edge_coverage(distance - step, n)
     corners = (abs(n[0]) + abs(n[1])) / 2, abs(abs(n[0]) - abs(n[1])) / 2
@@ -50,8 +48,8 @@ def test_the_chord_is_the_slope_of_the_coverage(angle: float, distance: float) -
     ("angle", "offset"),
     [(np.pi / 2, 0.3), (np.pi / 2, 0.0), (1.2, 0.0), (2.2, 0.0), (np.pi / 4, -0.2)],
 )
-def test_a_disc_covers_the_area_that_its_columns_add_up_to(angle: float, offset: float) -> None:
-    """Where the foot of the normal halves the chord, what is left out goes with κ³."""
+def test_curved_edge_covers_the_sum_of_its_columns(angle: float, offset: float) -> None:
+    """Where the foot of the normal bisects the chord, the neglected term is of order κ³."""
     radius, n = 200.0, normal_at(angle)
     x_centre, y_centre = -n * (radius - offset)
     x = (np.arange(20_000) + 0.5) / 20_000 - 0.5
@@ -71,7 +69,7 @@ def grid(rows: int, columns: int, channels: int = 3) -> Floats:
 
 
 @given(sizes, sizes, sizes, sizes)
-def test_it_is_scipys_linear_interpolation_between_corners(
+def test_blended_cells_agree_with_scipys_linear_interpolation(
     rows: int, columns: int, height: int, width: int
 ) -> None:
     corners = grid(rows, columns)
@@ -81,7 +79,7 @@ def test_it_is_scipys_linear_interpolation_between_corners(
     np.testing.assert_allclose(blend_cells(corners, height, width), oracle, atol=1e-12)
 
 
-def test_blended_normals_have_length_one_and_halve_the_angle_between_two() -> None:
+def test_blended_normals_have_unit_length_and_bisect_angles() -> None:
     tilt = np.radians(40)
     corners = np.array([[[0, 0, 1.0], [np.sin(tilt), 0, np.cos(tilt)]]] * 2)
     blended = blend_normals(corners, 2, 5)

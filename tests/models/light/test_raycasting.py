@@ -1,4 +1,4 @@
-"""Rays against solids, the pixels that these cover, and their shadows."""
+"""Intersections of rays with solids, the pixels that solids cover, and their shadows."""
 
 import math
 
@@ -46,10 +46,10 @@ BALL, CUBE = Sphere((0, 5, 0), 2.0), Box((0, 5, 0), (2, 4, 2))
     [(0, 3, -1), (3, 4, 1), (4, 3, 1), (5, 2, 1)],
     ids=["outside", "surface", "inside", "middle"],
 )
-def test_a_solid_is_met_at_its_surface_at_any_size_and_place(
+def test_solid_is_hit_at_its_surface_at_any_size_and_place(
     kind: type, start: float, distance: float, facing: int, size: float, eye: tuple[float, ...]
 ) -> None:
-    """Half a size is 2 along the ray, in numbers that floats hold exactly."""
+    """Both solids reach from 3 to 7 sizes along the ray; floats represent all numbers exactly."""
     at, (x, y, z) = np.array(eye), eye
     solid = kind((x, y + 5 * size, z), 2 * size if kind is Sphere else (size, 4 * size, size))
     hit = intersect(solid, at + start * size * AHEAD, AHEAD)
@@ -59,13 +59,13 @@ def test_a_solid_is_met_at_its_surface_at_any_size_and_place(
 
 
 @pytest.mark.parametrize("solid", [BALL, CUBE, Sphere((0.0, 5.0, 2.0), 2.0)])
-def test_what_lies_behind_or_is_only_grazed_is_missed(solid: Box | Sphere) -> None:
+def test_solid_behind_the_eye_or_only_grazed_is_missed(solid: Box | Sphere) -> None:
     assert not intersect(solid, ORIGIN, -AHEAD).valid
     assert intersect(solid, ORIGIN, AHEAD).valid == (solid.centre[2] == 0)
 
 
-def test_a_slanted_ray_has_the_normal_of_the_face_that_it_meets_first() -> None:
-    """It enters by the front face and leaves by the side; from within, by the side."""
+def test_slanted_ray_gets_the_normal_of_the_first_face() -> None:
+    """From outside the ray hits the front face first; from inside, the side."""
     box = Box((0.0, 5.0, 0.0), (2.0, 4.0, 2.0))
     slanted = unit([0.9, 3.0, 0.0])
     outside = intersect(box, ORIGIN, slanted)
@@ -78,10 +78,10 @@ def test_a_slanted_ray_has_the_normal_of_the_face_that_it_meets_first() -> None:
 
 @settings(deadline=None, max_examples=30)
 @given(angle=st.floats(-4, 4), x=st.floats(-3, 3), z=st.floats(-3, 3), seed=st.integers(0, 99))
-def test_a_box_is_the_crossing_of_six_half_spaces(
+def test_box_is_the_intersection_of_six_half_spaces(
     angle: float, x: float, z: float, seed: int
 ) -> None:
-    """Walk along the ray in small steps."""
+    """Against a march along the ray in small steps."""
     box = Box((0.0, 5.0, 0.0), (1.0, 1.4, 0.6), angle)
     eye = np.array([x, 0.0, z])
     directions = unit(np.array([-x, 5.0, -z]) + np.random.default_rng(seed).uniform(-1, 1, (20, 3)))
@@ -92,11 +92,11 @@ def test_a_box_is_the_crossing_of_six_half_spaces(
     clear = (inside.sum(1) > 5) | (inside.sum(1) == 0) & (hit.margin < -1e-3)
     assert np.array_equal(hit.valid[clear], inside.any(1)[clear])
     first = steps[inside.argmax(1)]
-    met = hit.valid & clear
-    assert np.abs(hit.distance - first)[met] == pytest.approx(0, abs=2e-3)
+    hit_both = hit.valid & clear
+    assert np.abs(hit.distance - first)[hit_both] == pytest.approx(0, abs=2e-3)
 
 
-def test_a_turned_box_turns_anticlockwise_seen_from_above() -> None:
+def test_box_turns_anticlockwise_seen_from_above() -> None:
     quarter = Box((0, 0, 0), (2, 4, 6), math.pi / 2)
     assert quarter.world_to_box @ (0, 1, 0) == pytest.approx((1, 0, 0))
     eighth = Box((0, 5, 0), (2, 2, 2), math.pi / 4)
@@ -105,7 +105,7 @@ def test_a_turned_box_turns_anticlockwise_seen_from_above() -> None:
     assert twelfth.normals == pytest.approx([0.5, -math.sqrt(0.75), 0])
 
 
-def test_a_plane_is_met_at_the_distance_of_similar_triangles() -> None:
+def test_plane_is_hit_at_the_distance_of_similar_triangles() -> None:
     towards = unit(np.array([(0, 3, -4), (0, -3, -4), (0, 3, 4), (1, 0, 0)]))
     distance, valid = intersect_plane((5, 5, 1), (0, 0, 2), (0, 0, 9), towards)
     assert valid.tolist() == [True, True, False, False]
@@ -113,7 +113,7 @@ def test_a_plane_is_met_at_the_distance_of_similar_triangles() -> None:
     assert not intersect_plane((0, 0, 1), (0, 0, 1), (0, 0, 1), [0.0, 0, -1])[1]
 
 
-def test_the_margin_of_a_box_s_face_is_positive_there_alone_and_zero_on_its_edges() -> None:
+def test_face_margin_is_positive_only_on_its_face_and_zero_on_its_edges() -> None:
     box, eye = Box((0.0, 4.0, 0.0), (2.0, 2.0, 2.0)), (3.0, 0.0, 2.0)
     points = np.array([[0.2, 3.0, 0.1], [1.0, 4.2, -0.3], [0.1, 3.9, 1.0], [1.0, 3.0, 0.5]])
     margins = face_margins(box, eye, unit(points - eye))
@@ -121,7 +121,7 @@ def test_the_margin_of_a_box_s_face_is_positive_there_alone_and_zero_on_its_edge
     np.testing.assert_allclose(margins[:2, 3], 0.0, atol=1e-12)
 
 
-def test_covered_area_of_a_sphere_is_the_area_of_its_ellipse() -> None:
+def test_sphere_covers_the_area_of_its_ellipse() -> None:
     """A sphere off the axis projects to an ellipse, whose area follows from its dual conic."""
     K = pinhole.intrinsics(300.0, (127.5, 95.5))
     centre, radius = np.array([0.55, -0.35, 3.0]), 0.5
@@ -135,7 +135,7 @@ def test_covered_area_of_a_sphere_is_the_area_of_its_ellipse() -> None:
     assert coverage.sum() == pytest.approx(math.pi * math.sqrt(np.linalg.det(shape)), rel=1e-3)
 
 
-def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord() -> None:
+def test_margin_of_a_sphere_is_half_the_chord_squared() -> None:
     hit = intersect(Sphere((0.0, 5.0, 1.0), 2.0), ORIGIN, AHEAD)
     assert hit.margin == pytest.approx(2.0**2 - 1.0**2)
     assert hit.distance == pytest.approx(5 - math.sqrt(3))
@@ -149,7 +149,7 @@ def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord() -> None:
     assert missed.normals == pytest.approx([0, 0, -1])
 
 
-def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette() -> None:
+def test_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette() -> None:
     """The face at y = 4 reaches to x = ±1, so that the silhouette lies at atan 1/4."""
     box = Box((0.0, 5.0, 0.0), (2.0, 2.0, 40.0))
     angle = math.atan2(1, 4)
@@ -163,7 +163,7 @@ def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette() -> Non
 @pytest.mark.parametrize(
     ("offset", "share"), [(-1.0, 0.0), (-0.5, 0.15625), (0.0, 0.5), (0.5, 0.84375), (1.0, 1.0)]
 )
-def test_the_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(
+def test_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(
     offset: float, share: float
 ) -> None:
     """At 2 m the lamp of 3° spreads over 2 tan 3°; s²(3 − 2 s) at a quarter is 5/32."""
@@ -173,7 +173,7 @@ def test_the_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(
     assert seen == pytest.approx(share, abs=1e-9)
 
 
-def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray() -> None:
+def test_shadow_of_a_box_deepens_with_the_chord_of_its_ray() -> None:
     """Light from the side at 45°: near an edge the ray cuts off a corner."""
     box, light, lamp = Box((0, 0, 2), (2, 2, 2)), unit([1.0, 0, 1]), math.radians(3)
     for x in (-0.05, -0.2, -1.0):
@@ -193,7 +193,7 @@ def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray() -> None:
     assert just_below == 0
 
 
-def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone() -> None:
+def test_shadow_bounds_are_the_bounds_of_a_cone() -> None:
     """Ball of 0.5 at height 2: the shadow falls 2.5 m and widens by 2.5 tan α."""
     spread = 2.5 * math.tan(math.radians(5))
     low, high = shadow_bounds(Sphere((1, 3, 2), 0.5), (0.0, 0.0, 1.0), math.radians(5))
@@ -210,7 +210,7 @@ def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone() -> None:
     )
 
 
-def test_a_sphere_hides_its_form_factor_from_each_point() -> None:
+def test_occlusion_by_a_sphere_is_its_form_factor() -> None:
     points = np.array([[0, 0, 0], [0, 0, 1.0], [3, 0, 0], [0, 0, 9.0], [0, 0, 4.9]])
     hidden = sphere_occlusion((0, 0, 5), 0.5, points, (0, 0, 1.0))
     by_hand = [0.5**2 / 25, 0.5**2 / 16, 5 / math.sqrt(34) * 0.25 / 34, 0.0, 1.0]

@@ -1,4 +1,4 @@
-"""Reflection against numbers worked by hand, vectors written out, and SciPy’s integrals."""
+"""Reflection against values computed by hand, explicit vectors, and SciPy’s integrals."""
 
 import math
 from collections.abc import Callable
@@ -44,11 +44,11 @@ SIDE, SLANTED = np.array([0, 1.0, 0]), np.array([math.sin(1), 0, math.cos(1)])
     [
         *((FRONT, -FRONT, FRONT, shininess, 0) for shininess in (0, 1, 1e6)),  # from below
         *((NONE, FRONT, FRONT, shininess, 0) for shininess in (0, 1, 64)),
-        (ABOVE_ONE, ALONG, ALONG, 1e7, 0.25),  # an ulp above one is not blown up
-        (FRONT, SLANTED, SIDE, 0, 0.25),  # all over the lit side
+        (ABOVE_ONE, ALONG, ALONG, 1e7, 0.25),  # one ulp above one does not overflow
+        (FRONT, SLANTED, SIDE, 0, 0.25),  # everywhere on the lit side
     ],
 )
-def test_highlights_at_the_edge_of_what_there_is(
+def test_highlights_are_correct_at_extreme_arguments(
     model: Callable[..., Floats],
     normal: Floats,
     light: Floats,
@@ -60,7 +60,7 @@ def test_highlights_at_the_edge_of_what_there_is(
     assert found == pytest.approx(shade, abs=1e-15)
 
 
-def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square() -> None:
+def test_irradiance_of_a_lamp_follows_cosine_and_inverse_square() -> None:
     """At (3, 0, 0) below a lamp at (0, 0, 4): distance 5, cosine 4/5."""
     lamp = PointLight((0, 0, 4), (1.0, 2.0, 3.0))
     points = np.array([[3.0, 0, 0], [0, 0, 0], [0, 0, 8.0]])
@@ -69,7 +69,7 @@ def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square() -
     np.testing.assert_allclose(found, expected, atol=1e-15)
 
 
-def test_the_usual_highlights_are_half_as_bright_as_white_and_fourfold_for_blinn() -> None:
+def test_default_highlights_have_strength_half_and_exponents_32_and_128() -> None:
     view = [math.sin(0.2), 0, math.cos(0.2)]
     assert phong(FRONT, FRONT, view) == pytest.approx(1 + 0.5 * math.cos(0.2) ** 32)
     assert blinn_phong(FRONT, FRONT, view) == pytest.approx(1 + 0.5 * math.cos(0.1) ** 128)
@@ -90,15 +90,15 @@ LIGHTS, EYES = directions(200), directions(200)
 N_L, N_V, L_V = LIGHTS[:, 2], EYES[:, 2], np.sum(LIGHTS * EYES, axis=1)
 
 
-def test_phong_as_of_1975_is_the_radiance_of_the_older_model_over_the_irradiance() -> None:
+def test_phong_brdf_is_its_radiance_divided_by_the_irradiance() -> None:
     normals = np.broadcast_to([0.0, 0.0, 1.0], (200, 3))
     radiance = phong(normals, LIGHTS, EYES, 0.5, specular=0.3, shininess=SATIN.shininess)
     found = reflected("phong", SATIN, N_L, N_V, L_V)
     np.testing.assert_allclose(found * np.pi * N_L, radiance, rtol=1e-9)
 
 
-def test_microfacets_are_those_of_walter_and_heitz() -> None:
-    """Written out with vectors; the masking by the two Λ of Smith."""
+def test_microfacets_agree_with_walter_and_heitz() -> None:
+    """Written out with vectors, with Smith's two Λ for the masking."""
     found = parts("microfacets", SATIN, N_L, N_V, L_V)
     for i in range(200):
         light, eye, m = LIGHTS[i], EYES[i], SATIN.roughness
@@ -118,7 +118,9 @@ def test_microfacets_are_those_of_walter_and_heitz() -> None:
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("roughness", [0.15, 0.5])
 @pytest.mark.parametrize("angle", [0.0, 50.0, 85.0])
-def test_what_is_sent_back_is_scipys_integral(model: str, roughness: float, angle: float) -> None:
+def test_reflected_share_is_scipys_integral_over_the_hemisphere(
+    model: str, roughness: float, angle: float
+) -> None:
     material = Material(0.4, 0.2, roughness)
     light, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
 
@@ -132,8 +134,8 @@ def test_what_is_sent_back_is_scipys_integral(model: str, roughness: float, angl
     assert sent_back(model, material, light) == pytest.approx(whole, abs=1e-3)
 
 
-def test_form_factors_are_integrals_of_both_cosines_over_the_squared_distance() -> None:
-    """Between two patches of walls that meet, and of walls that face each other."""
+def test_form_factors_agree_with_their_integrals() -> None:
+    """Between patches of facing walls and of adjacent walls."""
     whole, middles = exchange().reshape(6, CELLS**2, 6, CELLS**2), (np.arange(40) + 0.5) / 40
     u, v, s, t = np.meshgrid(*[middles / CELLS] * 4, indexing="ij", sparse=True)
     far = 1.0 + (u - s) ** 2 + (v - t - 2 / CELLS) ** 2
@@ -149,13 +151,13 @@ def test_form_factors_are_integrals_of_both_cosines_over_the_squared_distance() 
 
 
 @pytest.mark.parametrize("albedo", [0.0, 0.5, 0.95])
-def test_a_closed_room_is_brighter_by_the_closed_form(albedo: float) -> None:
+def test_mean_light_in_a_closed_room_follows_the_closed_form(albedo: float) -> None:
     lamp = np.random.default_rng(3).random(SHAPE)
     lit = bounced(lamp, np.full(6, albedo), None)
     assert lit.mean() == pytest.approx(albedo * lamp.mean() * edge_factor(albedo, 0.0))
 
 
-def test_bounce_after_bounce_comes_to_what_the_linear_system_says() -> None:
+def test_bounces_converge_to_the_solution_of_the_linear_system() -> None:
     lamp, albedos = np.random.default_rng(3).random(SHAPE), np.array([0.95, 0.9, 0.6, 0.1, 1, 0.8])
     share = np.repeat(albedos, CELLS**2)
     system = np.eye(6 * CELLS**2) - share[:, None] * exchange()

@@ -31,8 +31,8 @@ def raised(height: float) -> Floats:
     return np.column_stack([FLOOR, np.full(len(FLOOR), height)])
 
 
-def test_the_pose_is_three_turns_in_their_order() -> None:
-    """SciPy turns a camera that looks along y: about the upright, its right and its axis."""
+def test_pose_composes_yaw_pitch_and_roll() -> None:
+    """SciPy turns a camera that looks along y about the vertical, its x axis and its z axis."""
     level = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
     yaw = Rotation.from_euler("y", -0.4).as_matrix()
     pitch = Rotation.from_euler("x", 0.3).as_matrix()
@@ -41,14 +41,14 @@ def test_the_pose_is_three_turns_in_their_order() -> None:
     np.testing.assert_allclose(pinhole.invert_pose(POSE)[:3, 3], (0, 0, 1.7), atol=1e-12)
 
 
-def test_the_ground_is_mapped_as_its_points_are_projected() -> None:
+def test_ground_homography_agrees_with_projected_points() -> None:
     mapped, valid = apply_homography(ground_to_image(POSE, K), FLOOR)
     assert valid.all()
     np.testing.assert_allclose(mapped, seen(raised(0.0)), atol=1e-9)
 
 
 @pytest.mark.parametrize("height", [0.3, 1.7, 2.5, -0.4])
-def test_heights_are_read_off_the_picture(height: float) -> None:
+def test_heights_follow_from_the_horizon_in_the_picture(height: float) -> None:
     horizon, _ = vanishing.horizon(POSE[:3, 2], K)
     ratio, valid = height_by_horizon(
         seen(raised(0.0)), seen(raised(height)), horizon, K @ POSE[:3, 2]
@@ -67,7 +67,7 @@ def test_heights_are_read_off_the_picture(height: float) -> None:
         ((9, 300), (9, 999)),  # the top in the vanishing point
     ],
 )
-def test_a_foot_on_the_horizon_tells_no_height(
+def test_foot_on_the_horizon_gives_no_height(
     foot: tuple[float, float], top: tuple[float, float]
 ) -> None:
     ratio, valid = height_by_horizon(foot, top, (0, 1, -240), (9, 999, 1))

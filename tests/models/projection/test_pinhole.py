@@ -1,4 +1,4 @@
-"""Pinhole projection, poses, and parallel cameras as its limits."""
+"""Pinhole projection, poses, and affine cameras."""
 
 import math
 from typing import Any
@@ -33,7 +33,7 @@ NOWHERE = (math.nan, math.nan)
         ((1e300, 0.0, 1.0), (4e302, 240.0)),
     ],
 )
-def test_points_in_front_have_their_pixel_and_others_none(
+def test_only_points_in_front_have_a_pixel(
     point: tuple[float, ...], pixel: tuple[float, ...]
 ) -> None:
     found, valid = pinhole.project(point, K)
@@ -53,7 +53,7 @@ def test_points_in_front_have_their_pixel_and_others_none(
         *((point, NOWHERE) for point in ((math.inf, 0, 1, 1), (0, 0, math.nan, 1))),
     ],
 )
-def test_homogeneous_points_in_front_have_their_pixel_and_others_none(
+def test_only_homogeneous_points_in_front_have_a_pixel(
     point: tuple[float, ...], pixel: tuple[float, ...]
 ) -> None:
     found, valid = pinhole.project_homogeneous(point, pinhole.camera_matrix(K, np.eye(4)))
@@ -65,7 +65,7 @@ def test_homogeneous_points_in_front_have_their_pixel_and_others_none(
     ("eye", "target", "up", "axes"),
     [
         ((0, 0, 0), (0, 0, 5), (0, -1, 0), np.eye(3)),
-        ((0, 0, 0), (0, 0, 1), (0, 1e-8, 1), np.diag([-1, -1, 1])),  # a hair beside the sight
+        ((0, 0, 0), (0, 0, 1), (0, 1e-8, 1), np.diag([-1, -1, 1])),  # almost along the view
         *(
             (
                 (0, 0, 0),
@@ -77,13 +77,13 @@ def test_homogeneous_points_in_front_have_their_pixel_and_others_none(
         ),
     ],
 )
-def test_a_camera_is_turned_towards_its_target_at_any_distance(
+def test_camera_looks_at_its_target_at_any_distance(
     eye: Any, target: Any, up: Any, axes: Any
 ) -> None:
     np.testing.assert_allclose(pinhole.look_at(eye, target, up)[:3, :3], axes, atol=1e-12)
 
 
-def test_the_inverse_pose_holds_the_camera_centre() -> None:
+def test_inverse_pose_contains_the_camera_centre() -> None:
     back = pinhole.invert_pose(POSE)
     assert back @ POSE == pytest.approx(np.eye(4), abs=1e-14)
     assert back[:3, 3] == pytest.approx((3, -2, -6))
@@ -100,14 +100,14 @@ def by_opencv(points: Floats, matrix: Floats) -> Floats:
     return pixels[:, 0]
 
 
-def test_orthography_by_hand_and_whatever_the_depth() -> None:
+def test_orthographic_image_does_not_depend_on_depth() -> None:
     camera = orthographic_camera(30.0, (5.0, 7.0))
     for depth in (-4.0, 0.0, 1e9):
         assert project_affine([2.0, -1.0, depth], camera)[0].tolist() == [65.0, -23.0]
     assert project_affine([0.0, 0.0, 3.0], orthographic_camera(30.0))[0].tolist() == [0.0, 0.0]
 
 
-def test_scaled_orthography_is_opencvs_perspective_of_points_moved_to_the_plane() -> None:
+def test_scaled_orthography_is_perspective_of_points_moved_to_the_plane() -> None:
     flat = POINTS.copy()
     flat[:, 2] = 6.0
     ours, _ = project_affine(POINTS, scaled_orthographic_camera(SKEWED, 6.0))
@@ -116,7 +116,7 @@ def test_scaled_orthography_is_opencvs_perspective_of_points_moved_to_the_plane(
     np.testing.assert_allclose(ours, theirs, rtol=1e-12)
 
 
-def test_paraperspective_moves_points_along_the_line_of_sight_to_the_reference() -> None:
+def test_paraperspective_moves_points_along_the_reference_line_of_sight() -> None:
     reference = np.array([1.0, -0.5, 6.0])
     steps = (6.0 - POINTS[:, 2:]) / 6.0
     moved = POINTS + steps * reference

@@ -1,4 +1,4 @@
-"""A camera and lengths from lines along the axes: exact, and as uncertain as stated."""
+"""A camera and lengths from lines along the axes of a room."""
 
 import math
 
@@ -31,7 +31,7 @@ from simulations.models.projection.vanishing_lines import (
 POSE = pose_above_ground(1.5, 0.6, 0.3, 0.05)
 
 EXACT = 1e-3
-"""Error of ends that were drawn without noise, so small that nothing known beforehand counts."""
+"""Error of ends drawn without noise, so small that priors have no weight."""
 
 
 def log_focal(view: SingleView) -> float:
@@ -39,7 +39,7 @@ def log_focal(view: SingleView) -> float:
 
 
 @pytest.mark.parametrize("counts", [(4, 4, 4), (2, 2, 0), (2, 0, 2), (0, 3, 2), (2, 2, 1)])
-def test_lines_without_noise_give_the_camera(counts: tuple[int, int, int]) -> None:
+def test_lines_without_noise_give_the_true_camera(counts: tuple[int, int, int]) -> None:
     view = fit_view(*drawn(POSE, np.random.default_rng(1), counts), SIZE, EXACT)
     assert view.focal_px == pytest.approx(FOCAL, rel=1e-6)
     np.testing.assert_allclose(view.R, POSE[:3, :3], atol=1e-6)
@@ -47,7 +47,7 @@ def test_lines_without_noise_give_the_camera(counts: tuple[int, int, int]) -> No
     assert view.misfit < 1e-6
 
 
-def test_three_directions_give_the_principal_point_too() -> None:
+def test_three_directions_also_give_the_principal_point() -> None:
     shifted = intrinsics(FOCAL, (450.0, 260.0))
     ends, axes = drawn(POSE, np.random.default_rng(1), K=shifted)
     view = fit_view(ends, axes, SIZE, EXACT, find_centre=True)
@@ -55,7 +55,7 @@ def test_three_directions_give_the_principal_point_too() -> None:
     assert view.focal_px == pytest.approx(FOCAL, rel=1e-6)
 
 
-def test_of_two_directions_the_focal_length_is_that_of_the_formula() -> None:
+def test_focal_length_from_two_directions_agrees_with_the_formula() -> None:
     rng = np.random.default_rng(4)
     ends, axes = drawn(POSE, rng, (4, 4, 0))
     ends = ends + rng.normal(0, 0.1, ends.shape)
@@ -71,7 +71,7 @@ def test_of_two_directions_the_focal_length_is_that_of_the_formula() -> None:
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_view_with_one_vanishing_point_does_not_tell_the_focal_length(seed: int) -> None:
+def test_one_vanishing_point_leaves_the_focal_length_undetermined(seed: int) -> None:
     rng = np.random.default_rng(seed)
     ends, axes = drawn(pose_above_ground(1.5, 0.0, 0.0), rng)
     view = fit_view(ends + rng.normal(0, 1, ends.shape), axes, SIZE)
@@ -98,7 +98,7 @@ def stretch(start: Floats, end: Floats, pose: Floats = OTHER_POSE) -> Stretch:
 A, B, C = np.array([[1.0, 3.0, 0.0], [3.0, 4.0, 0.0], [2.0, 6.0, 0.0]])
 
 
-def test_a_known_length_on_the_floor_gives_all_others() -> None:
+def test_known_length_on_the_floor_gives_all_other_lengths() -> None:
     known, others = stretch(A, B), (stretch(A, C), stretch(C, raised(C, 1.8)))
     found = measured(VIEW, known, math.sqrt(5.0), others)
     np.testing.assert_allclose(found.metres, (math.sqrt(10.0), 1.8), rtol=1e-5)
@@ -106,7 +106,9 @@ def test_a_known_length_on_the_floor_gives_all_others() -> None:
 
 
 @pytest.mark.parametrize(("normal", "across"), [(0, (0.0, 1.0, 1.0)), (1, (1.0, 0.0, 1.0))])
-def test_a_wall_is_a_plane_like_the_floor(normal: int, across: tuple[float, ...]) -> None:
+def test_known_length_on_a_wall_gives_all_other_lengths(
+    normal: int, across: tuple[float, ...]
+) -> None:
     corner = np.array([2.5, 5.0, 0.3])
     diagonal, out = np.array(across), np.eye(3)[normal]
     ends = [(corner, corner + diagonal), (corner, corner + 0.5 * diagonal), (corner, corner - out)]
@@ -122,7 +124,7 @@ def test_a_wall_is_a_plane_like_the_floor(normal: int, across: tuple[float, ...]
     assert found.distance == pytest.approx(corner[normal], rel=1e-5)
 
 
-def test_what_is_beyond_the_horizon_has_no_length() -> None:
+def test_segment_beyond_the_horizon_has_no_length() -> None:
     sky = Stretch(np.array([[400.0, 20.0], [500.0, 20.0]]))
     found = measured(VIEW, stretch(A, B), math.sqrt(5.0), (sky, stretch(A, C)))
     assert np.isnan(found.metres[0])

@@ -1,4 +1,4 @@
-"""Two views of one point or plane, against points projected into both, OpenCV, and drawn errors."""
+"""Two views of a point or a plane, against projected points and OpenCV."""
 
 import math
 
@@ -39,7 +39,7 @@ def pair() -> tuple[Floats, Floats]:
     return left, right
 
 
-def test_epipolar_lines_are_those_of_opencv() -> None:
+def test_epipolar_lines_agree_with_opencv() -> None:
     left, right = pair()
     lines, valid = epipolar_lines(F, left)
     assert valid.all()
@@ -49,7 +49,7 @@ def test_epipolar_lines_are_those_of_opencv() -> None:
     np.testing.assert_allclose((lines[:, :2] * right).sum(axis=1) + lines[:, 2], 0.0, atol=1e-9)
 
 
-def test_a_match_tells_the_depth() -> None:
+def test_depth_of_a_match_agrees_with_truth_and_opencv() -> None:
     left, right = pair()
     depth, valid = depth_of_match(left, right, FIRST, SECOND, R, T)
     assert valid.all()
@@ -59,7 +59,7 @@ def test_a_match_tells_the_depth() -> None:
     np.testing.assert_allclose(depth, theirs[2] / theirs[3], rtol=1e-6)
 
 
-def test_where_the_ray_vanishes_depth_is_infinite_and_beyond_there_is_none() -> None:
+def test_depth_is_infinite_at_the_vanishing_point_and_invalid_beyond() -> None:
     K = pinhole.intrinsics(160.0, (0.0, 0.0))
     matches = [(30.0, 0.0), (31.0, 0.0), (10.0, 0.0), (math.nan, 0.0)]
     depth, valid = depth_of_match((30.0, 0.0), matches, K, K, np.eye(3), (-0.5, 0.0, 0.0))
@@ -77,7 +77,7 @@ def test_depth_is_focal_length_times_baseline_over_disparity() -> None:
     assert depth_error(8.0, 800.0, 0.5, 0.25) == pytest.approx(8.0 - 400 / 50.25, rel=0.01)
 
 
-def test_an_exact_disparity_leaves_no_depth_in_doubt_and_a_wrong_one_all_of_infinity() -> None:
+def test_depth_error_is_zero_for_exact_disparity_and_infinite_at_infinity() -> None:
     wrong = depth_error([math.inf, 1e200, math.inf, math.nan], 800.0, 0.1, [0.0, 0.0, 0.5, 0.0])
     np.testing.assert_array_equal(wrong, [0.0, 0.0, math.inf, math.nan])
 
@@ -92,7 +92,7 @@ def seen(points: Floats, pose: Floats, K: Floats) -> Floats:
     return pixels
 
 
-def test_a_turned_camera_moves_pixels_alike_at_any_depth() -> None:
+def test_turned_camera_moves_pixels_independently_of_depth() -> None:
     points = DRAWS.uniform((-1, -1, 2), (1, 1, 4), (50, 3))
     points *= 10 ** DRAWS.uniform(0, 6, (50, 1))
     moved, valid = apply_homography(turned_camera(FIRST, SECOND, R), seen(points, np.eye(4), FIRST))
@@ -101,8 +101,8 @@ def test_a_turned_camera_moves_pixels_alike_at_any_depth() -> None:
     np.testing.assert_allclose(moved, seen(points, turned, SECOND), atol=1e-9)
 
 
-def test_in_front_is_where_points_of_the_plane_project_to_in_the_second_camera() -> None:
-    """The floor, 1.5 below a camera that is turned sideways: half of what is seen falls behind."""
+def test_in_front_agrees_with_projection_into_the_second_camera() -> None:
+    """The floor, 1.5 below a camera that turns sideways: half of the points fall behind it."""
     pose = pinhole.rigid_pose(rotations.exponential([0.0, 1.3, 0.0]), [0.2, 0.1, -3.0])
     points = DRAWS.uniform((-6, 1.5, 0.5), (6, 1.5, 9), (300, 3))
     H = plane_between_views(FIRST, SECOND, pose, [0.0, 1.0, 0.0, -1.5])
@@ -113,7 +113,7 @@ def test_in_front_is_where_points_of_the_plane_project_to_in_the_second_camera()
 
 @pytest.mark.parametrize("scale", [1.0, -3.0, 1e-6])
 @pytest.mark.parametrize("normal", [(0.0, 0.0, 1.0), (0.3, -0.2, 1.0), (1.0, 0.2, 0.1)])
-def test_a_plane_moves_as_its_points_do(normal: tuple[float, float, float], scale: float) -> None:
+def test_plane_moves_as_its_points_do(normal: tuple[float, float, float], scale: float) -> None:
     """Points anywhere on n·X = 3 |n|², in front of both cameras."""
     n = np.array(normal)
     points = DRAWS.uniform(-0.5, 0.5, (40, 3))

@@ -1,4 +1,4 @@
-"""Where parallel lines and planes vanish, and what follows from it for drawn lines."""
+"""Vanishing points and horizons, and vanishing points fitted to drawn lines."""
 
 import math
 from collections.abc import Sequence
@@ -30,7 +30,7 @@ NOWHERE = (math.nan, math.nan)
         ((1e300, 0, 1e-20), NOWHERE),
     ],
 )
-def test_directions_that_meet_the_picture_vanish_in_it(
+def test_directions_towards_the_picture_have_a_vanishing_point(
     direction: Sequence[float], pixel: Sequence[float]
 ) -> None:
     found, valid = vanishing.vanishing_point(direction, K)
@@ -46,12 +46,12 @@ def test_directions_that_meet_the_picture_vanish_in_it(
             for n in ((0, 0, 1), (0, 0, -1), (0, 0, 0), (math.nan, 0, 1), (math.inf, 0, 1))
         ),
         ((1e-10, 0, 1), True),
-        ((1e-17, 0, 1), False),  # only rounding is left of it
+        ((1e-17, 0, 1), False),  # indistinguishable from the axis
         ((1e-17, 0, -1), False),
         ((-1e300, -2e-10, 1.0), True),
     ],
 )
-def test_a_plane_has_a_horizon_unless_it_is_parallel_to_the_picture_or_none(
+def test_plane_has_a_horizon_unless_parallel_to_the_picture_or_invalid(
     normal: Sequence[float], valid: bool
 ) -> None:
     line, seen = vanishing.horizon(normal, pinhole.intrinsics(1.0, (0, 0)))
@@ -69,7 +69,7 @@ def test_all_directions_of_a_plane_vanish_on_its_horizon() -> None:
     assert pixels @ line[:2] + line[2] == pytest.approx(np.zeros(20), abs=1e-8)
 
 
-def test_the_angle_between_lines_is_read_off_where_they_vanish() -> None:
+def test_angle_between_lines_follows_from_their_vanishing_points() -> None:
     first, second = RNG.normal(size=(2, 20, 3))
     cosines = (first * second).sum(axis=1) / np.prod(
         np.linalg.norm((first, second), axis=2), axis=0
@@ -83,7 +83,7 @@ def towards(point: tuple[float, float], count: int, rng: np.random.Generator) ->
     return np.stack([near, near + 0.3 * (np.array(point) - near)], axis=1)
 
 
-def test_parallel_lines_meet_at_infinity() -> None:
+def test_vanishing_point_of_parallel_lines_is_at_infinity() -> None:
     start = np.random.default_rng(1).uniform(0, 600, (4, 2))
     found, covariance = fit_vanishing_point(
         np.stack([start, start + np.array([120.0, 50.0])], axis=1)
@@ -97,7 +97,7 @@ def test_parallel_lines_meet_at_infinity() -> None:
     assert np.isnan(spread).all()
 
 
-def test_it_is_the_likeliest_point_that_scipy_finds_with_a_free_line_for_each() -> None:
+def test_fitted_vanishing_point_agrees_with_scipys_maximum_likelihood() -> None:
     rng = np.random.default_rng(5)
     ends = towards((1100.0, 220.0), 6, rng) + rng.normal(0, 2, (6, 2, 2))
 

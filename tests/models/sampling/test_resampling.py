@@ -36,7 +36,7 @@ def test_bilinear_with_a_repeated_border_agrees_with_scipy() -> None:
     "outside",
     [[-0.51, 3], [49.5, 3], [3, -0.51], [3, 39.5], [3, 1e300], [np.nan, 3], [-np.inf, 0]],
 )
-def test_off_the_picture_the_fill_value_stands(outside: list[float]) -> None:
+def test_sample_off_the_picture_is_the_fill_value(outside: list[float]) -> None:
     colour = np.stack((PICTURE, 1 - PICTURE), -1)
     assert not gather_table(outside, (40, 50)).inside
     assert sample(PICTURE, outside) == gather(gather_table(outside, (40, 50)), PICTURE) == 0
@@ -46,7 +46,7 @@ def test_off_the_picture_the_fill_value_stands(outside: list[float]) -> None:
 @pytest.mark.parametrize(
     ("place", "pixel"), [([-0.5, 3], [3, 0]), ([49.49, 3], [3, 49]), ([3, -0.5], [0, 3])]
 )
-def test_inside_is_up_to_half_a_pixel_beyond_the_outer_centres(
+def test_picture_extends_half_a_pixel_beyond_the_outer_centres(
     place: list[float], pixel: list[int]
 ) -> None:
     assert sample(PICTURE, place, fill=9.0) == pytest.approx(PICTURE[*pixel], abs=1e-6)
@@ -69,7 +69,7 @@ def test_resizing_agrees_with_pillow(
 
 
 @pytest.mark.parametrize("kernel", [name for name in KERNELS if name != "spline"])
-def test_a_value_is_the_weighted_sum_of_the_pixels_around_it(kernel: str) -> None:
+def test_sample_is_the_weighted_sum_of_the_pixels_around_it(kernel: str) -> None:
     x, y = 20.3, 17.8
     chosen = KERNELS[kernel]
     row, column = chosen.weigh(np.arange(40) - y), chosen.weigh(np.arange(50) - x)
@@ -83,7 +83,7 @@ def test_a_value_is_the_weighted_sum_of_the_pixels_around_it(kernel: str) -> Non
 
 
 @pytest.mark.parametrize("kernel", KERNELS)
-def test_beyond_the_border_the_border_repeats(kernel: str) -> None:
+def test_border_is_repeated_where_there_is_no_fill_value(kernel: str) -> None:
     wide = np.pad(PICTURE, 8, mode="edge")
     places = np.array(
         [[-0.4, 3.3], [49.3, 20.2], [49.49, 7.4], [10.1, -0.3], [30.7, 39.4], [0.2, 39.1]]
@@ -97,7 +97,7 @@ NORMAL = DRAWS.normal(size=(33, 41))
 
 
 @pytest.mark.parametrize("order", ["C", "F"])
-def test_heights_are_scipy_s_where_the_border_is_far(order: Literal["C", "F"]) -> None:
+def test_spline_coefficients_agree_with_scipy_far_from_the_border(order: Literal["C", "F"]) -> None:
     oracle = ndimage.spline_filter(np.pad(NORMAL, 30, mode="edge"), order=3, mode="mirror")
     ours = coefficients(np.pad(NORMAL, 2, mode="edge").astype(float, order=order))
     np.testing.assert_allclose(ours, oracle[28:-28, 28:-28], atol=1e-13)
@@ -113,12 +113,12 @@ def read(planes: Floats, x: ArrayLike = X, y: ArrayLike = Y) -> Floats:
     return warp(cubic_warp(x, y, (HEIGHT, WIDTH)), planes)
 
 
-def test_it_reads_what_the_bicubic_sampler_reads() -> None:
+def test_cubic_warp_agrees_with_the_bicubic_sampler() -> None:
     expected = sample(PLANES.transpose(1, 2, 0), np.stack((X, Y), -1), "bicubic")
     np.testing.assert_allclose(read(PLANES), expected.transpose(2, 0, 1), atol=1e-6)
 
 
-def test_magnifying_keeps_a_straight_ramp_to_the_last_digit() -> None:
+def test_magnified_ramp_stays_a_ramp() -> None:
     ramp = np.add.outer(np.arange(40.0), 3 * np.arange(60.0)).astype(np.float32)
     expected = ramp.mean() + (ramp - ramp.mean()) / 1.02
     assert magnify(ramp, 1.02)[4:-4, 4:-4] == pytest.approx(expected[4:-4, 4:-4], abs=1e-3)

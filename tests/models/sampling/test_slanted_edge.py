@@ -1,4 +1,4 @@
-"""MTF from one slanted edge: against closed forms, its stated error, and what it refuses."""
+"""MTF from one slanted edge: closed forms, stated errors, and refusals."""
 
 import io
 import math
@@ -40,7 +40,7 @@ type Lens = Callable[[Floats], Floats]
 
 
 ANGLES = (2.0, 5.0, 9.5, 14.036, 18.435, 26.565, 33.69, 40.0)
-"""Among them those whose tangents are 1/4, 1/3, 1/2 and 2/3, at which rows repeat each other."""
+"""With angles whose tangents are 1/4, 1/3, 1/2 and 2/3, at which rows repeat."""
 
 TO_NYQUIST = FREQUENCIES <= 0.5
 
@@ -70,7 +70,7 @@ def half_of(picture: Floats) -> float:
 
 @pytest.mark.parametrize("sigma", [0.5, 1.0, 3.0])
 @pytest.mark.parametrize("angle", ANGLES)
-def test_a_gaussian_edge_has_the_mtf50_of_its_gaussian(angle: float, sigma: float) -> None:
+def test_gaussian_edge_has_the_mtf50_of_its_gaussian(angle: float, sigma: float) -> None:
     found = half_of(gaussian_edge(100, 160, angle, sigma))
     assert found == pytest.approx(gaussian_half(sigma), rel=0.005)
 
@@ -86,7 +86,7 @@ def test_box_and_disc_have_the_mtf_of_their_closed_forms(angle: float, lens: str
     assert halves[0] == pytest.approx(halves[1], rel=0.005)
 
 
-def test_a_gaussian_spot_spreads_the_edge_as_its_integral() -> None:
+def test_edge_spread_function_of_a_gaussian_is_its_integral() -> None:
     reading = read_edge(gaussian_edge(90, 60, 5.0))
     place = np.linspace(-20.0, 20.0, 321)
     expected = 0.5 * (1 + erf(place / np.sqrt(2)))
@@ -96,7 +96,7 @@ def test_a_gaussian_spot_spreads_the_edge_as_its_integral() -> None:
 
 
 def developed(light: Floats) -> Floats:
-    """Light of every colour from that of one colour in each cell."""
+    """Luminance of a picture that was mosaiced and demosaiced."""
     return luminance(demosaic(mosaic(np.repeat(light[..., None], 3, axis=2))))
 
 
@@ -116,8 +116,8 @@ FILES: dict[str, Callable[[Floats], Floats]] = {
 
 
 @pytest.mark.parametrize("kind", FILES)
-def test_the_stated_error_is_the_scatter(kind: str) -> None:
-    """Of 64 edges: scatter of MTF50 by its mean error, and shares within 1 and 2 of its errors.
+def test_stated_error_agrees_with_the_scatter(kind: str) -> None:
+    """Of 64 edges: scatter of MTF50 over its mean error, and shares within 1 and 2 errors.
 
     noise       pixels alone          the larger, as stated
     white       0.96     64 %   94 %  0.89     67 %   97 %
@@ -136,7 +136,7 @@ def test_the_stated_error_is_the_scatter(kind: str) -> None:
     assert 0.75 < found.std() / stated.mean() < 1.3
 
 
-def test_an_edge_in_any_direction_has_the_same_mtf() -> None:
+def test_edge_has_the_same_mtf_in_any_direction() -> None:
     picture = gaussian_edge(80, 90, 7.0) + grain((80, 90), 0.01, 1)
     expected = half_of(picture)
     for turns in range(4):
@@ -147,19 +147,19 @@ def test_an_edge_in_any_direction_has_the_same_mtf() -> None:
 
 
 @pytest.mark.parametrize("bow", [1e-4, -5e-4])
-def test_a_slightly_bowed_edge_is_followed(bow: float) -> None:
+def test_slight_bow_of_the_edge_does_not_change_the_mtf(bow: float) -> None:
     found = half_of(gaussian_edge(120, 100, 6.0, bow=bow))
     assert found == pytest.approx(gaussian_half(1.0), rel=0.005)
 
 
-def test_a_speck_of_dust_on_the_edge_is_left_out() -> None:
+def test_speck_of_dust_on_the_edge_does_not_change_the_mtf() -> None:
     picture = gaussian_edge(120, 80, 5.0)
     picture[50:56, 30:46] = 0.0
     assert half_of(picture) == pytest.approx(gaussian_half(1.0), rel=0.01)
 
 
 def sharpened(amount: float) -> EdgeReading:
-    """An edge of a spot of 1 px, with so much of its difference from a blurred copy added."""
+    """An edge with a spot of 1 px, plus this multiple of its difference from a blurred copy."""
 
     def lens(frequency: Floats) -> Floats:
         spot, mask = (np.exp(-2 * (np.pi * s * frequency) ** 2) for s in (1.0, 1.2))
@@ -169,7 +169,7 @@ def sharpened(amount: float) -> EdgeReading:
     return read_edge(picture + grain(picture.shape, 0.02, 3))
 
 
-def test_halos_of_sharpening_are_recognised_and_noise_is_not_taken_for_them() -> None:
+def test_halos_of_sharpening_are_distinguished_from_noise() -> None:
     assert not sharpened(0.0).is_sharpened()
     for amount in (0.5, 1.0, 1.5):  # MTF50 higher by 19 %, 37 % and 50 %
         assert sharpened(amount).is_sharpened(), amount
@@ -203,7 +203,7 @@ REFUSED: dict[str, tuple[str, Floats]] = {
 
 
 @pytest.mark.parametrize("what", REFUSED)
-def test_an_edge_that_gives_no_mtf_is_refused_in_words(what: str) -> None:
+def test_edge_without_an_mtf_is_refused_with_its_reason(what: str) -> None:
     expected, picture = REFUSED[what]
     with pytest.raises(UnfitEdgeError) as refusal:
         read_edge(picture)
@@ -219,7 +219,7 @@ def file_of(light: Floats) -> np.ndarray[tuple[int, ...], np.dtype[np.uint8]]:
 LIGHT = 0.05 + 0.8 * gaussian_edge(80, 80, 5.0) + grain((80, 80), 0.005, 1)
 
 
-def test_srgb_is_taken_out_before_the_edge_is_measured() -> None:
+def test_srgb_is_decoded_before_the_edge_is_measured() -> None:
     right, wrong = (
         read_edge(light_of_codes(file_of(LIGHT), srgb=srgb)).half_contrast().frequency
         for srgb in (True, False)
@@ -228,13 +228,13 @@ def test_srgb_is_taken_out_before_the_edge_is_measured() -> None:
     assert wrong < 0.97 * right
 
 
-def test_codes_at_either_end_are_refused() -> None:
+def test_codes_at_either_end_of_the_range_are_refused() -> None:
     for light, message in ((2.0 * LIGHT, TOO_LIGHT), (LIGHT - 0.06, TOO_DARK)):
         with pytest.raises(UnfitEdgeError, match=message[:20]):
             light_of_codes(file_of(light), srgb=True)
 
 
-def test_a_picture_of_a_gaussian_edge_is_its_integral() -> None:
+def test_picture_of_a_gaussian_edge_is_its_integral_over_pixels() -> None:
     picture = edge_picture(3, 41, 0.0, lambda f: np.exp(-2 * (np.pi * f) ** 2))
     at = centred(41)
     fine = np.linspace(-0.5, 0.5, 101)

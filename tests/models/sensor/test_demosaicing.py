@@ -55,18 +55,18 @@ BORDER = {"bilinear": 1, "malvar": 2, "menon-unrefined": 6, "menon": 6, "menon-e
 
 @pytest.mark.parametrize("pattern", PATTERNS)
 @pytest.mark.parametrize("method", ORACLES)
-def test_interior_equals_the_published_method(pattern: str, method: str) -> None:
+def test_interior_agrees_with_the_published_method(pattern: str, method: str) -> None:
     cfa = mosaic(np.random.default_rng(1).random((40, 31, 3)), pattern)
     inner = (slice(BORDER[method], -BORDER[method]),) * 2
     ours, theirs = demosaic(cfa, pattern, method), ORACLES[method](cfa, pattern)
-    if method == "menon-encoded":  # the oracle continues the toe below 0, where we mirror it
+    if method == "menon-encoded":  # the oracle extends the toe below 0, and we mirror it
         ours, theirs = np.maximum(ours, 0), np.maximum(theirs, 0)
     np.testing.assert_allclose(ours[inner], theirs[inner], atol=1e-12)
 
 
 @pytest.mark.parametrize("method", ["menon-unrefined", "menon"])
-def test_where_rows_and_columns_are_equally_calm_menon_keeps_the_rows(method: str) -> None:
-    """Small whole numbers tie often, and are summed without rounding."""
+def test_menon_breaks_ties_like_the_published_method(method: str) -> None:
+    """Small whole numbers tie often and are summed exactly."""
     cfa = np.random.default_rng(7).integers(0, 3, (60, 64)).astype(float)
     theirs = ORACLES[method](cfa, "RGGB")
     np.testing.assert_allclose(
@@ -81,7 +81,7 @@ def test_where_rows_and_columns_are_equally_calm_menon_keeps_the_rows(method: st
     colour=st.tuples(*[st.floats(0, 1)] * 3),
 )
 @settings(max_examples=30, deadline=None)
-def test_flat_colour_survives_up_to_the_border(
+def test_flat_colour_is_restored_up_to_the_border(
     method: str, shape: tuple[int, int], pattern: str, colour: tuple[float, float, float]
 ) -> None:
     flat = np.broadcast_to(np.array(colour), (*shape, 3))
@@ -91,7 +91,7 @@ def test_flat_colour_survives_up_to_the_border(
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("pattern", PATTERNS)
-def test_measured_values_are_kept(method: str, pattern: str) -> None:
+def test_demosaicing_keeps_the_measured_values(method: str, pattern: str) -> None:
     cfa = mosaic(np.random.default_rng(2).random((17, 20, 3)), pattern)
     np.testing.assert_array_equal(mosaic(demosaic(cfa, pattern, method), pattern), cfa)
 
@@ -104,7 +104,7 @@ def test_each_pixel_has_the_filter_that_the_pattern_names(pattern: str) -> None:
     assert expected[red_position(pattern)[0]][red_position(pattern)[1]] == 0
 
 
-def test_a_line_copies_the_nearest_sample_and_greys_what_it_lacks() -> None:
+def test_single_column_copies_nearest_samples_and_greys_the_missing_colour() -> None:
     column = np.array([[0.8], [0.1], [0.6], [0.3], [0.2]])  # green and blue by turns
     result = demosaic(column, "GRBG", "nearest")[:, 0]
     np.testing.assert_allclose(result[:, 1], [0.8, 0.8, 0.6, 0.6, 0.2])
@@ -117,14 +117,14 @@ CURVES = camera_curves(WAVELENGTHS_NM)
 PATCHES = np.stack([chart_patch(name) for name in CHART])
 
 
-def test_the_curves_are_those_that_were_measured() -> None:
+def test_camera_curves_agree_with_the_measured_ones() -> None:
     measured = sampled(measurements.MSDS_CAMERA_SENSITIVITIES["Nikon 5100 (NPL)"])
     off = CURVES - measured
     assert np.abs(off).max() < 0.05
     assert (np.sqrt(np.mean(off**2, axis=0)) < [0.021, 0.0137, 0.0071]).all()
 
 
-def test_a_raw_value_is_the_sum_over_the_spectrum() -> None:
+def test_raw_value_is_the_sum_over_the_spectrum() -> None:
     light, patch = planck(3000.0), PATCHES[3]
     by_hand = [sum(light * patch * CURVES[:, k]) / sum(light * CURVES[:, 1]) for k in range(3)]
     np.testing.assert_allclose(exposed(patch * light, CURVES, light), by_hand)
@@ -138,7 +138,7 @@ def chart() -> tuple[Floats, Floats, Floats]:
     return balanced, tristimulus(PATCHES * D65, D65), tristimulus(D65, D65)
 
 
-def test_no_other_matrix_that_keeps_white_errs_less() -> None:
+def test_fitted_colour_matrix_has_the_least_error_that_keeps_white() -> None:
     balanced, xyz, white = chart()
 
     def matrix_of(free: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -152,7 +152,7 @@ def test_no_other_matrix_that_keeps_white_errs_less() -> None:
     np.testing.assert_allclose(fit_colour_matrix(balanced, xyz, white), matrix_of(best), atol=1e-4)
 
 
-def test_it_is_the_correlation_of_the_laplacians() -> None:
+def test_shared_detail_is_the_correlation_of_the_laplacians() -> None:
     picture = np.random.default_rng(0).random((30, 41, 3))
     picture[..., 0] += 0.7 * picture[..., 1]
     picture[..., 2] -= 0.2 * picture[..., 1]
@@ -162,13 +162,13 @@ def test_it_is_the_correlation_of_the_laplacians() -> None:
 
 
 @pytest.mark.parametrize("frequency", [0, 30, 125, 250, 300, 410])
-def test_a_pixel_leaves_the_mean_over_its_width(frequency: float) -> None:
+def test_pixel_transfer_is_the_mean_over_its_width(frequency: float) -> None:
     places_mm = (np.arange(20_000) + 0.5) / 20_000 * 0.004 - 0.002
     mean = np.cos(2 * np.pi * frequency * places_mm).mean()
     assert pixel_transfer(frequency, 4) == pytest.approx(mean, abs=1e-7)
 
 
 @pytest.mark.parametrize("frequency", [0, 30, 125, 250])
-def test_a_plate_leaves_the_mean_of_two_copies(frequency: float) -> None:
+def test_plate_transfer_is_the_mean_of_two_copies(frequency: float) -> None:
     mean = np.cos(2 * np.pi * frequency * np.array([-0.0015, 0.0015])).mean()
     assert plate_transfer(frequency, 3) == pytest.approx(mean, abs=1e-12)

@@ -1,4 +1,4 @@
-"""A sensor’s numbers from flat fields, against the truth, chance and a reference."""
+"""A sensor’s parameters from flat fields, against the truth and a reference implementation."""
 
 import dataclasses
 import math
@@ -41,34 +41,34 @@ LEVELS = {
 
 @pytest.mark.parametrize("levels", LEVELS.values(), ids=LEVELS)
 @pytest.mark.parametrize("gain", [0.5, 20.0, 120.0, 400.0])
-def test_a_gain_is_within_a_few_standard_errors_of_the_truth_or_refused(
+def test_gain_agrees_with_truth_within_four_errors_or_is_refused(
     gain: float, levels: Floats
 ) -> None:
-    """No layout of the levels and no coarseness of the codes gives a wrong gain in silence."""
-    sensor, told = Sensor(gain_e_per_dn=gain, bits=16), []
+    """No choice of levels and no coarseness of the codes gives a wrong gain without a refusal."""
+    sensor, deviations = Sensor(gain_e_per_dn=gain, bits=16), []
     for seed in range(6):
         curve = photon_transfer(levels, sensor, np.random.default_rng(seed), samples=5000)
         try:
             found = estimate_gain(*curve, samples=5000)
         except ValueError:
             continue
-        told.append((found.e_per_dn - gain) / found.error_e_per_dn)
+        deviations.append((found.e_per_dn - gain) / found.error_e_per_dn)
         assert found.error_e_per_dn < 0.1 * found.e_per_dn
-    assert np.all(np.abs(told) < 4)
+    assert np.all(np.abs(deviations) < 4)
     if levels is LEVELS["even"] and gain <= 50:
-        assert len(told) == 6
+        assert len(deviations) == 6
     if levels is LEVELS["at the well's edge"] or gain == 400:
-        assert not told
+        assert not deviations
 
 
-def test_levels_on_the_straight_part_are_those_of_the_standard() -> None:
+def test_straight_part_of_the_levels_follows_the_standard() -> None:
     mean = np.array([1.0, 10.0, 50.0, 70.0, 71.0, 100.0, 110.0])
     variance = np.array([0.4, 0.6, 3.0, 4.0, 4.1, 6.0, 1.0])
     assert straight_part(mean, variance).tolist() == [0, 1, 1, 1, 0, 0, 0]
     assert straight_part([], []).tolist() == []
 
 
-def test_the_photon_transfer_curve_has_the_variances_of_its_sources() -> None:
+def test_photon_transfer_curve_adds_the_variances_of_its_sources() -> None:
     sensor = Sensor(read_noise_e=10.0, gain_e_per_dn=2.0, full_well_e=1e6, black_level_dn=50)
     levels = np.array([0.0, 100.0, 4000.0])
     mean, variance = photon_transfer(levels, sensor, rng(), samples=100_000)
@@ -77,7 +77,7 @@ def test_the_photon_transfer_curve_has_the_variances_of_its_sources() -> None:
     assert photon_transfer(5.0, sensor, rng(), samples=2)[0].shape == (1,)
 
 
-def test_a_fit_trusts_small_variances_more() -> None:
+def test_fit_weights_levels_by_their_variance() -> None:
     """Weights of one over the variance of each point: the residuals' weighted sums vanish."""
     mean, variance = np.array([10.0, 20.0, 40.0, 80.0]), np.array([3.0, 4.0, 11.0, 19.0])
     beyond = np.array([150.0]), np.array([40.0])
@@ -102,7 +102,7 @@ TRUTH = {
 }
 
 
-def test_the_errors_are_those_of_chance() -> None:
+def test_stated_errors_agree_with_the_scatter() -> None:
     """Over many sensors the deviations, in standard errors, have the spread 1."""
     deviations: dict[str, list[float]] = {name: [] for name in TRUTH}
     for seed in range(40):
@@ -111,13 +111,13 @@ def test_the_errors_are_those_of_chance() -> None:
             estimate = getattr(found, name)
             if not estimate.reason:
                 deviations[name].append((estimate.value - truth) / estimate.error)
-    for name, told in deviations.items():
-        assert len(told) > 30, name
-        assert abs(np.mean(told)) < 0.5, name  # its standard error is 0.16
-        assert 0.6 < np.std(told) < 1.4, name  # its standard error is 0.11
+    for name, scores in deviations.items():
+        assert len(scores) > 30, name
+        assert abs(np.mean(scores)) < 0.5, name  # its standard error is 0.16
+        assert 0.6 < np.std(scores) < 1.4, name  # its standard error is 0.11
 
 
-def test_without_a_dark_pair_there_is_no_read_noise() -> None:
+def test_read_noise_needs_a_dark_pair() -> None:
     levels = [measure_pair(pair, 4095) for pair in pairs_of(64, 100)]
     assert black_of_dark(levels, 66.0, 4095) == levels[0].mean_dn
     assert math.isnan(black_of_dark(levels[1:], 64.0, 4095))
@@ -137,8 +137,8 @@ REFERENCE = {
 
 
 @pytest.mark.parametrize("seed", REFERENCE)
-def test_the_reference_implementation_of_the_standard_finds_the_same(seed: int) -> None:
-    """It fits without weights and takes DSNU and PRNU from one level each."""
+def test_estimates_agree_with_the_standards_reference_implementation(seed: int) -> None:
+    """The reference fits without weights and takes DSNU and PRNU from one level each."""
     found = estimate_of(pairs_of(128, seed, count=23))
     for name, other in REFERENCE[seed].items():
         estimate = getattr(found, name)
@@ -146,7 +146,7 @@ def test_the_reference_implementation_of_the_standard_finds_the_same(seed: int) 
         assert estimate.value == pytest.approx(other, rel=0.01), name
 
 
-def test_a_smooth_fall_off_of_the_light_is_no_pattern() -> None:
+def test_smooth_fall_off_of_the_light_adds_no_pattern() -> None:
     rng = np.random.default_rng(3)
     y, x = np.mgrid[-1:1:64j, -1:1:64j]
     light = 1000 * (1 - 0.2 * (x * x + y * y) + 0.1 * x)
@@ -156,8 +156,8 @@ def test_a_smooth_fall_off_of_the_light_is_no_pattern() -> None:
     assert level.noise_dn2 == pytest.approx(light.mean(), rel=0.05)
 
 
-def test_light_is_measured_through_the_response_of_the_file() -> None:
-    """Codes that are the root of the light: the noise of the light comes out."""
+def test_light_is_measured_through_the_files_response() -> None:
+    """Codes are the square root of the light, and the light's own noise is recovered."""
     rng = np.random.default_rng(5)
     response = np.arange(256.0) ** 2 / 255
     light = 100 + 4 * rng.standard_normal((2, 96, 96))
@@ -169,7 +169,7 @@ def test_light_is_measured_through_the_response_of_the_file() -> None:
 
 
 def smoothed(pairs: list[np.ndarray]) -> list[np.ndarray]:
-    """Pairs as demosaicing leaves them: every other column is the mean of its neighbours."""
+    """Pairs like demosaiced ones: every other column is the mean of its neighbours."""
     out = []
     for pair in pairs:
         codes = pair.astype(float)
@@ -185,20 +185,20 @@ def test_interpolated_files_are_refused() -> None:
     assert found.noise is not None
 
 
-def test_a_fit_up_to_the_full_well_is_refused() -> None:
+def test_fit_up_to_the_full_well_is_refused() -> None:
     found = estimate_of(pairs_of(64, 8), most=1.0)
     assert "saturated" in found.gain.reason
     assert math.isnan(found.gain.value)
 
 
-def test_a_sensor_never_saturated_has_no_well() -> None:
+def test_saturation_of_an_unsaturated_sensor_has_only_a_lower_bound() -> None:
     found = estimate_of(pairs_of(64, 9)[:8])
     assert found.saturation.bound == "above"
     assert found.saturation.value == pytest.approx(0.7 * SENSOR.full_well_e, rel=0.02)
     assert not found.gain.reason
 
 
-def test_read_noise_below_its_error_is_bounded() -> None:
+def test_read_noise_below_its_error_has_only_an_upper_bound() -> None:
     sensor = dataclasses.replace(SENSOR, read_noise_e=0.5)
     pairs = pairs_of(64, 10, sensor)
     levels = [measure_pair(pair, 4095) for pair in pairs[2:]]
@@ -207,13 +207,13 @@ def test_read_noise_below_its_error_is_bounded() -> None:
     assert 0.5 < found.read_noise.value < 20
 
 
-def test_a_surface_in_focus_is_not_taken_for_the_cells() -> None:
+def test_texture_of_a_focused_surface_gives_no_prnu() -> None:
     found = estimate_of(pairs_of(64, 11, prnu=0.08))
     assert "surface" in found.prnu.reason
     assert not found.gain.reason
 
 
-def test_few_pairs_say_what_is_missing() -> None:
+def test_missing_gain_states_its_reason() -> None:
     pairs = pairs_of(64, 12)
     assert "three exposures" in estimate_of(pairs[:2]).gain.reason
     assert "no pair" in characterise([], 0.0, 255).gain.reason
@@ -230,7 +230,7 @@ def level_at(mean: float, noise: float) -> Level:
     return Level(mean, noise, 0.01 * noise, 0.0, 1.0, noise, 0.0, 0.0, 20_000)
 
 
-def test_scatter_beyond_chance_enlarges_the_errors() -> None:
+def test_scatter_beyond_chance_increases_the_errors() -> None:
     means = np.linspace(100.0, 1000.0, 8)
     calm = characterise([level_at(m, m / 4) for m in means], 0.0, 2000)
     bumps = 1 + 0.04 * (-1.0) ** np.arange(8)
@@ -241,7 +241,7 @@ def test_scatter_beyond_chance_enlarges_the_errors() -> None:
     assert rough.gain.error > 3 * calm.gain.error
 
 
-def test_levels_that_are_alike_tell_nothing() -> None:
+def test_nearly_equal_levels_give_no_gain() -> None:
     levels = [level_at(m, m / 4) for m in (500.0, 505.0, 510.0)]
     assert "too alike" in characterise(levels, 0.0, 2000).gain.reason
     assert characterise([level_at(500.0, 125.0)] * 3, 0.0, 2000).gain.reason
@@ -252,13 +252,13 @@ def even(light: float, size: int = 64) -> NDArray[np.uint8]:
     return np.clip(np.rint(grain), 0, 255).astype(np.uint8)
 
 
-def test_a_grey_file_has_the_four_cells_of_a_mosaic() -> None:
+def test_grey_file_is_split_into_the_four_cells_of_a_mosaic() -> None:
     grey = np.repeat(np.arange(15, dtype=np.uint8).reshape(3, 5, 1), 3, axis=2)
     planes = planes_of(grey)
     assert [plane.tolist() for plane in planes.values()] == [[[0, 2]], [[1, 3]], [[5, 7]], [[6, 8]]]
 
 
-def test_grain_and_fall_off_are_even_and_an_edge_is_not() -> None:
+def test_grain_and_fall_off_count_as_even_but_an_edge_does_not() -> None:
     assert unevenness(even(120.0)) < 0.01
     falling = even(120.0) - np.arange(64, dtype=np.uint8)[:, None]
     assert unevenness(falling) < 0.01
@@ -281,18 +281,18 @@ def test_pairs_share_light_exposure_and_camera() -> None:
     assert pair_up(taken) == ((0, 2), (4, 1))
 
 
-def test_without_exif_the_light_makes_the_pairs() -> None:
+def test_pairs_without_exif_share_their_light() -> None:
     lights = [0.1, 0.3, 40.0, 60.0, 41.0, 40.5, 61.0]
     assert pair_up([Taken(light) for light in lights]) == ((0, 1), (2, 5), (3, 6))
     assert pair_up([]) == ()
 
 
-def test_the_camera_is_named_by_its_file() -> None:
+def test_camera_is_named_by_its_files_exif() -> None:
     assert camera_of({"make": "Acme", "model": "X1", "iso": 400.0}) == "Acme, X1, ISO 400"
     assert camera_of({}) == ""
 
 
-def test_the_standard_has_full_well_range_and_linearity_of_a_sensor() -> None:
+def test_full_well_range_and_linearity_follow_the_standard() -> None:
     pairs = pairs_of(96, 5, count=23)
     levels = [measure_pair(pair, 4095) for pair in pairs]
     sensor, times = characterise(levels, levels[0].mean_dn, 4095), np.arange(23.0)
@@ -308,7 +308,7 @@ def test_the_standard_has_full_well_range_and_linearity_of_a_sensor() -> None:
     assert unknown.dynamic_range.bound == "above"
 
 
-def test_rows_that_share_noise_are_not_taken_for_a_smoothed_file() -> None:
+def test_row_noise_is_measured_and_not_mistaken_for_smoothing() -> None:
     rng = np.random.default_rng(1)
     pairs = [pair + rng.normal(0, 3, (2, 96, 1)) for pair in pairs_of(96, 5)]
     found = estimate_of([np.clip(np.rint(pair), 0, 4095).astype(np.uint16) for pair in pairs])
