@@ -1,4 +1,4 @@
-"""Overlay markup: well formed, escaped, rounded alike everywhere, and ending where it says."""
+"""Overlay markup: well formed, escaped, rounded consistently, and refused where it is invalid."""
 
 import math
 import re
@@ -33,7 +33,7 @@ def test_coordinates_are_rounded_to_a_hundredth(value: float, text: str) -> None
 
 @given(st.lists(st.tuples(finite, finite), max_size=5))
 @example([(-0.001, 100.0), (0.1, 10.5), (-0.004, -0.006), (-10.0, 1e4)])
-def test_an_array_of_points_is_written_as_each_of_them_would_be(
+def test_array_of_points_is_written_like_a_list_of_points(
     places: list[tuple[float, float]],
 ) -> None:
     array = np.array(places, float).reshape(-1, 2)
@@ -41,7 +41,7 @@ def test_an_array_of_points_is_written_as_each_of_them_would_be(
 
 
 @given(finite, finite, finite, finite)
-def test_an_arrow_is_well_formed_and_ends_at_its_end(
+def test_arrow_is_well_formed_and_ends_at_its_end(
     x1: float, y1: float, x2: float, y2: float
 ) -> None:
     markup = ElementTree.fromstring(f"<g>{drawing.arrow((x1, y1), (x2, y2), 'ray')}</g>")
@@ -62,7 +62,7 @@ def test_any_text_is_escaped(content: str) -> None:
 
 
 @pytest.mark.parametrize(("anchor", "left"), [("start", 0.0), ("middle", 0.5), ("end", 1.0)])
-def test_a_label_over_a_picture_has_a_ground_around_its_words(anchor: str, left: float) -> None:
+def test_label_over_a_picture_has_a_background_around_its_words(anchor: str, left: float) -> None:
     markup = drawing.text((10, 20), "horizon", "camera small ground", anchor)
     ground, label = ElementTree.fromstring(f"<g>{markup}</g>")
     begins, width = (float((ground.get(name) or "")[:-2]) for name in ("x", "width"))
@@ -81,7 +81,7 @@ def test_a_label_over_a_picture_has_a_ground_around_its_words(anchor: str, left:
         ("a_b^c d", [(None, "a"), ("sub", "b"), ("super", "c"), ("on line", " d")]),
     ],
 )
-def test_scripts_leave_the_line_and_the_rest_returns_to_it(
+def test_subscripts_and_superscripts_return_to_the_line(
     content: str, spans: list[tuple[str | None, str]]
 ) -> None:
     text = ElementTree.fromstring(drafting.label((0, 0), content))
@@ -93,7 +93,7 @@ def test_scripts_leave_the_line_and_the_rest_returns_to_it(
     assert sum(steps) == pytest.approx(0, abs=0.01)
 
 
-def test_arcs_and_lenses_have_their_sizes() -> None:
+def test_arcs_and_lenses_have_the_given_size() -> None:
     arc = points(drafting.arc((10, 20), 5, 0, math.pi / 2))
     assert arc[[0, -1]].tolist() == [[15, 20], [10, 15]]
     assert np.hypot(*(arc - [10, 20]).T) == pytest.approx(5, abs=0.01)
@@ -117,6 +117,6 @@ DRAWN = Panel("a", "", 1, 1, raster=np.zeros((1, 1, 4), np.uint8))
         (lambda: Illustration((DRAWN,), "Shows."), "a raster"),
     ],
 )
-def test_drawings_that_no_page_could_show_are_refused(make: object, fault: str) -> None:
+def test_invalid_drawings_are_refused(make: object, fault: str) -> None:
     with pytest.raises(ValueError, match=fault):
         make()  # type: ignore[operator]

@@ -1,4 +1,4 @@
-"""Facts that cameras write into files, against files written by Pillow."""
+"""Facts read from the Exif data of files, against files written by Pillow."""
 
 import io
 import struct
@@ -37,13 +37,13 @@ def file_of(kind: str, order: str = ">", focal: float = 50.0, maker: str = "Make
 
 
 @pytest.mark.parametrize("kind", ["JPEG", "PNG"])
-def test_the_facts_of_a_file_are_those_written_into_it(kind: str) -> None:
+def test_facts_of_a_file_are_the_facts_written_into_it(kind: str) -> None:
     for order in "<>":
         assert exif_facts(file_of(kind, order)) == pytest.approx(WRITTEN)
 
 
 @pytest.mark.parametrize("kind", ["JPEG", "PNG"])
-def test_a_file_that_ends_early_or_is_damaged_gives_fewer_facts_and_no_error(kind: str) -> None:
+def test_truncated_or_damaged_file_gives_fewer_facts_and_no_error(kind: str) -> None:
     whole = file_of(kind)
     for cut in range(len(whole)):
         assert exif_facts(whole[:cut]).items() <= exif_facts(whole).items()
@@ -69,7 +69,7 @@ def jpeg_of(tiff: bytes, before: bytes = b"") -> bytes:
 ISO_400, HIGH_ISO = entry(0x8827, 3, 1, 400), entry(0x8832, 4, 1, 102_400)
 ICC = b"".join(b"\xff\xe2" + struct.pack(">H", 65_402) + bytes(65_400) for _ in range(3))
 BEYOND = entry(0x010F, 2, 12, 9_999_999)
-"""A text that lies outside of the file."""
+"""A text whose offset lies outside the file."""
 BOMB = tiff_of(*[entry(0x8769, 4, 1, 12_022)] * 1000, data=struct.pack("<H", 1000) + bytes(48_000))
 ODD: dict[str, tuple[bytes, dict[str, float | str]]] = {
     "a damaged entry before a sound one": (jpeg_of(tiff_of(BEYOND, ISO_400)), {"iso": 400.0}),
@@ -92,7 +92,7 @@ ODD: dict[str, tuple[bytes, dict[str, float | str]]] = {
 
 
 @pytest.mark.parametrize(("head", "facts"), ODD.values(), ids=ODD)
-def test_odd_and_hostile_heads_give_their_sound_facts_within_a_second(
+def test_odd_and_hostile_headers_give_their_valid_facts_within_a_second(
     head: bytes, facts: dict[str, float | str]
 ) -> None:
     begun = time.process_time()
@@ -101,7 +101,7 @@ def test_odd_and_hostile_heads_give_their_sound_facts_within_a_second(
 
 
 @pytest.mark.parametrize("focal", [0.0, 1e-6, 4e9])
-def test_a_number_that_no_camera_has_is_left_out_and_texts_are_short(focal: float) -> None:
+def test_implausible_numbers_are_left_out_and_texts_shortened(focal: float) -> None:
     facts = exif_facts(file_of("JPEG", focal=focal, maker="<A>\x01\n" + "M" * 5000))
     assert facts.keys() == WRITTEN.keys() - {"focal_mm"}
     assert facts["make"] == "<A>" + 77 * "M"

@@ -1,5 +1,5 @@
-"""Expressions mean what they mean in Python and reach nothing else; conditions compare what a
-figure shows."""
+"""Expressions have the values that Python gives them and access nothing else; conditions compare
+the readouts and settings of a figure."""
 
 import math
 from dataclasses import dataclass
@@ -50,17 +50,17 @@ FRAME = Frame(
 
 
 @pytest.mark.parametrize("text", SOUND)
-def test_an_expression_is_what_it_is_in_python(text: str) -> None:
+def test_expression_has_the_value_that_python_gives_it(text: str) -> None:
     assert evaluate(text, {}) == eval(text)
 
 
 @pytest.mark.parametrize("text", REFUSED)
-def test_an_expression_that_reaches_further_is_refused(text: str) -> None:
+def test_unsafe_or_invalid_expression_is_refused(text: str) -> None:
     with pytest.raises(ExpressionError):
         evaluate(text, {})
 
 
-def test_names_have_their_values_and_operators_stop_early() -> None:
+def test_names_have_their_values_and_operators_short_circuit() -> None:
     assert evaluate("f(x, y=2) * cos(pi)", {"f": lambda x, y: x + y, "x": 1}) == -3.0
     assert evaluate("x == 0 or 1 / x > 2", {"x": 0}) is True
     assert evaluate("x != 0 and 1 / x > 2", {"x": 0}) is False
@@ -69,7 +69,7 @@ def test_names_have_their_values_and_operators_stop_early() -> None:
 @pytest.mark.parametrize(
     ("conditions", "first"),
     [
-        (["shift == -1.3"], 0),  # a readout as shown,
+        (["shift == -1.3"], 0),  # a readout as displayed,
         (["fold == inf"], 0),
         (["angles == 'kept'"], 0),
         (["k1 == 0.2"], 0),  # or a setting
@@ -78,6 +78,6 @@ def test_names_have_their_values_and_operators_stop_early() -> None:
         (["k1 > 1"], None),
     ],
 )
-def test_the_first_condition_that_holds_is_the_one(conditions: list[str], first: int) -> None:
+def test_first_condition_that_holds_is_found(conditions: list[str], first: int) -> None:
     assert first_true(conditions, Settings(), FRAME) == first
     assert math.isnan(float(shown_value("undefined")))

@@ -1,4 +1,4 @@
-"""Frames refuse what no page could show; numbers read the same on every machine."""
+"""Frames: formatted numbers, JSON, pixels, and the refusal of invalid parts."""
 
 import json
 import math
@@ -58,7 +58,7 @@ def test_numbers_have_fixed_decimals_and_a_true_minus_sign(
         (9e-10, "under 10⁻⁹"),
     ],
 )
-def test_a_number_of_unknown_size_has_two_digits_at_least(value: float, text: str) -> None:
+def test_number_of_unknown_size_has_at_least_two_digits(value: float, text: str) -> None:
     assert format_magnitude(value, 1e-9) == text
 
 
@@ -81,19 +81,19 @@ def test_a_number_of_unknown_size_has_two_digits_at_least(value: float, text: st
         (2.0, math.inf, "undefined"),
     ],
 )
-def test_a_measured_value_has_an_error_of_one_or_two_digits_and_never_zero(
+def test_measured_value_has_a_nonzero_error_of_one_or_two_digits(
     value: float, error: float, text: str
 ) -> None:
     assert value_with_error(value, error) == text
 
 
-def test_a_matrix_is_rows_of_entries_in_columns_of_one_width() -> None:
+def test_matrix_is_written_in_columns_of_equal_width() -> None:
     rows = matrix_readout("R", "Rotation", [[0, -1], [1, 0]], digits=0).text.split("\n")
     assert [row.replace("\u2007", "").split(" ") for row in rows] == [["0", "−1"], ["1", "0"]]
     assert len({len(row) for row in rows}) == 1
 
 
-def test_the_frame_without_its_pixels_and_samples_is_json() -> None:
+def test_frame_without_pixels_and_samples_is_json() -> None:
     frame = Frame(
         (Panel("a", "A", 400, 300, raster=np.zeros((2, 3, 4), np.uint8)), Panel("b", "", 1, 1)),
         (readout("x", "x", 1.5, "px", role="ray"),),
@@ -111,7 +111,7 @@ def test_the_frame_without_its_pixels_and_samples_is_json() -> None:
     assert "sound" not in json.loads(to_json(Frame((PANEL,), (), "Silent.")))
 
 
-def test_pixels_are_rounded_clipped_and_never_undefined() -> None:
+def test_pixels_are_rounded_clipped_and_never_nan() -> None:
     rgba = to_rgba8(np.array([[0.0, 0.5, 1.0, -1.0, 2.0, np.nan, np.inf, -np.inf]]))
     assert rgba[0, :, 0].tolist() == [0, 128, 255, 0, 255, 0, 255, 0]
     assert (rgba[..., 3] == 255).all()
@@ -120,7 +120,7 @@ def test_pixels_are_rounded_clipped_and_never_undefined() -> None:
     assert covered[0].tolist() == [[255, 255, 255, 0], [255, 255, 255, 255]]
 
 
-def test_pictures_are_told_apart_by_their_number() -> None:
+def test_photographs_are_compared_by_their_number() -> None:
     black, white = (np.full((1, 1, 3), level, np.uint8) for level in (0, 255))
     assert Photograph(1, black, "a", {"iso": 100}) == Photograph(1, white)
     assert Photograph(1, black) != Photograph(2, black)
@@ -156,6 +156,6 @@ def _panel(raster: Any) -> Panel:
         (lambda: Photograph(1, np.zeros((0, 2, 3), np.uint8)), r"legal: \(H, W, 3\) uint8"),
     ],
 )
-def test_frames_that_no_page_could_show_are_refused(make: Any, message: str) -> None:
+def test_invalid_frames_are_refused(make: Any, message: str) -> None:
     with pytest.raises((TypeError, ValueError), match=message):
         make()

@@ -1,4 +1,4 @@
-"""Handles: where they are, what a pull may change, and the search for the value at the pointer."""
+"""Handles: their places, the settings that a pull changes, and the search for the nearest value."""
 
 import json
 from collections.abc import Mapping
@@ -57,7 +57,7 @@ def frame_of(handle: Handle[Settings], **given: Value) -> Frame:
     ("handle", "along", "place"),
     [
         (POINT, 3, (Place("point", 125, 300),)),
-        (POINT, 9, (Place("point", 125, 300),)),  # held inside its panel
+        (POINT, 9, (Place("point", 125, 300),)),  # kept inside its panel
         (GROUND, 9, (Place("point", 125, 900),)),
         (replace(POINT, at=lambda *_: None), 3, ()),
         (replace(POINT, at=lambda *_: (NAN, 1.0)), 3, ()),
@@ -65,13 +65,15 @@ def frame_of(handle: Handle[Settings], **given: Value) -> Frame:
         (replace(POINT, step=lambda *_: 0.5), 3, (Place("point", 125, 300, 0.5),)),
     ],
 )
-def test_a_frame_says_where_its_handles_are(
+def test_frame_lists_the_places_of_its_handles(
     handle: Handle[Settings], along: int, place: tuple[Place, ...]
 ) -> None:
     frame = frame_of(handle, across=1.25, along=along)
     assert frame.handles == place
-    told = [{"name": p.name, "x": p.x, "y": p.y} | ({"step": 0.5} if p.step else {}) for p in place]
-    assert json.loads(to_json(frame)).get("handles", []) == told
+    listed = [
+        {"name": p.name, "x": p.x, "y": p.y} | ({"step": 0.5} if p.step else {}) for p in place
+    ]
+    assert json.loads(to_json(frame)).get("handles", []) == listed
 
 
 def scale(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -103,14 +105,14 @@ def searched(drives: str, where: Any) -> Handle[Settings]:
         ),
         (searched("across", scale), (100 * 0.75**2, 0), {"across": 0.75}),
         (searched("across", scale), (-500, 0), {"across": 0.0}),
-        (searched("across", scale), (1e9, 1e9), {"across": 1.75}),  # at 2 there is no place
+        (searched("across", scale), (1e9, 1e9), {"across": 1.75}),  # at 2 it has no place
         (searched("along", lambda settings, _: (0, 7 * settings.along)), (0, 40), {"along": 6}),
-        (searched("along", lambda *_: (0, 0)), (0, 40), {"along": 3}),  # it does not move: stays
+        (searched("along", lambda *_: (0, 0)), (0, 40), {"along": 3}),  # it does not move
         (searched("along", lambda *_: None), (0, 40), {"along": 3}),
         (searched("kind", option), (60, 5), {"kind": "right"}),
     ],
 )
-def test_a_pull_brings_its_settings_onto_their_steps_and_into_their_range(
+def test_pull_rounds_settings_to_their_steps_and_clamps_them(
     handle: Handle[Settings], place: Point, changes: dict[str, Value]
 ) -> None:
     scene = scene_of(handle)
@@ -126,9 +128,7 @@ def test_a_pull_brings_its_settings_onto_their_steps_and_into_their_range(
         ({}, "piont", (0, 0), "'piont'; legal: point"),
     ],
 )
-def test_a_pull_of_something_else_or_to_nowhere_is_refused(
-    changed: Any, name: str, place: Point, message: str
-) -> None:
+def test_invalid_pull_is_refused(changed: Any, name: str, place: Point, message: str) -> None:
     with pytest.raises((ControlError, ValueError, KeyError), match=message):
         scene_of(replace(POINT, **changed)).pull(Settings(), name, place)
 
@@ -145,17 +145,17 @@ def test_a_pull_of_something_else_or_to_nowhere_is_refused(
         ((GROUND, replace(GROUND, name="other")), "whole of panel 'plane'"),
     ],
 )
-def test_a_scene_refuses_handles_that_contradict_it(handles: Any, message: str) -> None:
+def test_scene_refuses_handles_that_contradict_it(handles: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         scene_of(*handles)
 
 
-def test_a_handle_lies_in_a_panel_that_there_is() -> None:
+def test_handle_in_an_unknown_panel_is_refused() -> None:
     with pytest.raises(ValueError, match="panel 'plan'; legal: plane"):
         frame_of(replace(POINT, panel="plan"))
 
 
-def test_a_pull_of_points_receives_the_readers_photograph() -> None:
+def test_pull_of_points_receives_the_readers_photograph() -> None:
     def moved(_: Settings, place: Point, photograph: Photograph | None) -> Mapping[str, Value]:
         shares = (((place[0] / 400, place[1] / 300),),)
         return {"lines": PointLists("own" if photograph else "book", 0, shares).text}
@@ -167,4 +167,4 @@ def test_a_pull_of_points_receives_the_readers_photograph() -> None:
         assert pulled == {"lines": f"{name};0.1,0.1"}
     controls: Any = _simulation(scene)["controls"]
     listed = {control["name"] for control in controls}
-    assert listed == {"across", "along", "kind", "grid"}, "what a hand moves"
+    assert listed == {"across", "along", "kind", "grid"}, "points have no control"

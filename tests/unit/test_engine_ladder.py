@@ -1,4 +1,4 @@
-"""Measuring a ladder: with a clock that the test winds, every number is known beforehand."""
+"""Measuring a ladder with a manual clock, so that every time is known beforehand."""
 
 from dataclasses import replace
 from typing import Any
@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from simulations.engine.ladder import Ladder, Metric, Tier, measure_tier, pareto_front
 
 
-class WoundClock:
+class ManualClock:
     """A clock that only moves when a tier works."""
 
     def __init__(self, tick: float = 0.0) -> None:
@@ -33,7 +33,7 @@ class WoundClock:
         return measure_tier(ladder(run), "only", 1.0, 4.0, self, **options)
 
 
-def again(*_: object) -> float:
+def fail(*_: object) -> float:
     raise AssertionError("workload and reference are taken as given")
 
 
@@ -42,19 +42,19 @@ def ladder(run: Any = None) -> Ladder:
         id="toy",
         title="Toy",
         workload="a number",
-        prepare=again,
+        prepare=fail,
         tiers=(Tier("only", "Only", "1 addition", run),),
-        reference=again,
+        reference=fail,
         reference_label="arithmetic",
         metrics=(Metric("gap", "Gap", "px", lambda r, ref, _w: abs(r - ref)),),
         default_tier="only",
     )
 
 
-def test_the_time_is_the_median_and_the_spread_its_quartiles() -> None:
+def test_time_is_the_median_and_spread_the_quartiles() -> None:
     """Call 1 warms up and call 2 sizes the sample: the five samples are calls 3 to 7."""
     seconds = (0.010, 0.010, 0.010, 0.020, 0.030, 0.040, 0.050)
-    result = WoundClock().measure(*seconds, budget_s=0.0)
+    result = ManualClock().measure(*seconds, budget_s=0.0)
     assert result.milliseconds == pytest.approx(30.0)
     assert (result.low_ms, result.high_ms) == pytest.approx((20.0, 40.0))
     assert (result.repeats, result.errors) == (5, {"gap": 2.0})
@@ -69,19 +69,19 @@ def test_the_time_is_the_median_and_the_spread_its_quartiles() -> None:
         (0.0, {"at_most": 6}, {6}),  # a clock that never moves
     ],
 )
-def test_sampling_ends_when_the_budget_is_spent_or_its_limit_reached(
+def test_sampling_ends_when_budget_or_limit_is_reached(
     run_s: float, options: dict[str, Any], repeats: set[int]
 ) -> None:
-    assert WoundClock().measure(run_s, **options).repeats in repeats
+    assert ManualClock().measure(run_s, **options).repeats in repeats
 
 
-def test_a_coarse_clock_measures_a_quick_tier_right() -> None:
-    result = WoundClock(tick=1e-4).measure(7e-6, budget_s=0.2)
+def test_coarse_clock_measures_a_quick_tier_correctly() -> None:
+    result = ManualClock(tick=1e-4).measure(7e-6, budget_s=0.2)
     assert result.milliseconds == pytest.approx(0.007, rel=0.03)
 
 
 @given(st.lists(st.tuples(*[st.integers(0, 9).map(float)] * 2), min_size=1, max_size=12))
-def test_whatever_is_off_the_front_is_beaten_by_something_on_it(
+def test_point_off_the_pareto_front_is_dominated_by_one_on_it(
     points: list[tuple[float, float]],
 ) -> None:
     front = pareto_front(points)
@@ -99,6 +99,6 @@ def test_whatever_is_off_the_front_is_beaten_by_something_on_it(
         (lambda toy: replace(toy, default_tier="none"), "default 'none'"),
     ],
 )
-def test_a_ladder_that_contradicts_itself_is_refused(make: Any, message: str) -> None:
+def test_ladder_that_contradicts_itself_is_refused(make: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make(ladder())

@@ -1,4 +1,4 @@
-"""Photographs of the reader: what a scene reads in them, and the results that follow."""
+"""The reader's photographs: a scene's readings of them, and the results that follow."""
 
 import io
 import json
@@ -72,7 +72,7 @@ def scene_of(**changed: Any) -> Scene[Any]:
 
 @pytest.fixture(autouse=True)
 def use(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., None]]:
-    """Have the worker find another scene than the whole one."""
+    """Let the worker load a scene with these parts; the complete one at first."""
 
     def chosen(**parts: Any) -> None:
         monkeypatch.setattr(browser, "load_scene", lambda _id: scene_of(**parts))
@@ -91,7 +91,7 @@ def picture(level: int, file: bytes = b"") -> SimpleNamespace:
     )  # fmt: skip
 
 
-def test_a_photograph_is_read_with_the_facts_of_its_file() -> None:
+def test_reading_uses_the_facts_of_the_file() -> None:
     exif, file = Image.Exif(), io.BytesIO()
     exif[0x0110] = "Model"
     Image.new("RGB", (2, 1)).save(file, "JPEG", exif=exif)
@@ -101,7 +101,7 @@ def test_a_photograph_is_read_with_the_facts_of_its_file() -> None:
     assert unfit == {"unfit": "All white; photograph with less light."}
 
 
-def test_a_raw_file_brings_its_facts_and_its_cells(use: Callable[..., None]) -> None:
+def test_raw_file_is_read_with_its_facts_and_cells(use: Callable[..., None]) -> None:
     seen: list[Photograph] = []
 
     def look(photograph: Photograph) -> dict[str, Any]:
@@ -123,7 +123,7 @@ def test_a_raw_file_brings_its_facts_and_its_cells(use: Callable[..., None]) -> 
     assert photograph.mosaic.black == (1, 2, 3, 4)
 
 
-def test_a_sample_is_a_file_with_the_codes_of_the_scene() -> None:
+def test_sample_file_has_the_codes_of_the_scene() -> None:
     with Image.open(io.BytesIO(browser.sample("s", "grey.png"))) as file:
         np.testing.assert_array_equal(file.convert("RGB"), [[[7] * 3, [9] * 3]])
 
@@ -143,7 +143,7 @@ def test_readings_replace_the_books_pictures_in_all_results() -> None:
         browser.export(*REQUEST, "yaml")
 
 
-def test_a_scene_without_the_function_says_so(use: Callable[..., None]) -> None:
+def test_scene_without_the_function_is_refused(use: Callable[..., None]) -> None:
     use(stages=STAGES)
     with pytest.raises(TypeError, match="reads no photographs"):
         browser.read("s", picture(40))
@@ -164,6 +164,6 @@ def test_a_scene_without_the_function_says_so(use: Callable[..., None]) -> None:
         (lambda: Whole(121.0), "legal: above 0, at most 120"),
     ],
 )
-def test_a_scene_of_photographs_that_contradicts_itself_is_refused(make: Any, message: str) -> None:
+def test_scene_of_photographs_that_contradicts_itself_is_refused(make: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make()

@@ -1,4 +1,4 @@
-"""Scenes: their contract, their registry, and the functions that the browser's worker calls."""
+"""Scenes: consistency, tiers and drafts, the registry, and calls of the browser's worker."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -42,8 +42,8 @@ class Driving:
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    told = outputs.get("told", "nothing")
-    return Frame((Panel("a", "A", 400, 300),), (), f"Size {settings.size:g}, {told}.")
+    summary = outputs.get("summary", "nothing")
+    return Frame((Panel("a", "A", 400, 300),), (), f"Size {settings.size:g}, {summary}.")
 
 
 def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Readout]:
@@ -51,8 +51,8 @@ def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Reado
         yield Readout("error", f"{tier}, {rays} rays", f"{settings.size:g}", "px")
 
 
-STAGES = (Stage("told", lambda size, tier: f"{tier} of {size:g}"),)
-DOUBLE = (Stage("told", lambda size, tier, double: f"{tier}: {size:g}, twice {double:g}"),)
+STAGES = (Stage("summary", lambda size, tier: f"{tier} of {size:g}"),)
+DOUBLE = (Stage("summary", lambda size, tier, double: f"{tier}: {size:g}, twice {double:g}"),)
 
 
 def scene_of(**changed: Any) -> Scene[Any]:
@@ -61,7 +61,7 @@ def scene_of(**changed: Any) -> Scene[Any]:
 
 @pytest.fixture
 def use(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Scene[Any]]:
-    """Have the worker find a scene of these parts."""
+    """Let the worker load a scene with these parts."""
 
     def chosen(**parts: Any) -> Scene[Any]:
         scene = scene_of(**parts)
@@ -74,7 +74,7 @@ def use(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Scene[Any]]:
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"stages": (*STAGES, *STAGES)}, "two stages named 'told'; legal: a name for each"),
+        ({"stages": (*STAGES, *STAGES)}, "two stages named 'summary'; legal: a name for each"),
         ({"tiers": ("fast", "exact")}, "tier"),
         ({"tiers": ("fast",), "default_tier": "fast", "draft_tier": "slow"}, "tier 'slow'"),
         ({"default_tier": "fast"}, "tier 'fast'"),
@@ -89,12 +89,12 @@ def use(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Scene[Any]]:
         ({"settings": Setting}, "'least' sets nothing; legal: a button in `sets`"),
     ],
 )
-def test_a_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], message: str) -> None:
+def test_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         scene_of(**changed)
 
 
-def test_a_drag_is_drawn_by_the_default_or_a_draft() -> None:
+def test_drag_is_drawn_by_the_default_tier_or_a_draft() -> None:
     assert scene_of(tiers=("fast",), default_tier="fast", ladder="shading").draft_tier == "fast"
     tiers = ("coarse", "fine", "finest")
     words = {tier: tier for tier in tiers}
@@ -107,7 +107,7 @@ def test_a_drag_is_drawn_by_the_default_or_a_draft() -> None:
 
 
 @pytest.mark.parametrize(
-    ("stages", "parameters", "tier", "said"),
+    ("stages", "parameters", "tier", "description"),
     [
         (STAGES, None, "coarse", "Size 2, coarse of 2."),
         (STAGES, None, "", "Size 2, fine of 2."),
@@ -118,16 +118,18 @@ def test_a_drag_is_drawn_by_the_default_or_a_draft() -> None:
     ],
 )
 def test_stages_read_settings_tier_and_parameters(
-    stages: Any, parameters: Any, tier: str, said: str
+    stages: Any, parameters: Any, tier: str, description: str
 ) -> None:
-    """Where there is nothing to compute, no stage runs and none is reported."""
+    """Without parameters no stage runs and none is reported."""
     given = {"parameters": parameters} if parameters else {}
     frame = scene_of(**SHADED, stages=stages, **given).render(Settings(2), tier, StageCache())
-    assert frame.description == said
-    assert [report.name for report in frame.stages] == ([] if "nothing" in said else ["told"])
+    assert frame.description == description
+    assert [report.name for report in frame.stages] == (
+        [] if "nothing" in description else ["summary"]
+    )
 
 
-def test_estimates_of_the_error_begin_anew_with_other_settings(
+def test_error_estimates_restart_with_other_settings(
     use: Callable[..., Scene[Any]],
 ) -> None:
     use(estimate=estimate)
@@ -143,7 +145,7 @@ def test_estimates_of_the_error_begin_anew_with_other_settings(
     assert browser.error("figure-5", "s", "{}", "") == "null"
 
 
-def test_a_forgotten_figure_loses_only_its_cache(
+def test_forgotten_figure_loses_only_its_cache(
     use: Callable[..., Scene[Any]],
 ) -> None:
     use(**SHADED, stages=STAGES)
@@ -176,7 +178,7 @@ def test_scenes_and_ladders_load_under_their_ids(
         (scene_of(), "has the id 's'; legal: 'camera'"),
     ],
 )
-def test_a_module_without_a_scene_of_its_name_is_refused(
+def test_module_without_a_scene_of_its_name_is_refused(
     monkeypatch: pytest.MonkeyPatch, value: object, message: str
 ) -> None:
     monkeypatch.setattr(import_module(SCENE_MODULES["camera"]), "SCENE", value)

@@ -1,5 +1,5 @@
-"""Settings: a dataclass whose fields state the controls of a scene; values from authors are
-checked, those of readers brought into range, and lists of points written as text."""
+"""Settings: a dataclass whose fields declare the controls of a scene; authors' values are checked,
+readers' values clamped, and lists of points written as text."""
 
 from dataclasses import dataclass
 
@@ -47,7 +47,7 @@ def stepped(low: float, high: float, step: float, default: float = 0.0) -> Slide
     return Slider(name="x", label="x", default=default, minimum=low, maximum=high, step=step)
 
 
-def test_each_field_states_a_control_of_its_name() -> None:
+def test_each_field_declares_a_control_of_its_name() -> None:
     assert (
         Slider(
             name="depth", label="Depth", default=5.0, minimum=0.5, maximum=20, step=0.25, unit="m"
@@ -68,7 +68,7 @@ def test_each_field_states_a_control_of_its_name() -> None:
         (float("-inf"), 0.0), (0.25, 0.25), (0.75, 0.75),
     ],
 )  # fmt: skip
-def test_a_slider_reaches_whole_steps_from_its_minimum(number: float, nearest: float) -> None:
+def test_slider_reaches_whole_steps_from_its_minimum(number: float, nearest: float) -> None:
     uneven = stepped(0, 0.9, 0.25)
     assert uneven.nearest(number) == nearest
     assert uneven.reaches(nearest)
@@ -76,12 +76,12 @@ def test_a_slider_reaches_whole_steps_from_its_minimum(number: float, nearest: f
 
 
 @pytest.mark.parametrize(("step", "decimals"), [(1, 0), (0.5, 1), (0.25, 2), (0.01, 2), (10, 0)])
-def test_decimals_are_those_that_the_step_can_change(step: float, decimals: int) -> None:
+def test_decimals_follow_from_the_step(step: float, decimals: int) -> None:
     assert stepped(0, 100, step).decimals == decimals
     assert str(stepped(-1, 1, 0.5).clamp(-0.0)) == str(stepped(-1, 1, 0.5).check("-0")) == "0.0"
 
 
-def test_missing_values_take_defaults_and_texts_are_read_by_type() -> None:
+def test_missing_values_take_defaults_and_texts_are_parsed_by_type() -> None:
     assert check_settings(Settings, {}) == Settings()
     assert values_of(Settings())["play"] == 0
     texts = {"depth": "2.5", "column": "7", "kind": "affine", "show": "false", "play": "1"}
@@ -113,7 +113,7 @@ def test_missing_values_take_defaults_and_texts_are_read_by_type() -> None:
         ),
     ],
 )  # fmt: skip
-def test_an_authors_illegal_value_is_named_with_the_legal_ones(
+def test_authors_illegal_value_is_refused_with_the_legal_ones(
     name: str, raw: object, reason: str
 ) -> None:
     with pytest.raises(ControlError) as raised:
@@ -122,7 +122,7 @@ def test_an_authors_illegal_value_is_named_with_the_legal_ones(
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
-def test_a_readers_value_is_brought_into_range(number: float) -> None:
+def test_readers_value_is_clamped(number: float) -> None:
     depth = clamp_settings(Settings, {"depth": number}).depth
     assert 0.5 <= depth <= 20
     if 0.5 <= number <= 20:
@@ -133,7 +133,7 @@ def test_a_readers_value_is_brought_into_range(number: float) -> None:
             clamp_settings(Settings, nonsense)
 
 
-def test_points_are_read_as_they_are_written_and_written_inside_the_picture() -> None:
+def test_points_round_trip_through_text_and_are_clamped() -> None:
     text = "corner_3;0.1,0.2_0.5,1;;0,0.33333"
     found = PointLists.from_text(text)
     assert found == PointLists("corner", 3, (((0.1, 0.2), (0.5, 1.0)), (), ((0.0, 0.33333),)))
@@ -186,6 +186,6 @@ class Pointless:
         (lambda: controls_of(Pointless), "legal: 1 lists"),
     ],
 )
-def test_a_control_that_contradicts_itself_is_refused(make: object, message: str) -> None:
+def test_control_that_contradicts_itself_is_refused(make: object, message: str) -> None:
     with pytest.raises((ControlError, TypeError), match=message):
         make()  # type: ignore[operator]

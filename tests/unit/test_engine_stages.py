@@ -1,4 +1,4 @@
-"""Stages: computed when what they read has changed, else reused; skipped where they are neutral."""
+"""Stages: computed when an input has changed, otherwise reused; skipped where they are neutral."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -48,11 +48,11 @@ NOISE = (
         lambda sigma: "" if sigma else "no noise",
     ),
 )
-"""Grain that two stages may take, and a stage that can do without those before it."""
+"""A stage whose result two others may use, and a stage that may bypass earlier ones."""
 
 
 @pytest.fixture(autouse=True)
-def _count_anew() -> None:
+def _reset_counts() -> None:
     CALLS.clear()
 
 
@@ -64,7 +64,7 @@ def statuses(cache: StageCache, **given: float) -> list[str]:
     return [report.status for report in run(GAIN, values(**given), cache).reports]
 
 
-def test_only_what_follows_a_change_is_computed() -> None:
+def test_only_stages_after_a_change_are_computed() -> None:
     cache = StageCache()
     assert run(GAIN, values(), cache).outputs["sum"] == 6.0
     assert statuses(cache) == ["reused"] * 3
@@ -72,7 +72,7 @@ def test_only_what_follows_a_change_is_computed() -> None:
     assert statuses(cache, factor=5) == ["reused", "computed", "computed"]
 
 
-def test_a_neutral_stage_passes_on_the_same_object_and_says_why() -> None:
+def test_neutral_stage_passes_its_input_on_and_reports_why() -> None:
     done = run(GAIN, values(factor=1), StageCache())
     assert done.outputs["gain"] is done.outputs["source"]
     assert CALLS["gain"] == 0
@@ -80,19 +80,19 @@ def test_a_neutral_stage_passes_on_the_same_object_and_says_why() -> None:
 
 
 @given(st.lists(st.tuples(st.integers(1, 4), st.integers(1, 4)), max_size=12))
-def test_the_cache_changes_no_output_and_keeps_its_depth(
-    asked: list[tuple[int, int]],
+def test_cache_changes_no_output_and_keeps_its_depth(
+    requested: list[tuple[int, int]],
 ) -> None:
     cache = StageCache(depth=2)
-    for size, factor in asked:
+    for size, factor in requested:
         given_values = values(size=size, factor=factor)
         warm, cold = (run(GAIN, given_values, c).outputs for c in (cache, StageCache()))
         assert warm == cold
     assert all(len(kept) <= 2 for kept in cache.entries.values())
 
 
-def test_what_was_asked_for_last_is_kept_longest() -> None:
-    """A B A C A computes A once: the setting that a reader keeps coming back to."""
+def test_cache_evicts_the_least_recently_used_result() -> None:
+    """A B A C A computes A once."""
     cache = StageCache(depth=2)
     for factor in (2, 3, 2, 4, 2):
         run(GAIN, values(factor=factor), cache)
@@ -110,7 +110,7 @@ def test_what_was_asked_for_last_is_kept_longest() -> None:
         (2.0, 3.0, ("rays", "lens", "grain", "noise"), 3.5),
     ],
 )
-def test_what_nothing_takes_is_not_computed(
+def test_stage_whose_output_is_unused_is_not_computed(
     sigma: float, lens_rays: float, made: tuple[str, ...], result: float
 ) -> None:
     done = run(NOISE, values(sigma=sigma, lens_rays=lens_rays), StageCache())
@@ -123,7 +123,7 @@ def test_what_nothing_takes_is_not_computed(
     assert idle == {s.name: own.get(s.name, unneeded) for s in NOISE if s.name not in made}
 
 
-def spelt(reason: str | Sequence[Message]) -> str:
+def written_out(reason: str | Sequence[Message]) -> str:
     """``reads a, b; unneeded``"""
     assert not isinstance(reason, str)
     parts = (
@@ -132,8 +132,8 @@ def spelt(reason: str | Sequence[Message]) -> str:
     return "; ".join(" ".join(filter(None, part)) for part in parts)
 
 
-def test_a_report_names_what_a_stage_depends_on_or_what_changed() -> None:
-    """Against the most similar result that is kept, so that only the moved control is named."""
+def test_report_names_dependencies_or_changes_of_a_stage() -> None:
+    """Compared with the most similar cached result, so that only the moved control is named."""
     cache = StageCache()
     rows: list[tuple[dict[str, float], str]] = [
         ({}, "reads size / reads factor; follows source / follows gain"),
@@ -143,22 +143,25 @@ def test_a_report_names_what_a_stage_depends_on_or_what_changed() -> None:
     ]
     for given_values, expected in rows:
         reports = run(GAIN, values(**given_values), cache).reports
-        assert " / ".join(spelt(report.reason) for report in reports) == expected
+        assert " / ".join(written_out(report.reason) for report in reports) == expected
     cache = StageCache()
     for factor, size in ((5, 3), (7, 90), (6, 3)):
         reports = run(GAIN, values(factor=factor, size=size), cache).reports
-    assert spelt(reports[1].reason) == "changed factor"
+    assert written_out(reports[1].reason) == "changed factor"
 
 
-def test_a_stage_may_read_less_than_before_under_its_name() -> None:
-    """A tier may compute the same thing from other parameters."""
+def test_stage_of_the_same_name_may_read_fewer_parameters() -> None:
+    """A tier may compute the same output from other parameters."""
     cache = StageCache()
     run((Stage("source", lambda size, factor: size * factor),), values(), cache)
     stage = Stage("source", lambda size, factor=10: size * factor)
     done = run((stage,), values(), cache)
     assert stage.reads == ("size",)
     assert done.outputs["source"] == 30.0
-    assert (done.reports[0].status, spelt(done.reports[0].reason)) == ("computed", "reads size")
+    assert (done.reports[0].status, written_out(done.reports[0].reason)) == (
+        "computed",
+        "reads size",
+    )
 
 
 FIRST = Stage("first", lambda: 1)
@@ -184,6 +187,6 @@ CARELESS: Any = lambda: False  # noqa: E731
         ),
     ],
 )
-def test_a_stage_that_contradicts_itself_is_refused(stage: Any, message: str) -> None:
+def test_stage_that_contradicts_itself_is_refused(stage: Any, message: str) -> None:
     with pytest.raises((KeyError, TypeError, ValueError), match=message):
         run((FIRST, stage()), values(), StageCache())

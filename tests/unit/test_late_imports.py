@@ -1,4 +1,4 @@
-"""Parts of a library that are fetched when something in them is first imported."""
+"""Parts of a library that are fetched when one of their modules is first imported."""
 
 import json
 import sys
@@ -18,18 +18,18 @@ CONTENT = {
 }
 
 
-class Shelf:
-    """Where parts are fetched from."""
+class Store:
+    """The store from which parts are fetched."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.fetched: set[str] = set()
-        self.out_of_reach = False
+        self.offline = False
 
     def fetch(self, part: str) -> None:
-        if self.out_of_reach:
+        if self.offline:
             raise OSError("404")
-        with suppress(ModuleNotFoundError):  # an option of whatever unpacks, in that very part
+        with suppress(ModuleNotFoundError):  # unpacking may itself import from this part
             import_module(MODULES[part][-1])
         self.fetched.add(part)
         for name, text in CONTENT[part].items():
@@ -38,17 +38,17 @@ class Shelf:
 
 
 @pytest.fixture
-def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Shelf]:
-    """A package of which one module lies elsewhere than the rest will, and the finder in place."""
+def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Store]:
+    """The store, the installed finder, and a package with one module outside the fetched part."""
     elsewhere, folder = tmp_path / "lean", tmp_path / "site"
     folder.mkdir()
     (elsewhere / "near_tools").mkdir(parents=True)
     (elsewhere / "near_tools" / "__init__.py").write_text("")
     monkeypatch.setattr(sys, "path", [str(elsewhere), str(folder), *sys.path])
     monkeypatch.setattr(sys, "meta_path", list(sys.meta_path))
-    shelf = Shelf(folder)
-    fetch_missing(json.dumps(MODULES), shelf.fetch, str(folder))
-    yield shelf
+    store = Store(folder)
+    fetch_missing(json.dumps(MODULES), store.fetch, str(folder))
+    yield store
     for name in [name for name in sys.modules if name.split(".")[0].endswith("_tools")]:
         del sys.modules[name]
 
@@ -61,24 +61,24 @@ def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Shelf]:
         ("near_tools", "__name__", set()),
     ],
 )
-def test_a_module_of_a_part_is_fetched_when_it_is_imported(
-    shelf: Shelf, name: str, attribute: str, fetched: set[str]
+def test_part_is_fetched_when_its_module_is_imported(
+    store: Store, name: str, attribute: str, fetched: set[str]
 ) -> None:
-    assert shelf.fetched == set()
+    assert store.fetched == set()
     assert getattr(import_module(name), attribute) in (42, 3, "near_tools")
-    assert shelf.fetched == fetched
+    assert store.fetched == fetched
 
 
 @pytest.mark.parametrize("name", ["no_such_tools", "far_tools.hammer"])
-def test_what_is_in_no_part_stays_missing(shelf: Shelf, name: str) -> None:
+def test_module_in_no_part_stays_missing(store: Store, name: str) -> None:
     with pytest.raises(ModuleNotFoundError, match=name):
         import_module(name)
-    assert "near-rest" not in shelf.fetched
+    assert "near-rest" not in store.fetched
 
 
-def test_a_part_out_of_reach_is_named_and_can_be_tried_again(shelf: Shelf) -> None:
-    shelf.out_of_reach = True
+def test_unreachable_part_is_named_and_can_be_retried(store: Store) -> None:
+    store.offline = True
     with pytest.raises(ImportError, match=r"tools-far: 404"):
         import_module("far_tools")
-    shelf.out_of_reach = False
+    store.offline = False
     assert import_module("far_tools.saw").TEETH == 42

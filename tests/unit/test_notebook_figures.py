@@ -1,4 +1,4 @@
-"""Figures in notebooks: widgets that move a scene, and a picture with all of its frame."""
+"""Figures in notebooks: widgets that change a scene, and pictures of its frame."""
 
 import io
 import wave
@@ -65,7 +65,7 @@ def demo(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Callable[..., Figur
     return lambda **values: figure("demo", **values)
 
 
-def test_a_widget_moves_the_figure(demo: Callable[..., Figure]) -> None:
+def test_widgets_change_the_figure(demo: Callable[..., Figure]) -> None:
     shown = demo(size=3)
     widgets = shown.widgets
     assert [*widgets] == ["size", "kind", "on", "again", "least", "step", "play"]
@@ -82,7 +82,7 @@ def test_a_widget_moves_the_figure(demo: Callable[..., Figure]) -> None:
     assert shown.frame.description == "1 b True 2"
 
 
-def test_a_picture_has_the_pixels_and_the_drawings_of_its_frame(
+def test_pictures_have_the_pixels_and_drawings_of_the_frame(
     demo: Callable[..., Figure],
 ) -> None:
     shown = demo(size=4)
@@ -94,7 +94,7 @@ def test_a_picture_has_the_pixels_and_the_drawings_of_its_frame(
     assert len([*plan.iter(f"{SVG}line")]) == 1
 
 
-def test_the_sound_of_a_frame_can_be_played(demo: Callable[..., Figure]) -> None:
+def test_sound_of_a_frame_can_be_played(demo: Callable[..., Figure]) -> None:
     shown = demo()
     shown.widgets["size"].value = 3
     with wave.open(io.BytesIO(shown.player.value)) as heard:
@@ -102,7 +102,7 @@ def test_the_sound_of_a_frame_can_be_played(demo: Callable[..., Figure]) -> None
         assert np.frombuffer(heard.readframes(9), "<i2").tolist() == [-16383] * 3
 
 
-def test_buttons_step_to_the_next_whole_number_and_sweep_to_the_end(
+def test_buttons_step_and_sweep_a_slider(
     demo: Callable[..., Figure],
 ) -> None:
     widgets = demo().widgets

@@ -1,4 +1,4 @@
-"""Scripts of the page in Node: what it does with raw files, and numbers as readers type them."""
+"""Scripts of the page, run in Node: raw files, tables and typed numbers."""
 
 import json
 from pathlib import Path
@@ -79,7 +79,7 @@ FILES = {
     "a.png": "\x89PNG\r\n",
     "empty": "",
 }
-READ: dict[str, float | None] = {
+TYPED: dict[str, float | None] = {
     "2.5": 2.5,
     "2,5": 2.5,
     "0,125": 0.125,
@@ -109,11 +109,11 @@ READ: dict[str, float | None] = {
     "3 px": None,
     "": None,
 }
-"""In a book whose decimal sign is a point; nothing for what is no number."""
+"""Values in a book whose decimal sign is a point; None where the text is no number."""
 
 
-def said_by(folder: Path, program: str, book: Path, *modules: str) -> Any:
-    """What a program that imports these modules of a book's page prints as JSON."""
+def output_of(folder: Path, program: str, book: Path, *modules: str) -> Any:
+    """The JSON printed by a program that imports these modules of a book's page."""
     write_scripts(book, folder, modules)
     file = folder / "program.mjs"
     file.write_text(program, encoding="utf-8")
@@ -123,41 +123,41 @@ def said_by(folder: Path, program: str, book: Path, *modules: str) -> Any:
 
 
 @pytest.fixture(scope="module")
-def said(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+def output(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     program = f"const FILES = {json.dumps(FILES)};\n{PROGRAM}"
     modules = (f"raw/{name}" for name in ("is_raw", "cells", "unshared", "without_eval"))
-    told: dict[str, Any] = said_by(tmp_path_factory.mktemp("raw"), program, ROOT, *modules)
-    return told
+    printed: dict[str, Any] = output_of(tmp_path_factory.mktemp("raw"), program, ROOT, *modules)
+    return printed
 
 
-def test_raw_files_are_told_by_their_content(said: dict[str, Any]) -> None:
-    assert {name for name, is_raw in said["raw"].items() if is_raw} == {*list(FILES)[:6]}
+def test_raw_files_are_recognised_by_their_content(output: dict[str, Any]) -> None:
+    assert {name for name, is_raw in output["raw"].items() if is_raw} == {*list(FILES)[:6]}
 
 
-def test_a_program_for_threads_gets_a_memory_of_its_own(said: dict[str, Any]) -> None:
-    assert not said["isShared"]
-    assert said["pages"] == 1
+def test_threaded_program_gets_an_unshared_memory(output: dict[str, Any]) -> None:
+    assert not output["isShared"]
+    assert output["pages"] == 1
 
 
-def test_only_quads_of_two_by_two_cells_are_a_bayer_mosaic(said: dict[str, Any]) -> None:
-    assert said["bayer"] == [True, True, False, False, False]
+def test_only_quads_of_two_by_two_cells_are_a_bayer_mosaic(output: dict[str, Any]) -> None:
+    assert output["bayer"] == [True, True, False, False, False]
 
 
-def test_black_is_what_was_subtracted_and_margins_are_cut_off(said: dict[str, Any]) -> None:
-    mosaic = said["mosaic"]
+def test_mosaic_has_its_black_levels_and_no_margins(output: dict[str, Any]) -> None:
+    mosaic = output["mosaic"]
     assert (mosaic["width"], mosaic["height"]) == (4, 2), "as the sensor lies"
     assert mosaic["codes"] == [11, 22, 12, 24, 33, 44, 35, 47]
     assert mosaic["about"] == {"colours": "BGGR", "black": [7, 21, 32, 41], "white": 99}
 
 
-def test_a_last_row_of_one_code_was_not_in_the_file_unless_it_is_white(
-    said: dict[str, Any],
+def test_uniform_last_row_is_cut_off_unless_it_is_white(
+    output: dict[str, Any],
 ) -> None:
-    assert said["cutOff"] == [False, True, True, False, True]
+    assert output["cutOff"] == [False, True, True, False, True]
 
 
-def test_functions_of_the_bindings_are_made_without_evaluating_text(said: dict[str, Any]) -> None:
-    assert said["sum"] == 2 * (100 + 10 + 1)
+def test_functions_of_the_bindings_are_made_without_eval(output: dict[str, Any]) -> None:
+    assert output["sum"] == 2 * (100 + 10 + 1)
 
 
 CELLS = {
@@ -173,28 +173,28 @@ CELLS = {
     'say "x"': '"say ""x"""',
     "": "",
 }
-"""Fields of a table by the texts in them."""
+"""Texts and their CSV fields."""
 
 
-def test_no_text_in_a_table_is_a_formula_and_numbers_stay_numbers(tmp_path: Path) -> None:
+def test_text_in_a_csv_is_no_formula_and_numbers_stay_numbers(tmp_path: Path) -> None:
     program = (
         'import { csv } from "./js/page/dom.js";\n'
         f"console.log(JSON.stringify({json.dumps(list(CELLS))}.map((one) => csv([[one]]))));\n"
     )
-    assert said_by(tmp_path, program, ROOT, "page/dom") == [f"{c}\r\n" for c in CELLS.values()]
+    assert output_of(tmp_path, program, ROOT, "page/dom") == [f"{c}\r\n" for c in CELLS.values()]
 
 
 @pytest.mark.parametrize(
-    ("book", "own"),
+    ("book", "exceptions"),
     [(ROOT, {}), (FIXTURES / "german-book", {"1,000": 1, "1.000": 1000})],
     ids=["point", "comma"],
 )
-def test_typed_numbers_are_read_with_either_decimal_sign_and_any_minus(
-    book: Path, own: dict[str, float], tmp_path: Path
+def test_typed_numbers_may_have_either_decimal_sign_and_any_minus(
+    book: Path, exceptions: dict[str, float], tmp_path: Path
 ) -> None:
     program = (
         'import { numberTyped } from "./js/page/words.js";\n'
-        f"console.log(JSON.stringify({json.dumps(list(READ))}.map(numberTyped)));\n"
+        f"console.log(JSON.stringify({json.dumps(list(TYPED))}.map(numberTyped)));\n"
     )
-    found = said_by(tmp_path, program, book, "page/words")
-    assert dict(zip(READ, found, strict=True)) == {**READ, **own}
+    found = output_of(tmp_path, program, book, "page/words")
+    assert dict(zip(TYPED, found, strict=True)) == {**TYPED, **exceptions}

@@ -1,4 +1,4 @@
-"""Space on a panel: the view is a camera's, and near things hide far ones."""
+"""Space on a panel: the orbiting camera, hidden lines, and shading."""
 
 import math
 import re
@@ -20,7 +20,7 @@ NAN = math.nan
 
 
 @given(ANGLES, st.booleans())
-def test_an_orbit_is_that_of_a_camera_that_looks_at_the_origin(
+def test_orbit_axes_belong_to_a_camera_that_looks_at_the_origin(
     angles: tuple[float, float], z_down: bool
 ) -> None:
     turn, rise = np.radians(angles)
@@ -36,12 +36,12 @@ def test_an_orbit_is_that_of_a_camera_that_looks_at_the_origin(
 
 
 @pytest.mark.parametrize("direction", [(0, 0, 1), (0, 0, 0), (NAN, 0, 0)])
-def test_a_direction_without_an_upright_is_refused(direction: tuple[float, float, float]) -> None:
+def test_direction_without_an_upright_is_refused(direction: tuple[float, float, float]) -> None:
     with pytest.raises(ValueError, match="legal"):
         axes_towards(direction)
 
 
-def test_parallels_stay_parallel_and_sizes_fall_with_distance() -> None:
+def test_orbit_keeps_parallels_and_perspective_shrinks_with_distance() -> None:
     ends = orbit(40, 20, unit=80).all([[(0, 0, 0), (1, 0, 0)], [(0, 2, 1), (1, 2, 1)]])
     np.testing.assert_allclose(ends[0, 1] - ends[0, 0], ends[1, 1] - ends[1, 0])
     view = orbit(0, 0, unit=10, distance=5)  # the eye on the x axis, at 5
@@ -53,13 +53,13 @@ def test_parallels_stay_parallel_and_sizes_fall_with_distance() -> None:
 
 
 @pytest.mark.parametrize(("azimuth", "nearer"), [(0, "ray"), (180, "image")])
-def test_the_nearer_of_two_faces_is_drawn_last(azimuth: float, nearer: str) -> None:
+def test_nearer_of_two_faces_is_drawn_last(azimuth: float, nearer: str) -> None:
     solids = [Face(SQUARE + AHEAD, "ray"), Face(SQUARE - AHEAD, "image")]
     markup = drawn(solids, orbit(azimuth, 0, unit=10))
     assert re.findall(r'class="(ray|image) thin', markup)[-1] == nearer
 
 
-def test_a_wire_is_hidden_behind_a_face() -> None:
+def test_wire_is_hidden_behind_a_face() -> None:
     wire = Wire(np.linspace([-2.0, 0, 0], [2, 0, 0], 9), "ray")
     markup = drawn([wire, Face(SQUARE, "image")], orbit(30, 10, unit=10))
     assert markup.index("<path") < markup.index("<polygon") < markup.rindex("<path")
@@ -69,7 +69,7 @@ def test_a_wire_is_hidden_behind_a_face() -> None:
 
 
 @pytest.mark.parametrize(("light", "washes"), [((1, 0, 0), 1), ((0, 0, 1), 3), ((-1, 0, 0), 4)])
-def test_a_face_is_the_darker_the_more_it_looks_away_from_the_light(
+def test_face_is_darker_the_more_it_turns_from_the_light(
     light: tuple[float, float, float], washes: int
 ) -> None:
     view = orbit(0, 0)
@@ -84,7 +84,7 @@ def test_a_face_is_the_darker_the_more_it_looks_away_from_the_light(
         ([-1, -1, NAN, -1, -1], True, [[0, 1], [3, 4]]),
     ],
 )
-def test_a_curve_is_cut_where_it_passes_behind_or_has_no_place(
+def test_curve_is_cut_where_it_passes_behind_or_has_no_place(
     z: list[float], front: bool, expected: Any
 ) -> None:
     x = np.where(np.isnan(z), NAN, np.arange(len(z)))

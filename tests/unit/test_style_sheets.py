@@ -1,4 +1,4 @@
-"""Style sheets: text readable in both themes, every class drawn, nothing from other origins."""
+"""Style sheets: readable contrasts in both themes, and no unused sheet or undefined property."""
 
 import re
 from itertools import combinations, product
@@ -21,7 +21,7 @@ READABLE = [
     ("on-accent", "accent", 4.5),
     *product(["rule-strong"], GROUNDS, [3.0]),  # WCAG 2.2, 1.4.11: outlines of controls
 ]
-"""A colour, what it stands on, and the least contrast."""
+"""A colour, its background, and the least contrast."""
 
 
 def token(name: str, theme: str) -> Rgb:
@@ -34,7 +34,7 @@ def token(name: str, theme: str) -> Rgb:
 
 
 def lightness_and_opponents(colour: Rgb) -> tuple[float, float, float]:
-    """Oklab (Ottosson 2020), in which equal distances look about equally different."""
+    """Oklab coordinates (Ottosson 2020), in which equal distances look equally different."""
     r, g, b = (v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in colour)
     long = (0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b) ** (1 / 3)
     middle = (0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b) ** (1 / 3)
@@ -47,15 +47,15 @@ def lightness_and_opponents(colour: Rgb) -> tuple[float, float, float]:
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_colours_stand_out_from_what_they_stand_on(theme: str) -> None:
+def test_colours_have_enough_contrast_to_their_background(theme: str) -> None:
     assert contrast((0.0, 0.0, 0.0), (1.0, 1.0, 1.0)) == pytest.approx(21)
     found = {(n, g): contrast(token(n, theme), token(g, theme)) - least for n, g, least in READABLE}
     assert {pair for pair, spare in found.items() if spare < 0} == set()
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_colours_of_ideas_are_told_apart(theme: str) -> None:
-    """0.02 is about what is just seen when side by side; labels are far apart and thin."""
+def test_colours_of_ideas_can_be_distinguished(theme: str) -> None:
+    """A difference of 0.02 is just visible side by side; labels are far apart and thin."""
     places = {name: lightness_and_opponents(token(name, theme)) for name in (*IDEAS, "accent")}
     for one, other in combinations(places, 2):
         apart = sum((a - b) ** 2 for a, b in zip(places[one], places[other], strict=True)) ** 0.5
