@@ -1,4 +1,4 @@
-"""The little book, and the command on it."""
+"""A little book, and the command line run on it."""
 
 from collections.abc import Callable
 
@@ -10,7 +10,7 @@ from support.little_book import make_book as make_book
 
 @pytest.fixture
 def run(make_book: MakeBook, monkeypatch: pytest.MonkeyPatch) -> Callable[..., int]:
-    """The command on a small book whose first chapter is ``body``; it shows no figure."""
+    """Run the command on a little book without figures whose first chapter is ``body``."""
     from site_builder.__main__ import main
 
     def command(*words: str, body: str = "Text.\n") -> int:

@@ -1,4 +1,4 @@
-"""Results and what follows from them: records, verdicts, defaults, numbers, charts and costs."""
+"""Benchmark results: records, verdicts, default tiers, formatted numbers, charts and costs."""
 
 import json
 import re
@@ -42,8 +42,8 @@ ROUNDED = {"fine": {"errors": {"rms": 2e-16}}, "exact": {"errors": {"rms": 1e-16
 VALUES = st.lists(st.floats(1e-15, 1e6), min_size=1, max_size=9)
 
 
-def measured(changes: Any, *metric: str) -> MeasuredLadder:
-    """The toy ladder, with some results changed."""
+def toy_with(changes: Any, *metric: str) -> MeasuredLadder:
+    """The toy_with toy ladder, with some results changed."""
     tiers = toy_data()["ladders"]["toy"]["tiers"]
     for tier, parts in changes.items():
         for part, numbers in parts.items():
@@ -51,7 +51,7 @@ def measured(changes: Any, *metric: str) -> MeasuredLadder:
     return toy_measurements(tiers=tiers).find("toy", *metric)
 
 
-def test_the_quietest_round_is_recorded() -> None:
+def test_fastest_round_is_recorded() -> None:
     rounds = [TierResult("only", ms, 0.9 * ms, 1.1 * ms, 7, {}) for ms in (3.0, 2.0, 9.0)]
     found = timing(rounds)
     assert found == {"ms": 2.0, "low": 1.8, "high": 2.2, "samples": 7}
@@ -66,11 +66,13 @@ def test_the_quietest_round_is_recorded() -> None:
         (-0.5, -0.5, True),
     ],
 )  # fmt: skip
-def test_errors_of_two_machines(one: float | None, other: float | None, alike: bool) -> None:
+def test_errors_of_two_machines_agree_up_to_rounding(
+    one: float | None, other: float | None, alike: bool
+) -> None:
     assert close(one, other) is close(other, one) is alike
 
 
-def test_recorded_errors() -> None:
+def test_recorded_errors_are_rounded_and_nan_is_refused() -> None:
     assert finite(float("inf")) is None
     assert finite(0.1234567) == 0.123457
     with pytest.raises(ValueError, match="NaN"):
@@ -86,7 +88,7 @@ def test_recorded_errors() -> None:
         (SLIDE_RULE, {"b": 9}, "ab", None),
     ],
 )
-def test_new_results_beside_old_ones(
+def test_new_results_are_merged_with_the_old_ones_of_the_same_machine(
     machine: Any, new: Any, known: str, ladders: Any, tmp_path: Path
 ) -> None:
     file = tmp_path / "measurements.json"
@@ -101,11 +103,11 @@ def test_new_results_beside_old_ones(
         assert [*merged["ladders"]] == [*ladders]
 
 
-def test_the_tier_that_beats_another() -> None:
-    toy = measured({})
+def test_beaten_tier_names_the_tier_that_beats_it() -> None:
+    toy = toy_with({})
     winners = [toy.beaten_by(item, "native") for item in toy.tiers]
     assert [winner and winner.tier.id for winner in winners] == [None, None, "fine", None]
-    rounded = measured(ROUNDED)
+    rounded = toy_with(ROUNDED)
     winner = rounded.beaten_by(rounded["exact"], "native")
     assert winner is not None
     assert winner.tier.id == "fine"
@@ -124,15 +126,15 @@ def test_the_tier_that_beats_another() -> None:
         ("waste", {"native": 2.1, "browser": 6.1}, "close behind the front"),
     ],
 )
-def test_verdicts(tier: str, changes: Any, words: str) -> None:
-    """*Fine* takes 2 ms natively and 6 ms in the browser; *waste* errs as much once it differs."""
+def test_verdict_compares_a_tier_with_the_front(tier: str, changes: Any, words: str) -> None:
+    """*Fine* takes 2 ms natively and 6 ms in the browser; with two changes *waste* errs as much."""
     same = {"errors": TIERS["fine"]["errors"]} if len(changes) == 2 else {}
-    toy = measured({tier: {**changes, **same}})
+    toy = toy_with({tier: {**changes, **same}})
     assert verdict(toy, toy[tier]) == words
 
 
-def test_another_metric_has_another_front() -> None:
-    toy = measured({"waste": {"errors": {"psnr": 55.0}}}, "psnr")
+def test_each_metric_has_its_own_front() -> None:
+    toy = toy_with({"waste": {"errors": {"psnr": 55.0}}}, "psnr")
     assert toy.beaten_by(toy["waste"], "native") is None
     assert [item.tier.id for item in toy.front("native")] == ["rough", "fine", "waste", "exact"]
 
@@ -149,29 +151,31 @@ FREE = {"fine": {"errors": {"rms": 0.0}}, "rough": {"browser": 7.0}}
         (ROUNDED, Neighbour("Rough", "0.25", "3.0\u00a0px"), None),
     ],
 )
-def test_a_default_and_its_neighbours(changes: Any, cheaper: object, dearer: object) -> None:
-    choice = default_choice(measured(changes))
+def test_default_tier_is_shown_with_its_neighbours_on_the_front(
+    changes: Any, cheaper: object, dearer: object
+) -> None:
+    choice = default_choice(toy_with(changes))
     assert (choice.label, choice.ms) == ("Fine", "6.0")
     assert (choice.cheaper, choice.dearer) == (cheaper, dearer)
 
 
-def test_a_default_off_the_front() -> None:
-    assert off_the_front(measured({"exact": {"browser": 5.0}})) == (
+def test_default_off_the_front_is_reported() -> None:
+    assert off_the_front(toy_with({"exact": {"browser": 5.0}})) == (
         "toy: the default 'fine' (6.0 ms, 0.020\u00a0px) is off the browser's front, "
         "which has 'exact' (5.0 ms, no error)"
     )
     equal = {"errors": TIERS["fine"]["errors"], "native": 2.0, "browser": 6.0}
-    assert off_the_front(measured({"waste": equal})) == ""
+    assert off_the_front(toy_with({"waste": equal})) == ""
 
 
-def test_costs_of_a_tier() -> None:
-    toy = replace(measured({}), ladder=replace(toy_ladder(), items=1000, item="point"))
+def test_costs_are_computed_per_item_and_per_frame() -> None:
+    toy = replace(toy_with({}), ladder=replace(toy_ladder(), items=1000, item="point"))
     assert nanoseconds_each(toy, toy["fine"]) == pytest.approx(6000)
     assert frame_percent(toy["fine"]) == pytest.approx(18)
 
 
 def test_half_the_noise_in_the_same_time_is_four_times_as_efficient() -> None:
-    toy = measured({"fine": {"errors": {"rms": 1.5}, "browser": 1.5}})
+    toy = toy_with({"fine": {"errors": {"rms": 1.5}, "browser": 1.5}})
     toy = replace(toy, ladder=replace(toy.ladder, sampled=("rough", "fine")))
     assert efficiency(toy, toy["fine"]) == pytest.approx(4)
     assert efficiency(toy, toy["exact"]) is None
@@ -189,7 +193,7 @@ def test_quantities_have_two_digits(value: float, text: str) -> None:
 
 
 @given(VALUES, st.lists(st.floats(-60.0, 120.0), min_size=1, max_size=9))
-def test_axes_hold_their_values_and_a_readable_number_of_ticks(
+def test_axes_contain_their_values_and_two_to_ten_ticks(
     values: Sequence[float], decibels: Sequence[float]
 ) -> None:
     time, error = log_axis(values, 50.0, 446.0), linear_axis(decibels, 50.0, 446.0)
@@ -203,7 +207,7 @@ def test_axes_hold_their_values_and_a_readable_number_of_ticks(
         assert len({label for _, label in axis.ticks()}) == len(ticks)
 
 
-def test_the_chart_joins_the_front_and_sets_apart_what_is_beaten_or_free_of_error() -> None:
+def test_chart_joins_the_front_and_sets_beaten_and_exact_tiers_apart() -> None:
     chart = pareto_chart(toy_measurements().find("toy"))
     lines = re.findall(r'<polyline class="image faint(?: dashed)?" points="([^"]*)"', chart.marks)
     assert [len(points.split()) for points in lines] == [3, 3]
@@ -213,7 +217,7 @@ def test_the_chart_joins_the_front_and_sets_apart_what_is_beaten_or_free_of_erro
 
 
 @pytest.mark.parametrize(
-    ("asked", "found"),
+    ("path", "found"),
     [
         ("start cold book_ms", (1234.5, "ms")),
         ("start cold ratio", (0.41, "")),
@@ -224,7 +228,9 @@ def test_the_chart_joins_the_front_and_sets_apart_what_is_beaten_or_free_of_erro
         ("start cold ratio more", "unknown cost 'more'"),
     ],
 )
-def test_costs_of_pages(asked: str, found: tuple[float, str] | str, tmp_path: Path) -> None:
+def test_cost_is_found_by_its_path_or_refused_with_a_suggestion(
+    path: str, found: tuple[float, str] | str, tmp_path: Path
+) -> None:
     with pytest.raises(MeasurementError, match="run `make bench`"):
         read_cost(tmp_path, "start")
     file = tmp_path / COSTS
@@ -233,9 +239,9 @@ def test_costs_of_pages(asked: str, found: tuple[float, str] | str, tmp_path: Pa
     file.write_text(json.dumps({"start": start, "machine": {"cores": 2}}), encoding="utf-8")
     if isinstance(found, str):
         with pytest.raises(MeasurementError, match=found):
-            read_cost(tmp_path, asked)
+            read_cost(tmp_path, path)
     else:
-        cost = read_cost(tmp_path, asked)
+        cost = read_cost(tmp_path, path)
         assert not isinstance(cost, str)
         assert (cost.value, cost.unit) == found
 
@@ -274,7 +280,7 @@ MOVE = {"to": 1, "ms": 1.0, "whole_ms": 2.0, "share": 0.5}
         ({"offset": 4}, "number", ("tens", "gained", "lifted"), 0, 0),
     ],
 )
-def test_stages_that_a_move_runs_again(
+def test_recorded_move_reruns_the_stages_that_depend_on_it(
     start: object, control: str, again: object, reused: int, skipped: int, tmp_path: Path
 ) -> None:
     (tmp_path / DATA).parent.mkdir()
@@ -296,7 +302,9 @@ def test_stages_that_a_move_runs_again(
         ({"demo": {"start": {}, "moves": {"zoom": MOVE}}}, "unknown parameter 'zoom'"),
     ],
 )
-def test_stale_costs_of_stages(make_book: MakeBook, content: object, message: str) -> None:
+def test_stale_costs_of_stages_are_refused(
+    make_book: MakeBook, content: object, message: str
+) -> None:
     options = make_book(files={str(DATA): None if content is None else json.dumps(content)})
     with pytest.raises(MeasurementError, match=f"(?s){message}.*bench.stage_costs"):
         read_stage_costs(options.root, options.load_scene("demo"))

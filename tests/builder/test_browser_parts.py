@@ -1,5 +1,5 @@
-"""Parts of the site that a book's readers may use: the code editor, the search, the decoder of raw
-files. Each is pinned, fetched once, and done without where it cannot be had."""
+"""Optional parts of the site: the code editor, the search, and readable sources of figures. Their
+packages are pinned, fetched once, and omitted with a warning where they are unavailable."""
 
 import json
 import os
@@ -44,7 +44,7 @@ from site_builder.search.index import (
 )
 
 
-def test_every_package_is_pinned_by_a_hash_and_no_lock_names_an_address() -> None:
+def test_every_package_is_pinned_by_hash_and_no_lock_names_an_address() -> None:
     for lock in (ENGINE / "site_builder").rglob("package-lock.json"):
         locked = json.loads(lock.read_text(encoding="utf-8"))["packages"]
         packages = [item for name, item in locked.items() if name]
@@ -57,7 +57,7 @@ LOCK = {"packages": {"": {}, "node_modules/a": {}, "node_modules/elsewhere": {"o
 
 @pytest.fixture
 def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], Path]:
-    """Installs a package of two files, without npm."""
+    """A function that installs a package of two files, without npm."""
     (tmp_path / "package-lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
 
     def install(_lock: Path, target: Path) -> None:
@@ -71,26 +71,26 @@ def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], P
 
 
 def rewrite(file: Path) -> None:
-    """Change a file, but neither its size nor its time."""
+    """Change the content of a file, but neither its size nor its time."""
     times = file.stat().st_mtime_ns
     file.write_text(file.read_text(encoding="utf-8").upper(), encoding="utf-8")
     os.utime(file, ns=(times, times))
 
 
 DAMAGES: dict[str, Callable[[Path], object]] = {
-    "a file that is changed": lambda package: rewrite(package / "index.js"),
-    "a file that is cut": lambda package: (package / "index.js").write_bytes(b""),
-    "a file too many": lambda package: (package / "more.js").write_bytes(b"1"),
-    "a file that is lost": lambda package: (package / "index.js").unlink(),
-    "a folder that is lost": lambda package: shutil.rmtree(package),
-    "a list that is cut": lambda package: [
+    "changed file": lambda package: rewrite(package / "index.js"),
+    "truncated file": lambda package: (package / "index.js").write_bytes(b""),
+    "extra file": lambda package: (package / "more.js").write_bytes(b"1"),
+    "missing file": lambda package: (package / "index.js").unlink(),
+    "missing folder": lambda package: shutil.rmtree(package),
+    "truncated list": lambda package: [
         file.write_bytes(b"{") for file in package.parents[2].glob("*.json")
     ],
 }
 
 
 @pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
-def test_packages_that_are_damaged_in_the_cache_are_installed_anew(
+def test_packages_damaged_in_the_cache_are_installed_again(
     damage: Callable[[Path], object], installed: Callable[[], Path]
 ) -> None:
     folder = installed()
@@ -105,7 +105,7 @@ def test_packages_that_are_damaged_in_the_cache_are_installed_anew(
     }
 
 
-def test_packages_that_npm_left_out_are_named(
+def test_packages_not_installed_by_npm_are_named(
     installed: Callable[[], Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(node, "install_packages", lambda _lock, target: target.mkdir())
@@ -114,9 +114,7 @@ def test_packages_that_npm_left_out_are_named(
 
 
 @pytest.mark.parametrize("damaged", [b"", b"x" * 99, bytes(20)])
-def test_a_compiled_template_that_is_damaged_is_compiled_again(
-    damaged: bytes, tmp_path: Path
-) -> None:
+def test_damaged_compiled_template_is_compiled_again(damaged: bytes, tmp_path: Path) -> None:
     def render() -> str:
         environment = Environment(
             bytecode_cache=CompiledTemplates(tmp_path), loader=DictLoader({"t": "{{ 1 + 1 }}"})
@@ -131,7 +129,7 @@ def test_a_compiled_template_that_is_damaged_is_compiled_again(
     assert file.read_bytes() == whole
 
 
-def test_a_cache_folder_that_cannot_be_made_is_replaced_by_a_temporary_one(
+def test_temporary_folder_replaces_a_cache_folder_that_cannot_be_made(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").touch()
@@ -143,7 +141,7 @@ def test_a_cache_folder_that_cannot_be_made_is_replaced_by_a_temporary_one(
     assert "XDG_CACHE_HOME" in capsys.readouterr().err
 
 
-def test_without_editor_and_search_the_book_is_built_and_says_so(
+def test_book_is_built_with_warnings_without_editor_and_search(
     make_book: MakeBook, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(*_given: object) -> EditorBundle | SearchLibrary:
@@ -168,7 +166,7 @@ def record(number: int) -> Record:
     return Record(number, f"page/#{number}", "Page", "Title", (), (), (), "Some text.", "", "")
 
 
-def test_the_index_has_every_section_and_a_fault_under_node_is_reported(tmp_path: Path) -> None:
+def test_index_has_every_section_and_a_fault_under_node_is_reported(tmp_path: Path) -> None:
     means = indexing(fetch_library("en"), ENGLISH)
     records = ((record(0), record(1)), (record(2),))
     assert json.loads(index_of(records, means))["documentCount"] == 3
@@ -179,7 +177,7 @@ def test_the_index_has_every_section_and_a_fault_under_node_is_reported(tmp_path
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
-def test_readers_can_open_all_that_a_scene_names_as_it_stands_in_its_file(scene_id: str) -> None:
+def test_sources_of_a_scene_include_every_definition_as_in_its_file(scene_id: str) -> None:
     scene = load_scene(scene_id)
     found: Any = json.loads(scene_sources(scene))
     for item in found["definitions"].values():
@@ -235,7 +233,7 @@ def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         ("optics:spread", []),
     ],
 )
-def test_uses_are_found_through_imports_and_not_in_names_of_arguments(
+def test_uses_are_found_through_imports_but_not_in_argument_names(
     name: str, uses: list[str]
 ) -> None:
     assert list(uses_of(f"{PACKAGE}.{name}")) == [f"{PACKAGE}.{one}" for one in uses]

@@ -1,4 +1,4 @@
-"""Building: the same bytes from the same sources on any machine and with any cache, and nothing
+"""Building: the same bytes from the same sources on any machine and with any cache, and no site
 where there is a mistake."""
 
 import multiprocessing
@@ -34,7 +34,7 @@ OTHER = {"TZ": "Pacific/Auckland", "LC_ALL": "C", "PYTHONHASHSEED": "77"}
 PLAIN = "import sys; from pathlib import Path; from site_builder.build import Options, build_site; "
 PLAIN += "build_site(Options(Path(sys.argv[1]), runtime=False), Path(sys.argv[2]))"
 OUTSIDE = ("address", "source", "hero")
-"""Keys of what takes long to draw: cards for other sites, and the cover."""
+"""Keys whose pictures are slow to draw: cards for other sites, and the cover."""
 EDITS = (
     ("content/00-first.md", "Öl is", "Oil is"),
     ("content/00-first.md", "## A section", "## A section, renamed {#a-section}"),
@@ -49,15 +49,15 @@ EDITS = (
 """Ways to change the small book; the last is a mistake."""
 
 
-def test_a_book_without_figures_ships_no_interpreter_and_no_editor(make_book: MakeBook) -> None:
+def test_book_without_figures_ships_neither_interpreter_nor_editor(make_book: MakeBook) -> None:
     options = make_book("Text.\n", {"content/book.toml": OUTLINE})
     files = rendered(Options(options.root, search=False))
-    told = files["licences/index.html"].decode()
+    licences = files["licences/index.html"].decode()
     assert not [path for path in files if path.startswith("runtime/") or "/js/editor/" in path]
-    assert [name for name in ("Pyodide", "CodeMirror", "NumPy") if name in told] == []
+    assert [name for name in ("Pyodide", "CodeMirror", "NumPy") if name in licences] == []
 
 
-def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: MakeBook) -> None:
+def test_every_folder_of_the_site_is_reserved(make_book: MakeBook) -> None:
     quiz = ":::{quiz} q\nWhich?\n- [x] A\n  : Yes.\n- [ ] B\n  : No.\n:::\n"
     body = f":::{{source}} simulations.models.thing:double\n:::\n\n{{cite}}`k`\n\n{quiz}"
     lists = {
@@ -72,7 +72,7 @@ def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: Make
     assert folders | {"cards", "embed", "runtime", "search"} == set(OWN_FOLDERS)
 
 
-def test_source_is_shown_where_python_finds_it(make_book: MakeBook) -> None:
+def test_source_directive_shows_the_function_as_python_finds_it(make_book: MakeBook) -> None:
     code = '\ufeff"""One\u2028two."""\n\f\n\n\ndef half(x):\n    return x / 2\n'
     body = ":::{source} simulations.models.thing:half\n:::\n"
     site = rendered(make_book(body, {"simulations/models/thing.py": code}))
@@ -90,7 +90,7 @@ def built(options: Options, store: Cache | None = None) -> Mapping[str, bytes] |
 
 
 @pytest.mark.usefixtures("bundled")
-def test_a_cached_build_is_a_clean_one_after_every_edit(
+def test_cached_build_equals_a_clean_one_after_every_edit(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(hashing, "STARTED_NS", float("inf"))  # else sources may be too young
@@ -123,7 +123,7 @@ def build_as(
 
 
 @pytest.mark.deep
-def test_two_machines_that_differ_in_all_they_may_build_the_same_bytes(tmp_path: Path) -> None:
+def test_two_different_machines_build_the_same_bytes(tmp_path: Path) -> None:
     one = shutil.copytree(BOOK, tmp_path / "one")
     other = tmp_path / "an öther" / "place"
     for file in sorted(BOOK.rglob("*.*"), reverse=True):
@@ -161,7 +161,7 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     calls.clear()
 
 
-def test_a_stored_result_serves_the_next_build_until_its_sources_change(
+def test_stored_result_is_used_until_its_sources_change(
     store: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for _ in range(2):
@@ -176,7 +176,7 @@ def test_a_stored_result_serves_the_next_build_until_its_sources_change(
     assert len(calls) == 4
 
 
-def test_results_of_sources_written_after_the_start_are_not_stored(
+def test_results_of_sources_newer_than_the_build_are_not_stored(
     store: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(hashing, "STARTED_NS", 0)
@@ -200,7 +200,7 @@ DAMAGES: dict[str, Callable[[Path], object]] = {
 
 
 @pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
-def test_a_damaged_cache_is_done_without(damage: Callable[[Path], object], store: Path) -> None:
+def test_build_works_with_a_damaged_cache(damage: Callable[[Path], object], store: Path) -> None:
     with using(Cache(store)):
         double(1)
     damage(store / FILE)
@@ -210,13 +210,13 @@ def test_a_damaged_cache_is_done_without(damage: Callable[[Path], object], store
     assert calls[1:]
 
 
-def test_a_folder_that_cannot_be_made_is_done_without(store: Path) -> None:
+def test_build_works_without_a_cache_folder(store: Path) -> None:
     (store / "file").write_text("")
     with using(Cache(store / "file" / "below")):
         assert double(1) == 2
 
 
-def test_the_older_half_goes_where_there_is_too_much(store: Path) -> None:
+def test_older_half_of_a_full_cache_is_deleted(store: Path) -> None:
     with closing(Cache(store)) as full:
         for number in range(200):
             full.put(bytes([number]), np.random.default_rng(number).bytes(1000))
@@ -232,7 +232,7 @@ def write_many(folder: Path, begin: int) -> None:
             own.put(str(number).encode(), str(number).encode() * 100)
 
 
-def test_builds_and_threads_at_the_same_time_store_all_their_results(store: Path) -> None:
+def test_concurrent_builds_and_threads_store_all_their_results(store: Path) -> None:
     context = multiprocessing.get_context("spawn")
     builds = [context.Process(target=write_many, args=(store, begin)) for begin in (0, 100)]
     for process in builds:
@@ -279,7 +279,7 @@ VALUES = [
 ]  # fmt: skip
 
 
-def test_values_have_the_same_hash_just_where_they_are_equal() -> None:
+def test_values_have_the_same_hash_exactly_where_they_are_equal() -> None:
     assert len({hash_of(value) for value in VALUES}) == len(VALUES)
     assert hash_of(Point(1, 2), {"a": [1]}) == hash_of(Point(1, 2), {"a": [1]})
     assert hash_of(frozenset("abcdef")) == hash_of(frozenset("fedcba"))
@@ -287,7 +287,7 @@ def test_values_have_the_same_hash_just_where_they_are_equal() -> None:
     assert len({source_hash(f"simulations.engine.{name}") for name in names}) == len(names)
 
 
-def test_a_function_with_a_closure_has_no_hash() -> None:
+def test_function_with_a_closure_is_unhashable() -> None:
     def make(number: int) -> Callable[[], int]:
         return lambda: number
 

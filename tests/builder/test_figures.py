@@ -1,5 +1,5 @@
-"""Figures: what a scene may not return or draw is reported where the figure stands; its controls
-and readouts in the page; colours of a book's own."""
+"""Figures: invalid results of a scene are reported at the figure's line; controls and readouts in
+the page; and colours that a book defines."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
@@ -29,7 +29,7 @@ from site_builder.pages.views.simulation import ControlView, control_cells, read
 STYLES = ".overlay .ray { stroke: red }\n.world {}\n"
 FIGURE = ":::{simulation} demo\n:::\n"
 HEAT = {"heat": ("#ad4209", "#f79c63")}
-type Reported = Callable[..., list[str]]
+type Diagnose = Callable[..., list[str]]
 
 
 def frame(overlay: str = "", raster: Any = None) -> Frame:
@@ -41,12 +41,12 @@ def raising(*_: object) -> Frame:
 
 
 def with_scene(options: Options, **fields: Any) -> Options:
-    """The book, fields of its scene replaced."""
+    """The book with fields of its scene replaced."""
     return replace(options, load_scene=lambda _id: replace(DEMO, **fields))
 
 
 @pytest.fixture
-def reported(make_book: MakeBook) -> Reported:
+def diagnose(make_book: MakeBook) -> Diagnose:
     """The diagnostics of a figure whose scene differs in these fields."""
 
     def find(**fields: Any) -> list[str]:
@@ -78,30 +78,30 @@ def reported(make_book: MakeBook) -> Reported:
         (lambda *_: frame("<g class='rya'/>"), "unknown class 'rya'; did you mean 'ray'?"),
     ],
 )
-def test_a_frame_that_no_page_can_show_is_reported_once_where_it_stands(
-    reported: Reported, draw: Callable[..., Any], says: str
+def test_invalid_frame_is_reported_once_at_the_figures_line(
+    diagnose: Diagnose, draw: Callable[..., Any], says: str
 ) -> None:
-    (found,) = reported(draw=draw)
+    (found,) = diagnose(draw=draw)
     assert found.startswith("content/00-first.md:5: ")
     assert says in found
 
 
-def test_a_frame_in_order_has_no_report_but_for_a_formula_that_it_does_not_use(
-    reported: Reported,
+def test_valid_frame_has_no_report_but_an_unused_formula_has(
+    diagnose: Diagnose,
 ) -> None:
     drawn = frame("<g class='ray world'><text>nan</text></g>", np.zeros((2, 2, 4), np.uint8))
-    assert reported(draw=lambda *_: drawn) == []
-    (found,) = reported(formula=raising)
+    assert diagnose(draw=lambda *_: drawn) == []
+    (found,) = diagnose(formula=raising)
     assert found.startswith("content/00-first.md:5: demo: formula raising; legal: ")
 
 
-def test_a_raster_or_a_drawing_beyond_measure_is_refused(
-    reported: Reported, monkeypatch: pytest.MonkeyPatch
+def test_oversized_raster_or_drawing_is_refused(
+    diagnose: Diagnose, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     drawn = frame("<g></g>", np.zeros((3, 2, 4), np.uint8))
     for name in ("PIXELS", "LETTERS"):
         monkeypatch.setattr(frame_checks, f"MOST_{name}", 5)
-    found = [line.split("; ")[1] for line in reported(draw=lambda *_: drawn)]
+    found = [line.split("; ")[1] for line in diagnose(draw=lambda *_: drawn)]
     assert found == ["legal: at most 5"] * 2
 
 
@@ -114,13 +114,13 @@ def test_a_raster_or_a_drawing_beyond_measure_is_refused(
         ({"panel": "plans"}, "panel 'plans'; legal: picture, plan"),
     ],
 )
-def test_a_handle_that_would_fail_when_it_is_pulled_is_reported(
-    reported: Reported, fields: dict[str, Any], says: str
+def test_handle_that_would_fail_when_pulled_is_reported(
+    diagnose: Diagnose, fields: dict[str, Any], says: str
 ) -> None:
     sound: Handle[Any] = Handle(
         "h", "plan", "H", ("k1",), lambda _s, _o: (1.0, 1.0), lambda _s, _p: {"k1": 0}
     )
-    (found,) = reported(handles=(replace(sound, **fields),))
+    (found,) = diagnose(handles=(replace(sound, **fields),))
     assert found.startswith("content/00-first.md:5: simulation 'demo' cannot be drawn: ")
     assert found.endswith(f"handle 'h': {says}")
 
@@ -136,15 +136,15 @@ def test_a_handle_that_would_fail_when_it_is_pulled_is_reported(
         (f'<g transform="translate(-9 0)">{text((44, 9), "A")}</g>', True),
     ],
 )
-def test_a_label_outside_its_panel_is_a_warning(
-    reported: Reported, label: str, is_seen: bool
+def test_label_outside_its_panel_is_a_warning(
+    diagnose: Diagnose, label: str, is_seen: bool
 ) -> None:
-    found = reported(draw=lambda *_: frame(label))
+    found = diagnose(draw=lambda *_: frame(label))
     warned = [": warning: demo: panel 'plan': a label at " in one for one in found]
     assert warned == [True] * (not is_seen)
 
 
-def test_an_illustration_that_fails_is_reported(
+def test_failing_illustration_is_reported(
     make_book: MakeBook, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("support.little_book.draw", raising)
@@ -153,8 +153,8 @@ def test_an_illustration_that_fails_is_reported(
     assert found.message.startswith("illustration 'similar-triangles' cannot be drawn: ")
 
 
-def coloured(make_book: MakeBook, more: str) -> Options:
-    """A figure, a sentence and a formula in the colour of heat."""
+def coloured_book(make_book: MakeBook, more: str) -> Options:
+    """A book with a figure, a sentence and a formula in the colour of heat."""
     panel = Panel("picture", "Picture", 400, 300, overlay=line((0, 0), (9, 9), "heat"))
     drawn = Frame((panel,), (readout("t", "T", 1.0, role="heat"),), "Shows heat.")
     body = "{heat}`Warm`, $\\role{heat}{T}$.\n\n" + FIGURE
@@ -162,8 +162,8 @@ def coloured(make_book: MakeBook, more: str) -> Options:
     return with_scene(options, draw=lambda *_: drawn, stages=())
 
 
-def test_a_colour_of_the_book_is_used_as_the_engine_s_are(make_book: MakeBook) -> None:
-    options = coloured(make_book, '[colours]\nheat = "#ad4209 #f79c63"\n')
+def test_colour_of_the_book_is_used_like_the_engines_colours(make_book: MakeBook) -> None:
+    options = coloured_book(make_book, '[colours]\nheat = "#ad4209 #f79c63"\n')
     assert diagnostics(options) == []
     assert rendered(options)["first/index.html"].decode().count("role-heat") >= 3
     assert "--idea-heat: light-dark(#ad4209, #f79c63);" in colour_rules(HEAT)
@@ -172,10 +172,10 @@ def test_a_colour_of_the_book_is_used_as_the_engine_s_are(make_book: MakeBook) -
     assert "#f79c63" not in on_paper
 
 
-def test_a_colour_that_the_book_does_not_name_is_reported_where_it_is_used(
+def test_colour_that_the_book_does_not_define_is_reported(
     make_book: MakeBook,
 ) -> None:
-    assert {one.message.partition(";")[0] for one in diagnostics(coloured(make_book, ""))} == {
+    assert {one.message.partition(";")[0] for one in diagnostics(coloured_book(make_book, ""))} == {
         "unknown role 'heat'",
         "unknown colour role 'heat'",
         "demo: 't' has an unknown colour role 'heat'",
@@ -190,7 +190,7 @@ def draw(_settings: Any, _outputs: Outputs) -> Frame:
     return Frame((), MEASURED, "Nothing.")
 
 
-def still(settings: type, in_sight: tuple[str, ...] = ()) -> InitialFrame:
+def initial_frame(settings: type, in_sight: tuple[str, ...] = ()) -> InitialFrame:
     scene = Scene("s", "S", settings, draw)
     values = {control.name: control.default for control in scene.controls}
     figure = Simulation(scene, "figure-s", {}, "", Passage(), "", 1, in_sight=in_sight)
@@ -211,21 +211,21 @@ def names(cells: Iterable[tuple[ControlView, ...]]) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("named", "shown", "folded", "readouts"),
+    ("named", "in_view", "folded", "readouts"),
     [
         ((), ["a", "b", "play+again"], ["c", ""], "vwx"),
         (("tier", "c"), ["", "c"], ["a", "b", "play+again"], ""),
         (("a", "z"), ["a"], ["b", "play+again", "c", ""], "z"),
     ],
 )
-def test_controls_and_readouts_in_sight_are_those_named_or_the_first_three(
-    named: tuple[str, ...], shown: list[str], folded: list[str], readouts: str
+def test_controls_and_readouts_in_sight_are_the_named_or_first_three(
+    named: tuple[str, ...], in_view: list[str], folded: list[str], readouts: str
 ) -> None:
-    cells = control_cells(still(Five, named), tiers=True)
-    assert [names(each) for each in cells] == [shown, folded]
+    cells = control_cells(initial_frame(Five, named), tiers=True)
+    assert [names(each) for each in cells] == [in_view, folded]
     longest = [view.longest for cell in (*cells[0], *cells[1]) for view in cell]
-    assert "−170°" in longest, "the room of a slider's value"
-    in_sight, others = readouts_in_sight(still(Five, named))
+    assert "−170°" in longest, "space for a slider's widest value"
+    in_sight, others = readouts_in_sight(initial_frame(Five, named))
     assert "".join(each.name for each in in_sight) == readouts
     assert sorted(each.name for each in (*in_sight, *others)) == list("vwxyz")
 
@@ -235,7 +235,7 @@ class Empty:
     """No controls."""
 
 
-def test_tiers_are_named_by_their_scene_or_else_by_their_ladder() -> None:
+def test_tiers_are_labelled_by_their_scene_or_their_ladder() -> None:
     scene = Scene("s", "S", Empty, draw, tiers=("rough", "fine"), default_tier="fine", ladder="toy")
     assert tier_labels(scene, toy_ladder) == (("rough", "Rough"), ("fine", "Fine"))
     named = replace(scene, tier_labels={"fine": "In every pixel"})

@@ -1,4 +1,4 @@
-"""The cut web fonts: they show what the book prints, keep what formulae need, and stay small."""
+"""The subset web fonts: they cover the book's characters and formulae, and stay small."""
 
 import io
 import re
@@ -26,7 +26,7 @@ def fonts() -> Mapping[str, bytes]:
     return subset_fonts()
 
 
-def opened(fonts: Mapping[str, bytes], file: str) -> TTFont:
+def open_font(fonts: Mapping[str, bytes], file: str) -> TTFont:
     return TTFont(io.BytesIO(fonts[file]))
 
 
@@ -36,7 +36,7 @@ def features(font: TTFont) -> set[str]:
 
 
 UPRIGHT = ["serif-regular.woff2", "sans-regular.woff2"]
-SHOWN = [
+CHARACTERS = [
     *((file, "AÀÉÎÕÜßæçéñøœšž 0123456789 “‘–—…’” −×±°·²≈≠≤≥") for file in TEXT_FACES),
     *((file, "αβγδεθκλμνπρστφψω ΔΣΩ ∞∂∑√→←↑↓ ½ ₀₁₂ ⁰¹²³") for file in UPRIGHT),
     ("maths.woff2", "𝑥𝐱𝜃𝛼𝐀𝐑ℝℓ⊤⋅∥⟨⟩∑∫√∂∇∞≤≥≈≠→⇒⋯⋮⋱′ˆ"),
@@ -44,11 +44,9 @@ SHOWN = [
 ]
 
 
-@pytest.mark.parametrize(("file", "text"), SHOWN)
-def test_a_face_shows_the_characters_that_it_is_for(
-    fonts: Mapping[str, bytes], file: str, text: str
-) -> None:
-    covered = opened(fonts, file).getBestCmap()
+@pytest.mark.parametrize(("file", "text"), CHARACTERS)
+def test_face_covers_its_characters(fonts: Mapping[str, bytes], file: str, text: str) -> None:
+    covered = open_font(fonts, file).getBestCmap()
     assert {character for character in text if ord(character) not in covered} == set()
 
 
@@ -57,10 +55,10 @@ def test_faces_stay_small(fonts: Mapping[str, bytes]) -> None:
     assert len(fonts["maths.woff2"]) < 100_000
 
 
-def test_the_face_of_formulae_stretches_brackets_and_has_small_forms_for_indices(
+def test_maths_face_stretches_brackets_and_has_small_forms_of_indices(
     fonts: Mapping[str, bytes],
 ) -> None:
-    font = opened(fonts, "maths.woff2")
+    font = open_font(fonts, "maths.woff2")
     vertical = font["MATH"].table.MathVariants.VertGlyphCoverage.glyphs
     names = font.getBestCmap()
     assert {names[ord(sign)] for sign in "()[]{}|√∫"} <= set(vertical)
@@ -72,10 +70,8 @@ def test_the_face_of_formulae_stretches_brackets_and_has_small_forms_for_indices
 
 
 @pytest.mark.parametrize("file", TEXT_FACES)
-def test_text_faces_keep_figures_and_the_widths_of_glyphs(
-    fonts: Mapping[str, bytes], file: str
-) -> None:
-    font = opened(fonts, file)
+def test_text_faces_keep_figures_and_glyph_widths(fonts: Mapping[str, bytes], file: str) -> None:
+    font = open_font(fonts, file)
     if file.startswith("serif"):
         assert {"tnum", "onum", "lnum", "kern", "liga"} <= features(font)
     else:
@@ -87,30 +83,30 @@ def test_text_faces_keep_figures_and_the_widths_of_glyphs(
 
 
 @pytest.mark.parametrize("face", FACES, ids=lambda face: face.file)
-def test_cut_faces_are_renamed_and_keep_their_licence(
+def test_subset_faces_are_renamed_and_keep_their_licence(
     fonts: Mapping[str, bytes], face: Face
 ) -> None:
-    name = opened(fonts, face.file)["name"]
+    name = open_font(fonts, face.file)["name"]
     assert name.getDebugName(1) == face.family
-    assert "Source" not in name.getDebugName(4)  # reserved by the licence for uncut fonts
+    assert "Source" not in name.getDebugName(4)  # reserved by the licence for whole fonts
     assert "SIL Open Font License" in name.getDebugName(13)
     assert name.getDebugName(0)
 
 
-def test_the_two_faces_of_formulae_share_no_character_and_text_needs_the_common_one_alone(
+def test_maths_faces_share_no_character_and_text_needs_the_common_one(
     fonts: Mapping[str, bytes],
 ) -> None:
     common, rare = (face.characters for face in MATHS_FACES)
     assert common | rare == FORMULAE
     assert not common & rare
-    of_text = set().union(*(opened(fonts, file).getBestCmap() for file in TEXT_FACES))
-    of_maths = set().union(*(opened(fonts, face.file).getBestCmap() for face in MATHS_FACES))
+    of_text = set().union(*(open_font(fonts, file).getBestCmap() for file in TEXT_FACES))
+    of_maths = set().union(*(open_font(fonts, face.file).getBestCmap() for face in MATHS_FACES))
     assert (TEXT & of_maths) - of_text <= common
 
 
 @pytest.mark.parametrize("family", ["Serif", "Sans"])
-def test_fallbacks_take_the_same_height_of_line(fonts: Mapping[str, bytes], family: str) -> None:
-    header = opened(fonts, f"{family.lower()}-regular.woff2")["hhea"]
+def test_fallback_fonts_have_the_same_line_height(fonts: Mapping[str, bytes], family: str) -> None:
+    header = open_font(fonts, f"{family.lower()}-regular.woff2")["hhea"]
     faces = re.findall(r"@font-face \{(.*?)\}", fallback_rules(), re.DOTALL)
     parsed = [dict(re.findall(r"([\w-]+): ([^;]+);", face)) for face in faces]
     fallbacks = [face for face in parsed if face["font-family"] == f'"Book {family} Fallback"']

@@ -1,5 +1,5 @@
-"""Python's library and numpy, cut into parts and compiled by the browser's own interpreter, and the
-snapshot that readers begin with."""
+"""Python's library and numpy, split into parts and compiled by the browser's interpreter, and the
+snapshot from which readers' sessions start."""
 
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
@@ -39,7 +39,7 @@ def freeze(folder: Path, at_once: Mapping[str, str], later: Mapping[str, str]) -
 
 @pytest.fixture(scope="module")
 def frozen() -> Frozen:
-    """The libraries that the German book needs, which are kept between builds."""
+    """The libraries that the German book needs, stored between builds."""
     imports = imports_of(book_modules(SIMULATIONS))
     at_once = outside(imports, reach(imports, ENTRY))
     later = outside(imports, page_modules(imports, SCENES, LADDERS))
@@ -52,14 +52,14 @@ def members(archive: Path) -> list[str]:
         return opened.namelist()
 
 
-def test_nothing_of_numpy_is_lost_but_tests_and_machine_code_lies_apart(frozen: Frozen) -> None:
+def test_numpy_loses_only_its_tests_and_machine_code_is_separate(frozen: Frozen) -> None:
     libraries = {path for path in members(frozen.archives["numpy"]) if path.endswith(".so")}
     assert libraries == {*frozen.libraries}
     with zipfile.ZipFile(FETCHED[NUMPY_WHEEL.name]) as wheel:
         modules = {name for name in wheel.namelist() if name.endswith((".py", ".so"))}
         for path, file in frozen.libraries.items():
             assert file.read_bytes() == wheel.read(path)
-            assert file.suffix == ".wasm", "hosts know what to call it"
+            assert file.suffix == ".wasm", "hosts know its media type"
     sources = {n for n in modules if "/tests/" not in n and not n.endswith("conftest.py")}
     parts = [part for part in frozen.archives if part.startswith("numpy")]
     packed = [name for part in parts for name in members(frozen.archives[part])]
@@ -68,7 +68,7 @@ def test_nothing_of_numpy_is_lost_but_tests_and_machine_code_lies_apart(frozen: 
         assert not any(archive.read(path) for path in libraries), "empty files in their places"
 
 
-def test_pages_wait_for_byte_code_of_the_browser_s_python_alone(frozen: Frozen) -> None:
+def test_pages_load_only_byte_code_of_the_browsers_python(frozen: Frozen) -> None:
     for part in ("python", "numpy", "numpy-fft"):
         with zipfile.ZipFile(frozen.archives[part]) as archive:
             codes = [n for n in archive.namelist() if not n.endswith(".so")]
@@ -80,7 +80,7 @@ def test_pages_wait_for_byte_code_of_the_browser_s_python_alone(frozen: Frozen) 
 
 
 @pytest.mark.deep
-def test_frozen_parts_are_taken_again_and_after_damage_made_again(
+def test_frozen_parts_are_reused_and_rebuilt_after_damage(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     at_once, later = {"numpy": "models/lens.py:1"}, {"numpy.fft": "scenes/waves.py:2"}
@@ -94,14 +94,14 @@ def test_frozen_parts_are_taken_again_and_after_damage_made_again(
     assert freeze(tmp_path, at_once, later) == first
 
 
-def test_a_module_that_the_browser_lacks_is_reported_with_its_place(tmp_path: Path) -> None:
+def test_module_missing_in_the_browser_is_reported_with_its_place(tmp_path: Path) -> None:
     with pytest.raises(FreezeError, match=r"scenes/waves\.py:2: imports scipy, which"):
         freeze(tmp_path, {"json": "browser.py:1"}, {"scipy": "scenes/waves.py:2"})
 
 
 @pytest.fixture(scope="module")
 def bundle(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RuntimeBundle]:
-    """Runtime of the German book; its byte code is kept until the last test."""
+    """Runtime of the German book, with its byte code cached until the last test."""
     with using(Cache(tmp_path_factory.mktemp("cache"))):
         yield pack_runtime(SIMULATIONS, None, SCENES, LADDERS)
 
@@ -113,7 +113,7 @@ def make(bundle: RuntimeBundle, folder: Path, modules: Sequence[str]) -> Path:
 
 
 @pytest.mark.deep
-def test_the_snapshot_is_the_same_in_any_folder_time_zone_and_language(
+def test_snapshot_is_the_same_in_any_folder_time_zone_and_language(
     bundle: RuntimeBundle, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     here = make(bundle, tmp_path / "a", ["json"]).read_bytes()
@@ -126,16 +126,16 @@ def test_the_snapshot_is_the_same_in_any_folder_time_zone_and_language(
     assert make(bundle, elsewhere / "b", ["json"]).read_bytes() == here
 
 
-def test_a_module_that_fails_is_reported(bundle: RuntimeBundle, tmp_path: Path) -> None:
+def test_module_that_fails_to_import_is_reported(bundle: RuntimeBundle, tmp_path: Path) -> None:
     with pytest.raises(FreezeError, match="No module named 'no_such'"):
         make(bundle, tmp_path, ["no_such"])
 
 
-def test_without_its_snapshot_the_runtime_is_whole_and_says_why(
+def test_runtime_without_a_snapshot_is_complete_and_gives_the_reason(
     bundle: RuntimeBundle, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plain = pack_runtime(SIMULATIONS, None, SCENES, LADDERS, compiled=False)
-    assert SNAPSHOT not in plain.files, "an author who edits would wait for it"
+    assert SNAPSHOT not in plain.files, "editing authors would wait for it"
 
     def fails(*_given: object) -> Path:
         raise FreezeError("no room")
@@ -155,14 +155,14 @@ const memory = new WebAssembly.Memory({initial: 4});
 new Uint8Array(memory.buffer).set(readFileSync(base));
 const written = new WebAssembly.Module(readFileSync(code));
 new WebAssembly.Instance(written, {python: {memory}});
-const [told] = WebAssembly.Module.customSections(written, "about");
+const [about] = WebAssembly.Module.customSections(written, "about");
 writeFileSync(out, new Uint8Array(memory.buffer));
-console.log(new TextDecoder().decode(told));
+console.log(new TextDecoder().decode(about));
 """
 
 
 @given(memories, memories, st.integers(1, 20))
-def test_changed_runs_of_a_memory_written_over_its_base_give_the_memory(
+def test_changed_runs_written_over_the_base_restore_the_memory(
     memory: np.ndarray, base: np.ndarray, gap: int
 ) -> None:
     base = base[: len(memory)]
@@ -177,13 +177,13 @@ def test_changed_runs_of_a_memory_written_over_its_base_give_the_memory(
     assert all(after - before >= gap for before, after in zip(ends, starts[1:], strict=False))
 
 
-def test_memory_around_the_heap_is_written_even_where_it_is_the_same() -> None:
+def test_memory_in_the_given_range_is_written_even_if_unchanged() -> None:
     memory = np.zeros(1000, np.uint8)
     assert changed_runs(memory, memory, slice(300, 400)) == [(300, bytes(100))]
     assert changed_runs(memory, memory) == []
 
 
-def test_a_browser_writes_the_runs_as_it_instantiates_the_module(tmp_path: Path) -> None:
+def test_runs_are_written_when_the_module_is_instantiated(tmp_path: Path) -> None:
     chance = np.random.default_rng(4)
     base = chance.integers(0, 256, 4 * PAGE, np.uint8)
     memory = base.copy()

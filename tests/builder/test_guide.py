@@ -1,5 +1,5 @@
-"""Directives, roles and kinds of questions: each is declared once, shown in the guide with an
-example, and shipped where it is used; and the guide builds."""
+"""Directives, roles and kinds of questions: each is declared once, has an example in the guide, and
+is shipped where it is used; and the guide builds."""
 
 import re
 from collections import Counter
@@ -34,7 +34,7 @@ def test_every_directive_has_a_template_and_cells_in_notebooks() -> None:
     assert set(PARTS) == templates
 
 
-def test_names_are_given_once_and_can_be_written() -> None:
+def test_names_are_unique_and_can_be_written() -> None:
     directives = Counter(directive.name for directive in DIRECTIVES)
     roles = Counter(role.name for role in ROLES)
     kinds = Counter(name for kind in KINDS for name in {*kind.quiz, *kind.predict})
@@ -44,7 +44,7 @@ def test_names_are_given_once_and_can_be_written() -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.folder)
-def test_nothing_but_the_list_imports_a_kind_or_its_script(kind: QuestionKind) -> None:
+def test_only_the_list_of_kinds_imports_a_kind_or_its_script(kind: QuestionKind) -> None:
     named = f"questions.{kind.folder}.kind", f"questions/{kind.folder}/kind"
     found = {
         file.relative_to(ENGINE).as_posix()
@@ -68,7 +68,7 @@ PLAIN = {
 QUESTION = ":::{quiz} sum\nOne and one?\n- [x] Two\n  : Yes.\n- [ ] One\n  : No.\n:::\n"
 
 
-def test_a_question_brings_its_own_kind_and_no_other(
+def test_question_ships_its_own_kind_and_no_other(
     make_book: MakeBook, bundled: pytest.MonkeyPatch
 ) -> None:
     options = make_book(QUESTION, PLAIN)
@@ -91,7 +91,7 @@ def guide(engine: Engine, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "build" / "guide" / "site"
 
 
-def test_every_directive_and_role_has_its_section(guide: Path) -> None:
+def test_every_directive_and_role_has_a_section_in_the_guide(guide: Path) -> None:
     for page, names in (("directives", DIRECTIVES), ("roles", ROLES)):
         html = (guide / page / "index.html").read_bytes()
         headings = [heading.text.strip() for heading in read_html(html).all("h2")]
@@ -106,12 +106,12 @@ def test_every_kind_of_question_has_an_example() -> None:
     assert {name for kind in KINDS for name in (kind.quiz or kind.predict)} <= used
 
 
-def test_a_directive_without_an_example_is_reported_with_the_file_to_write() -> None:
+def test_directive_without_an_example_is_reported_with_its_file() -> None:
     with pytest.raises(NoExampleError, match=r"guide/examples/riddle\.md"):
         directive_page([replace(QUIZ, name="riddle")])
 
 
-def test_every_class_of_drawings_is_on_their_page_and_every_colour_role_is_a_role() -> None:
+def test_guide_lists_every_class_of_drawings_and_every_colour_role() -> None:
     sheets = ("overlay", "illustrations")
     css = "".join((STATIC / "css" / f"{name}.css").read_text("utf-8") for name in sheets)
     rules = re.findall(r"^\.overlay (?!>)(.+?)(?: \{|,)$", css, re.MULTILINE)

@@ -1,4 +1,4 @@
-"""The site is written whole or not at all; its sheets are joined, its scripts bundled."""
+"""Writing the site: completely or not at all, with joined style sheets and bundled scripts."""
 
 import os
 import shutil
@@ -30,7 +30,7 @@ def names(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_the_site_is_replaced_as_a_whole_and_the_changed_files_are_named(tmp_path: Path) -> None:
+def test_site_is_replaced_completely_and_changed_files_are_returned(tmp_path: Path) -> None:
     out = tmp_path / "site"
     assert set(write_site({**BOOK, "old/page.html": b"old"}, out)) == {"book.json", "old/page.html"}
     changed = write_site({**BOOK, "new/page.html": b"new"}, out)
@@ -41,7 +41,7 @@ def test_the_site_is_replaced_as_a_whole_and_the_changed_files_are_named(tmp_pat
     assert write_site({**BOOK, "new/page.html": b"new"}, out) == ()
 
 
-def test_a_write_or_a_swap_that_fails_leaves_the_last_site(
+def test_failed_write_or_rename_leaves_the_last_site(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out = tmp_path / "site"
@@ -62,7 +62,7 @@ def test_a_write_or_a_swap_that_fails_leaves_the_last_site(
     assert ((out / "book.json").read_bytes(), names(tmp_path)) == (b"{}", ["site"])
 
 
-def test_unchanged_files_keep_their_time_and_damaged_ones_are_put_right(tmp_path: Path) -> None:
+def test_unchanged_files_keep_their_time_and_damaged_ones_are_rewritten(tmp_path: Path) -> None:
     out, files = tmp_path / "site", {**BOOK, "a": b"a"}
     write_site(files, out)
     for name in files:
@@ -76,14 +76,14 @@ def test_unchanged_files_keep_their_time_and_damaged_ones_are_put_right(tmp_path
 
 
 @pytest.mark.parametrize("out", [".", "thesis.tex"])
-def test_a_folder_or_file_that_is_no_site_is_never_replaced(tmp_path: Path, out: str) -> None:
+def test_folder_or_file_that_is_not_a_site_is_never_replaced(tmp_path: Path, out: str) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
     with pytest.raises(ValueError, match="holds no site"):
         write_site(BOOK, tmp_path / out)
     assert (tmp_path / "thesis.tex").read_text() == "years of work"
 
 
-def test_the_next_build_clears_up_after_a_killed_one(tmp_path: Path) -> None:
+def test_next_build_cleans_up_after_a_killed_one(tmp_path: Path) -> None:
     (tmp_path / ".site-new" / "a").mkdir(parents=True)
     (tmp_path / ".other-new").mkdir()
     write_site({**BOOK, "kept": b"good"}, tmp_path / "site")
@@ -94,8 +94,8 @@ def test_the_next_build_clears_up_after_a_killed_one(tmp_path: Path) -> None:
     assert (tmp_path / "site" / "kept").read_bytes() == b"good"
 
 
-def test_two_builds_at_once_leave_one_whole_site(tmp_path: Path) -> None:
-    """Each in a process of its own, as they would be."""
+def test_concurrent_builds_leave_one_complete_site(tmp_path: Path) -> None:
+    """Each build in its own process."""
     program = (
         "import sys; from pathlib import Path; from site_builder.output.writer import write_site\n"
         "files = {f'{n}.html': sys.argv[2].encode() for n in range(99)} | {'book.json': b'{}'}\n"
@@ -110,8 +110,8 @@ def test_two_builds_at_once_leave_one_whole_site(tmp_path: Path) -> None:
 
 
 @pytest.fixture
-def sealed() -> Iterator[Path]:
-    """A site in a folder where nobody may write: neither root, who may everything."""
+def read_only_site() -> Iterator[Path]:
+    """A site in a read-only folder, for a user without rights even where tests run as root."""
     folder = Path(tempfile.mkdtemp())
     write_site({**BOOK, "a": b"a"}, folder / "site")
     for each in (folder / "site", folder):
@@ -128,17 +128,20 @@ def sealed() -> Iterator[Path]:
 
 
 @pytest.mark.parametrize("more", [{}, {"b": b"b"}], ids=["one file", "several"])
-def test_where_nobody_may_write_the_last_site_stays_and_the_message_has_a_way_out(
-    sealed: Path, more: dict[str, bytes]
+def test_site_in_a_read_only_folder_stays_and_the_message_gives_advice(
+    read_only_site: Path, more: dict[str, bytes]
 ) -> None:
     with pytest.raises(PermissionError) as raised:
-        write_site({**BOOK, "a": b"new", **more}, sealed)
+        write_site({**BOOK, "a": b"new", **more}, read_only_site)
     assert "choose a folder that can be written, by --out" in advice(raised.value)
-    assert {file.name: file.read_bytes() for file in sealed.iterdir()} == {**BOOK, "a": b"a"}
-    assert names(sealed.parent) == ["site"]
+    assert {file.name: file.read_bytes() for file in read_only_site.iterdir()} == {
+        **BOOK,
+        "a": b"a",
+    }
+    assert names(read_only_site.parent) == ["site"]
 
 
-def test_the_folder_of_assets_is_named_by_names_and_contents_and_holds_nothing_hidden(
+def test_assets_folder_is_named_by_its_hash_and_has_no_hidden_files(
     make_book: MakeBook,
 ) -> None:
     given = ({"a": b"1"}, {"a": b"2"}, {"b": b"1"}, {"a": b"1", "b": b""}, {"ab": b"1"})
@@ -154,7 +157,7 @@ def test_the_folder_of_assets_is_named_by_names_and_contents_and_holds_nothing_h
 ENTRY = "css/book.css"
 
 
-def test_imported_sheets_stand_in_the_place_of_their_imports_and_are_left_out() -> None:
+def test_imported_style_sheets_replace_their_import_rules() -> None:
     files = {
         ENTRY: b'/* All. */\n@import "a.css";\n@import "b.css";\nlast {}\n',
         "css/a.css": b"a { background: url(../x.png) }\n",
@@ -167,7 +170,7 @@ def test_imported_sheets_stand_in_the_place_of_their_imports_and_are_left_out() 
 
 
 @pytest.mark.parametrize("name", ["missing.css", "deep/a.css", "../a.css"])
-def test_an_import_that_cannot_be_joined_is_named_with_its_line(name: str) -> None:
+def test_import_that_cannot_be_joined_is_reported_with_its_line(name: str) -> None:
     sheet = f'@import "a.css";\n@import "{name}";\n'.encode()
     files = {ENTRY: sheet, "css/a.css": b"", "css/deep/a.css": b"", "a.css": b""}
     with pytest.raises(BuildError, match=f"^static/css/book.css:2: cannot import {name!r}"):
@@ -186,9 +189,9 @@ SOURCES: Mapping[str, bytes] = {
         (b"export const hidden = 1;\n", 'static/js/main.*"shown"'),
         (b"export const = 1;\n", r"static/js/page/shown\.ts:1: Expected identifier"),
     ],
-    ids=["a name that is not exported", "no TypeScript"],
+    ids=["missing export", "syntax error"],
 )
-def test_a_mistake_in_a_script_is_reported_with_file_and_line(module: bytes, message: str) -> None:
+def test_mistake_in_a_script_is_reported_with_file_and_line(module: bytes, message: str) -> None:
     with pytest.raises(BuildError, match=message):
         bundle_scripts({**SOURCES, "js/page/shown.ts": module}, "js/main.ts")
 
@@ -201,7 +204,7 @@ def test_a_mistake_in_a_script_is_reported_with_file_and_line(module: bytes, mes
         ("small.webp", (800, 600), 700.0, (800, 600)),
     ],
 )
-def test_a_picture_ships_with_two_pixels_for_each_that_it_is_shown_on(
+def test_picture_ships_with_two_pixels_per_displayed_pixel(
     name: str, size: tuple[int, int], width: float, shipped: tuple[int, int], tmp_path: Path
 ) -> None:
     picture = Image.new("P" if name.endswith("png") else "RGB", size)

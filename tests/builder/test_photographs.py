@@ -1,4 +1,4 @@
-"""Photographs out of packages: what is packed is what is shown."""
+"""Photographs from packages: the packed modules against the original files."""
 
 import importlib
 from importlib.metadata import distribution
@@ -14,7 +14,7 @@ CREDITS = credits_of(ROOT)
 
 
 @pytest.mark.parametrize("name", CREDITS)
-def test_a_packed_photograph_is_not_the_scaled_file(name: str) -> None:
+def test_packed_photograph_is_the_scaled_file(name: str) -> None:
     credit = CREDITS[name]
     module = importlib.import_module(f"simulations.pictures.photographs.{name}")
     installed = distribution(credit.package.partition("==")[0]).locate_file(credit.file)

@@ -1,4 +1,4 @@
-"""A site whose address is declared, and the files for its host and for use offline."""
+"""A site with a declared address, and the files for its host and for offline use."""
 
 import gzip
 import io
@@ -77,7 +77,7 @@ def links(page: Page, rel: str) -> list[str]:
     return [link["href"] for link in page.all("link") if link["rel"] == rel]
 
 
-def test_every_page_names_its_own_address_and_the_sitemap_lists_all_but_those_for_frames(
+def test_every_page_names_its_address_and_the_sitemap_lists_all_pages(
     site: Mapping[str, bytes], pages: Mapping[str, Page]
 ) -> None:
     addresses = {path: ADDRESS + path.removesuffix("index.html") for path in pages}
@@ -89,7 +89,7 @@ def test_every_page_names_its_own_address_and_the_sitemap_lists_all_but_those_fo
     assert sorted(map(str, listed)) == sorted(addresses[path] for path in shown)
 
 
-def test_the_feed_has_the_news_newest_first_and_the_authors(
+def test_feed_has_the_newest_news_first_and_the_authors(
     site: Mapping[str, bytes], pages: Mapping[str, Page]
 ) -> None:
     feed = ElementTree.fromstring(site["feed.xml"])
@@ -105,19 +105,19 @@ def test_the_feed_has_the_news_newest_first_and_the_authors(
     assert authors == [["Ada"], ["B", "https://orcid.org/0000-0002-1825-0097"]]
 
 
-def test_every_card_that_a_page_names_is_there_in_the_size_it_says(
+def test_every_card_of_a_page_exists_in_its_stated_size(
     site: Mapping[str, bytes], pages: Mapping[str, Page]
 ) -> None:
     for page in (page for path, page in pages.items() if path.endswith("index.html")):
-        told = {tag["property"]: tag["content"] for tag in page.all("meta")}
-        card = site[told["og:image"].removeprefix(ADDRESS)]
+        meta = {tag["property"]: tag["content"] for tag in page.all("meta")}
+        card = site[meta["og:image"].removeprefix(ADDRESS)]
         size = Image.open(io.BytesIO(card)).size
-        assert (told["og:image:width"], told["og:image:height"]) == tuple(map(str, size))
+        assert (meta["og:image:width"], meta["og:image:height"]) == tuple(map(str, size))
     chapter = Image.open(io.BytesIO(site["cards/first.png"])).convert("RGB")
     assert chapter.getpixel((850, 315)) == (255, 255, 255), "the scene's picture"
 
 
-def test_every_page_leads_to_the_file_it_is_made_from(pages: Mapping[str, Page]) -> None:
+def test_every_page_links_to_its_source_file(pages: Mapping[str, Page]) -> None:
     expected = {
         "index.html": "content/book.toml",
         "first/index.html": "content/00-first.md",
@@ -128,7 +128,7 @@ def test_every_page_leads_to_the_file_it_is_made_from(pages: Mapping[str, Page])
         assert SOURCE.replace("{path}", file) in pages[path].addresses()
 
 
-def test_pages_say_how_they_are_cited(pages: Mapping[str, Page]) -> None:
+def test_pages_have_citation_metadata(pages: Mapping[str, Page]) -> None:
     found = [(item["name"], item["content"]) for item in pages["second/index.html"].all("meta")]
     assert [(name, text) for name, text in found if name.startswith("citation_")] == [
         ("citation_title", "Second"),
@@ -141,7 +141,7 @@ def test_pages_say_how_they_are_cited(pages: Mapping[str, Page]) -> None:
 
 
 @pytest.mark.parametrize("address", ["", "https://host.example/"])
-def test_a_site_without_an_address_has_nothing_for_other_sites(
+def test_site_without_an_address_has_no_files_for_other_sites(
     make_book: MakeBook, address: str
 ) -> None:
     options = make_book("Text.\n", {"content/news.toml": NEWS})
@@ -152,7 +152,7 @@ def test_a_site_without_an_address_has_nothing_for_other_sites(
     assert all((b"canonical" in page) is (b"og:" in page) is bool(address) for page in pages)
 
 
-def test_packed_copies_hold_the_same_and_are_no_part_of_the_release(
+def test_compressed_copies_are_equal_and_not_part_of_the_release(
     site: Mapping[str, bytes],
 ) -> None:
     assert "robots.txt" not in site, "which belongs to the root of a host"
@@ -166,15 +166,13 @@ def test_packed_copies_hold_the_same_and_are_no_part_of_the_release(
 
 
 @pytest.mark.parametrize("name", [".htaccess", "_headers", "nginx.conf"])
-def test_the_policy_that_a_host_sends_allows_what_each_page_does(
-    site: Mapping[str, bytes], name: str
-) -> None:
-    told = site[name].decode()
+def test_hosts_policy_allows_the_scripts_of_each_page(site: Mapping[str, bytes], name: str) -> None:
+    text = site[name].decode()
     heads = [site[path].decode().partition("<script")[0] for path in site if path.endswith(".html")]
     wanted = {found for head in heads for found in HASH.findall(head)}
     assert len(wanted) > 3  # those of `404.html`, and of styles at each depth
-    assert wanted <= set(HASH.findall(told))
-    assert "/books/small/" in told
+    assert wanted <= set(HASH.findall(text))
+    assert "/books/small/" in text
 
 
 @pytest.mark.parametrize(
@@ -185,23 +183,23 @@ def test_the_policy_that_a_host_sends_allows_what_each_page_does(
         ('frames = ["https://c.example:80"]', "frame-ancestors 'self' https://c.example:80"),
     ],
 )
-def test_all_sites_may_frame_the_book_unless_it_says_which(
+def test_any_site_may_frame_the_book_unless_it_lists_sites(
     make_book: MakeBook, frames: str, rule: str
 ) -> None:
     outline = f'{OUTLINE}address = "{ADDRESS}"\n[publishing]\nhosts = ["netlify"]\n{frames}\n'
-    told = rendered(make_book("Words.", {"content/book.toml": outline}))["_headers"].decode()
-    assert f"; {rule}\n" in told
+    text = rendered(make_book("Words.", {"content/book.toml": outline}))["_headers"].decode()
+    assert f"; {rule}\n" in text
 
 
-def test_only_files_that_are_named_by_their_content_are_kept_for_ever(
+def test_only_files_named_by_their_hash_are_cached_for_ever(
     site: Mapping[str, bytes],
 ) -> None:
     rules = re.findall(r"^(/\S+)\n((?: .+\n)+)", site["_headers"].decode(), re.MULTILINE)
-    kept = {pattern for pattern, told in rules if "Cache-Control" in told}
+    kept = {pattern for pattern, text in rules if "Cache-Control" in text}
     assert kept == {"/books/small/assets/*", "/books/small/runtime/*"}
 
 
-def test_an_address_ends_in_a_slash_and_none_is_none() -> None:
+def test_address_ends_with_a_slash_and_may_be_empty() -> None:
     for given in ("https://host.example/book", "https://host.example/book/"):
         assert site_address(given) == "https://host.example/book/"
     assert (site_address(""), source_address("")) == ("", "")
@@ -217,16 +215,14 @@ def test_an_address_ends_in_a_slash_and_none_is_none() -> None:
         (source_address, "https://host/{path}/{path}"),
     ],
 )
-def test_a_value_that_is_no_address_is_refused(
-    read: Callable[[object], str], given: object
-) -> None:
+def test_invalid_address_is_refused(read: Callable[[object], str], given: object) -> None:
     with pytest.raises(
         ValueError, match="legal: 'https://host/'" if read == site_address else "once"
     ):
         read(given)
 
 
-def test_each_icon_has_its_size_and_one_that_is_no_drawing_is_reported(tmp_path: Path) -> None:
+def test_each_icon_has_its_size_and_an_invalid_drawing_is_reported(tmp_path: Path) -> None:
     for name, data in make_icons(ROOT).items():
         assert Image.open(io.BytesIO(data)).size == (ICONS[name], ICONS[name])
     file = tmp_path / ICON
@@ -239,7 +235,7 @@ def test_each_icon_has_its_size_and_one_that_is_no_drawing_is_reported(tmp_path:
 @pytest.mark.parametrize(
     "title", ["Connections", "2D Transformations", "Why Study Image Formation?", "Öl & <Licht>"]
 )
-def test_a_title_on_a_card_is_whole_and_inside_its_place(title: str) -> None:
+def test_title_on_a_card_is_complete_and_fits_its_box(title: str) -> None:
     face = whole_fonts().title
     size, lines = set_title(title, 440, face)
     assert " ".join(lines) == title
@@ -250,7 +246,7 @@ def test_a_title_on_a_card_is_whole_and_inside_its_place(title: str) -> None:
         assert units * size / font["head"].unitsPerEm <= 1.05 * 440, "without kerning"
 
 
-def test_a_title_without_end_is_cut() -> None:
+def test_very_long_title_is_cut() -> None:
     lines = set_title("words " * 200, 440, whole_fonts().title)[1]
     assert len(lines) == MOST_LINES
     assert lines[-1].endswith("…")
@@ -259,16 +255,19 @@ def test_a_title_without_end_is_cut() -> None:
 RELEASED = {"index.html": b"cover", "lens/index.html": b"lens", "assets/1/js/main.js": b"1"}
 
 
-def test_the_release_lists_pages_by_address_with_the_hash_of_openssl() -> None:
-    few_need = {"assets/1/raw/libraw.wasm": b"decoder", "embed/lens/f/index.html": b"for a frame"}
-    listed = json.loads(release_files(RELEASED | few_need, "assets/1/")[LIST])
+def test_release_lists_pages_by_address_with_openssls_hash() -> None:
+    rarely_needed = {
+        "assets/1/raw/libraw.wasm": b"decoder",
+        "embed/lens/f/index.html": b"for a frame",
+    }
+    listed = json.loads(release_files(RELEASED | rarely_needed, "assets/1/")[LIST])
     assert set(listed) == {"", "lens/", "assets/1/js/main.js"}
     command = "openssl dgst -sha256 -binary | openssl base64"
     digest = subprocess.run(command, shell=True, input=b"lens", capture_output=True, check=True)
     assert listed["lens/"] == f"sha256-{digest.stdout.decode().strip()}"
 
 
-def test_every_change_makes_another_release_and_a_site_that_is_not_kept_has_none() -> None:
+def test_every_change_makes_a_new_release_and_offline_use_can_be_off() -> None:
     changed = [RELEASED | {name: b"other"} for name in [*RELEASED, "new"]]
     workers = {release_files(files, "assets/1/")[WORKER] for files in [RELEASED, *changed]}
     assert len(workers) == len(changed) + 1

@@ -1,4 +1,4 @@
-"""Files of the browser's Python: fetched and verified, unpacked and packed; no network here."""
+"""Files of the browser's Python: fetched, verified, unpacked and packed, without a network."""
 
 import json
 import os
@@ -54,10 +54,10 @@ CONTENT = {"engine.wasm": b"machine code", "library.zip": b"modules"}
 FILES = tuple(RuntimeFile(name, store.sha256(data)) for name, data in CONTENT.items())
 
 
-def source_of(content: dict[str, bytes], asked: list[str]) -> Source:
+def source_of(content: dict[str, bytes], requested: list[str]) -> Source:
     def source(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
         for file in wanted:
-            asked.append(file.name)
+            requested.append(file.name)
             yield file, content[file.name]
 
     return source
@@ -67,7 +67,7 @@ def offline(_: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
     raise OSError("network is unreachable")
 
 
-def breaks_off(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
+def broken_off(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
     yield wanted[0], CONTENT[wanted[0].name]
     raise ConnectionResetError("connection reset")
 
@@ -79,15 +79,15 @@ def fetch(folder: Path, *sources: Source) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("damage", [None, b"", b"machine c", b"machine codE"])
-def test_files_are_fetched_once_and_a_damaged_one_again(
+def test_files_are_fetched_once_and_damaged_ones_again(
     tmp_path: Path, damage: bytes | None
 ) -> None:
     fetch(tmp_path, source_of(CONTENT, []))
     if damage is not None:
         store.location(tmp_path, FILES[0]).write_bytes(damage)
-    asked: list[str] = []
-    assert fetch(tmp_path, source_of(CONTENT, asked)) == CONTENT
-    assert asked == ([] if damage is None else ["engine.wasm"])
+    requested: list[str] = []
+    assert fetch(tmp_path, source_of(CONTENT, requested)) == CONTENT
+    assert requested == ([] if damage is None else ["engine.wasm"])
     assert sorted(path.name for path in tmp_path.rglob("*.*")) == sorted(CONTENT)
 
 
@@ -96,19 +96,19 @@ def test_files_are_fetched_once_and_a_damaged_one_again(
     [
         (offline, ["engine.wasm", "library.zip"]),
         (source_of(CONTENT | {"library.zip": b"mod"}, []), ["library.zip"]),
-        (breaks_off, ["library.zip"]),
+        (broken_off, ["library.zip"]),
     ],
-    ids=["out of reach", "wrong bytes", "broken off"],
+    ids=["unreachable", "wrong bytes", "broken off"],
 )
-def test_the_next_source_is_asked_for_what_the_first_did_not_give(
+def test_next_source_supplies_the_files_that_the_first_did_not(
     tmp_path: Path, first: Source, fetched: list[str]
 ) -> None:
-    asked: list[str] = []
-    assert fetch(tmp_path, first, source_of(CONTENT, asked)) == CONTENT
-    assert asked == fetched
+    requested: list[str] = []
+    assert fetch(tmp_path, first, source_of(CONTENT, requested)) == CONTENT
+    assert requested == fetched
 
 
-def test_wrong_bytes_are_never_stored_and_without_a_source_the_message_has_a_way_out(
+def test_wrong_bytes_are_never_stored_and_the_message_gives_advice(
     tmp_path: Path,
 ) -> None:
     with pytest.raises(RuntimeFetchError, match=r"engine\.wasm has SHA-256 .* expected"):
@@ -136,7 +136,7 @@ def unpacked(folder: Path, members: Mapping[str, bytes], *, with_tests: bool) ->
     return {file.relative_to(out).as_posix() for file in out.rglob("*.*")}
 
 
-def test_tests_are_sifted_from_a_wheel_unless_the_release_has_done_so(tmp_path: Path) -> None:
+def test_tests_are_removed_from_a_wheel_unless_already_removed(tmp_path: Path) -> None:
     fast = "lens/fast.cpython-314-wasm32-emscripten.so"
     members = {"lens/__init__.py": b"", fast: b"\0asm\x01\0\0\0", "lens/tests/test_fast.py": b""}
     assert unpacked(tmp_path, members, with_tests=True) == {"lens/__init__.py", fast}
@@ -145,7 +145,7 @@ def test_tests_are_sifted_from_a_wheel_unless_the_release_has_done_so(tmp_path: 
     assert unpacked(tmp_path, members, with_tests=False) == {*members}
 
 
-def test_extensions_for_another_machine_are_refused_by_name(tmp_path: Path) -> None:
+def test_extensions_for_another_platform_are_refused_by_name(tmp_path: Path) -> None:
     path = wheel(tmp_path, {"lens/fast.cpython-314-x86_64-linux-gnu.so": b"\x7fELF\x02\x01\x01"})
     with pytest.raises(WheelError, match=r"lens-1.0.*: fast.*x86_64.* is not WebAssembly"):
         unpack_for_browser(path, tmp_path / "out")
@@ -160,20 +160,20 @@ LISTED = {
 }
 
 
-def test_a_package_comes_with_all_that_it_needs_but_numpy_or_is_refused() -> None:
+def test_package_comes_with_its_dependencies_or_is_refused() -> None:
     assert needed(["lens"], LISTED) == ["glass", "lens"]
     for name, message in (("lense", "did you mean 'lens'"), ("atlas", "'libgeos' is a shared")):
         with pytest.raises(PackageError, match=message):
             needed([name], LISTED)
 
 
-def test_a_wheel_has_its_licences_and_its_page_and_different_versions_are_reported(
+def test_wheel_has_licence_and_page_and_other_versions_are_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    told = "Name: lens\nVersion: 1.0\nLicense-Expression: MIT\nProject-URL: A, https://a.b/c\n"
+    metadata = "Name: lens\nVersion: 1.0\nLicense-Expression: MIT\nProject-URL: A, https://a.b/c\n"
     members = {
         "lens.py": b"",
-        "lens-1.0.dist-info/METADATA": told.encode(),
+        "lens-1.0.dist-info/METADATA": metadata.encode(),
         "lens-1.0.dist-info/licenses/LICENSE": b"Permission is granted.",
     }
     expected = Package("lens", "1.0", "MIT", "Permission is granted.", "https://a.b/c")
@@ -185,7 +185,7 @@ def test_a_wheel_has_its_licences_and_its_page_and_different_versions_are_report
 
 
 @pytest.mark.deep
-def test_a_scene_gets_the_package_that_it_imports(tmp_path: Path) -> None:
+def test_scene_gets_the_package_that_it_imports(tmp_path: Path) -> None:
     room = tmp_path / "simulations" / "scenes" / "orbit"
     room.mkdir(parents=True)
     (room / "__init__.py").touch()
@@ -202,7 +202,7 @@ def test_a_scene_gets_the_package_that_it_imports(tmp_path: Path) -> None:
 
 
 @pytest.mark.deep
-def test_an_unknown_package_is_reported_at_its_line(make_book: MakeBook) -> None:
+def test_unknown_package_is_reported_at_its_line(make_book: MakeBook) -> None:
     outline = OUTLINE + '[runtime]\npackages = ["sixx"]\n'
     options = make_book("::::{simulation} demo\nText.\n::::\n", {"content/book.toml": outline})
     with pytest.raises(BuildError, match=r"^content/book\.toml:6: unknown package 'sixx'"):
@@ -211,7 +211,7 @@ def test_an_unknown_package_is_reported_at_its_line(make_book: MakeBook) -> None
 
 @pytest.fixture
 def package(tmp_path: Path) -> Path:
-    """A small package of that name, with leftovers of an editor and an interpreter."""
+    """A small `simulations` package, with leftovers of an editor and an interpreter."""
     folder = tmp_path / "simulations"
     (folder / "models").mkdir(parents=True)
     (folder / "__pycache__").mkdir()
@@ -229,7 +229,7 @@ def package(tmp_path: Path) -> Path:
     return folder
 
 
-def test_imports_are_found_with_their_place_however_indirect(package: Path) -> None:
+def test_indirect_imports_are_found_with_their_place(package: Path) -> None:
     table = imports_of(module_files(package))
     reached = reach(table, "simulations.scene")
     models = {"simulations.models", "simulations.models.lens"}
@@ -246,14 +246,16 @@ def test_imports_are_found_with_their_place_however_indirect(package: Path) -> N
 
 
 RENDER = "from simulations.browser import render; render('figure', sys.argv[1], '{}', '')"
-TELL = "print(*(name for name, one in sys.modules.items() if getattr(one, '__file__', '')))"
+PRINT_MODULES = (
+    "print(*(name for name, one in sys.modules.items() if getattr(one, '__file__', '')))"
+)
 SAMPLE = ("aliasing", "jpeg", "photon-transfer")
-"""Two of them import parts of numpy that others do without."""
+"""Two of them import parts of numpy that other scenes do not need."""
 
 
 def imported_by(code: str, *given: str) -> set[str]:
-    """All modules that have a file, once that was run."""
-    command = [sys.executable, "-c", f"import sys; {code}; {TELL}", *given]
+    """All modules with a file that the code imports."""
+    command = [sys.executable, "-c", f"import sys; {code}; {PRINT_MODULES}", *given]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     return set(done.stdout.split())
 
@@ -265,7 +267,7 @@ def imported_by(code: str, *given: str) -> set[str]:
         for scene in SCENE_MODULES
     ],
 )
-def test_rendering_a_scene_imports_nothing_beyond_the_imports_of_its_sources(
+def test_rendering_a_scene_imports_only_modules_found_in_its_sources(
     scene: str, imports_of_the_book: Table
 ) -> None:
     imported = imported_by(RENDER, scene)
@@ -282,9 +284,7 @@ def archive(package: Path, modules: Collection[str]) -> bytes:
     return chunk_archive(module_files(package), modules)
 
 
-def test_an_archive_holds_just_its_modules_and_equal_sources_give_equal_bytes(
-    package: Path, tmp_path: Path
-) -> None:
+def test_archive_has_only_its_modules_and_is_reproducible(package: Path, tmp_path: Path) -> None:
     modules = ("simulations", "simulations.models")
     made = archive(package, modules)
     with zipfile.ZipFile(BytesIO(made)) as opened:
@@ -298,7 +298,7 @@ def test_an_archive_holds_just_its_modules_and_equal_sources_give_equal_bytes(
 IMPORT_ALL = """
 import json, sys
 from simulations import browser, registry
-from simulations.editing import copies, exercise  # by the worker, once they are asked for
+from simulations.editing import copies, exercise  # imported by the worker on demand
 from simulations.engine import conditions
 for scene in registry.SCENE_MODULES: registry.load_scene(scene)
 for ladder in registry.LADDER_MODULES: registry.load_ladder(ladder)
@@ -307,7 +307,7 @@ print(json.dumps([module.__name__ for module in ours if module.__file__]))
 """
 
 
-def test_pages_get_just_the_modules_that_the_worker_scenes_and_ladders_import(
+def test_pages_get_exactly_the_modules_of_worker_scenes_and_ladders(
     engine: Engine,
 ) -> None:
     done = engine.run(GERMAN_BOOK, "-c", IMPORT_ALL)

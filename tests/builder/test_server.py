@@ -1,5 +1,5 @@
-"""The development server: what it sends, what it learns of changes, and the builds that it runs in
-processes of their own."""
+"""The development server: its replies, the changes that it detects, and its builds in separate
+processes."""
 
 import asyncio
 import os
@@ -22,7 +22,7 @@ FILES = ("a.mjs", "a.wasm", "404.html", "book.json", "a.woff2", "folder/a.css", 
 
 
 def run[T](task: Coroutine[object, object, T]) -> T:
-    """In a thread of its own: the tests' browser has an event loop in this one."""
+    """Run a task in its own thread, as the tests' browser has an event loop in this one."""
     with ThreadPoolExecutor(1) as pool:
         return pool.submit(asyncio.run, task).result()
 
@@ -58,16 +58,14 @@ def client(site: Path, news: News) -> TestClient:
         ("book.json", "application/json"),
     ],
 )
-def test_a_file_has_the_type_that_browsers_insist_on(
+def test_file_has_the_media_type_that_browsers_require(
     client: TestClient, name: str, media_type: str
 ) -> None:
     assert client.get(f"/{name}").headers["Content-Type"] == media_type
 
 
 @pytest.mark.parametrize("path", ["/nothing/here", "/%2e%2e/outside.txt", "/link.txt", "/folder/"])
-def test_an_address_of_no_file_of_the_site_gets_the_book_s_own_page(
-    client: TestClient, path: str
-) -> None:
+def test_unknown_address_gets_the_books_404_page(client: TestClient, path: str) -> None:
     reply = client.get(path)
     assert (reply.status_code, reply.text) == (404, "404.html")
 
@@ -84,7 +82,7 @@ def test_an_address_of_no_file_of_the_site_gets_the_book_s_own_page(
         ("0.0.0.0", "192.168.1.5:8000", 200),
     ],
 )
-def test_a_request_by_another_name_is_refused(
+def test_request_under_another_host_name_is_refused(
     site: Path, news: News, host: str, name: str, status: int
 ) -> None:
     news.succeed([])
@@ -93,14 +91,16 @@ def test_a_request_by_another_name_is_refused(
         assert client.get(path, headers={"Host": name}).status_code == status
 
 
-def test_a_site_that_was_deleted_is_being_built(client: TestClient, site: Path, news: News) -> None:
+def test_deleted_site_is_reported_as_being_built(
+    client: TestClient, site: Path, news: News
+) -> None:
     shutil.rmtree(site)
     reply = client.get("/b/")
     assert (reply.status_code, "Being built" in reply.text) == (503, True)
-    assert news.state.event() == ": \n\n"  # or the page would reload itself at once
+    assert news.state.event() == ": \n\n"  # otherwise the page would reload itself at once
 
 
-def test_a_port_that_cannot_be_used_is_named() -> None:
+def test_unusable_port_is_reported_with_another() -> None:
     with listen("127.0.0.1", 0) as other:
         port = other.getsockname()[1]
         for number, better in ((port, port + 1), (99999, 8000)):
@@ -108,7 +108,7 @@ def test_a_port_that_cannot_be_used_is_named() -> None:
                 listen("127.0.0.1", number)
 
 
-def test_changes_are_reported_in_hidden_places_behind_links_and_after_a_folder_was_replaced(
+def test_changes_are_detected_behind_links_and_in_replaced_folders(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(module, "LOOK_MS", 60)
@@ -170,7 +170,7 @@ sys.stdin.readline() or sys.exit()
 
 @pytest.fixture
 def builds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Builds:
-    """Builds of a book whose builder is a script of the test's."""
+    """Builds of a book whose builder is a script from the test."""
     (tmp_path / "site_builder").mkdir()
     (tmp_path / "site").mkdir()
     monkeypatch.setattr("site_builder.server.command.ENGINE", tmp_path)
@@ -182,10 +182,10 @@ def write_builder(builds: Builds, then: str = "") -> None:
     script.write_text(SCRIPT.format(then=then))
 
 
-def test_a_cancelled_build_ends_its_process(builds: Builds) -> None:
+def test_cancelled_build_ends_its_process(builds: Builds) -> None:
     write_builder(builds, "time.sleep(1); (out / 'late.html').write_text('')")
 
-    async def overtaken() -> None:
+    async def cancel_build() -> None:
         build = asyncio.create_task(builds.build())
         while not (builds.out / "a.html").exists():
             await asyncio.sleep(0.01)
@@ -193,13 +193,13 @@ def test_a_cancelled_build_ends_its_process(builds: Builds) -> None:
         await asyncio.wait([build])
         await asyncio.sleep(1.2)
 
-    run(overtaken())
+    run(cancel_build())
     assert not (builds.out / "late.html").exists()
     assert builds.news.state == State()
 
 
 @pytest.mark.parametrize(("renewed", "text"), [(True, "newer"), (False, "old")])
-def test_the_next_build_has_its_code_already_unless_that_has_changed(
+def test_next_build_uses_preloaded_code_unless_it_has_changed(
     builds: Builds, renewed: bool, text: str
 ) -> None:
     def writing(word: str) -> str:
@@ -220,8 +220,8 @@ def test_the_next_build_has_its_code_already_unless_that_has_changed(
     assert (builds.out / "b.html").read_text() == text
 
 
-def test_a_waiting_process_that_has_ended_is_replaced(builds: Builds) -> None:
-    """As it ends at once where the book is away for a moment."""
+def test_waiting_process_that_has_ended_is_replaced(builds: Builds) -> None:
+    """It ends at once if the book is missing for a moment."""
 
     async def two_builds() -> None:
         write_builder(builds)
@@ -239,11 +239,11 @@ def test_a_waiting_process_that_has_ended_is_replaced(builds: Builds) -> None:
 
 
 REFUSED = "http://127.0.0.1:9"
-"""A proxy at a port where nobody listens: every connection is refused at once."""
+"""A proxy at an unused port, where every connection is refused at once."""
 LAST = "<!DOCTYPE html><title>The last good site</title>"
 
 
-def test_without_a_network_a_fresh_machine_says_what_to_do_and_keeps_the_last_good_site(
+def test_first_build_without_a_network_advises_and_keeps_the_last_site(
     engine: Engine, tmp_path: Path
 ) -> None:
     for name in ("home", "cache", "work/site"):
@@ -259,15 +259,15 @@ def test_without_a_network_a_fresh_machine_says_what_to_do_and_keeps_the_last_go
         env={**os.environ, **named, **{name: str(place) for name, place in own.items()}},
     ) as serving:  # fmt: skip
         assert serving.stdout
-        said = ""
+        output = ""
         for line in serving.stdout:
-            said += line
+            output += line
             if line.startswith("http://localhost"):
                 break
         serving.terminate()
-    assert "Connect to the internet once: it is kept and never requested again." in said
-    assert said.count("cannot get Temml from npm") == 1
-    assert "Traceback" not in said
+    assert "Connect to the internet once: it is kept and never requested again." in output
+    assert output.count("cannot get Temml from npm") == 1
+    assert "Traceback" not in output
     work = sorted(str(path.relative_to(tmp_path)) for path in (tmp_path / "work").rglob("*"))
     assert work == ["work/site", "work/site/index.html"], "nothing half done"
     assert (tmp_path / "work" / "site" / "index.html").read_text(encoding="utf-8") == LAST
